@@ -1,0 +1,55 @@
+/// @file
+/// The inverse problem: which tractions f explain the readings g = K f?
+///
+/// All matrix methods minimise the same functional (thesis 4.3, with the unit it hides made
+/// explicit; D = pitch, l = smoothing length, differences between neighbours):
+///
+///     |W (K f - g)|^2 + alpha (|f|^2 + l^2/D^2 sum_j (f_{j+1} - f_j)^2)
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/inverse/matrix.hpp"
+#include "tactile_net/sensing/array.hpp"
+
+namespace tactile_net {
+
+struct InverseProblem {
+  Matrix kernel;                  ///< W K, (channels x count) x (unknowns x count); includes D
+  std::vector<double> weights;    ///< diagonal of W, one per row; 0 for a dead taxel
+  std::size_t count = 0;          ///< positions of each unknown
+  std::size_t unknowns = 1;       ///< 1: normal traction; 2: normal, then tangential
+  double pitch = 0.0;             ///< D [m]
+  double smoothing_length = 0.0;  ///< l [m], >= 0
+};
+
+struct ProblemOptions {
+  double smoothing_length = 0.0;         ///< l [m]; 0: the first depth
+  std::vector<double> channel_rms;       ///< noise of each channel; empty: rows not weighted
+  std::vector<std::size_t> dead_taxels;  ///< indices < count; their rows get weight 0
+};
+
+/// Assembles K for the normal traction from `sampled_kernel`.
+///
+/// @throw std::invalid_argument  array, material or an option is out of range; every taxel is dead;
+///                               stresses and strains are mixed without `channel_rms`
+[[nodiscard]] InverseProblem make_problem(const SensorArray& array, const Material& material,
+                                          const ProblemOptions& options = {});
+
+/// P = (WK)'(WK) + alpha (l^2/D^2 Q + I), the matrix of the conductance network (thesis 5.18):
+/// symmetric, positive definite for alpha > 0. Squares K's condition number: for circuits and
+/// for users who ask for it; `tikhonov` does not solve with it.
+///
+/// @throw std::invalid_argument  alpha is not > 0
+[[nodiscard]] Matrix normal_matrix(const InverseProblem& problem, double alpha);
+
+/// b = (WK)' W g, the currents of that network.
+///
+/// @throw std::invalid_argument  readings have the wrong size
+[[nodiscard]] std::vector<double> normal_right_side(const InverseProblem& problem,
+                                                    std::span<const double> readings);
+
+}  // namespace tactile_net

@@ -1,0 +1,65 @@
+/// @file
+/// A linear method made ready: readings in, tractions out, one matrix-vector product a frame.
+#pragma once
+
+#include <span>
+
+#include "tactile_net/inverse/matrix.hpp"
+#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/status.hpp"
+
+namespace tactile_net {
+
+/// f = M g. Built by `tikhonov` and `closed_form`.
+class Reconstruction {
+ public:
+  /// @param matrix     M [Pa per reading], (unknowns x count) x (channels x count)
+  /// @param condition  2-norm condition number of the system behind M, >= 1
+  /// @throw std::invalid_argument  sizes do not fit, or M is empty or not finite
+  Reconstruction(Matrix matrix, double condition);
+
+  /// One frame: O(rows x columns), no allocation, no lock, no exception; const, so threads may
+  /// share one object.
+  ///
+  /// @param readings   g, `matrix().columns` values
+  /// @param tractions  f [Pa], `matrix().rows` values; untouched unless the status is `ok`;
+  ///                   must not overlap `readings`
+  Status solve(std::span<const double> readings, std::span<double> tractions) const noexcept;
+
+  [[nodiscard]] const Matrix& matrix() const noexcept { return matrix_; }
+
+  /// Condition number of the stacked system: relative errors of its entries, rounding included,
+  /// reach the tractions multiplied by about this.
+  [[nodiscard]] double condition() const noexcept { return condition_; }
+
+ private:
+  Matrix matrix_;
+  double condition_;
+};
+
+/// Minimises the functional of problem.hpp by a QR of the stacked matrix [W K; sqrt(alpha) L],
+/// L'L = l^2/D^2 Q + I: backward stable, P is never formed. O((m + n) n^2) for K of m x n.
+///
+/// @param alpha  weight of the smoothness [unit of (W K)^2], > 0
+/// @throw std::invalid_argument  alpha is not > 0 and finite
+/// @throw std::domain_error      the stacked matrix is rank deficient in double precision
+[[nodiscard]] Reconstruction tikhonov(const InverseProblem& problem, double alpha);
+
+/// One frame solved directly, without building M: as `tikhonov`, about three times cheaper.
+///
+/// @return f [Pa], unknowns x count values
+/// @throw as `tikhonov`; std::invalid_argument if readings have the wrong size or are not finite
+[[nodiscard]] std::vector<double> tikhonov_solve(const InverseProblem& problem, double alpha,
+                                                 std::span<const double> readings);
+
+/// The closed form of thesis chapter 4 (4.14-4.15) with its errata corrected: f = G h + c with
+/// h = f', G the cumulative sum times D, c the constant that the thesis misprints.
+///
+/// Eliminating h by a QR of [W K G; sqrt(alpha) G; sqrt(alpha) l I] leaves c as the ratio
+/// c = r_v'r_u / r_v'r_v of two residuals: the corrected form of 4.15 with nothing squared. The
+/// minimiser is the same as `tikhonov`'s: the two agree to rounding, by different ways.
+///
+/// @throw as `tikhonov`
+[[nodiscard]] Reconstruction closed_form(const InverseProblem& problem, double alpha);
+
+}  // namespace tactile_net

@@ -1,0 +1,38 @@
+/// @file
+/// P f = b as a network of conductances (thesis 5.18-5.20).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "tactile_net/inverse/matrix.hpp"
+
+namespace tactile_net {
+
+/// Conductance between two nodes, in units of P: -P_ij, negative where P_ij > 0.
+struct Branch {
+  std::size_t from = 0;
+  std::size_t to = 0;  ///< > from
+  double conductance = 0.0;
+};
+
+/// With a current b_i into each node i, Kirchhoff's current law reads P v = b: the node voltages
+/// are the tractions. Values are in units of P; `Scale` turns them into siemens and volts.
+struct ConductanceNetwork {
+  std::size_t nodes = 0;
+  std::vector<Branch> branches;  ///< by (from, to); zero entries of P have none
+  std::vector<double> ground;    ///< per node: sum_j P_ij; may be zero or negative
+};
+
+/// @param matrix  P, symmetric
+/// @throw std::invalid_argument  P is not square, not finite or not symmetric (to 1e-12 of its
+///                               largest entry)
+[[nodiscard]] ConductanceNetwork conductances(const Matrix& matrix);
+
+/// Smallest eigenvalue of a symmetric matrix. With capacitance at its nodes the network settles
+/// if and only if it is positive: C dv/dt = -P v + b. O(n^3).
+///
+/// @throw std::invalid_argument  the matrix is not square, empty or not finite
+[[nodiscard]] double smallest_eigenvalue(const Matrix& matrix);
+
+}  // namespace tactile_net

@@ -1,0 +1,35 @@
+/// @file
+/// What is wrong with an input file, and where.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace tactile_net {
+
+struct Diagnostic {
+  std::string file;
+  std::size_t line = 0;    ///< from 1; 0: the file as a whole
+  std::size_t column = 0;  ///< from 1
+  std::string message;     ///< "sensor.depth must be > 0 (got -1.5)"
+  std::string hint;        ///< what to do; may be empty
+  std::string source;      ///< the line itself; empty: not shown
+};
+
+/// `file:line:column: error: message`, the source line with a caret, `hint: ...`; ends with a
+/// newline.
+[[nodiscard]] std::string text(const Diagnostic& diagnostic);
+
+/// Bad input; holds every problem that was found, in the file's order. what() is all their texts.
+class InputError : public std::runtime_error {
+ public:
+  explicit InputError(std::vector<Diagnostic> diagnostics);
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const noexcept { return diagnostics_; }
+
+ private:
+  std::vector<Diagnostic> diagnostics_;
+};
+
+}  // namespace tactile_net

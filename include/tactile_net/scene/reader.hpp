@@ -1,0 +1,22 @@
+/// @file
+/// Reads a scene from TOML (format: docs/scene.md).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "tactile_net/scene/diagnostic.hpp"
+#include "tactile_net/scene/scene.hpp"
+
+namespace tactile_net {
+
+/// @throw InputError  every problem of the file at once: not a readable regular file, larger than
+///                    16 MiB, not TOML, unknown keys (with the nearest known one), wrong types,
+///                    values out of range, what this version cannot simulate
+[[nodiscard]] Scene read_scene(const std::filesystem::path& path);
+
+/// As `read_scene`, from text already in memory; `file` is the name in messages.
+[[nodiscard]] Scene parse_scene(std::string_view toml, const std::string& file);
+
+}  // namespace tactile_net
