@@ -15,25 +15,29 @@ class Reconstruction {
  public:
   /// @param matrix     M [Pa per reading], (unknowns x count) x (channels x count)
   /// @param condition  2-norm condition number of the system behind M, >= 1
-  /// @throw std::invalid_argument  sizes do not fit, or M is empty or not finite
-  Reconstruction(Matrix matrix, double condition);
+  /// @throw std::invalid_argument  M is empty, not finite, or its size is not rows x columns
+  Reconstruction(const Matrix& matrix, double condition);
 
-  /// One frame: O(rows x columns), no allocation, no lock, no exception; const, so threads may
-  /// share one object.
+  /// One frame: O(readings x tractions), no allocation, no lock, no exception; const, so threads
+  /// may share one object. Sums in a fixed order: equal frames give equal bits.
   ///
-  /// @param readings   g, `matrix().columns` values
-  /// @param tractions  f [Pa], `matrix().rows` values; untouched unless the status is `ok`;
-  ///                   must not overlap `readings`
+  /// @param readings   g, `readings()` values
+  /// @param tractions  f [Pa], `tractions()` values, the normal ones first; untouched unless the
+  ///                   status is `ok`; must not overlap `readings`
   Status solve(std::span<const double> readings, std::span<double> tractions) const noexcept;
 
-  [[nodiscard]] const Matrix& matrix() const noexcept { return matrix_; }
+  [[nodiscard]] std::size_t readings() const noexcept { return transposed_.rows; }
+  [[nodiscard]] std::size_t tractions() const noexcept { return transposed_.columns; }
+
+  /// M' itself: row j holds what a unit of reading j adds to every traction.
+  [[nodiscard]] const Matrix& transposed() const noexcept { return transposed_; }
 
   /// Condition number of the stacked system: relative errors of its entries, rounding included,
   /// reach the tractions multiplied by about this.
   [[nodiscard]] double condition() const noexcept { return condition_; }
 
  private:
-  Matrix matrix_;
+  Matrix transposed_;
   double condition_;
 };
 

@@ -1,0 +1,103 @@
+#include "tactile_net/inverse/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "inverse/eigen.hpp"
+#include "tactile_net/sensing/sampled.hpp"
+
+namespace tactile_net {
+namespace {
+
+void check(const SensorArray& array, const ProblemOptions& options) {
+  if (!(options.smoothing_length >= 0.0) || !std::isfinite(options.smoothing_length))
+    throw std::invalid_argument("smoothing_length must be >= 0 and finite");
+  if (options.channel_rms.empty()) {
+    const bool strain = std::any_of(array.reads.begin(), array.reads.end(), is_strain);
+    const bool stress = !std::all_of(array.reads.begin(), array.reads.end(), is_strain);
+    if (strain && stress)
+      throw std::invalid_argument(
+          "strains and stresses read together need channel_rms: the sum of their squares has no "
+          "unit");
+  } else if (options.channel_rms.size() != array.reads.size() * array.depths.size()) {
+    throw std::invalid_argument("channel_rms needs one value per channel");
+  }
+  for (const double rms : options.channel_rms)
+    if (!(rms > 0.0) || !std::isfinite(rms))
+      throw std::invalid_argument("channel_rms must be > 0 and finite");
+  for (const std::size_t taxel : options.dead_taxels)
+    if (taxel >= array.count)
+      throw std::invalid_argument("dead taxel " + std::to_string(taxel) + " is not < count");
+}
+
+}  // namespace
+
+InverseProblem make_problem(const SensorArray& array, const Material& material,
+                            const ProblemOptions& options) {
+  check(array);
+  check(material);
+  check(array, options);
+
+  const std::size_t n = array.count;
+  const std::vector<Channel> all = channels(array);
+  InverseProblem problem{.kernel = {all.size() * n, n, std::vector<double>(all.size() * n * n)},
+                         .weights = std::vector<double>(all.size() * n, 1.0),
+                         .count = n,
+                         .pitch = array.pitch,
+                         .smoothing_length = options.smoothing_length};
+
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    const auto row_weights = std::span(problem.weights).subspan(c * n, n);
+    if (!options.channel_rms.empty())
+      std::fill(row_weights.begin(), row_weights.end(), 1.0 / options.channel_rms[c]);
+    for (const std::size_t taxel : options.dead_taxels) row_weights[taxel] = 0.0;
+
+    const std::vector<double> kernel =
+        sampled_kernel(all[c], Traction::normal, material, n, array.pitch);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        problem.kernel(c * n + i, j) = row_weights[i] * kernel[i + n - 1 - j];
+  }
+  const auto is_zero = [](double weight) { return weight == 0.0; };
+  if (std::all_of(problem.weights.begin(), problem.weights.end(), is_zero))
+    throw std::invalid_argument("every taxel is dead: nothing is measured");
+  return problem;
+}
+
+Matrix normal_matrix(const InverseProblem& problem, double alpha) {
+  if (!(alpha > 0.0) || !std::isfinite(alpha))
+    throw std::invalid_argument("alpha must be > 0 and finite");
+  const auto kernel = as_eigen(problem.kernel);
+  RowMajor p = RowMajor::Zero(kernel.cols(), kernel.cols());
+  p.selfadjointView<Eigen::Upper>().rankUpdate(kernel.transpose());
+
+  const double ratio = problem.smoothing_length / problem.pitch;
+  const double coupling = alpha * ratio * ratio;
+  const auto n = static_cast<Eigen::Index>(problem.count);
+  for (Eigen::Index i = 0; i < p.rows(); ++i) {
+    p(i, i) += alpha;
+    if (i % n + 1 == n) continue;  // the last point of a block has no right neighbour
+    p(i, i) += coupling;
+    p(i + 1, i + 1) += coupling;
+    p(i, i + 1) -= coupling;
+  }
+  p.triangularView<Eigen::StrictlyLower>() = p.transpose();
+  return from_eigen(p);
+}
+
+std::vector<double> normal_right_side(const InverseProblem& problem,
+                                      std::span<const double> readings) {
+  if (readings.size() != problem.weights.size())
+    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
+                                " values, the problem has " +
+                                std::to_string(problem.weights.size()) + " rows");
+  std::vector<double> right_side(problem.kernel.columns);
+  Eigen::Map<Eigen::VectorXd>(right_side.data(), std::ssize(right_side)) =
+      as_eigen(problem.kernel).transpose() *
+      as_eigen(std::span(problem.weights)).cwiseProduct(as_eigen(readings));
+  return right_side;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,35 @@
+#include "tactile_net/inverse/reconstruction.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "inverse/eigen.hpp"
+#include "inverse/finite.hpp"
+
+namespace tactile_net {
+
+Reconstruction::Reconstruction(const Matrix& matrix, double condition) : condition_(condition) {
+  if (matrix.values.empty() || matrix.values.size() != matrix.rows * matrix.columns)
+    throw std::invalid_argument(
+        "a reconstruction matrix needs rows x columns values, at least one");
+  if (!all_finite(matrix.values))
+    throw std::invalid_argument("the reconstruction matrix is not finite: scale the readings");
+  transposed_ = from_eigen(as_eigen(matrix).transpose());
+}
+
+Status Reconstruction::solve(std::span<const double> g, std::span<double> f) const noexcept {
+  if (g.size() != readings() || f.size() != tractions()) return Status::wrong_size;
+  if (!all_finite(g)) return Status::not_finite;
+
+  // Column by column of M: every f_i is summed in the order of the readings, and the inner loop
+  // runs over neighbours in memory, which compilers vectorise without reordering a sum.
+  std::fill(f.begin(), f.end(), 0.0);
+  const double* column = transposed_.values.data();
+  for (const double reading : g) {
+    for (std::size_t i = 0; i < f.size(); ++i) f[i] += reading * column[i];
+    column += f.size();
+  }
+  return Status::ok;
+}
+
+}  // namespace tactile_net

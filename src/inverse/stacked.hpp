@@ -1,0 +1,85 @@
+/// @file
+/// Least squares of stacked matrices by QR, shared by `tikhonov` and `closed_form`. Private.
+#pragma once
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "inverse/eigen.hpp"
+#include "tactile_net/inverse/problem.hpp"
+
+namespace tactile_net {
+
+inline void check_alpha(double alpha) {
+  if (!(alpha > 0.0) || !std::isfinite(alpha))
+    throw std::invalid_argument("alpha must be > 0 and finite");
+}
+
+/// QR of a tall matrix. Rows should be stacked largest first: Householder reflections are then
+/// stable row by row, however small alpha makes the lower ones.
+class StackedQr {
+  [[nodiscard]] auto triangle() const {
+    return qr_.matrixQR().topRows(unknowns()).triangularView<Eigen::Upper>();
+  }
+
+ public:
+  explicit StackedQr(const Eigen::MatrixXd& stacked) : qr_(stacked) {}
+
+  [[nodiscard]] Eigen::Index unknowns() const { return qr_.cols(); }
+
+  /// Q' x, of full length: the first `unknowns()` entries solve, the rest is the residual.
+  template <class Right>
+  [[nodiscard]] Eigen::MatrixXd rotate(const Right& right) const {
+    return qr_.householderQ().adjoint() * right;
+  }
+
+  /// Q x for x of full length.
+  [[nodiscard]] Eigen::MatrixXd rotate_back(const Eigen::MatrixXd& x) const {
+    return qr_.householderQ() * x;
+  }
+
+  /// The least-squares solution for a rotated right side.
+  [[nodiscard]] Eigen::MatrixXd solve_rotated(const Eigen::MatrixXd& rotated) const {
+    return triangle().solve(rotated.topRows(unknowns()));
+  }
+
+  /// The first `rows` columns of the pseudo-inverse.
+  [[nodiscard]] Eigen::MatrixXd pseudo_inverse(Eigen::Index rows) const {
+    const Eigen::MatrixXd q =
+        qr_.householderQ() * Eigen::MatrixXd::Identity(qr_.rows(), unknowns());
+    return triangle().solve(q.topRows(rows).transpose());
+  }
+
+  /// 2-norm condition number.
+  /// @throw std::domain_error  it exceeds what double precision can resolve
+  [[nodiscard]] double condition() const {
+    Eigen::MatrixXd r = Eigen::MatrixXd::Zero(unknowns(), unknowns());
+    r.triangularView<Eigen::Upper>() = qr_.matrixQR().topRows(unknowns());
+    const Eigen::VectorXd s = Eigen::BDCSVD<Eigen::MatrixXd>(r).singularValues();
+    const double limit =
+        1.0 / (std::numeric_limits<double>::epsilon() * static_cast<double>(qr_.rows()));
+    const double condition = s(0) / s(s.size() - 1);
+    if (!(condition < limit)) {
+      std::ostringstream text;
+      text << "rank deficient in double precision: condition number " << condition
+           << " of the stacked matrix, limit " << limit << "; raise alpha";
+      throw std::domain_error(text.str());
+    }
+    return condition;
+  }
+
+ private:
+  Eigen::HouseholderQR<Eigen::MatrixXd> qr_;
+};
+
+/// M W: a pseudo-inverse of weighted rows, applied to readings that are not weighted yet.
+[[nodiscard]] inline Matrix unweighted(const Eigen::MatrixXd& inverse,
+                                       const InverseProblem& problem) {
+  return from_eigen(inverse * as_eigen(std::span(problem.weights)).asDiagonal());
+}
+
+}  // namespace tactile_net

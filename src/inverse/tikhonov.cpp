@@ -1,0 +1,58 @@
+#include <string>
+
+#include "inverse/finite.hpp"
+#include "inverse/stacked.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
+
+namespace tactile_net {
+namespace {
+
+/// [W K; sqrt(alpha) l/D differences; sqrt(alpha) I].
+Eigen::MatrixXd stacked(const InverseProblem& problem, double alpha) {
+  const auto kernel = as_eigen(problem.kernel);
+  const Eigen::Index n = kernel.cols();
+  const auto block = static_cast<Eigen::Index>(problem.count);
+  const double size = std::sqrt(alpha);
+  const double slope = size * problem.smoothing_length / problem.pitch;
+
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(kernel.rows() + 2 * n, n);
+  a.topRows(kernel.rows()) = kernel;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    a(kernel.rows() + n + i, i) = size;
+    if (i % block + 1 == block) continue;  // the last point of a block has no right neighbour
+    a(kernel.rows() + i, i) = -slope;
+    a(kernel.rows() + i, i + 1) = slope;
+  }
+  return a;
+}
+
+}  // namespace
+
+Reconstruction tikhonov(const InverseProblem& problem, double alpha) {
+  check_alpha(alpha);
+  const StackedQr qr(stacked(problem, alpha));
+  const double condition = qr.condition();
+  const auto rows = static_cast<Eigen::Index>(problem.kernel.rows);
+  return {unweighted(qr.pseudo_inverse(rows), problem), condition};
+}
+
+std::vector<double> tikhonov_solve(const InverseProblem& problem, double alpha,
+                                   std::span<const double> readings) {
+  check_alpha(alpha);
+  if (readings.size() != problem.kernel.rows)
+    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
+                                " values, the problem has " + std::to_string(problem.kernel.rows) +
+                                " rows");
+  if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
+
+  const Eigen::MatrixXd a = stacked(problem, alpha);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(a.rows());
+  right.head(std::ssize(readings)) =
+      as_eigen(std::span(problem.weights)).cwiseProduct(as_eigen(readings));
+  const StackedQr qr(a);
+  const Eigen::VectorXd f = qr.solve_rotated(qr.rotate(right));
+  if (!f.allFinite()) throw std::domain_error("rank deficient in double precision: raise alpha");
+  return {f.begin(), f.end()};
+}
+
+}  // namespace tactile_net
