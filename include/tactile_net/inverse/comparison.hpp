@@ -1,0 +1,48 @@
+/// @file
+/// How far one set of tractions is from another.
+#pragma once
+
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+namespace tactile_net {
+
+/// Mean of |f - reference| [Pa] (thesis 3.17); 0 for no values.
+[[nodiscard]] inline double mean_absolute_error(std::span<const double> f,
+                                                std::span<const double> reference) noexcept {
+  assert(f.size() == reference.size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < f.size(); ++i) sum += std::abs(f[i] - reference[i]);
+  return f.empty() ? 0.0 : sum / static_cast<double>(f.size());
+}
+
+/// |f - reference|_2 / |reference|_2; NaN if the reference is zero everywhere. Free of overflow and
+/// underflow: both norms are scaled by their largest entry.
+[[nodiscard]] inline double relative_l2_error(std::span<const double> f,
+                                              std::span<const double> reference) noexcept {
+  assert(f.size() == reference.size());
+  double scale = 0.0;
+  for (const double value : reference) scale = std::fmax(scale, std::abs(value));
+  if (!(scale > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  double error = 0.0;
+  double size = 0.0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const double difference = f[i] / scale - reference[i] / scale;
+    error += difference * difference;
+    size += reference[i] / scale * (reference[i] / scale);
+  }
+  return std::sqrt(error / size);
+}
+
+/// Force [N/m] of sampled tractions: pitch times their sum.
+[[nodiscard]] inline double sampled_force(std::span<const double> tractions,
+                                          double pitch) noexcept {
+  double sum = 0.0;
+  for (const double traction : tractions) sum += traction;
+  return pitch * sum;
+}
+
+}  // namespace tactile_net

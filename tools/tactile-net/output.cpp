@@ -1,0 +1,110 @@
+#include "output.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <iostream>
+#include <system_error>
+
+#include "failure.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string suffix() { return ".partial-" + std::to_string(::getpid()); }
+
+[[noreturn]] void not_written(const fs::path& path) {
+  const std::string reason = errno == 0 ? "" : ": " + std::generic_category().message(errno);
+  throw std::runtime_error(path.string() + ": error: could not be written" + reason +
+                           "; nothing was changed there");
+}
+
+}  // namespace
+
+OutputFile::OutputFile(const fs::path& path) : path_(path) {
+  if (path.empty() || path == "-") return;
+  std::error_code error;
+  if (fs::is_symlink(path, error)) path_ = fs::weakly_canonical(path, error);
+  const fs::file_status status = fs::status(path_, error);
+  const bool direct = fs::exists(status) && !fs::is_regular_file(status);
+  if (fs::is_directory(status)) throw CannotCreate(path.string() + ": error: is a folder");
+  if (!direct) {
+    temporary_ = path_;
+    temporary_ += suffix();
+  }
+  errno = 0;
+  file_.open(direct ? path_ : temporary_, std::ios::binary | std::ios::trunc);
+  if (!file_) {
+    temporary_.clear();
+    throw CannotCreate(path.string() +
+                       ": error: cannot be created: " + std::generic_category().message(errno));
+  }
+}
+
+OutputFile::~OutputFile() {
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove(temporary_, ignored);
+}
+
+std::ostream& OutputFile::stream() noexcept {
+  if (file_.is_open()) return file_;
+  return std::cout;
+}
+
+void OutputFile::commit() {
+  errno = 0;
+  stream().flush();
+  if (file_.is_open()) file_.close();
+  if (!stream()) not_written(path_.empty() || path_ == "-" ? "standard output" : path_);
+  if (temporary_.empty()) return;
+  fs::rename(temporary_, path_);
+  temporary_.clear();
+}
+
+OutputFolder::OutputFolder(const fs::path& path) : path_(path) {
+  std::error_code error;
+  if (fs::exists(path) && !fs::is_directory(path))
+    throw CannotCreate(path.string() + ": error: is a file, not a folder");
+  if (fs::is_directory(path)) {
+    staging_ = path / suffix();
+  } else {
+    staging_ = (path.has_filename() ? path : path.parent_path());
+    path_ = staging_;
+    staging_ += suffix();
+  }
+  fs::create_directories(staging_, error);
+  if (error || ::access(staging_.c_str(), W_OK) != 0) {
+    const fs::path failed = staging_;
+    staging_.clear();
+    throw CannotCreate(path.string() + ": error: the folder cannot be written to: " +
+                       (error ? error.message() : "permission denied"));
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code ignored;
+  if (!staging_.empty()) fs::remove_all(staging_, ignored);
+}
+
+void OutputFolder::write(std::string_view name, std::string_view content) const {
+  errno = 0;
+  std::ofstream file(staging_ / name, std::ios::binary | std::ios::trunc);
+  file.write(content.data(), static_cast<std::streamsize>(content.size()));
+  file.close();
+  if (!file) not_written(path_ / name);
+}
+
+void OutputFolder::commit() {
+  if (fs::is_directory(path_)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(staging_))
+      fs::rename(entry.path(), path_ / entry.path().filename());
+    fs::remove(staging_);
+  } else {
+    fs::rename(staging_, path_);
+  }
+  staging_.clear();
+}
+
+}  // namespace tactile_net::tool

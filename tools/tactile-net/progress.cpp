@@ -1,0 +1,32 @@
+#include "progress.hpp"
+
+#include <unistd.h>
+
+#include <iostream>
+
+namespace tactile_net::tool {
+namespace {
+constexpr std::string_view clear_line = "\r\033[K";
+}
+
+Progress::Progress() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+  if (shown_) std::cerr << clear_line << std::flush;
+}
+
+void Progress::step(const std::string& text) {
+  if (!terminal_) return;
+  std::cerr << clear_line << text << std::flush;
+  shown_ = true;
+}
+
+bool Progress::due() noexcept {
+  if (!terminal_) return false;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_ < std::chrono::milliseconds(200)) return false;
+  last_ = now;
+  return true;
+}
+
+}  // namespace tactile_net::tool

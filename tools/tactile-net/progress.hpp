@@ -1,0 +1,29 @@
+/// @file
+/// One line on a terminal that says what is going on; nothing when stderr is not a terminal.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace tactile_net::tool {
+
+class Progress {
+ public:
+  Progress();
+  ~Progress();  ///< clears the line
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// Shows a step at once.
+  void step(const std::string& text);
+
+  /// True about five times a second on a terminal: time to build a text and call `step`.
+  [[nodiscard]] bool due() noexcept;
+
+ private:
+  bool terminal_;
+  bool shown_ = false;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+}  // namespace tactile_net::tool

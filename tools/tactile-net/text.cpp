@@ -1,0 +1,95 @@
+#include "text.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace tactile_net::tool {
+namespace {
+
+std::string join(const std::vector<std::string>& parts, std::string_view separator) {
+  std::string text;
+  for (const std::string& part : parts) {
+    if (!text.empty()) text += separator;
+    text += part;
+  }
+  return text;
+}
+
+std::string_view shape_name(Shape shape) {
+  switch (shape) {
+    case Shape::cylinder:
+      return "cylinder";
+    case Shape::punch:
+      return "punch";
+    case Shape::wedge:
+      return "wedge";
+  }
+  return "";
+}
+
+std::string in_words(const RigidContact& contact) {
+  std::string text(shape_name(contact.shape));
+  text += " at " + brief(contact.center) + ", half width " + brief(contact.half_width) +
+          ", force " + brief(contact.force);
+  if (contact.edge > 0.0) text += ", edge " + brief(contact.edge);
+  if (contact.friction != 0.0) text += ", friction " + brief(contact.friction);
+  return text;
+}
+
+std::string in_words(const SampledTractions& contact) {
+  return "sampled tractions at the " + std::to_string(contact.normal.size()) + " taxels" +
+         (contact.tangential.empty() ? "" : ", normal and tangential");
+}
+
+}  // namespace
+
+std::string exact(double number) {
+  std::string text;
+  append_number(text, number);
+  return text;
+}
+
+std::string brief(double number) {
+  if (std::isnan(number)) return "-";
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.3g", number);
+  return buffer;
+}
+
+std::string duration(double seconds) {
+  if (std::isnan(seconds)) return "-";
+  if (seconds < 1e-6) return brief(seconds * 1e9) + " ns";
+  if (seconds < 1e-3) return brief(seconds * 1e6) + " us";
+  if (seconds < 1.0) return brief(seconds * 1e3) + " ms";
+  return brief(seconds) + " s";
+}
+
+std::string sensor_in_words(const Scene& scene) {
+  std::vector<std::string> reads;
+  std::vector<std::string> depths;
+  for (const Quantity quantity : scene.sensor.reads) reads.emplace_back(name(quantity));
+  for (const double depth : scene.sensor.depths) depths.push_back(brief(depth));
+  return std::to_string(scene.sensor.count) + " taxels, pitch " + brief(scene.sensor.pitch) +
+         ", reading " + join(reads, ", ") + " at depth " + join(depths, " and ");
+}
+
+std::string material_in_words(const Scene& scene) {
+  return "half plane, E = " + brief(scene.material.youngs_modulus) +
+         ", nu = " + exact(scene.material.poisson_ratio);
+}
+
+std::vector<std::string> contacts_in_words(const Scene& scene) {
+  std::vector<std::string> texts;
+  for (const Contact& contact : scene.contacts)
+    texts.push_back(std::visit([](const auto& shape) { return in_words(shape); }, contact));
+  return texts;
+}
+
+std::string effects_in_words(const Scene& scene, bool simulated) {
+  std::vector<std::string> names;
+  for (const auto& [effect, present] : effects(scene))
+    if (present == simulated) names.emplace_back(effect);
+  return names.empty() ? "none" : join(names, ", ");
+}
+
+}  // namespace tactile_net::tool

@@ -1,0 +1,40 @@
+/// @file
+/// Numbers and scenes as text for people.
+#pragma once
+
+#include <charconv>
+#include <string>
+#include <vector>
+
+#include "tactile_net/scene/scene.hpp"
+
+namespace tactile_net::tool {
+
+/// Appends the shortest decimal text that reads back as the same number, in any locale.
+inline void append_number(std::string& out, double number) {
+  char buffer[32];
+  out.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
+}
+
+/// Shortest decimal text that reads back as the same number.
+[[nodiscard]] std::string exact(double number);
+
+/// Three significant digits, for tables; "-" for NaN.
+[[nodiscard]] std::string brief(double number);
+
+/// "12 us": a duration with its unit.
+[[nodiscard]] std::string duration(double seconds);
+
+/// "81 taxels, pitch 0.25, reading strain_x at depth 1.5"
+[[nodiscard]] std::string sensor_in_words(const Scene& scene);
+
+/// "half plane, E = 1, nu = 0.45"
+[[nodiscard]] std::string material_in_words(const Scene& scene);
+
+/// One sentence per contact: "cylinder at 0, half width 2, force 1"; empty for no contact.
+[[nodiscard]] std::vector<std::string> contacts_in_words(const Scene& scene);
+
+/// The names of the effects the scene calls for, or of those it does not, joined by commas; "none".
+[[nodiscard]] std::string effects_in_words(const Scene& scene, bool simulated);
+
+}  // namespace tactile_net::tool
