@@ -100,8 +100,8 @@ double force_outside(const Scene& scene) {
   const double end = position(scene.sensor, scene.sensor.count - 1) + scene.sensor.pitch / 2;
   double outside = 0.0;
   for (const Contact& contact : scene.contacts)
-    outside += resultant(contact, Traction::normal) -
-               force_between(contact, Traction::normal, -end, end);
+    outside +=
+        resultant(contact, Traction::normal) - force_between(contact, Traction::normal, -end, end);
   return outside;
 }
 
@@ -135,10 +135,9 @@ Simulation simulate(const Scene& scene) {
   Simulation simulation{.truth = sample(scene.contacts, scene.sensor),
                         .readings = {},
                         .warnings = warnings_of(scene, total_force(scene))};
-  simulation.readings =
-      scene.forward == ForwardModel::exact
-          ? exact_readings(scene.sensor, scene.material, scene.contacts)
-          : fast_sampled_readings(scene.sensor, scene.material, simulation.truth);
+  simulation.readings = scene.forward == ForwardModel::exact
+                            ? exact_readings(scene.sensor, scene.material, scene.contacts)
+                            : fast_sampled_readings(scene.sensor, scene.material, simulation.truth);
 
   const std::vector<Channel> all = channels(scene.sensor);
   for (std::size_t c = 0; c < all.size(); ++c) {

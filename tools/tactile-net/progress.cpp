@@ -11,8 +11,9 @@ constexpr std::string_view clear_line = "\r\033[K";
 
 Progress::Progress() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
-Progress::~Progress() {
+void Progress::clear() {
   if (shown_) std::cerr << clear_line << std::flush;
+  shown_ = false;
 }
 
 void Progress::step(const std::string& text) {

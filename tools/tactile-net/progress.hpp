@@ -10,12 +10,15 @@ namespace tactile_net::tool {
 class Progress {
  public:
   Progress();
-  ~Progress();  ///< clears the line
+  ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   /// Shows a step at once.
   void step(const std::string& text);
+
+  /// Removes the line.
+  void clear();
 
   /// True about five times a second on a terminal: time to build a text and call `step`.
   [[nodiscard]] bool due() noexcept;

@@ -87,14 +87,15 @@ Relaxation relax(const CircuitPlan& plan, const NgspiceOptions& options) {
   OperatingPoint point = operating_point(deck_text(plan, Answer::raw_file), outputs, options);
   result.ngspice_seconds = point.seconds;
   result.voltages = std::move(point.voltages);
-  for (const double voltage : result.voltages) result.tractions.push_back(voltage / plan.scale.volts);
+  for (const double voltage : result.voltages)
+    result.tractions.push_back(voltage / plan.scale.volts);
 
   result.difference = relative_l2_error(result.tractions, plan.direct);
   if (std::isnan(result.difference))  // no load: the answer is zero, or wrong
-    result.difference =
-        std::all_of(result.voltages.begin(), result.voltages.end(), [](double v) { return v == 0.0; })
-            ? 0.0
-            : std::numeric_limits<double>::infinity();
+    result.difference = std::all_of(result.voltages.begin(), result.voltages.end(),
+                                    [](double v) { return v == 0.0; })
+                            ? 0.0
+                            : std::numeric_limits<double>::infinity();
   return result;
 }
 

@@ -1,0 +1,83 @@
+#include "plot.hpp"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include "tactile_net/simulator/child_process.hpp"
+#include "text.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+/// Colours that stay apart for colour-blind readers (Okabe and Ito), the truth in black.
+constexpr std::array<std::string_view, 6> colours = {"#000000", "#0072b2", "#d55e00",
+                                                     "#009e73", "#cc79a7", "#e69f00"};
+
+/// A gnuplot string: single-quoted, quotes doubled.
+std::string quoted(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
+  return out + "'";
+}
+
+std::string script(const Plot& plot) {
+  std::string text = "set title " + quoted(plot.title) + "\nset xlabel " + quoted(plot.x_label) +
+                     "\nset ylabel " + quoted(plot.y_label) + "\n$data << EOD\n";
+  for (std::size_t i = 0; i < plot.x.size(); ++i) {
+    append_number(text, plot.x[i]);
+    for (const Curve& curve : plot.curves) {
+      text += ' ';
+      if (std::isfinite(curve.y[i]))
+        append_number(text, curve.y[i]);
+      else
+        text += "NaN";
+    }
+    text += '\n';
+  }
+  text += "EOD\nplot ";
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+    const Curve& curve = plot.curves[i];
+    const std::string colour(colours[i % colours.size()]);
+    if (i > 0) text += ", ";
+    text += "$data using 1:" + std::to_string(i + 2) +
+            (curve.dots ? " with points pt 7 ps 0.5 lc rgb '"
+                        : " with lines lw 2 dt " + std::to_string(1 + i / 2) + " lc rgb '") +
+            colour + "' title " + quoted(curve.label);
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::vector<std::string> draw(std::span<const Plot> plots) {
+  std::string input =
+      "set encoding utf8\nset terminal svg size 760,340 dynamic noenhanced font 'sans-serif,13' "
+      "background '#ffffff'\nset grid lc rgb '#dddddd'\nset key outside right top\n"
+      "set zeroaxis lc rgb '#999999'\n";
+  for (const Plot& plot : plots) input += script(plot);
+
+  const ProcessResult result =
+      run_process({"gnuplot", "-d"}, {.folder = {}, .input = input, .unset = {}});
+  if (result.end == ProcessResult::End::not_found)
+    throw std::runtime_error("gnuplot is not installed: apt install gnuplot-nox");
+  if (result.end != ProcessResult::End::exited || result.code != 0)
+    throw std::runtime_error("gnuplot failed: " + result.errors.substr(0, 300));
+
+  std::vector<std::string> pictures;
+  constexpr std::string_view end_mark = "</svg>";
+  for (std::size_t at = 0;;) {
+    const std::size_t begin = result.output.find("<svg", at);
+    const std::size_t end = result.output.find(end_mark, at);
+    if (begin == std::string::npos || end == std::string::npos) break;
+    pictures.push_back(result.output.substr(begin, end + end_mark.size() - begin));
+    at = end + end_mark.size();
+  }
+  if (pictures.size() != plots.size())
+    throw std::runtime_error("gnuplot drew " + std::to_string(pictures.size()) + " of " +
+                             std::to_string(plots.size()) + " plots");
+  return pictures;
+}
+
+}  // namespace tactile_net::tool

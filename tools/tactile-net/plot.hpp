@@ -1,0 +1,30 @@
+/// @file
+/// Line plots by gnuplot, as SVG text.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tactile_net::tool {
+
+struct Curve {
+  std::string label;
+  std::vector<double> y;  ///< one value per x; not finite: a gap
+  bool dots = false;      ///< points instead of a line
+};
+
+struct Plot {
+  std::string title;
+  std::string x_label;
+  std::string y_label;
+  std::vector<double> x;
+  std::vector<Curve> curves;
+};
+
+/// SVG of every plot, in order, from one run of gnuplot.
+///
+/// @throw std::runtime_error  gnuplot is not installed, or failed; the text says what to do
+[[nodiscard]] std::vector<std::string> draw(std::span<const Plot> plots);
+
+}  // namespace tactile_net::tool

@@ -1,0 +1,97 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "experiment.hpp"
+#include "failure.hpp"
+#include "frames.hpp"
+#include "output.hpp"
+#include "report.hpp"
+#include "result_json.hpp"
+#include "table.hpp"
+#include "tactile_net/scene/reader.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string folder;
+  std::string json;
+  NgspiceOptions ngspice;
+  double time_limit = 60.0;
+};
+
+std::string readings_csv(const Experiment& experiment) {
+  std::string text;
+  for (const std::string& column : reading_columns(experiment.scene.sensor)) text += column + ',';
+  text.back() = '\n';
+  append_row(text, experiment.simulation.readings);
+  return text;
+}
+
+std::string tractions_csv(std::span<const double> normal) {
+  std::string text;
+  append_traction_header(text, normal.size(), false);
+  append_row(text, normal);
+  return text;
+}
+
+void write_results(const Experiment& experiment, const OutputFolder& folder) {
+  folder.write("result.json", experiment_json(experiment));
+  folder.write("readings.csv", readings_csv(experiment));
+  folder.write("truth.csv", tractions_csv(experiment.simulation.truth.normal));
+  for (const MethodResult& result : experiment.results)
+    if (!result.normal.empty())
+      folder.write("tractions-" + std::string(name(result.method)) + ".csv",
+                   tractions_csv(result.normal));
+  if (!experiment.deck.empty()) folder.write("network.cir", experiment.deck);
+  const Report report = report_html(experiment);
+  folder.write("report.html", report.html);
+  if (!report.missing.empty()) std::cerr << "note: " << report.missing << '\n';
+}
+
+void run(Options& options) {
+  const Scene scene = read_scene(options.scene);
+  options.ngspice.time_limit = checked_time_limit(options.time_limit);
+  std::unique_ptr<OutputFolder> folder;
+  if (!options.folder.empty()) folder = std::make_unique<OutputFolder>(options.folder);
+
+  Progress progress;
+  const Experiment experiment = run_experiment(scene, options.ngspice, progress);
+  if (folder) {
+    progress.step("drawing the report ...");
+    write_results(experiment, *folder);
+    folder->commit();
+  }
+  progress.clear();
+
+  if (options.json != "-") print_experiment(std::cout, experiment);
+  if (!options.json.empty()) {
+    OutputFile output(options.json);
+    output.stream() << experiment_json(experiment);
+    output.commit();
+  }
+  if (folder && options.json != "-")
+    std::cout << "report: " << (std::filesystem::path(options.folder) / "report.html").string()
+              << '\n';
+  std::cout.flush();
+  if (!experiment.succeeded()) throw CheckFailed("not every method has an answer that holds");
+}
+
+}  // namespace
+
+void add_run(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand(
+      "run", "Simulate a scene, reconstruct it by every method it names, compare with the truth");
+  command->add_option("SCENE", options->scene, "Scene file (TOML)")->required();
+  command->add_option("--out", options->folder,
+                      "Folder for report.html, result.json, CSV files and the netlist");
+  command->add_option("--json", options->json, "Write the result as JSON (- = standard output)");
+  add_ngspice_options(*command, options->ngspice, options->time_limit);
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tactile_net::tool

@@ -1,0 +1,169 @@
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "frames.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "solver.hpp"
+#include "tactile_net/scene/diagnostic.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "text.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string readings;
+  std::string method = "tikhonov";
+  std::string output;
+  std::string json;
+};
+
+/// Which columns hold the readings of dead taxels.
+std::vector<bool> unread_columns(const Scene& scene) {
+  std::vector<bool> unread(channels(scene.sensor).size() * scene.sensor.count);
+  for (std::size_t i = 0; i < unread.size(); ++i)
+    for (const std::size_t taxel : scene.dead_taxels)
+      if (i % scene.sensor.count == taxel) unread[i] = true;
+  return unread;
+}
+
+/// Turns each frame of readings on `in` into one row of tractions on `out`; returns how many.
+/// @param live  flush after every frame: somebody waits at the other end
+std::size_t stream(Solver& solver, FrameReader& reader, std::ostream& out, const Scene& scene,
+                   const std::string& file, bool live) {
+  constexpr std::size_t block = 1 << 16;
+  Progress progress;
+  std::vector<double> g(channels(scene.sensor).size() * scene.sensor.count);
+  std::vector<double> f(scene.sensor.count);
+  std::string text;
+  append_traction_header(text, f.size(), reader.has_time());
+  const auto write = [&] {
+    out.write(text.data(), std::ssize(text));
+    if (live) out.flush();
+    text.clear();
+    if (!out) throw std::runtime_error("the tractions could not be written: is the disk full?");
+  };
+
+  std::size_t frames = 0;
+  try {
+    while (reader.next(g)) {
+      if (solver.solve(g, f) != Status::ok || !std::isfinite(f.front()))
+        throw InputError({{.file = file,
+                           .line = reader.line(),
+                           .column = 1,
+                           .message = "the frame's tractions overflow a double",
+                           .hint = "scale the readings",
+                           .source = {}}});
+      if (reader.has_time()) {
+        text += reader.time();
+        text += ',';
+      }
+      append_row(text, f);
+      ++frames;
+      if (live || text.size() >= block) write();
+      if (progress.due()) progress.step(std::to_string(frames) + " frames ...");
+    }
+  } catch (const InputError&) {
+    write();  // everything before the bad row stands
+    throw;
+  }
+  write();
+  return frames;
+}
+
+void run(const Options& options) {
+  const Scene scene = read_scene(options.scene);
+  const std::optional<Method> method = method_named(options.method);
+  if (!method || *method == Method::network)
+    throw CLI::ValidationError("--method", "'" + options.method +
+                                               "' does not solve frames: use dft, tikhonov or "
+                                               "closed_form");
+  Solver solver = make_solver(scene, *method);
+  for (const std::string& warning : solver.warnings)
+    std::cerr << options.method << ": warning: " << warning << '\n';
+
+  const bool live = options.readings == "-";
+  std::ifstream file;
+  if (!live) {
+    std::error_code error;
+    if (std::filesystem::is_directory(options.readings, error))
+      throw InputError({{.file = options.readings,
+                         .message = "is a folder, not a CSV file",
+                         .hint = {},
+                         .source = {}}});
+    file.open(options.readings, std::ios::binary);
+    if (!file)
+      throw InputError({{.file = options.readings,
+                         .message = "cannot be opened",
+                         .hint = "readings are a CSV file, or - for standard input",
+                         .source = {}}});
+  }
+  const std::string name = live ? "<stdin>" : options.readings;
+  const std::vector<std::string> columns = reading_columns(scene.sensor);
+  FrameReader reader(live ? std::cin : file, name, columns, unread_columns(scene));
+  if (!reader.ignored().empty())
+    std::cerr << name << ": note: " << reader.ignored().size()
+              << " columns are not read by this scene, '" << reader.ignored().front()
+              << "' first\n";
+
+  OutputFile output(options.output);
+  const auto start = std::chrono::steady_clock::now();
+  std::size_t frames = 0;
+  try {
+    frames = stream(solver, reader, output.stream(), scene, name, live);
+  } catch (const InputError&) {
+    output.commit();
+    throw;
+  }
+  output.commit();
+
+  if (options.json.empty()) return;
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  OutputFile summary(options.json);
+  summary.stream() << nlohmann::ordered_json{{"tactile_net", TACTILE_NET_VERSION},
+                                             {"scene", scene.file},
+                                             {"readings", options.readings},
+                                             {"frames", frames},
+                                             {"method", options.method},
+                                             {"alpha", solver.alpha
+                                                           ? nlohmann::ordered_json(*solver.alpha)
+                                                           : nullptr},
+                                             {"verdict", solver.verdict},
+                                             {"condition", solver.condition},
+                                             {"warnings", solver.warnings},
+                                             {"columns_ignored", reader.ignored()},
+                                             {"seconds", elapsed.count()}}
+                          .dump(2)
+                   << '\n';
+  summary.commit();
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand(
+      "solve", "Turn recorded readings, one frame a row, into tractions, one frame a row");
+  command->add_option("SCENE", options->scene, "Scene file (TOML): sensor, material, alpha")
+      ->required();
+  command
+      ->add_option("--readings", options->readings,
+                   "CSV file with a header (columns such as stress_x_0); - reads standard input "
+                   "and writes each frame as it comes")
+      ->required();
+  command->add_option("--method", options->method, "dft, tikhonov or closed_form")
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output,
+                      "CSV file for the tractions [Pa] (default: standard output)");
+  command->add_option("--json", options->json, "Write a summary as JSON to this file");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tactile_net::tool
