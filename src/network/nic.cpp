@@ -1,0 +1,50 @@
+#include "network/nodes.hpp"
+#include "tactile_net/network/realization.hpp"
+
+namespace tactile_net {
+namespace {
+
+/// -G between two nodes: a converter and one resistor 1/G at each of its outputs.
+void add_negative_branch(Circuit& circuit, const Branch& branch, double siemens) {
+  const std::string name = branch_name(branch);
+  const Node a = circuit.outputs[branch.from];
+  const Node b = circuit.outputs[branch.to];
+  const Node out_a = add_node(circuit, "a" + name);
+  const Node out_b = add_node(circuit, "b" + name);
+  circuit.instances.push_back({"Xf" + name, {a, b, out_a, out_b}, "floating_nic"});
+  circuit.resistors.push_back({"Ra" + name, a, out_a, siemens});
+  circuit.resistors.push_back({"Rb" + name, b, out_b, siemens});
+}
+
+/// -G to ground.
+void add_negative_ground(Circuit& circuit, std::size_t index, double siemens) {
+  const std::string name = std::to_string(index);
+  const Node out = add_node(circuit, "g" + name);
+  circuit.instances.push_back({"Xg" + name, {circuit.outputs[index], out}, "grounded_nic"});
+  circuit.resistors.push_back({"Rg" + name, circuit.outputs[index], out, siemens});
+}
+
+}  // namespace
+
+Circuit nic(const ConductanceNetwork& network, std::span<const double> right_side,
+            const Scale& scale) {
+  Circuit circuit = driven_nodes(network, right_side, scale);
+  for (const Branch& branch : network.branches) {
+    const double siemens = scale.siemens * branch.conductance;
+    if (siemens < 0.0)
+      add_negative_branch(circuit, branch, -siemens);
+    else
+      circuit.resistors.push_back({"R" + branch_name(branch), circuit.outputs[branch.from],
+                                   circuit.outputs[branch.to], siemens});
+  }
+  for (std::size_t i = 0; i < network.nodes; ++i) {
+    const double siemens = scale.siemens * network.ground[i];
+    if (siemens < 0.0)
+      add_negative_ground(circuit, i, -siemens);
+    else if (siemens > 0.0)
+      circuit.resistors.push_back({"Rg" + std::to_string(i), circuit.outputs[i], 0, siemens});
+  }
+  return circuit;
+}
+
+}  // namespace tactile_net
