@@ -1,0 +1,227 @@
+#include "tactile_net/simulator/child_process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+extern char** environ;
+
+namespace tactile_net {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using End = ProcessResult::End;
+
+[[noreturn]] void fail(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) noexcept : number_(number) {}
+  ~Descriptor() { reset(); }
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  void reset() noexcept {
+    if (number_ >= 0) ::close(number_);
+    number_ = -1;
+  }
+  [[nodiscard]] int get() const noexcept { return number_; }
+  [[nodiscard]] bool open() const noexcept { return number_ >= 0; }
+
+ private:
+  int number_;
+};
+
+struct Channel {
+  Descriptor ours;
+  Descriptor theirs;
+};
+
+/// Close-on-exec, so that no other child inherits it; a socket, because MSG_NOSIGNAL spares the
+/// caller a SIGPIPE when the child does not read its input.
+Channel channel() {
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail("socketpair");
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+void set_limit(int resource, rlim_t value) noexcept {
+  const rlimit limit{value, value};
+  ::setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
+}
+
+/// The caller's environment without the variables to hide.
+std::vector<char*> environment_without(const std::vector<std::string>& hidden) {
+  std::vector<char*> kept;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view text(*entry);
+    const bool hide = std::any_of(hidden.begin(), hidden.end(), [&](const std::string& name) {
+      return text.substr(0, text.find('=')) == name;
+    });
+    if (!hide) kept.push_back(*entry);
+  }
+  kept.push_back(nullptr);
+  return kept;
+}
+
+/// In the child, after fork: only calls that are safe there. Reports why it could not start.
+[[noreturn]] void become(const std::vector<char*>& arguments, const std::vector<char*>& environment,
+                         const ProcessOptions& options, const std::array<int, 3>& streams,
+                         int report) noexcept {
+  ::setpgid(0, 0);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  set_limit(RLIMIT_CORE, 0);
+  set_limit(RLIMIT_FSIZE, options.file_limit);
+  const bool ready = (options.folder.empty() || ::chdir(options.folder.c_str()) == 0) &&
+                     ::dup2(streams[0], STDIN_FILENO) >= 0 &&
+                     ::dup2(streams[1], STDOUT_FILENO) >= 0 &&
+                     ::dup2(streams[2], STDERR_FILENO) >= 0;
+  if (ready) ::execvpe(arguments[0], arguments.data(), environment.data());
+  const int reason = errno;
+  (void)!::write(report, &reason, sizeof reason);
+  ::_exit(127);
+}
+
+/// Reads what is there; closes the descriptor at its end.
+void drain(Descriptor& from, std::string& into) {
+  std::array<char, 65536> buffer;
+  const ssize_t got = ::read(from.get(), buffer.data(), buffer.size());
+  if (got > 0)
+    into.append(buffer.data(), static_cast<std::size_t>(got));
+  else if (got == 0 || (errno != EINTR && errno != EAGAIN))
+    from.reset();
+}
+
+/// Sends a piece of the input; closes the descriptor when all is sent or nobody reads.
+void feed(Descriptor& to, std::string_view& input) {
+  const ssize_t sent = ::send(to.get(), input.data(), input.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  if (sent >= 0) input.remove_prefix(static_cast<std::size_t>(sent));
+  const bool waiting = sent < 0 && (errno == EINTR || errno == EAGAIN);
+  if (input.empty() || (sent < 0 && !waiting)) to.reset();
+}
+
+/// Moves bytes until the child has closed its streams or ended, or a limit is reached.
+End converse(pid_t child, Descriptor& input, Descriptor& output, Descriptor& errors,
+             const ProcessOptions& options, Clock::time_point deadline, ProcessResult& result) {
+  constexpr int heartbeat_ms = 50;
+  std::string_view rest = options.input;
+  if (rest.empty()) input.reset();
+  while (output.open() || errors.open()) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0) return End::timed_out;
+    std::array<pollfd, 3> polled = {pollfd{input.get(), POLLOUT, 0},
+                                    pollfd{output.get(), POLLIN, 0},
+                                    pollfd{errors.get(), POLLIN, 0}};
+    const int ready = ::poll(polled.data(), polled.size(),
+                             static_cast<int>(std::min<long long>(left, heartbeat_ms)));
+    if (ready < 0 && errno != EINTR) fail("poll");
+    if (ready == 0) {
+      // A grandchild may hold the streams open after the child's end: do not wait for it.
+      siginfo_t state{};
+      if (::waitid(P_PID, static_cast<id_t>(child), &state, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+          state.si_pid == child)
+        return End::exited;
+      continue;
+    }
+    if (ready < 0) continue;
+    if (polled[0].revents != 0) feed(input, rest);
+    if (polled[1].revents != 0) drain(output, result.output);
+    if (polled[2].revents != 0) drain(errors, result.errors);
+    if (result.output.size() + result.errors.size() > options.output_limit)
+      return End::too_much_output;
+  }
+  return End::exited;
+}
+
+/// Waits for the child until the deadline; false if it still runs then.
+bool reap(pid_t child, Clock::time_point deadline, int& status) {
+  for (;;) {
+    const pid_t ended = ::waitpid(child, &status, WNOHANG);
+    if (ended == child) return true;
+    if (ended < 0 && errno != EINTR) fail("waitpid");
+    if (Clock::now() >= deadline) return false;
+    ::usleep(500);
+  }
+}
+
+}  // namespace
+
+ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
+  const auto start = Clock::now();
+  const auto deadline = start + options.time_limit;
+  Channel input = channel();
+  Channel output = channel();
+  Channel errors = channel();
+  Channel report = channel();
+
+  std::vector<char*> arguments;
+  for (const std::string& argument : command)
+    arguments.push_back(const_cast<char*>(argument.c_str()));
+  arguments.push_back(nullptr);
+  const std::vector<char*> environment = environment_without(options.unset);
+
+  const pid_t child = ::fork();
+  if (child < 0) fail("fork");
+  if (child == 0)
+    become(arguments, environment, options,
+           {input.theirs.get(), output.theirs.get(), errors.theirs.get()}, report.theirs.get());
+  ::setpgid(child, child);  // in both, so that neither has to wait for the other
+  input.theirs.reset();
+  output.theirs.reset();
+  errors.theirs.reset();
+  report.theirs.reset();
+
+  ProcessResult result;
+  int reason = 0;
+  ssize_t got = 0;
+  do got = ::read(report.ours.get(), &reason, sizeof reason);
+  while (got < 0 && errno == EINTR);
+  const bool started = got != static_cast<ssize_t>(sizeof reason);
+
+  result.end = converse(child, input.ours, output.ours, errors.ours, options, deadline, result);
+  input.ours.reset();
+  int status = 0;
+  if (result.end != End::exited || !reap(child, deadline, status)) {
+    if (result.end == End::exited) result.end = End::timed_out;
+    ::kill(-child, SIGKILL);
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+  } else {
+    ::kill(-child, SIGKILL);  // grandchildren that stayed behind
+  }
+  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (!started) {
+    if (reason != ENOENT && reason != EACCES && reason != ENOTDIR) {
+      errno = reason;
+      fail(command.front().c_str());
+    }
+    result.end = End::not_found;
+    result.code = reason;
+  } else if (result.end == End::exited) {
+    if (WIFSIGNALED(status)) result.end = End::signalled;
+    result.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+  }
+  return result;
+}
+
+}  // namespace tactile_net
