@@ -77,10 +77,10 @@ class Reader {
   }
 
  private:
-  void section(const char* name, void (Reader::*read)(Table&)) {
+  void section(const char* name, void (Reader::*fill)(Table&)) {
     if (const toml::table* const found = root_.table(name)) {
       Table table(*found, name, problems_);
-      (this->*read)(table);
+      (this->*fill)(table);
       table.finish();
     }
   }

@@ -41,7 +41,7 @@ void measure(MethodResult& result, const Scene& scene, const Simulation& simulat
 }
 
 MethodResult reconstruct(const Scene& scene, Method method, const Simulation& simulation) {
-  MethodResult result{.method = method, .alpha = {}, .verdict = "failed"};
+  MethodResult result{.method = method, .verdict = "failed"};
   try {
     const auto start = Clock::now();
     Solver solver = make_solver(scene, method);
@@ -66,7 +66,7 @@ MethodResult reconstruct(const Scene& scene, Method method, const Simulation& si
 }
 
 MethodResult by_network(const Scene& scene, const NgspiceOptions& ngspice, Experiment& experiment) {
-  MethodResult result{.method = Method::network, .alpha = {}, .verdict = "failed"};
+  MethodResult result{.method = Method::network, .verdict = "failed"};
   try {
     const auto start = Clock::now();
     const CircuitPlan plan = plan_circuit(scene, experiment.simulation.readings);

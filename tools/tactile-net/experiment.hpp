@@ -26,17 +26,17 @@ struct Simulation {
 /// One method's answer beside the truth.
 struct MethodResult {
   Method method = Method::tikhonov;
-  std::optional<double> alpha;
-  std::string verdict;
-  std::vector<double> normal;  ///< [Pa]; empty if the method failed
-  double mean_abs = 0.0;       ///< mean |f - truth| [Pa] (thesis 3.17)
-  double relative_l2 = 0.0;    ///< NaN without a load
-  double force = 0.0;          ///< pitch x sum [N/m]
+  std::optional<double> alpha{};
+  std::string verdict{};
+  std::vector<double> normal{};  ///< [Pa]; empty if the method failed
+  double mean_abs = 0.0;         ///< mean |f - truth| [Pa] (thesis 3.17)
+  double relative_l2 = 0.0;      ///< NaN without a load
+  double force = 0.0;            ///< pitch x sum [N/m]
   double setup_seconds = 0.0;
   double frame_seconds = 0.0;
   double condition = 0.0;
-  std::vector<std::string> warnings;
-  std::string failure;  ///< why there is no answer; empty: there is one
+  std::vector<std::string> warnings{};
+  std::string failure{};  ///< why there is no answer; empty: there is one
 };
 
 struct Experiment {

@@ -16,15 +16,15 @@ constexpr std::array<std::string_view, 6> colours = {"#000000", "#0072b2", "#d55
                                                      "#009e73", "#cc79a7", "#e69f00"};
 
 /// A gnuplot string: single-quoted, quotes doubled.
-std::string quoted(std::string_view text) {
+std::string literal(std::string_view text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
   return out + "'";
 }
 
 std::string script(const Plot& plot) {
-  std::string text = "set title " + quoted(plot.title) + "\nset xlabel " + quoted(plot.x_label) +
-                     "\nset ylabel " + quoted(plot.y_label) + "\n$data << EOD\n";
+  std::string text = "set title " + literal(plot.title) + "\nset xlabel " + literal(plot.x_label) +
+                     "\nset ylabel " + literal(plot.y_label) + "\n$data << EOD\n";
   for (std::size_t i = 0; i < plot.x.size(); ++i) {
     append_number(text, plot.x[i]);
     for (const Curve& curve : plot.curves) {
@@ -44,7 +44,7 @@ std::string script(const Plot& plot) {
     text += "$data using 1:" + std::to_string(i + 2) +
             (curve.dots ? " with points pt 7 ps 0.5 lc rgb '"
                         : " with lines lw 2 dt " + std::to_string(1 + i / 2) + " lc rgb '") +
-            colour + "' title " + quoted(curve.label);
+            colour + "' title " + literal(curve.label);
   }
   return text + "\n";
 }

@@ -73,9 +73,7 @@ std::string deck_text(const CircuitPlan& plan, Answer answer) {
 Relaxation relax(const CircuitPlan& plan, const NgspiceOptions& options) {
   Relaxation result{.realization = plan.realization,
                     .nodes = plan.direct.size(),
-                    .elements = count_elements(plan.circuit),
-                    .voltages = {},
-                    .tractions = {}};
+                    .elements = count_elements(plan.circuit)};
   result.smallest_eigenvalue = smallest_eigenvalue(plan.matrix);
   result.stable = result.smallest_eigenvalue > 0.0;
   result.condition = row_sum_norm(plan.matrix) / result.smallest_eigenvalue;

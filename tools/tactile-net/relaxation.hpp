@@ -33,9 +33,9 @@ struct CircuitPlan {
 struct Relaxation {
   Realization realization = Realization::ideal;
   std::size_t nodes = 0;
-  ElementCounts elements;
-  std::vector<double> voltages;      ///< [V]
-  std::vector<double> tractions;     ///< voltages / volts [Pa]
+  ElementCounts elements{};
+  std::vector<double> voltages{};    ///< [V]
+  std::vector<double> tractions{};   ///< voltages / volts [Pa]
   double difference = 0.0;           ///< |v - f|_2 / |f|_2
   double limit = 0.0;                ///< largest difference that rounding explains
   double smallest_eigenvalue = 0.0;  ///< of P
