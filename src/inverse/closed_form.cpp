@@ -36,9 +36,8 @@ Reconstruction closed_form(const InverseProblem& problem, double alpha) {
   Eigen::MatrixXd rotated = qr.rotate(of_c);
   const Eigen::MatrixXd v = qr.solve_rotated(rotated);
   rotated.topRows(n).setZero();
-  const Eigen::MatrixXd residual = qr.rotate_back(rotated);  // r_v, orthogonal to the columns of h
-  const Eigen::MatrixXd c =
-      (residual.transpose() * residual).inverse() * residual.topRows(m).transpose();
+  const StackedQr residual(qr.rotate_back(rotated));  // r_v, orthogonal to the columns of h
+  const Eigen::MatrixXd c = residual.pseudo_inverse(m);
   return {unweighted(g * (u - v * c) + e * c, problem), condition};
 }
 
