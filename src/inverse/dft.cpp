@@ -34,6 +34,8 @@ std::string_view name(DftVerdict verdict) noexcept {
       return "noise_amplified";
     case DftVerdict::sign_change:
       return "sign_change";
+    case DftVerdict::cut_off:
+      return "cut_off";
   }
   return "";
 }
@@ -138,6 +140,14 @@ const NoiseGain& DftInverse::noise_gain() const noexcept { return plan_->gain; }
 DftVerdict DftInverse::verdict() const noexcept {
   if (plan_->gain.sign_changes > 0) return DftVerdict::sign_change;
   return plan_->gain.largest > accepted_gain ? DftVerdict::noise_amplified : DftVerdict::ok;
+}
+
+DftVerdict DftInverse::verdict(std::span<const double> readings) const noexcept {
+  if (verdict() != DftVerdict::ok || readings.empty()) return verdict();
+  double peak = 0.0;
+  for (const double reading : readings) peak = std::max(peak, std::abs(reading));
+  const double ends = std::max(std::abs(readings.front()), std::abs(readings.back()));
+  return ends * plan_->gain.largest > peak ? DftVerdict::cut_off : DftVerdict::ok;
 }
 
 }  // namespace tactile_net

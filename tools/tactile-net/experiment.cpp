@@ -40,6 +40,16 @@ void measure(MethodResult& result, const Scene& scene, const Simulation& simulat
   result.force = sampled_force(result.normal, scene.sensor.pitch);
 }
 
+/// dft's verdict depends on the frame: it takes the array for a ring.
+void judge_frame(const DftInverse& dft, std::span<const double> readings, MethodResult& result) {
+  const DftVerdict verdict = dft.verdict(readings);
+  result.verdict = name(verdict);
+  if (verdict == DftVerdict::cut_off)
+    result.warnings.emplace_back(
+        "the readings have not died away at the array's ends: dft takes the array for a ring, and "
+        "what is cut off comes back amplified");
+}
+
 MethodResult reconstruct(const Scene& scene, Method method, const Simulation& simulation) {
   MethodResult result{.method = method, .verdict = "failed"};
   try {
@@ -55,6 +65,8 @@ MethodResult reconstruct(const Scene& scene, Method method, const Simulation& si
       throw std::domain_error("the readings are not finite");
     result.frame_seconds = frame_seconds(solver, simulation.readings, f);
     result.verdict = solver.verdict;
+    if (const auto* dft = std::get_if<DftInverse>(&solver.inverse))
+      judge_frame(*dft, simulation.readings, result);
     result.normal = std::move(f);
     measure(result, scene, simulation);
   } catch (const std::domain_error& error) {
@@ -161,9 +173,11 @@ Experiment run_experiment(const Scene& scene, const NgspiceOptions& ngspice, Pro
   Experiment experiment{.scene = scene,
                         .simulation = simulate(scene),
                         .force = total_force(scene),
+                        .sampled_force = 0.0,
                         .results = {},
                         .relaxation = {},
                         .deck = {}};
+  experiment.sampled_force = sampled_force(experiment.simulation.truth.normal, scene.sensor.pitch);
   for (const Method method : scene.reconstruct.methods) {
     progress.step(std::string(name(method)) + " ...");
     experiment.results.push_back(method == Method::network

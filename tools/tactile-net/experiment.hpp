@@ -42,7 +42,8 @@ struct MethodResult {
 struct Experiment {
   Scene scene;
   Simulation simulation;
-  double force = 0.0;  ///< of all contacts, exact [N/m]
+  double force = 0.0;          ///< of all contacts, exact [N/m]
+  double sampled_force = 0.0;  ///< pitch x sum of the truth at the taxels [N/m]
   std::vector<MethodResult> results;
   std::optional<Relaxation> relaxation;
   std::string deck;  ///< as `gen` writes it; empty if the network is not a method

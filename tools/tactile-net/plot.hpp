@@ -20,6 +20,7 @@ struct Plot {
   std::string y_label;
   std::vector<double> x;
   std::vector<Curve> curves;
+  std::size_t first_colour = 0;  ///< of the first curve
 };
 
 /// SVG of every plot, in order, from one run of gnuplot.

@@ -67,7 +67,6 @@ std::vector<Plot> plots_of(const Experiment& experiment) {
   Plot tractions{"Normal traction: truth and reconstructions", "y", "traction", y, {}};
   Plot errors{"Error of each reconstruction", "y", "reconstruction - truth", y, {}};
   tractions.curves.push_back({"truth", truth});
-  errors.curves.push_back({"zero", std::vector<double>(y.size(), 0.0)});
   for (const MethodResult& result : experiment.results) {
     if (result.normal.empty()) continue;
     const std::string label(name(result.method));
@@ -77,7 +76,9 @@ std::vector<Plot> plots_of(const Experiment& experiment) {
     errors.curves.push_back({label, error});
   }
 
-  std::vector<Plot> plots = {tractions, errors};
+  errors.first_colour = 1;  // each method in its colour of the plot above
+  std::vector<Plot> plots = {tractions};
+  if (!errors.curves.empty()) plots.push_back(errors);
   auto begin = experiment.simulation.readings.begin();
   for (const Channel& channel : channels(scene.sensor)) {
     const auto end = begin + static_cast<std::ptrdiff_t>(y.size());
@@ -143,8 +144,10 @@ Report report_html(const Experiment& experiment) {
 
   html += element("h2", "Methods compared");
   html += table(comparison_cells(experiment));
-  html += element("p", "Exact force of the contacts: " + brief(experiment.force) +
-                           ". Errors are against the truth at the taxels; the network's time per "
+  html += element("p", "Force of the contacts: " + brief(experiment.force) + " exact, " +
+                           brief(experiment.sampled_force) +
+                           " as pitch x sum of the truth at the taxels. Errors are against the "
+                           "truth at the taxels; the network's time per "
                            "frame is a whole run of ngspice, not the circuit's settling time.");
   for (const MethodResult& result : experiment.results) {
     const std::string method = std::string(name(result.method)) + ": ";

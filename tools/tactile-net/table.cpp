@@ -74,7 +74,8 @@ void print_experiment(std::ostream& out, const Experiment& experiment) {
     out << "  warning: " << warning << '\n';
   out << '\n';
   print_cells(out, comparison_cells(experiment));
-  out << "exact force of the contacts: " << brief(experiment.force) << '\n';
+  out << "force of the contacts: " << brief(experiment.force) << " exact, "
+      << brief(experiment.sampled_force) << " as pitch x sum of the truth at the taxels\n";
   for (const MethodResult& result : experiment.results) {
     for (const std::string& warning : result.warnings)
       out << name(result.method) << ": warning: " << warning << '\n';

@@ -31,9 +31,10 @@ enum class DftVerdict {
   ok,               ///< gain <= 1e4 and the DFT keeps its sign
   noise_amplified,  ///< gain > 1e4: readings need more than four digits for one digit of f
   sign_change,      ///< the truncated kernel's DFT changes sign: a null lies between frequencies
+  cut_off,          ///< the readings are cut off by the array's ends, where the circle closes
 };
 
-/// The spelling in JSON and tables: "ok", "noise_amplified", "sign_change".
+/// The spelling in JSON and tables: "ok", "noise_amplified", "sign_change", "cut_off".
 [[nodiscard]] std::string_view name(DftVerdict verdict) noexcept;
 
 class DftInverse {
@@ -54,7 +55,13 @@ class DftInverse {
   Status solve(std::span<const double> readings, std::span<double> tractions) noexcept;
 
   [[nodiscard]] const NoiseGain& noise_gain() const noexcept;
+
+  /// Of the array and the kernel alone.
   [[nodiscard]] DftVerdict verdict() const noexcept;
+
+  /// Of one frame too: `cut_off` if the readings at the array's ends, times the noise gain, exceed
+  /// the peak reading. What is cut off there is folded in from the other end and amplified.
+  [[nodiscard]] DftVerdict verdict(std::span<const double> readings) const noexcept;
 
  private:
   struct Plan;
