@@ -18,7 +18,7 @@ namespace tactile_net {
 class SpectralConvolution {
  public:
   /// @param kernel  2 count - 1 values as from `sampled_kernel`
-  /// @throw std::invalid_argument  the kernel's size is even or less than 3
+  /// @throw std::invalid_argument  the kernel's size is even, less than 3 or more than 2^30
   explicit SpectralConvolution(std::span<const double> kernel);
   ~SpectralConvolution();
   SpectralConvolution(SpectralConvolution&&) noexcept;

@@ -1,0 +1,73 @@
+#include "tactile_net/elasticity/half_plane.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace tactile_net {
+
+namespace {
+
+/// The three stresses, of type double (kernel) or std::complex<double> (transform).
+template <class Number>
+struct Stress {
+  Number x, y, shear;
+};
+
+/// Hooke's law for plane strain: the strain along the axis of `along`.
+template <class Number>
+Number strain(const Number& along, const Number& across, const Material& material) noexcept {
+  const double nu = material.poisson_ratio;
+  return (1.0 + nu) * ((1.0 - nu) * along - nu * across) / material.youngs_modulus;
+}
+
+template <class Number>
+Number read(Quantity quantity, const Stress<Number>& stress, const Material& material) noexcept {
+  switch (quantity) {
+    case Quantity::stress_x:
+      return stress.x;
+    case Quantity::stress_y:
+      return stress.y;
+    case Quantity::shear_xy:
+      return stress.shear;
+    case Quantity::strain_x:
+      return strain(stress.x, stress.y, material);
+    case Quantity::strain_y:
+      return strain(stress.y, stress.x, material);
+  }
+  return {};
+}
+
+/// A radial compression 2 cos(angle to the load) / (pi r), resolved along x and y. With the cosine
+/// c and the sine s of the angle to the x axis no power of a length can overflow.
+Stress<double> kernel(Traction load, double depth, double y) noexcept {
+  const double r = std::hypot(depth, y);
+  const double c = depth / r;
+  const double s = y / r;
+  const double radial = 2.0 / std::numbers::pi / r * (load == Traction::normal ? c : s);
+  return {radial * c * c, radial * s * s, radial * c * s};
+}
+
+Stress<std::complex<double>> transform(Traction load, double depth, double wavenumber) noexcept {
+  const double a = std::abs(wavenumber) * depth;
+  const double decay = std::exp(-a);
+  if (decay == 0.0) return {};  // a may be infinite: no inf * 0
+  const double sign = wavenumber > 0.0 ? 1.0 : wavenumber < 0.0 ? -1.0 : 0.0;
+  const std::complex<double> odd{0.0, -sign * decay};
+  if (load == Traction::normal) return {(1.0 + a) * decay, (1.0 - a) * decay, odd * a};
+  return {odd * a, odd * (2.0 - a), (1.0 - a) * decay};
+}
+
+}  // namespace
+
+double half_plane_kernel(Quantity quantity, Traction load, const Material& material, double depth,
+                         double y) noexcept {
+  return read(quantity, kernel(load, depth, y), material);
+}
+
+std::complex<double> half_plane_transform(Quantity quantity, Traction load,
+                                          const Material& material, double depth,
+                                          double wavenumber) noexcept {
+  return read(quantity, transform(load, depth, wavenumber), material);
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,45 @@
+#include "tactile_net/sensing/array.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "elasticity/require.hpp"
+
+namespace tactile_net {
+
+void check(const SensorArray& array) {
+  require(array.count >= 2, "count", "be >= 2", array.count);
+  require_positive("pitch", array.pitch);
+  if (array.depths.empty()) throw std::invalid_argument("depths must hold at least one value");
+  for (const double depth : array.depths) require_positive("depth", depth);
+  if (array.reads.empty()) throw std::invalid_argument("reads must hold at least one quantity");
+  for (auto read = array.reads.begin(); read != array.reads.end(); ++read)
+    if (std::find(array.reads.begin(), read, *read) != read)
+      throw std::invalid_argument("reads must name a quantity once (got " +
+                                  std::string(name(*read)) + " twice)");
+}
+
+double position(const SensorArray& array, std::size_t taxel) noexcept {
+  return (static_cast<double>(taxel) - 0.5 * static_cast<double>(array.count - 1)) * array.pitch;
+}
+
+std::vector<double> positions(const SensorArray& array) {
+  std::vector<double> result;
+  result.reserve(array.count);
+  for (std::size_t j = 0; j < array.count; ++j) result.push_back(position(array, j));
+  return result;
+}
+
+std::vector<Channel> channels(const SensorArray& array) {
+  std::vector<Channel> result;
+  result.reserve(array.reads.size() * array.depths.size());
+  for (const Quantity quantity : array.reads)
+    for (std::size_t i = 0; i < array.depths.size(); ++i) {
+      std::string label(name(quantity));
+      if (array.depths.size() > 1) label += '@' + std::to_string(i);
+      result.push_back({quantity, array.depths[i], std::move(label)});
+    }
+  return result;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,213 @@
+#include "tactile_net/sensing/exact.hpp"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+
+#include "elasticity/require.hpp"
+#include "tactile_net/elasticity/half_plane.hpp"
+
+namespace tactile_net {
+
+namespace {
+
+using std::numbers::pi;
+
+/// An integral, a bound of its error, and the integral of the integrand's magnitude.
+struct Integral {
+  double value = 0.0;
+  double error = 0.0;
+  double magnitude = 0.0;
+
+  Integral& operator+=(const Integral& other) noexcept {
+    value += other.value;
+    error += other.error;
+    magnitude += other.magnitude;
+    return *this;
+  }
+};
+
+/// One panel by 31 points. Boost sees [-1, 1] alone, where its versions agree on the error's scale.
+Integral panel(const auto& integrand, double from, double to) {
+  const double centre = 0.5 * (from + to);
+  const double half = 0.5 * (to - from);
+  Integral unit;
+  unit.value = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+      [&](double x) { return integrand(centre + half * x); }, -1.0, 1.0, 0, 0.0, &unit.error,
+      &unit.magnitude);
+  return {half * unit.value, half * unit.error, half * unit.magnitude};
+}
+
+/// `whole`, the panel between `from` and `to`, halved until its error is at most `tolerance`.
+Integral refine(const auto& integrand, double from, double to, const Integral& whole,
+                double tolerance, int levels) {
+  if (whole.error <= tolerance || levels == 0) return whole;
+  const double middle = 0.5 * (from + to);
+  Integral sum =
+      refine(integrand, from, middle, panel(integrand, from, middle), tolerance, levels - 1);
+  sum += refine(integrand, middle, to, panel(integrand, middle, to), tolerance, levels - 1);
+  return sum;
+}
+
+/// The integral over the panels between neighbouring `borders`, which rise.
+Integral integrate(const auto& integrand, const std::vector<double>& borders) {
+  std::vector<Integral> coarse;
+  double magnitude = 0.0;
+  for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+    coarse.push_back(panel(integrand, borders[i], borders[i + 1]));
+    magnitude += coarse.back().magnitude;
+  }
+  constexpr double tolerance = 1e-14;  // below it, 31 products round as much as they approximate
+  constexpr int levels = 16;
+  Integral sum;
+  for (std::size_t i = 0; i < coarse.size(); ++i)
+    sum += refine(integrand, borders[i], borders[i + 1], coarse[i], tolerance * magnitude, levels);
+  return sum;
+}
+
+/// What a taxel sees: the kernels of both loads, as seen from y. Their only singularities are at
+/// y +- i depth, so that panels whose size grows with the distance from y converge fast.
+struct View {
+  const Channel& channel;
+  const Material& material;
+  double y;
+
+  [[nodiscard]] double kernel(Traction load, double s) const noexcept {
+    return half_plane_kernel(channel.quantity, load, material, channel.depth, y - s);
+  }
+
+  /// y and y +- depth 4^j between `from` and `to`, as `image` maps them, and both ends.
+  [[nodiscard]] std::vector<double> borders(Interval s, Interval t, const auto& image) const {
+    std::vector<double> result{t.from};
+    const auto add = [&](double point) {
+      if (point > s.from && point < s.to) result.push_back(image(point));
+    };
+    add(y);
+    const double farthest = std::max(std::abs(y - s.from), std::abs(y - s.to));
+    for (double distance = channel.depth; distance < farthest; distance *= 4.0) {
+      add(y - distance);
+      add(y + distance);
+    }
+    result.push_back(t.to);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+};
+
+/// Indenters: s = center + place(t) and f_v ds = weight(t) dt.
+Integral reading(const View& view, const RigidContact& contact) {
+  const double p = contact.force;
+  const double a = contact.half_width;
+  const double b = a + contact.edge;
+  const auto over = [&](Interval s, Interval t, const auto& place, const auto& image,
+                        const auto& weight) {
+    const auto integrand = [&](double u) {
+      const double from = contact.center + place(u);
+      double sum = view.kernel(Traction::normal, from);
+      if (contact.friction != 0.0)
+        sum += contact.friction * view.kernel(Traction::tangential, from);
+      return weight(u) * sum;
+    };
+    const auto centred = [&](double y) { return image(y - contact.center); };
+    return integrate(integrand, view.borders(s, t, centred));
+  };
+  const Interval whole = support(contact);
+
+  switch (contact.shape) {
+    case Shape::cylinder:
+      return over(
+          whole, {-0.5 * pi, 0.5 * pi}, [=](double t) { return a * std::sin(t); },
+          [=](double s) { return std::asin(std::clamp(s / a, -1.0, 1.0)); },
+          [=](double t) { return 2.0 / pi * p * std::cos(t) * std::cos(t); });
+    case Shape::punch: {
+      const double end = std::asin(a / b);
+      return over(
+          whole, {-end, end}, [=](double t) { return b * std::sin(t); },
+          [=](double s) { return std::clamp(std::asin(std::clamp(s / b, -1.0, 1.0)), -end, end); },
+          [=](double) { return p / pi; });
+    }
+    case Shape::wedge: {
+      // On each side of the apex s = a / cosh v, where the traction is proportional to v.
+      constexpr double far = 60.0;  // beyond it less than 1e-24 of the force
+      const auto image = [=](double s) {
+        return std::min(std::acosh(std::max(std::abs(a / s), 1.0)), far);
+      };
+      const auto weight = [=](double v) { return p / pi * v * std::tanh(v) / std::cosh(v); };
+      Integral sum = over(
+          {whole.from, contact.center}, {0.0, far}, [=](double v) { return -a / std::cosh(v); },
+          image, weight);
+      sum += over(
+          {contact.center, whole.to}, {0.0, far}, [=](double v) { return a / std::cosh(v); }, image,
+          weight);
+      return sum;
+    }
+  }
+  return {};
+}
+
+/// Segment by segment of the piecewise linear tractions, except where they are zero.
+Integral reading(const View& view, const SampledTractions& contact) {
+  const auto at = [](const std::vector<double>& values, std::size_t i) {
+    return i < values.size() ? values[i] : 0.0;
+  };
+  Integral sum;
+  for (std::size_t i = 0; i <= contact.normal.size(); ++i) {
+    // From value i - 1 to value i; i - 1 wraps to a place beyond the end, which is zero as well.
+    const Interval normal{at(contact.normal, i - 1), at(contact.normal, i)};
+    const Interval tangential{at(contact.tangential, i - 1), at(contact.tangential, i)};
+    const bool has_normal = normal.from != 0.0 || normal.to != 0.0;
+    const bool has_tangential = tangential.from != 0.0 || tangential.to != 0.0;
+    if (!has_normal && !has_tangential) continue;
+
+    const double start = contact.first + (static_cast<double>(i) - 1.0) * contact.pitch;
+    const auto integrand = [&](double w) {
+      const double s = start + w * contact.pitch;
+      double value = 0.0;
+      if (has_normal)
+        value += std::lerp(normal.from, normal.to, w) * view.kernel(Traction::normal, s);
+      if (has_tangential)
+        value +=
+            std::lerp(tangential.from, tangential.to, w) * view.kernel(Traction::tangential, s);
+      return contact.pitch * value;
+    };
+    const auto image = [&](double s) { return std::clamp((s - start) / contact.pitch, 0.0, 1.0); };
+    sum += integrate(integrand, view.borders({start, start + contact.pitch}, {0.0, 1.0}, image));
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> exact_readings(const SensorArray& array, const Material& material,
+                                   std::span<const Contact> contacts) {
+  check(array);
+  check(material);
+  for (const Contact& contact : contacts) check(contact);
+
+  std::vector<double> readings;
+  for (const Channel& channel : channels(array)) {
+    std::vector<double> sum(array.count);
+    for (const Contact& contact : contacts) {
+      double peak = 0.0;
+      double error = 0.0;
+      for (std::size_t j = 0; j < array.count; ++j) {
+        const View view{channel, material, position(array, j)};
+        const Integral g = std::visit([&](const auto& c) { return reading(view, c); }, contact);
+        peak = std::max(peak, std::abs(g.value));
+        error = std::max(error, g.error);
+        sum[j] += g.value;
+      }
+      if (!(error <= 1e-10 * peak))
+        throw std::runtime_error(channel.name + " at depth " + text(channel.depth) +
+                                 ": the integral is known only to " + text(error) +
+                                 ", its peak is " + text(peak));
+    }
+    readings.insert(readings.end(), sum.begin(), sum.end());
+  }
+  return readings;
+}
+
+}  // namespace tactile_net

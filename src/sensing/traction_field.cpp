@@ -1,0 +1,42 @@
+#include "tactile_net/sensing/traction_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace tactile_net {
+
+namespace {
+
+void add(const Contact& contact, Traction component, const SensorArray& array,
+         std::vector<double>& field) {
+  // A singular point on the border of two cells is in both, however the border is rounded.
+  const double half = 0.5 * array.pitch;
+  const double reach = half * (1.0 + 1e-9);
+  const std::vector<double> singular = singular_points(contact);
+  for (std::size_t j = 0; j < array.count; ++j) {
+    const double y = position(array, j);
+    const bool infinite = std::any_of(singular.begin(), singular.end(),
+                                      [&](double point) { return std::abs(point - y) <= reach; });
+    field[j] += infinite ? force_between(contact, component, y - half, y + half) / array.pitch
+                         : traction(contact, component, y);
+  }
+}
+
+}  // namespace
+
+TractionField sample(std::span<const Contact> contacts, const SensorArray& array) {
+  check(array);
+  for (const Contact& contact : contacts) check(contact);
+
+  TractionField field{.normal = std::vector<double>(array.count), .tangential = {}};
+  if (std::any_of(contacts.begin(), contacts.end(), has_friction))
+    field.tangential.resize(array.count);
+  for (const Contact& contact : contacts) {
+    add(contact, Traction::normal, array, field.normal);
+    if (has_friction(contact)) add(contact, Traction::tangential, array, field.tangential);
+  }
+  return field;
+}
+
+}  // namespace tactile_net
