@@ -10,15 +10,19 @@
 
 namespace tactile_net {
 
+/// Shortest text that reads back as the same number, in any locale.
+std::string text(auto number) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
+}
+
 /// @param rule   completes "FIELD must ...": "be > 0"
-/// @param value  any arithmetic type; written shortest and without locale
+/// @param value  any arithmetic type
 /// @throw std::invalid_argument  unless `holds`
 void require(bool holds, std::string_view field, std::string_view rule, auto value) {
   if (holds) return;
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
   throw std::invalid_argument(std::string(field) + " must " + std::string(rule) + " (got " +
-                              std::string(digits, end) + ")");
+                              text(value) + ")");
 }
 
 inline void require_finite(std::string_view field, double value) {

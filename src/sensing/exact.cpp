@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 
+#include "elasticity/require.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
 
 namespace tactile_net {
@@ -200,12 +200,10 @@ std::vector<double> exact_readings(const SensorArray& array, const Material& mat
         error = std::max(error, g.error);
         sum[j] += g.value;
       }
-      if (!(error <= 1e-10 * peak)) {
-        std::ostringstream text;
-        text << channel.name << " at depth " << channel.depth << ": the integral is known only to "
-             << error << ", its peak is " << peak;
-        throw std::runtime_error(text.str());
-      }
+      if (!(error <= 1e-10 * peak))
+        throw std::runtime_error(channel.name + " at depth " + text(channel.depth) +
+                                 ": the integral is known only to " + text(error) +
+                                 ", its peak is " + text(peak));
     }
     readings.insert(readings.end(), sum.begin(), sum.end());
   }

@@ -1,0 +1,137 @@
+#include "tactile_net/sensing/effects.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+std::vector<double> noise(std::size_t count, double rms, std::uint64_t seed, std::size_t channel) {
+  std::vector<double> readings(count);
+  add_noise(readings, rms, seed, channel);
+  return readings;
+}
+
+double mean(const std::vector<double>& values, auto of) {
+  double sum = 0.0;
+  for (const double value : values) sum += of(value);
+  return sum / static_cast<double>(values.size());
+}
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum / static_cast<double>(a.size());
+}
+
+}  // namespace
+
+TEST_CASE("noise has the moments of a Gaussian", "[effects][property]") {
+  const auto values = noise(200000, 1.0, 1, 0);
+  // Standard errors: 1, sqrt 2, sqrt 15 and sqrt 96 over sqrt(200000); five of them.
+  const double standard = 5.0 / std::sqrt(200000.0);
+  CHECK_THAT(mean(values, [](double x) { return x; }), WithinAbs(0.0, standard));
+  CHECK_THAT(mean(values, [](double x) { return x * x; }), WithinAbs(1.0, 1.42 * standard));
+  CHECK_THAT(mean(values, [](double x) { return x * x * x; }), WithinAbs(0.0, 3.88 * standard));
+  CHECK_THAT(mean(values, [](double x) { return x * x * x * x; }), WithinAbs(3.0, 9.8 * standard));
+}
+
+TEST_CASE("noise is white", "[effects][property]") {
+  const auto values = noise(100001, 1.0, 7, 3);
+  const std::vector<double> now(values.begin(), values.end() - 1);
+  const std::vector<double> next(values.begin() + 1, values.end());
+  CHECK_THAT(correlation(now, next), WithinAbs(0.0, 5.0 / std::sqrt(1e5)));
+}
+
+TEST_CASE("equal seeds give equal noise, other seeds and channels another", "[effects][property]") {
+  CHECK(noise(100, 1.0, 42, 5) == noise(100, 1.0, 42, 5));
+  const auto reference = noise(100000, 1.0, 42, 5);
+  const std::pair<std::uint64_t, std::size_t> others[] = {
+      {42, 6}, {43, 5}, {5, 42}, {42 + (std::uint64_t{1} << 32), 5}, {0, 0}};
+  for (const auto& [seed, channel] : others) {
+    CAPTURE(seed, channel);
+    CHECK_THAT(correlation(reference, noise(100000, 1.0, seed, channel)),
+               WithinAbs(0.0, 5.0 / std::sqrt(1e5)));
+  }
+}
+
+TEST_CASE("a longer frame begins with the noise of a shorter one", "[effects]") {
+  const auto longer = noise(50, 1.0, 3, 1);
+  const auto shorter = noise(20, 1.0, 3, 1);
+  CHECK(std::equal(shorter.begin(), shorter.end(), longer.begin()));
+}
+
+TEST_CASE("noise is added, and scales with its rms", "[effects]") {
+  std::vector<double> readings{1.0, 2.0, 3.0};
+  add_noise(readings, 0.5, 9, 2);
+  const auto unit = noise(3, 1.0, 9, 2);
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(readings[i] == static_cast<double>(i + 1) + 0.5 * unit[i]);
+  add_noise(readings, 0.0, 1, 2);
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(readings[i] == static_cast<double>(i + 1) + 0.5 * unit[i]);
+}
+
+TEST_CASE("the noise of a seed is the same everywhere", "[effects]") {
+  // Recorded once: files of results depend on it.
+  const auto values = noise(4, 1.0, 1, 0);
+  CAPTURE(values);
+  CHECK(values == std::vector<double>{-0.58466202888902641, -0.77842214712949354,
+                                      0.13377168600915845, -0.20791152380946903});
+}
+
+TEST_CASE("a converter is wrong by at most half a step", "[effects][property]") {
+  const int bits = GENERATE(1, 2, 3, 8, 12, 16, 32);
+  const Converter converter{.bits = bits, .low = -0.7, .high = 1.3};
+  const double step = 2.0 / (std::ldexp(1.0, bits) - 1.0);
+  CAPTURE(bits);
+  for (int i = 0; i <= 1000; ++i) {
+    const double reading = -0.7 + 2.0 * i / 1000.0;
+    std::array value{reading};
+    quantize(value, converter);
+    CHECK_THAT(value[0], WithinAbs(reading, 0.5 * step + 1e-15));
+    std::array again = value;
+    quantize(again, converter);
+    CHECK(again == value);
+  }
+}
+
+TEST_CASE("a converter has 2^bits levels, the ends among them", "[effects]") {
+  const Converter converter{.bits = 3, .low = -1.0, .high = 0.4};
+  std::vector<double> values;
+  for (int i = -10; i <= 1010; ++i) values.push_back(-1.0 + 1.4 * i / 1000.0);
+  quantize(values, converter);
+  CHECK(std::is_sorted(values.begin(), values.end()));
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  CHECK(values.size() == 8);
+  CHECK(values.front() == -1.0);
+  CHECK(values.back() == 0.4);
+}
+
+TEST_CASE("beyond its range a converter saturates", "[effects]") {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Converter converter{.bits = 4, .low = 0.1, .high = 0.9};
+  std::array values{-infinity, -5.0, 0.0, 1.0, 1e300, infinity};
+  quantize(values, converter);
+  CHECK(values == std::array{0.1, 0.1, 0.1, 0.9, 0.9, 0.9});
+}
+
+TEST_CASE("a converter does not hide a broken reading", "[effects]") {
+  std::array values{std::numeric_limits<double>::quiet_NaN()};
+  quantize(values, {});
+  CHECK(std::isnan(values[0]));
+}
+
+TEST_CASE("a dead taxel reads zero, the others do not change", "[effects]") {
+  std::array values{1.0, 2.0, 3.0, 4.0};
+  kill(values, std::array<std::size_t, 3>{3, 1, 3});
+  CHECK(values == std::array{1.0, 0.0, 3.0, 0.0});
+  kill(values, {});
+  CHECK(values == std::array{1.0, 0.0, 3.0, 0.0});
+}
