@@ -370,7 +370,7 @@ class Reader {
 
 [[noreturn]] void refuse(const std::string& file, const std::string& message,
                          const std::string& hint) {
-  throw InputError({{.file = file, .message = message, .hint = hint, .source = {}}});
+  throw InputError({{.file = file, .message = message, .hint = hint}});
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ void Problems::add(const toml::source_region& where, const std::string& message,
 }
 
 void Problems::add(const std::string& message, const std::string& hint) {
-  found_.push_back({.file = file_, .message = message, .hint = hint, .source = {}});
+  found_.push_back({.file = file_, .message = message, .hint = hint});
 }
 
 void Problems::raise() const {

@@ -132,7 +132,6 @@ OperatingPoint operating_point(const std::string& deck, std::span<const std::str
   const ProcessResult process =
       run_process({options.program, "-n", "-b", "-r", "result.raw", "deck.cir"},
                   {.folder = folder.path(),
-                   .input = {},
                    .unset = {"SPICE_ASCIIRAWFILE", "SPICE_SCRIPTS", "SPICE_NO_DATASEG_CHECK"},
                    .time_limit = options.time_limit,
                    .output_limit = options.output_limit});

@@ -114,8 +114,7 @@ void FrameReader::fail(std::string_view field, const std::string& message,
                      .column = inside ? static_cast<std::size_t>(field.data() - row_.data()) + 1
                                       : std::size_t{1},
                      .message = message,
-                     .hint = hint,
-                     .source = {}}});
+                     .hint = hint}});
 }
 
 bool FrameReader::next(std::span<double> readings) {

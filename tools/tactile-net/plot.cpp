@@ -61,8 +61,7 @@ std::vector<std::string> draw(std::span<const Plot> plots) {
       "set zeroaxis lc rgb '#999999'\n";
   for (const Plot& plot : plots) input += script(plot);
 
-  const ProcessResult result =
-      run_process({"gnuplot", "-d"}, {.folder = {}, .input = input, .unset = {}});
+  const ProcessResult result = run_process({"gnuplot", "-d"}, {.folder = {}, .input = input});
   if (result.end == ProcessResult::End::not_found)
     throw std::runtime_error("gnuplot is not installed: apt install gnuplot-nox");
   if (result.end != ProcessResult::End::exited || result.code != 0)

@@ -59,8 +59,7 @@ std::size_t stream(Solver& solver, FrameReader& reader, std::ostream& out, const
                            .line = reader.line(),
                            .column = 1,
                            .message = "the frame's tractions overflow a double",
-                           .hint = "scale the readings",
-                           .source = {}}});
+                           .hint = "scale the readings"}});
       if (reader.has_time()) {
         text += reader.time();
         text += ',';
@@ -94,16 +93,12 @@ void run(const Options& options) {
   if (!live) {
     std::error_code error;
     if (std::filesystem::is_directory(options.readings, error))
-      throw InputError({{.file = options.readings,
-                         .message = "is a folder, not a CSV file",
-                         .hint = {},
-                         .source = {}}});
+      throw InputError({{.file = options.readings, .message = "is a folder, not a CSV file"}});
     file.open(options.readings, std::ios::binary);
     if (!file)
       throw InputError({{.file = options.readings,
                          .message = "cannot be opened",
-                         .hint = "readings are a CSV file, or - for standard input",
-                         .source = {}}});
+                         .hint = "readings are a CSV file, or - for standard input"}});
   }
   const std::string name = live ? "<stdin>" : options.readings;
   const std::vector<std::string> columns = reading_columns(scene.sensor);

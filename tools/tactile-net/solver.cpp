@@ -15,8 +15,7 @@ Solver with_dft(const Scene& scene) {
   Solver solver{.inverse = std::move(inverse),
                 .alpha = {},
                 .verdict = std::string(name(verdict)),
-                .condition = gain.largest,
-                .warnings = {}};
+                .condition = gain.largest};
   if (verdict != DftVerdict::ok)
     solver.warnings.push_back("errors of the readings reach the traction multiplied by up to " +
                               brief(gain.largest));
@@ -35,11 +34,7 @@ Solver with_matrix(const Scene& scene, Method method) {
   Reconstruction inverse =
       method == Method::closed_form ? closed_form(problem, alpha) : tikhonov(problem, alpha);
   const double condition = inverse.condition();
-  return {.inverse = std::move(inverse),
-          .alpha = alpha,
-          .verdict = "ok",
-          .condition = condition,
-          .warnings = {}};
+  return {.inverse = std::move(inverse), .alpha = alpha, .verdict = "ok", .condition = condition};
 }
 
 }  // namespace
@@ -60,8 +55,7 @@ double alpha_of(const Scene& scene) {
                      .message = "reconstruct.alpha is missing, and tikhonov, closed_form and the "
                                 "network need it",
                      .hint = "add `alpha = 1e-4` under [reconstruct]; it has the unit of the "
-                             "squared kernel, so strain readings want it scaled by 1/E^2",
-                     .source = {}}});
+                             "squared kernel, so strain readings want it scaled by 1/E^2"}});
 }
 
 Status Solver::solve(std::span<const double> readings, std::span<double> tractions) noexcept {

@@ -23,10 +23,10 @@ namespace tactile_net::tool {
 /// What a method of one frame needs, after the part that may throw and take long.
 struct Solver {
   std::variant<Reconstruction, DftInverse> inverse;
-  std::optional<double> alpha;  ///< empty: the method has none
+  std::optional<double> alpha{};  ///< empty: the method has none
   std::string verdict = "ok";
   double condition = 0.0;  ///< of the system; for dft the noise gain
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings{};
 
   Status solve(std::span<const double> readings, std::span<double> tractions) noexcept;
 };

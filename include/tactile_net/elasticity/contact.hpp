@@ -35,10 +35,10 @@ struct RigidContact {
 /// Tractions given by their values at equally spaced points, linear in between and falling to zero
 /// one pitch beyond the first and the last point: the resultant is pitch * sum of the values.
 struct SampledTractions {
-  double first = 0.0;              ///< position of the first value [m]
-  double pitch = 1.0;              ///< distance between values [m], > 0
-  std::vector<double> normal;      ///< [Pa]
-  std::vector<double> tangential;  ///< [Pa], as many as `normal`, or none: frictionless
+  double first = 0.0;                ///< position of the first value [m]
+  double pitch = 1.0;                ///< distance between values [m], > 0
+  std::vector<double> normal{};      ///< [Pa]
+  std::vector<double> tangential{};  ///< [Pa], as many as `normal`, or none: frictionless
 };
 
 using Contact = std::variant<RigidContact, SampledTractions>;

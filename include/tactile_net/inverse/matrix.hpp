@@ -11,7 +11,7 @@ namespace tactile_net {
 struct Matrix {
   std::size_t rows = 0;
   std::size_t columns = 0;
-  std::vector<double> values;  ///< rows x columns, row-major
+  std::vector<double> values{};  ///< rows x columns, row-major
 
   [[nodiscard]] double operator()(std::size_t row, std::size_t column) const noexcept {
     return values[row * columns + column];

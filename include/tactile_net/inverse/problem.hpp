@@ -18,8 +18,8 @@
 namespace tactile_net {
 
 struct InverseProblem {
-  Matrix kernel;                  ///< W K, (channels x count) x (unknowns x count); includes D
-  std::vector<double> weights;    ///< diagonal of W, one per row; 0 for a dead taxel
+  Matrix kernel{};                ///< W K, (channels x count) x (unknowns x count); includes D
+  std::vector<double> weights{};  ///< diagonal of W, one per row; 0 for a dead taxel
   std::size_t count = 0;          ///< positions of each unknown
   std::size_t unknowns = 1;       ///< 1: normal traction; 2: normal, then tangential
   double pitch = 0.0;             ///< D [m]
@@ -27,9 +27,9 @@ struct InverseProblem {
 };
 
 struct ProblemOptions {
-  double smoothing_length = 0.0;         ///< l [m]; 0: the first depth
-  std::vector<double> channel_rms;       ///< noise of each channel; empty: rows not weighted
-  std::vector<std::size_t> dead_taxels;  ///< indices < count; their rows get weight 0
+  double smoothing_length = 0.0;           ///< l [m]; 0: the first depth
+  std::vector<double> channel_rms{};       ///< noise of each channel; empty: rows not weighted
+  std::vector<std::size_t> dead_taxels{};  ///< indices < count; their rows get weight 0
 };
 
 /// Assembles K for the normal traction from `sampled_kernel`.

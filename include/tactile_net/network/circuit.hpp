@@ -12,31 +12,31 @@ namespace tactile_net {
 using Node = std::size_t;
 
 struct Resistor {
-  std::string name;  ///< begins with R
+  std::string name{};  ///< begins with R
   Node from = 0;
   Node to = 0;
   double siemens = 0.0;  ///< not 0; negative: a negative resistor
 };
 
 struct CurrentSource {
-  std::string name;  ///< begins with I
-  Node into = 0;     ///< the current flows from ground into this node
+  std::string name{};  ///< begins with I
+  Node into = 0;       ///< the current flows from ground into this node
   double ampere = 0.0;
 };
 
 /// One use of a sub-circuit from `subcircuits.hpp`.
 struct Instance {
-  std::string name;  ///< begins with X
-  std::vector<Node> pins;
-  std::string subcircuit;
+  std::string name{};  ///< begins with X
+  std::vector<Node> pins{};
+  std::string subcircuit{};
 };
 
 struct Circuit {
   std::vector<std::string> nodes{"0"};  ///< names; nodes[0] is ground
-  std::vector<Node> outputs;            ///< whose voltages are the answer, in order
-  std::vector<Resistor> resistors;
-  std::vector<CurrentSource> sources;
-  std::vector<Instance> instances;
+  std::vector<Node> outputs{};          ///< whose voltages are the answer, in order
+  std::vector<Resistor> resistors{};
+  std::vector<CurrentSource> sources{};
+  std::vector<Instance> instances{};
 };
 
 /// Adds a node and returns its index.

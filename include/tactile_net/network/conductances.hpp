@@ -20,8 +20,8 @@ struct Branch {
 /// are the tractions. Values are in units of P; `Scale` turns them into siemens and volts.
 struct ConductanceNetwork {
   std::size_t nodes = 0;
-  std::vector<Branch> branches;  ///< by (from, to); zero entries of P have none
-  std::vector<double> ground;    ///< per node: sum_j P_ij; may be zero or negative
+  std::vector<Branch> branches{};  ///< by (from, to); zero entries of P have none
+  std::vector<double> ground{};    ///< per node: sum_j P_ij; may be zero or negative
 };
 
 /// @param matrix  P, symmetric

@@ -11,9 +11,9 @@
 namespace tactile_net {
 
 struct DeckHeader {
-  std::string title;                  ///< line 1, one line
-  std::vector<std::string> comments;  ///< what the deck solves and its scale; one line each
-  std::vector<double> expected;       ///< voltage of each output [V]; empty: not known
+  std::string title{};                  ///< line 1, one line
+  std::vector<std::string> comments{};  ///< what the deck solves and its scale; one line each
+  std::vector<double> expected{};       ///< voltage of each output [V]; empty: not known
 };
 
 /// Who prints the answer.

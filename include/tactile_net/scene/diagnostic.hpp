@@ -10,12 +10,12 @@
 namespace tactile_net {
 
 struct Diagnostic {
-  std::string file;
+  std::string file{};
   std::size_t line = 0;    ///< from 1; 0: the file as a whole
   std::size_t column = 0;  ///< from 1
-  std::string message;     ///< "sensor.depth must be > 0 (got -1.5)"
-  std::string hint;        ///< what to do; may be empty
-  std::string source;      ///< the line itself; empty: not shown
+  std::string message{};   ///< "sensor.depth must be > 0 (got -1.5)"
+  std::string hint{};      ///< what to do; may be empty
+  std::string source{};    ///< the line itself; empty: not shown
 };
 
 /// `file:line:column: error: message`, the source line with a caret, `hint: ...`; ends with a

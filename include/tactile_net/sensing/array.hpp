@@ -15,17 +15,17 @@ namespace tactile_net {
 /// A vector of readings is channel after channel, each with `count` values; the channels are
 /// quantity by quantity in the order of `reads`, each at every depth in the order of `depths`.
 struct SensorArray {
-  std::size_t count = 0;        ///< taxels along y, >= 2
-  double pitch = 0.0;           ///< distance of neighbours [m], > 0
-  std::vector<double> depths;   ///< below the surface [m], each > 0, at least one
-  std::vector<Quantity> reads;  ///< at least one, none twice
+  std::size_t count = 0;          ///< taxels along y, >= 2
+  double pitch = 0.0;             ///< distance of neighbours [m], > 0
+  std::vector<double> depths{};   ///< below the surface [m], each > 0, at least one
+  std::vector<Quantity> reads{};  ///< at least one, none twice
 };
 
 /// One quantity at one depth.
 struct Channel {
   Quantity quantity = Quantity::stress_x;
   double depth = 0.0;  ///< [m]
-  std::string name;    ///< "stress_x"; with several depths "stress_x@1" (index into `depths`)
+  std::string name{};  ///< "stress_x"; with several depths "stress_x@1" (index into `depths`)
 };
 
 /// @throw std::invalid_argument  a value is out of its range or not finite

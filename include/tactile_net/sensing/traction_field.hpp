@@ -12,8 +12,8 @@ namespace tactile_net {
 
 /// Tractions [Pa] at the `count` positions of an array.
 struct TractionField {
-  std::vector<double> normal;
-  std::vector<double> tangential;  ///< empty: frictionless
+  std::vector<double> normal{};
+  std::vector<double> tangential{};  ///< empty: frictionless
 };
 
 /// The sum of the contacts at the taxels' positions; no contact: zeros.

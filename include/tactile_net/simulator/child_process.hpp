@@ -11,9 +11,9 @@
 namespace tactile_net {
 
 struct ProcessOptions {
-  std::filesystem::path folder;                   ///< working directory; empty: the caller's
-  std::string input;                              ///< written to its standard input
-  std::vector<std::string> unset;                 ///< environment variables to hide from it
+  std::filesystem::path folder{};                 ///< working directory; empty: the caller's
+  std::string input{};                            ///< written to its standard input
+  std::vector<std::string> unset{};               ///< environment variables to hide from it
   std::chrono::milliseconds time_limit{60'000};   ///< then it and its children are killed
   std::size_t output_limit = 16u << 20;           ///< bytes kept; more kills it
   std::size_t file_limit = std::size_t{4} << 30;  ///< largest file it may write [bytes]
@@ -23,8 +23,8 @@ struct ProcessResult {
   enum class End { exited, signalled, timed_out, too_much_output, not_found };
   End end = End::exited;
   int code = 0;          ///< exit status, or the number of the signal
-  std::string output;    ///< standard output
-  std::string errors;    ///< standard error
+  std::string output{};  ///< standard output
+  std::string errors{};  ///< standard error
   double seconds = 0.0;  ///< wall time
 };
 

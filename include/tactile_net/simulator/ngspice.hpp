@@ -35,8 +35,8 @@ class SimulatorError : public std::runtime_error {
 };
 
 struct OperatingPoint {
-  std::vector<double> voltages;  ///< [V], one per node asked for
-  double seconds = 0.0;          ///< wall time of the process
+  std::vector<double> voltages{};  ///< [V], one per node asked for
+  double seconds = 0.0;            ///< wall time of the process
 };
 
 /// Runs `ngspice -b` on a deck with an `.op` card, in a private temporary folder that is removed

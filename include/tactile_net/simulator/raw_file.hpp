@@ -14,12 +14,12 @@
 namespace tactile_net {
 
 struct RawFile {
-  std::string title;
-  std::string plot;  ///< "Operating Point", "Transient Analysis", ...
+  std::string title{};
+  std::string plot{};  ///< "Operating Point", "Transient Analysis", ...
   std::size_t points = 0;
-  std::vector<std::string> names;              ///< "v(n0)", "i(v1)", "time", ... in lower case
-  std::vector<std::vector<double>> values;     ///< per name: `points` values; real part if complex
-  std::vector<std::vector<double>> imaginary;  ///< per name; empty for a real plot
+  std::vector<std::string> names{};           ///< "v(n0)", "i(v1)", "time", ... in lower case
+  std::vector<std::vector<double>> values{};  ///< per name: `points` values; real part if complex
+  std::vector<std::vector<double>> imaginary{};  ///< per name; empty for a real plot
 
   /// The vector of that name. @throw std::out_of_range naming it
   [[nodiscard]] std::span<const double> vector(std::string_view name) const;

@@ -1,0 +1,102 @@
+#include "tactile_net/inverse/problem.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "tactile_net/sensing/sampled.hpp"
+#include "tests/catch.hpp"
+#include "tests/inverse/problems.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+Eigen::Map<const RowMajor> view(const Matrix& matrix) {
+  return {matrix.values.data(), static_cast<Eigen::Index>(matrix.rows),
+          static_cast<Eigen::Index>(matrix.columns)};
+}
+
+const SensorArray array{21, 0.5, {1.5}, {Quantity::stress_x}};
+const Material material{1.0, 0.45};
+
+}  // namespace
+
+TEST_CASE("K times the tractions is the forward model", "[problem]") {
+  const SensorArray several{17, 0.5, {1.0, 2.0}, {Quantity::stress_x, Quantity::stress_y}};
+  const InverseProblem problem = make_problem(several, material);
+  const TractionField field{.normal = random_values(17, 1), .tangential = {}};
+  const std::vector<double> readings = sampled_readings(several, material, field);
+  const Eigen::VectorXd product =
+      view(problem.kernel) * Eigen::Map<const Eigen::VectorXd>(field.normal.data(), 17);
+  REQUIRE(std::ssize(readings) == product.size());
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    CHECK_THAT(product(static_cast<Eigen::Index>(i)), WithinAbs(readings[i], 1e-14));
+}
+
+TEST_CASE("P is symmetric, and positive definite by at least alpha", "[problem]") {
+  const double alpha = GENERATE(1e-8, 1e-3, 10.0);
+  for (const auto& [name, problem] : sample_problems()) {
+    CAPTURE(name, alpha);
+    const Matrix p = normal_matrix(problem, alpha);
+    const RowMajor dense = view(p);
+    CHECK(dense == dense.transpose());
+    const double smallest =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly)
+            .eigenvalues()(0);
+    CHECK(smallest >= alpha - 1e-14 * dense.norm());
+  }
+}
+
+TEST_CASE("P is the second derivative of the functional", "[problem]") {
+  const double alpha = 1e-3;
+  for (const auto& [name, problem] : sample_problems()) {
+    CAPTURE(name);
+    const Matrix p = normal_matrix(problem, alpha);
+    const std::vector<double> f = random_values(problem.count, 2);
+    const Eigen::Map<const Eigen::VectorXd> x(f.data(), std::ssize(f));
+    double smoothness = x.squaredNorm();
+    for (std::size_t j = 0; j + 1 < f.size(); ++j)
+      smoothness += std::pow(problem.smoothing_length / problem.pitch * (f[j + 1] - f[j]), 2);
+    const double functional = (view(problem.kernel) * x).squaredNorm() + alpha * smoothness;
+    CHECK_THAT(x.dot(view(p) * x), WithinRel(functional, 1e-13));
+  }
+}
+
+TEST_CASE("a dead taxel's reading does not matter", "[problem]") {
+  const InverseProblem problem = make_problem(array, material, {.dead_taxels = {4}});
+  std::vector<double> readings = random_values(21, 3);
+  const std::vector<double> before = normal_right_side(problem, readings);
+  readings[4] = 1e9;
+  CHECK(normal_right_side(problem, readings) == before);
+}
+
+TEST_CASE("without a smoothing length tractions are kept small, not smooth", "[problem]") {
+  CHECK(make_problem(array, material).smoothing_length == 0.0);
+}
+
+TEST_CASE("an impossible problem is refused with its reason", "[problem]") {
+  const auto refused = [&](const SensorArray& a, const ProblemOptions& options,
+                           const char* reason) {
+    CHECK_THROWS_WITH(make_problem(a, material, options), ContainsSubstring(reason));
+  };
+  refused(array, {.smoothing_length = -1.0}, "smoothing_length must be >= 0");
+  refused(array, {.smoothing_length = std::nan("")}, "smoothing_length must be >= 0");
+  refused(array, {.channel_rms = {1.0, 2.0}}, "one value per channel");
+  refused(array, {.channel_rms = {0.0}}, "channel_rms must be > 0");
+  refused(array, {.dead_taxels = {21}}, "dead taxel 21 is not < count");
+  refused({2, 0.5, {1.5}, {Quantity::stress_x}}, {.dead_taxels = {0, 1}}, "every taxel is dead");
+  refused({21, 0.5, {1.5}, {Quantity::stress_x, Quantity::strain_x}}, {}, "has no unit");
+  CHECK_THROWS_AS(make_problem({1, 0.5, {1.5}, {Quantity::stress_x}}, material),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(make_problem(array, {1.0, 0.6}), std::invalid_argument);
+
+  const InverseProblem problem = make_problem(array, material);
+  CHECK_THROWS_AS(normal_matrix(problem, 0.0), std::invalid_argument);
+  CHECK_THROWS_AS(normal_matrix(problem, std::numeric_limits<double>::infinity()),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(normal_right_side(problem, std::vector<double>(20)), std::invalid_argument);
+}

@@ -1,0 +1,46 @@
+/// @file
+/// Problems and frames that several tests share.
+#pragma once
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tactile_net/inverse/problem.hpp"
+
+namespace tactile_net {
+
+struct NamedProblem {
+  std::string name;
+  InverseProblem problem;
+};
+
+/// One and several quantities and depths, weights, a dead taxel, even and odd counts.
+inline std::vector<NamedProblem> sample_problems() {
+  using enum Quantity;
+  const Material material{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
+  const auto make = [&](std::size_t count, double pitch, std::vector<double> depths,
+                        std::vector<Quantity> reads, const ProblemOptions& options) {
+    return make_problem({count, pitch, std::move(depths), std::move(reads)}, material, options);
+  };
+  return {
+      {"strain", make(81, 0.25, {1.5}, {strain_x}, {.smoothing_length = 1.0})},
+      {"stress, even", make(20, 0.5, {1.5}, {stress_x}, {.smoothing_length = 1.5})},
+      {"shear", make(21, 0.5, {1.0}, {shear_xy}, {.smoothing_length = 1.0})},
+      {"two taxels", make(2, 1.0, {1.0}, {stress_x}, {.smoothing_length = 1.0})},
+      {"two depths", make(31, 0.5, {1.0, 2.0}, {stress_x}, {.smoothing_length = 1.0})},
+      {"weighted, a dead taxel",
+       make(31, 0.5, {1.0}, {stress_x, strain_x},
+            {.smoothing_length = 1.0, .channel_rms = {2.0, 0.1}, .dead_taxels = {3}})},
+  };
+}
+
+/// Readings between -1 and 1; equal seeds give equal readings.
+inline std::vector<double> random_values(std::size_t count, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::vector<double> values(count);
+  for (double& value : values) value = 2.0 * static_cast<double>(generator()) / 4294967295.0 - 1.0;
+  return values;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,217 @@
+#include "tactile_net/inverse/reconstruction.hpp"
+
+#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/sensing/exact.hpp"
+#include "tests/catch.hpp"
+#include "tests/inverse/problems.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+Eigen::Map<const RowMajor> view(const Matrix& matrix) {
+  return {matrix.values.data(), static_cast<Eigen::Index>(matrix.rows),
+          static_cast<Eigen::Index>(matrix.columns)};
+}
+Eigen::Map<const Eigen::VectorXd> view(const std::vector<double>& values) {
+  return {values.data(), std::ssize(values)};
+}
+
+std::vector<double> solved(const Reconstruction& inverse, const std::vector<double>& readings) {
+  std::vector<double> f(inverse.tractions());
+  REQUIRE(inverse.solve(readings, f) == Status::ok);
+  return f;
+}
+
+/// |W (K f - g)|^2 + alpha (|f|^2 + l^2 |f'|^2), term by term.
+double functional(const InverseProblem& problem, double alpha, const std::vector<double>& readings,
+                  const std::vector<double>& f) {
+  const Eigen::VectorXd residual =
+      view(problem.kernel) * view(f) - view(problem.weights).cwiseProduct(view(readings));
+  double smoothness = view(f).squaredNorm();
+  for (std::size_t j = 0; j + 1 < f.size(); ++j)
+    smoothness += std::pow(problem.smoothing_length / problem.pitch * (f[j + 1] - f[j]), 2);
+  return residual.squaredNorm() + alpha * smoothness;
+}
+
+}  // namespace
+
+TEST_CASE("the answer solves P f = b", "[tikhonov][property]") {
+  const double alpha = GENERATE(1e-8, 1e-4, 1.0);
+  for (const auto& [name, problem] : sample_problems()) {
+    CAPTURE(name, alpha);
+    const std::vector<double> g = random_values(problem.kernel.rows, 5);
+    const std::vector<double> f = solved(tikhonov(problem, alpha), g);
+    const Eigen::VectorXd gradient =
+        view(normal_matrix(problem, alpha)) * view(f) - view(normal_right_side(problem, g));
+    CHECK(gradient.norm() <= 1e-12 * view(normal_right_side(problem, g)).norm());
+  }
+}
+
+TEST_CASE("any change of the answer raises the functional", "[tikhonov][property]") {
+  const double alpha = 1e-3;
+  for (const auto& [name, problem] : sample_problems()) {
+    CAPTURE(name);
+    const std::vector<double> g = random_values(problem.kernel.rows, 6);
+    const std::vector<double> f = solved(tikhonov(problem, alpha), g);
+    const double least = functional(problem, alpha, g, f);
+    for (unsigned seed = 10; seed < 30; ++seed) {
+      std::vector<double> changed = f;
+      const std::vector<double> step = random_values(f.size(), seed);
+      for (std::size_t i = 0; i < f.size(); ++i) changed[i] += 1e-3 * step[i];
+      CHECK(functional(problem, alpha, g, changed) > least);
+    }
+  }
+}
+
+TEST_CASE("the corrected closed form is the same minimiser by another way", "[closed_form]") {
+  const double alpha = GENERATE(1e-6, 1e-4, 1e-3, 1.0);
+  for (const auto& [name, problem] : sample_problems()) {
+    CAPTURE(name, alpha);
+    const std::vector<double> g = random_values(problem.kernel.rows, 7);
+    CHECK(relative_l2_error(solved(closed_form(problem, alpha), g),
+                            solved(tikhonov(problem, alpha), g)) <= 1e-10);
+  }
+}
+
+TEST_CASE("the closed form without smoothing is the ridge solution", "[closed_form]") {
+  const InverseProblem problem =
+      make_problem({21, 0.5, {1.5}, {Quantity::stress_x}}, {1.0, 0.45}, {});
+  const std::vector<double> g = random_values(21, 8);
+  CHECK(relative_l2_error(solved(closed_form(problem, 1e-3), g),
+                          solved(tikhonov(problem, 1e-3), g)) <= 1e-10);
+}
+
+TEST_CASE("the thesis' printed constant is not the minimum, its correction is", "[closed_form]") {
+  // Example 4.1 by 4.12 and 4.15 as printed (without alpha d'u and alpha d'v, alpha for alpha N, d
+  // as row sums) and as corrected, both from normal equations.
+  const double alpha = 1e-3;
+  const SensorArray array{81, 0.25, {1.5}, {Quantity::strain_x}};
+  const Material material{1.0, 0.45};
+  const InverseProblem problem = make_problem(array, material, {.smoothing_length = 1.0});
+  const Contact cylinder = RigidContact{.half_width = 2.0};
+  const std::vector<double> g = exact_readings(array, material, std::array{cylinder});
+
+  const Eigen::Index n = 81;
+  const Eigen::MatrixXd k = view(problem.kernel);
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+  sum.triangularView<Eigen::Lower>().setConstant(0.25);
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(n);
+  const Eigen::MatrixXd kg = k * sum;
+  const Eigen::LDLT<Eigen::MatrixXd> a(
+      kg.transpose() * kg + alpha * (sum.transpose() * sum + Eigen::MatrixXd::Identity(n, n)));
+  const Eigen::VectorXd b = k * ones;
+  const auto objective = [&](const Eigen::VectorXd& d, bool corrected) {
+    const Eigen::VectorXd u = a.solve(kg.transpose() * view(g));
+    const Eigen::VectorXd v = a.solve(kg.transpose() * b + alpha * d);
+    const double more = corrected ? 1.0 : 0.0;
+    const double c =
+        (b.dot(view(g)) - b.dot(kg * u) - more * alpha * d.dot(u)) /
+        (b.dot(b) - b.dot(kg * v) + alpha * (corrected ? 81.0 : 1.0) - more * alpha * d.dot(v));
+    const Eigen::VectorXd f = sum * (u - c * v) + c * ones;
+    return functional(problem, alpha, g, {f.begin(), f.end()});
+  };
+  const double least = functional(problem, alpha, g, solved(tikhonov(problem, alpha), g));
+  CHECK_THAT(objective(sum.transpose() * ones, true), WithinRel(least, 1e-9));
+  CHECK(objective(sum * ones, false) > 1.2 * least);
+}
+
+TEST_CASE("one frame solved directly equals the prepared matrix", "[tikhonov]") {
+  for (const auto& [name, problem] : sample_problems()) {
+    CAPTURE(name);
+    const std::vector<double> g = random_values(problem.kernel.rows, 9);
+    CHECK(relative_l2_error(tikhonov_solve(problem, 1e-4, g), solved(tikhonov(problem, 1e-4), g)) <=
+          1e-12);
+  }
+}
+
+TEST_CASE("units scale the answer and change nothing else", "[tikhonov][property]") {
+  const double length = GENERATE(1.0, 1e-3, 1e6);
+  const double modulus = GENERATE(1.0, 1e6, 1e-9);
+  CAPTURE(length, modulus);
+  const std::vector<double> g = random_values(41, 11);
+  const auto answer = [&](double metre, double pascal) {
+    const InverseProblem problem =
+        make_problem({41, 0.25 * metre, {1.5 * metre}, {Quantity::strain_x}}, {pascal, 0.3},
+                     {.smoothing_length = metre});
+    std::vector<double> f = solved(tikhonov(problem, 1e-4 / (pascal * pascal)), g);
+    for (double& value : f) value /= pascal;
+    return f;
+  };
+  CHECK(relative_l2_error(answer(length, modulus), answer(1.0, 1.0)) <= 1e-10);
+}
+
+TEST_CASE("a mirrored frame gives the mirrored answer", "[tikhonov][property]") {
+  const InverseProblem problem =
+      make_problem({41, 0.25, {1.5}, {Quantity::stress_x}}, {1.0, 0.3}, {.smoothing_length = 1.0});
+  const Reconstruction inverse = tikhonov(problem, 1e-5);
+  std::vector<double> g = random_values(41, 12);
+  std::vector<double> f = solved(inverse, g);
+  std::reverse(g.begin(), g.end());
+  std::reverse(f.begin(), f.end());
+  CHECK(relative_l2_error(solved(inverse, g), f) <= 1e-12);
+}
+
+TEST_CASE("a cylinder's force comes back from exact readings", "[tikhonov]") {
+  const SensorArray array{81, 0.25, {1.5}, {Quantity::stress_x}};
+  const Material material{1.0, 0.45};
+  const double center = GENERATE(0.0, 0.1, -2.6);
+  const Contact contact = RigidContact{.center = center, .half_width = 2.0, .force = 3.0};
+  const std::vector<double> g = exact_readings(array, material, std::array{contact});
+  const std::vector<double> f =
+      solved(tikhonov(make_problem(array, material, {.smoothing_length = 1.5}), 1e-4), g);
+  CHECK_THAT(sampled_force(f, 0.25), WithinRel(3.0, 0.005));
+}
+
+TEST_CASE("a bad frame is reported and leaves the output alone", "[reconstruction]") {
+  const Reconstruction inverse({2, 2, {1.0, 0.0, 0.0, 1.0}}, 1.0);
+  std::array f{7.0, 7.0};
+  CHECK(inverse.solve(std::array{1.0}, f) == Status::wrong_size);
+  CHECK(inverse.solve(std::array{1.0, std::numeric_limits<double>::quiet_NaN()}, f) ==
+        Status::not_finite);
+  CHECK(inverse.solve(std::array{1.0, std::numeric_limits<double>::infinity()}, f) ==
+        Status::not_finite);
+  std::array<double, 1> small{};
+  CHECK(inverse.solve(std::array{1.0, 2.0}, small) == Status::wrong_size);
+  CHECK(f == std::array{7.0, 7.0});
+  CHECK(inverse.solve(std::array{1.0, 2.0}, f) == Status::ok);
+  CHECK(f == std::array{1.0, 2.0});
+}
+
+TEST_CASE("an unusable matrix or alpha is refused", "[reconstruction]") {
+  CHECK_THROWS_AS(Reconstruction({0, 0, {}}, 1.0), std::invalid_argument);
+  CHECK_THROWS_AS(Reconstruction({1, 2, {1.0}}, 1.0), std::invalid_argument);
+  CHECK_THROWS_AS(Reconstruction({1, 1, {std::nan("")}}, 1.0), std::invalid_argument);
+
+  const InverseProblem problem = sample_problems().front().problem;
+  for (const double alpha : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    CHECK_THROWS_AS(tikhonov(problem, alpha), std::invalid_argument);
+    CHECK_THROWS_AS(closed_form(problem, alpha), std::invalid_argument);
+    CHECK_THROWS_AS(tikhonov_solve(problem, alpha, random_values(81, 1)), std::invalid_argument);
+  }
+  CHECK_THROWS_AS(tikhonov_solve(problem, 1.0, random_values(80, 1)), std::invalid_argument);
+  CHECK_THROWS_AS(tikhonov_solve(problem, 1.0, std::vector<double>(81, std::nan(""))),
+                  std::invalid_argument);
+}
+
+TEST_CASE("what double precision cannot resolve is said to be rank deficient", "[tikhonov]") {
+  const InverseProblem deep = make_problem({81, 0.25, {10.0}, {Quantity::stress_x}}, {1.0, 0.45},
+                                           {.smoothing_length = 1.0});
+  CHECK_THROWS_WITH(tikhonov(deep, 1e-40), ContainsSubstring("rank deficient in double precision"));
+}
+
+TEST_CASE("the condition number bounds what a change of the readings can do", "[tikhonov]") {
+  const InverseProblem problem = sample_problems().front().problem;
+  const Reconstruction strong = tikhonov(problem, 1e-2);
+  const Reconstruction weak = tikhonov(problem, 1e-6);
+  CHECK(strong.condition() >= 1.0);
+  CHECK(weak.condition() > strong.condition());
+}
