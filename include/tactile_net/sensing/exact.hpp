@@ -19,8 +19,8 @@ namespace tactile_net {
 /// The substitutions s = center + (a + e) sin t (cylinder, punch) and s = center +- a / cosh v
 /// (wedge) leave smooth integrands, singular edges and apex included; sampled tractions go segment
 /// by segment. Panels grow by powers of 4 with the distance from the taxel, so that depths down to
-/// 1e-4 half widths keep the promise; far below that the readings that vanish with the depth, the
-/// small difference of large parts, are refused. Cost per taxel and channel: some hundred kernel
+/// 1e-3 half widths keep the promise; below that, readings that vanish with the depth, the small
+/// difference of large parts, are refused first. Cost per taxel and channel: some hundred kernel
 /// evaluations for a cylinder or punch, some thousand for a wedge, 31 to some hundred for each
 /// segment of sampled tractions that is not zero.
 ///
