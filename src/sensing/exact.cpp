@@ -4,6 +4,7 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -53,18 +54,21 @@ Integral refine(const auto& integrand, double from, double to, const Integral& w
 }
 
 /// The integral over the panels between neighbouring `borders`, which rise.
-Integral integrate(const auto& integrand, const std::vector<double>& borders) {
+///
+/// @param rounding  relative error of the integrand's values: no panel is halved to get below it
+Integral integrate(const auto& integrand, const std::vector<double>& borders, double rounding) {
   std::vector<Integral> coarse;
   double magnitude = 0.0;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
     coarse.push_back(panel(integrand, borders[i], borders[i + 1]));
     magnitude += coarse.back().magnitude;
   }
-  constexpr double tolerance = 1e-14;  // below it, 31 products round as much as they approximate
+  const double tolerance = (1e-14 + rounding) * magnitude;
   constexpr int levels = 16;
   Integral sum;
   for (std::size_t i = 0; i < coarse.size(); ++i)
-    sum += refine(integrand, borders[i], borders[i + 1], coarse[i], tolerance * magnitude, levels);
+    sum += refine(integrand, borders[i], borders[i + 1], coarse[i], tolerance, levels);
+  sum.error += rounding * magnitude;
   return sum;
 }
 
@@ -79,7 +83,18 @@ struct View {
     return half_plane_kernel(channel.quantity, load, material, channel.depth, y - s);
   }
 
-  /// y and y +- depth 4^j between `from` and `to`, as `image` maps them, and both ends.
+  /// The load on s.from ... s.to, which `image` maps to t.from ... t.to, where `integrand` lives.
+  [[nodiscard]] Integral load(Interval s, Interval t, const auto& image,
+                              const auto& integrand) const {
+    // Places are rounded, and the kernel changes over the distance of the nearest of them.
+    const double nearest = std::hypot(channel.depth, std::max({0.0, s.from - y, y - s.to}));
+    const double rounding = std::numeric_limits<double>::epsilon() *
+                            std::max(std::abs(s.from), std::abs(s.to)) / nearest;
+    return integrate(integrand, borders(s, t, image), rounding);
+  }
+
+ private:
+  /// y and y +- depth 4^j between s.from and s.to, as `image` maps them, and both ends.
   [[nodiscard]] std::vector<double> borders(Interval s, Interval t, const auto& image) const {
     std::vector<double> result{t.from};
     const auto add = [&](double point) {
@@ -112,7 +127,7 @@ Integral reading(const View& view, const RigidContact& contact) {
       return weight(u) * sum;
     };
     const auto centred = [&](double y) { return image(y - contact.center); };
-    return integrate(integrand, view.borders(s, t, centred));
+    return view.load(s, t, centred, integrand);
   };
   const Interval whole = support(contact);
 
@@ -174,7 +189,7 @@ Integral reading(const View& view, const SampledTractions& contact) {
       return contact.pitch * value;
     };
     const auto image = [&](double s) { return std::clamp((s - start) / contact.pitch, 0.0, 1.0); };
-    sum += integrate(integrand, view.borders({start, start + contact.pitch}, {0.0, 1.0}, image));
+    sum += view.load({start, start + contact.pitch}, {0.0, 1.0}, image, integrand);
   }
   return sum;
 }

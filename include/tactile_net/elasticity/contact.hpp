@@ -46,10 +46,13 @@ using Contact = std::variant<RigidContact, SampledTractions>;
 /// @throw std::invalid_argument  a value is out of its range or not finite
 void check(const Contact& contact);
 
-/// Traction [Pa] at y [m]; infinity where the profile is singular, 0 outside the contact.
+/// Traction [Pa] at y [m]; infinite, with the sign of the load, where the profile is singular; 0
+/// outside the contact and for NaN. A point that is the place of a sampled value but for rounding
+/// has exactly that value.
 [[nodiscard]] double traction(const Contact& contact, Traction component, double y) noexcept;
 
-/// Force [N/m] on the surface between `from` and `to` [m], from <= to: the exact integral.
+/// Force [N/m] on the surface between `from` and `to` [m], from <= to, infinity allowed: the
+/// integral in closed form, correct to an ulp or two of the resultant.
 [[nodiscard]] double force_between(const Contact& contact, Traction component, double from,
                                    double to) noexcept;
 

@@ -26,7 +26,8 @@
 namespace tactile_net {
 
 /// The reading caused by a unit line load at the origin [Pa / (N/m) for stress, 1 / (N/m) for
-/// strain]. Correct to a few ulp for any depth and y whose ratio does not overflow.
+/// strain]. Stresses are correct to a few ulp, strains to a few ulp of the larger of Hooke's two
+/// terms, at any scale: no power of a length is formed.
 [[nodiscard]] double half_plane_kernel(Quantity quantity, Traction load, const Material& material,
                                        double depth, double y) noexcept;
 

@@ -11,11 +11,13 @@ namespace tactile_net {
 /// Adds white Gaussian noise of that rms [unit of the readings] to one channel.
 ///
 /// Equal (seed, channel) give equal noise, whatever other channels do: each has a stream of its
-/// own.
+/// own. Engine and distribution are Boost's, so that every platform draws the same.
+///
+/// @param rms  >= 0
 void add_noise(std::span<double> readings, double rms, std::uint64_t seed, std::size_t channel);
 
 /// An analog-to-digital converter: 2^bits levels, the lowest at `low`, the highest at `high`;
-/// readings beyond them saturate.
+/// readings beyond them saturate, NaN stays NaN.
 struct Converter {
   int bits = 12;      ///< 1 ... 32
   double low = 0.0;   ///< [unit of the readings]
@@ -23,7 +25,7 @@ struct Converter {
 };
 void quantize(std::span<double> readings, const Converter& converter) noexcept;
 
-/// A dead taxel reads zero.
+/// A dead taxel reads zero: readings of one channel, and indices below their count.
 void kill(std::span<double> readings, std::span<const std::size_t> dead_taxels) noexcept;
 
 }  // namespace tactile_net

@@ -20,7 +20,8 @@ struct TractionField {
 ///
 /// The value at a taxel is the traction at that point, except where the taxel's cell (its position
 /// +- pitch / 2) holds a point of infinite traction: there it is the mean over the cell, the only
-/// finite value that keeps the force. `tangential` is empty if no contact has friction.
+/// finite value that keeps the force. A point on the border of two cells is in both. `tangential`
+/// is empty if no contact has friction.
 ///
 /// @throw std::invalid_argument  the array or a contact is out of range
 [[nodiscard]] TractionField sample(std::span<const Contact> contacts, const SensorArray& array);
