@@ -1,0 +1,92 @@
+#include "tactile_net/network/realization.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "tactile_net/network/subcircuits.hpp"
+#include "tests/catch.hpp"
+#include "tests/network/networks.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+/// P with one positive entry off the diagonal, one negative row sum and one that is zero.
+const ConductanceNetwork mixed = conductances({3, 3, {4, 1, -2, 1, 1, -2, -2, -2, 3}});
+const std::array current{1.0, 0.0, -2.0};
+
+}  // namespace
+
+TEST_CASE("ideal takes a resistor a branch, and one to ground where the row sum is not zero",
+          "[ideal]") {
+  const ElementCounts counts = count_elements(ideal(mixed, current, {}));
+  CHECK(mixed.ground == std::vector<double>{3.0, 0.0, -1.0});
+  CHECK(counts.resistors == 5);
+  CHECK(counts.negative_resistors == 2);
+  CHECK(counts.opamps == 0);
+  CHECK(counts.sources == 3);
+}
+
+TEST_CASE("nic takes two op-amps a negative branch, one a negative row sum, no negative resistor",
+          "[nic]") {
+  const ElementCounts counts = count_elements(nic(mixed, current, {}));
+  CHECK(counts.opamps == 3);
+  CHECK(counts.negative_resistors == 0);
+  CHECK(counts.resistors == 2 + 1 + (2 + 3) + (1 + 2));  // branches, ground, floating, grounded
+}
+
+TEST_CASE("siemens and volts scale conductances and currents", "[realization]") {
+  const Circuit circuit =
+      realize(Realization::ideal, mixed, current, {.siemens = 2e-3, .volts = 0.5});
+  CHECK(circuit.resistors[1].siemens == 2e-3 * 2.0);
+  CHECK(circuit.sources[2].ampere == -2.0 * 2e-3 * 0.5);
+}
+
+TEST_CASE("realisations are found by the names they have", "[realization]") {
+  for (const Realization one : {Realization::ideal, Realization::nic})
+    CHECK(realization_named(name(one)) == one);
+  CHECK_FALSE(realization_named("nics"));
+}
+
+TEST_CASE("currents and scales that make no circuit are refused", "[realization]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(ideal(mixed, std::array{1.0}, {}), std::invalid_argument);
+  CHECK_THROWS_AS(nic(mixed, std::array{1.0, nan, 0.0}, {}), std::invalid_argument);
+  CHECK_THROWS_AS(ideal(mixed, current, {.siemens = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(ideal(mixed, current, {.volts = -1.0}), std::invalid_argument);
+}
+
+TEST_CASE("what is said of a sub-circuit is what its text holds", "[subcircuits]") {
+  for (const Subcircuit& one : subcircuits()) {
+    CAPTURE(one.name);
+    std::istringstream lines{std::string(one.text)};
+    std::size_t resistors = 0;
+    std::size_t nested = 0;
+    bool found = false;
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream words(line);
+      std::string first;
+      std::string word;
+      words >> first;
+      std::size_t count = 0;
+      while (words >> word) ++count;
+      if (first == ".subckt") {
+        found = true;
+        CHECK(count == one.pins + 1);
+        CHECK(line.find(".subckt " + std::string(one.name) + " ") == 0);
+      }
+      if (first[0] == 'R') ++resistors;
+      if (first[0] == 'X') {
+        ++nested;
+        CHECK(word == one.needs);
+      }
+    }
+    CHECK(found);
+    CHECK(resistors == one.resistors);
+    CHECK(one.opamps == (one.needs.empty() ? 1 : nested));
+  }
+  CHECK_THROWS_WITH(subcircuit("opamp"), ContainsSubstring("there is no sub-circuit 'opamp'"));
+}

@@ -1,0 +1,90 @@
+#include "tactile_net/simulator/child_process.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+using namespace std::chrono_literals;
+using End = ProcessResult::End;
+
+namespace {
+
+ProcessResult shell(const std::string& script, const ProcessOptions& options = {}) {
+  return run_process({"sh", "-c", script}, options);
+}
+
+std::ptrdiff_t open_descriptors() {
+  return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
+}
+
+}  // namespace
+
+TEST_CASE("output, errors and exit status come back apart", "[child_process]") {
+  const ProcessResult result = shell("echo out; echo err >&2; exit 3");
+  CHECK(result.end == End::exited);
+  CHECK(result.code == 3);
+  CHECK(result.output == "out\n");
+  CHECK(result.errors == "err\n");
+}
+
+TEST_CASE("megabytes go in and out without a deadlock", "[child_process]") {
+  const std::string input(5'000'000, 'x');
+  CHECK(run_process({"cat"}, {.input = input}).output == input);
+}
+
+TEST_CASE("a child that does not read its input does no harm", "[child_process]") {
+  const ProcessResult result = shell("exec 0<&-; exit 0", {.input = std::string(5'000'000, 'x')});
+  CHECK(result.end == End::exited);
+}
+
+TEST_CASE("a crash is told by its signal", "[child_process]") {
+  const ProcessResult result = shell("kill -SEGV $$");
+  CHECK(result.end == End::signalled);
+  CHECK(result.code == SIGSEGV);
+}
+
+TEST_CASE("a child that hangs is killed at the limit", "[child_process]") {
+  const ProcessResult result = shell("sleep 30", {.time_limit = 200ms});
+  CHECK(result.end == End::timed_out);
+  CHECK(result.seconds < 10.0);
+}
+
+TEST_CASE("a child that closes its streams and hangs is killed too", "[child_process]") {
+  CHECK(shell("exec >&- 2>&-; sleep 30", {.time_limit = 200ms}).end == End::timed_out);
+}
+
+TEST_CASE("a grandchild that keeps the streams open is not waited for", "[child_process]") {
+  const ProcessResult result = shell("sleep 30 & echo done; exit 0", {.time_limit = 20s});
+  CHECK(result.end == End::exited);
+  CHECK(result.output == "done\n");
+  CHECK(result.seconds < 10.0);
+}
+
+TEST_CASE("endless output is stopped", "[child_process]") {
+  const ProcessResult result = run_process({"yes"}, {.output_limit = 100'000});
+  CHECK(result.end == End::too_much_output);
+  CHECK(result.output.size() < 1'000'000);
+}
+
+TEST_CASE("a program that is not there, or not to be run, is not found", "[child_process]") {
+  CHECK(run_process({"no-such-program-at-all"}).end == End::not_found);
+  CHECK(run_process({"/etc/passwd"}).end == End::not_found);
+}
+
+TEST_CASE("the folder and the environment are as asked", "[child_process]") {
+  CHECK(shell("pwd", {.folder = "/"}).output == "/\n");
+  ::setenv("TACTILE_NET_TEST", "seen", 1);
+  CHECK(shell("echo $TACTILE_NET_TEST").output == "seen\n");
+  CHECK(shell("echo $TACTILE_NET_TEST", {.unset = {"TACTILE_NET_TEST"}}).output == "\n");
+}
+
+TEST_CASE("no descriptor is leaked", "[child_process]") {
+  (void)shell("exit 0");
+  const auto before = open_descriptors();
+  for (int i = 0; i < 20; ++i) (void)shell("exit 0");
+  (void)run_process({"no-such-program-at-all"});
+  CHECK(open_descriptors() == before);
+}

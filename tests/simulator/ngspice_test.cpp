@@ -1,0 +1,144 @@
+#include "tactile_net/simulator/ngspice.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <fstream>
+
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+namespace fs = std::filesystem;
+using Cause = SimulatorError::Cause;
+
+namespace {
+
+const std::array<std::string, 1> node_a{"a"};
+
+/// Runs the deck, expects a failure and returns it; the folder it kept is removed.
+struct Failure {
+  Cause cause;
+  std::string text;
+  bool kept_deck;
+  bool kept_log;
+};
+Failure failure(const std::string& deck, const NgspiceOptions& options = {},
+                std::span<const std::string> nodes = node_a) {
+  try {
+    (void)operating_point(deck, nodes, options);
+  } catch (const SimulatorError& error) {
+    const Failure result{error.cause(), error.what(), fs::exists(error.folder() / "deck.cir"),
+                         fs::exists(error.folder() / "ngspice.log")};
+    if (!error.folder().empty()) fs::remove_all(error.folder());
+    return result;
+  }
+  FAIL("no failure was reported");
+  return {};
+}
+
+/// A simulator that fails in a way of our choice: a shell script, removed at the end.
+class FakeSimulator {
+ public:
+  explicit FakeSimulator(const std::string& script) {
+    std::ofstream(path_) << "#!/bin/sh\n" << script << '\n';
+    fs::permissions(path_, fs::perms::owner_all);
+  }
+  ~FakeSimulator() { fs::remove(path_); }
+  [[nodiscard]] NgspiceOptions options() const { return {.program = path_.string()}; }
+
+ private:
+  fs::path path_ = fs::temp_directory_path() / ("tactile-net-fake-" + std::to_string(::getpid()));
+};
+
+void check_kept(const Failure& result, Cause cause, const char* text) {
+  CHECK(result.cause == cause);
+  CHECK_THAT(result.text, ContainsSubstring(text));
+  CHECK_THAT(result.text, ContainsSubstring("deck.cir"));
+  CHECK(result.kept_deck);
+  CHECK(result.kept_log);
+}
+
+std::size_t folders() {
+  std::size_t count = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(fs::temp_directory_path()))
+    if (entry.path().filename().string().find("tactile-net-") == 0) ++count;
+  return count;
+}
+
+constexpr const char* good =
+    "* good\nR1 a 0 1000\nR2 a b 1000\nR3 b 0 2000\nI1 0 a DC 4e-3\n.op\n.end\n";
+
+}  // namespace
+
+TEST_CASE("a network solved by hand comes back, and no folder stays", "[spice]") {
+  const std::size_t before = folders();
+  const std::array<std::string, 2> nodes{"b", "a"};
+  const OperatingPoint point = operating_point(good, nodes);
+  CHECK_THAT(point.voltages[0], WithinRel(2.0, 1e-14));
+  CHECK_THAT(point.voltages[1], WithinRel(3.0, 1e-14));
+  CHECK(folders() == before);
+}
+
+TEST_CASE("what ngspice fails at with exit status 0 is a failure", "[spice]") {
+  check_kept(failure("* singular\nR1 a 0 1k\nR2 a 0 -1k\nI1 0 a 1m\n.op\n.end\n"), Cause::failed,
+             "singular matrix");
+  check_kept(failure("* floating\nR1 a b 1k\nI1 0 a 1m\n.op\n.end\n"), Cause::failed,
+             "singular matrix");
+  check_kept(failure("* no value\nR1 a 0\nI1 0 a 1m\n.op\n.end\n"), Cause::failed, "resistance");
+}
+
+TEST_CASE("a deck that ngspice cannot parse is a failure", "[spice]") {
+  check_kept(failure("* bad\nQ1 a\nR1 a 0 1\n.op\n.end\n"), Cause::failed, "exit status 1");
+}
+
+TEST_CASE("a node that the deck does not have is named", "[spice]") {
+  const std::array<std::string, 1> missing{"n99"};
+  check_kept(failure(good, {}, missing), Cause::bad_result, "v(n99)");
+}
+
+TEST_CASE("a simulator that is not installed says how to install it", "[spice]") {
+  const Failure result = failure(good, {.program = "no-such-ngspice"});
+  CHECK(result.cause == Cause::not_installed);
+  CHECK_THAT(result.text, ContainsSubstring("apt install ngspice"));
+}
+
+TEST_CASE("a simulator that hangs is stopped", "[spice]") {
+  const FakeSimulator fake("sleep 60");
+  NgspiceOptions options = fake.options();
+  options.time_limit = std::chrono::milliseconds(200);
+  check_kept(failure(good, options), Cause::timed_out, "did not end within 0.2");
+}
+
+TEST_CASE("a simulator that crashes is told by its signal", "[spice]") {
+  const FakeSimulator fake("kill -SEGV $$");
+  check_kept(failure(good, fake.options()), Cause::crashed, "Segmentation fault");
+}
+
+TEST_CASE("a simulator that prints without end is stopped", "[spice]") {
+  const FakeSimulator fake("yes");
+  NgspiceOptions options = fake.options();
+  options.output_limit = 100'000;
+  check_kept(failure(good, options), Cause::too_much_output, "more than 100000 bytes");
+}
+
+TEST_CASE("exit status 0 without a raw file is no success", "[spice]") {
+  const FakeSimulator fake("exit 0");
+  check_kept(failure(good, fake.options()), Cause::bad_result, "no such raw file");
+}
+
+TEST_CASE("a short raw file and one without a number are no answers", "[spice]") {
+  const std::string header =
+      "Title: t\\nPlotname: Operating Point\\nFlags: real\\nNo. Variables: 1\\nNo. Points: 1\\n"
+      "Variables:\\n\\t0\\tv(a)\\tvoltage\\n";
+  const FakeSimulator half("printf '" + header + "Binary:\\n1234' > result.raw");
+  check_kept(failure(good, half.options()), Cause::bad_result, "not a whole raw file");
+  const FakeSimulator nan("printf '" + header + "Values:\\n0\\tnan\\n' > result.raw");
+  check_kept(failure(good, nan.options()), Cause::bad_result, "not a finite number");
+}
+
+TEST_CASE("another analysis than the operating point is no answer", "[spice]") {
+  const FakeSimulator fake(
+      "printf 'Title: t\\nPlotname: Transient\\nFlags: real\\nNo. Variables: 1\\nNo. Points: 1\\n"
+      "Variables:\\n\\t0\\tv(a)\\tvoltage\\nValues:\\n0\\t1\\n' > result.raw");
+  check_kept(failure(good, fake.options()), Cause::bad_result, "'Transient'");
+}
