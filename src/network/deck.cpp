@@ -106,8 +106,9 @@ void write_deck(std::ostream& out, const Circuit& circuit, const DeckHeader& hea
   deck += ".op\n.end\n";
   if (answer == Answer::printed) {
     // `*#` lines are commands to ngspice and comments to every other simulator. Without `quit 0`
-    // it would exit with 1 for want of a .print card.
-    deck += "*# set numdgt=16\n*# op\n";
+    // it would exit with 1 for want of a .print card. With numdgt=16
+    // negative numbers get one digit too few to read back as the same double.
+    deck += "*# set numdgt=17\n*# op\n";
     for (const Node node : circuit.outputs) deck += "*# print v(" + circuit.nodes[node] + ")\n";
     deck += "*# quit 0\n";
   }

@@ -55,7 +55,7 @@ TEST_CASE("only comments to other simulators make ngspice print the answer", "[d
   const std::string plain = deck(divider());
   const std::string printed = deck(divider(), {.title = "t"}, Answer::printed);
   REQUIRE(printed.substr(0, plain.size()) == plain);
-  CHECK(printed.substr(plain.size()) == "*# set numdgt=16\n*# op\n*# print v(n0)\n*# quit 0\n");
+  CHECK(printed.substr(plain.size()) == "*# set numdgt=17\n*# op\n*# print v(n0)\n*# quit 0\n");
 }
 
 TEST_CASE("a nic brings its sub-circuits, each once, and its cards", "[deck]") {
