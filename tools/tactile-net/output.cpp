@@ -55,9 +55,10 @@ std::ostream& OutputFile::stream() noexcept {
 
 void OutputFile::commit() {
   errno = 0;
-  stream().flush();
+  std::ostream& out = stream();
+  out.flush();
   if (file_.is_open()) file_.close();
-  if (!stream()) not_written(path_.empty() || path_ == "-" ? "standard output" : path_);
+  if (!out) not_written(path_.empty() || path_ == "-" ? "standard output" : path_);
   if (temporary_.empty()) return;
   fs::rename(temporary_, path_);
   temporary_.clear();

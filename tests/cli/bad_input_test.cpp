@@ -1,0 +1,91 @@
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+void check(const std::vector<std::string>& arguments, int code, const std::string& message) {
+  const ProcessResult result = tool(arguments);
+  CAPTURE(message, result.errors);
+  CHECK(result.end == ProcessResult::End::exited);
+  CHECK(result.code == code);
+  CHECK_THAT(result.errors, ContainsSubstring(message));
+}
+
+}  // namespace
+
+TEST_CASE("wrong usage is told with what was meant", "[cli]") {
+  check({}, 2, "subcommand is required");
+  check({"rnu"}, 2, "did you mean 'run'?");
+  check({"run"}, 2, "SCENE is required");
+  check({"run", scene("nic.toml"), "--no-such-option"}, 2, "--no-such-option");
+  check({"gen", scene("nic.toml"), "--realization", "crossbar"}, 2, "not built by this version");
+  check({"solve", scene("nic.toml"), "--readings", "-", "--method", "network"}, 2,
+        "does not solve frames");
+  check({"solve", scene("nic.toml"), "--readings", "no-such.csv"}, 2, "cannot be opened");
+  check({"solve", scene("nic.toml"), "--readings", "/"}, 2, "is a folder");
+  check({"relax", scene("nic.toml"), "--time-limit", "0"}, 2, "must be > 0");
+}
+
+TEST_CASE("help and version are no failures", "[cli]") {
+  for (const char* command : {"run", "gen", "relax", "solve"})
+    CHECK(tool({command, "--help"}).code == 0);
+  CHECK(tool({"--help"}).code == 0);
+  CHECK_THAT(tool({"--version"}).output, StartsWith("tactile-net "));
+}
+
+TEST_CASE("a scene that is none is refused", "[cli]") {
+  const Folder folder;
+  check({"run", folder.path().string()}, 2, "is a folder, not a scene file");
+  check({"run", folder / "none.toml"}, 2, "there is no such file");
+  check({"run", folder.write("empty.toml", "")}, 2, "the scene is empty");
+  check({"run", folder.write("binary.toml", std::string("a\0b", 3))}, 2, "zero bytes");
+  check({"run", "/dev/zero"}, 2, "not a regular file");
+  const std::string big = folder.write("big.toml", "");
+  std::filesystem::resize_file(big, 1u << 30);
+  check({"run", big}, 2, "more than a scene's 16 MiB");
+}
+
+TEST_CASE("all problems of a scene are told at once, at their places", "[cli]") {
+  const Folder folder;
+  const std::string path =
+      folder.write("s.toml",
+                   "[sensor]\ncount = 1\npitch = -1.0\ndepht = 1.0\nreads = [\"stres_x\"]\n"
+                   "[material]\nyoungs_modulus = \"soft\"\npoisson_ratio = 0.7\n");
+  const ProcessResult result = tool({"run", path, "--out", folder / "out"});
+  CHECK(result.code == 2);
+  for (const char* text :
+       {":2:9: error: sensor.count", ":3:9: error: sensor.pitch must be > 0",
+        ":4:1: error: unknown key 'sensor.depht'", "did you mean 'depth'?",
+        "did you mean 'stress_x'?", ":7:18: error: material.youngs_modulus must be a number",
+        ":8:17: error: material.poisson_ratio"})
+    CHECK_THAT(result.errors, ContainsSubstring(text));
+  CHECK_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_CASE("an output that cannot be made is told before anything is computed", "[cli]") {
+  const Folder folder;
+  const std::string file = folder.write("file", "mine");
+  check({"run", scene("nic.toml"), "--out", file}, 2, "is a file, not a folder");
+  check({"run", scene("nic.toml"), "--out", "/proc/nowhere"}, 2, "cannot be written to");
+  check({"gen", scene("nic.toml"), "-o", folder / "none/x.cir"}, 2, "cannot be created");
+  check({"gen", scene("nic.toml"), "-o", folder.path().string()}, 2, "is a folder");
+  CHECK(read_text(file) == "mine");
+}
+
+TEST_CASE("a full disk is a failure", "[cli]") {
+  check({"gen", scene("nic.toml"), "-o", "/dev/full"}, 1, "could not be written");
+  check({"solve", scene("recorded/thick-pad.toml"), "--readings", scene("recorded/thick-pad.csv"),
+         "-o", "/dev/full"},
+        1, "could not be written");
+}
+
+TEST_CASE("a scene without alpha says what to add", "[cli]") {
+  const Folder folder;
+  const std::string path =
+      folder.write("s.toml", small_scene.substr(0, small_scene.find("[reconstruct]")));
+  for (const char* command : {"gen", "relax"})
+    check({command, path}, 2, "reconstruct.alpha is missing");
+  check({"run", path}, 2, "reconstruct.alpha is missing");
+}

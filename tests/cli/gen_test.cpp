@@ -1,0 +1,49 @@
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+
+TEST_CASE("a generated deck runs in plain ngspice and prints what its header expects",
+          "[cli][spice]") {
+  const Folder folder;
+  const std::string realization = GENERATE("ideal", "nic");
+  CAPTURE(realization);
+  const std::string deck = folder / "x.cir";
+  REQUIRE(tool({"gen", scene("nic.toml"), "-o", deck, "--realization", realization}).code == 0);
+  const std::string text = read_text(deck);
+  const ProcessResult result = run_process({"ngspice", "-b", deck});
+  CHECK(result.code == 0);
+  for (int i = 0; i < 21; ++i) {
+    const std::string node = "n" + std::to_string(i);
+    const std::size_t expected = text.find("* expect " + node + " ");
+    const std::size_t found = result.output.find("v(" + node + ") = ");
+    REQUIRE(expected != std::string::npos);
+    REQUIRE(found != std::string::npos);
+    CHECK_THAT(std::stod(result.output.substr(found + node.size() + 6)),
+               WithinAbs(std::stod(text.substr(expected + node.size() + 10)), 1e-10));
+  }
+}
+
+TEST_CASE("relax compares the circuit with the direct solve", "[cli][spice]") {
+  const ProcessResult result = tool({"relax", scene("nic.toml")});
+  CHECK(result.code == 0);
+  CHECK_THAT(result.output, ContainsSubstring("114 op-amps") && ContainsSubstring("(agrees"));
+  CHECK_THAT(tool({"relax", scene("nic.toml"), "--json", "-"}).output,
+             StartsWith("{") && ContainsSubstring("\"difference_to_direct\""));
+}
+
+TEST_CASE("a deck goes to standard output by default", "[cli]") {
+  CHECK_THAT(tool({"gen", scene("nic.toml")}).output,
+             StartsWith("* tactile-net ") && ContainsSubstring("realization nic"));
+}
+
+TEST_CASE("a simulator that lies is caught, and its deck kept", "[cli]") {
+  const Folder folder;
+  const std::string fake = folder.write("fake", "#!/bin/sh\nexit 0\n");
+  std::filesystem::permissions(fake, std::filesystem::perms::owner_all);
+  const ProcessResult result = run_process({"env", "TMPDIR=" + folder.path().string(), TOOL,
+                                            "relax", scene("nic.toml"), "--ngspice", fake});
+  CHECK(result.code == 1);
+  CHECK_THAT(result.errors,
+             ContainsSubstring("without a usable answer") && ContainsSubstring("deck.cir"));
+}

@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <sstream>
+
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+std::vector<std::string> shipped_scenes() {
+  std::vector<std::string> scenes;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(SCENES))
+    if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "recorded")
+      scenes.push_back(entry.path().string());
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+/// Without the lines that hold times.
+std::string timeless(const std::string& json) {
+  std::istringstream lines(json);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("\"setup\"") == std::string::npos &&
+        line.find("\"frame\"") == std::string::npos &&
+        line.find("\"ngspice_seconds\"") == std::string::npos)
+      kept += line + '\n';
+  return kept;
+}
+
+/// The number after a key of the JSON.
+double number(const std::string& json, const std::string& key) {
+  const std::size_t at = json.find("\"" + key + "\": ");
+  REQUIRE(at != std::string::npos);
+  return std::stod(json.substr(at + key.size() + 4));
+}
+
+}  // namespace
+
+TEST_CASE("every shipped scene runs, agrees with its circuit and writes a report", "[cli][spice]") {
+  REQUIRE(shipped_scenes().size() >= 10);
+  for (const std::string& path : shipped_scenes()) {
+    CAPTURE(path);
+    const Folder folder;
+    const ProcessResult result = tool({"run", path, "--out", folder / "out"});
+    CHECK(result.errors.empty());
+    REQUIRE(result.code == 0);
+    CHECK_THAT(result.output, ContainsSubstring("verdict"));
+    const std::string html = read_text(folder / "out/report.html");
+    CHECK_THAT(html, ContainsSubstring("<svg"));
+    CHECK_THAT(html, ContainsSubstring("</html>"));
+    CHECK(html.find("src=\"http") == std::string::npos);  // one file, no network
+    const std::string json = read_text(folder / "out/result.json");
+    if (json.find("\"network\": null") == std::string::npos) {
+      const bool nic = json.find("\"realization\": \"nic\"") != std::string::npos;
+      CHECK(number(json, "difference_to_direct") <= (nic ? 1e-9 : 1e-10));
+      CHECK(std::filesystem::exists(folder / "out/network.cir"));
+    }
+  }
+}
+
+TEST_CASE("equal input gives equal bytes, times aside", "[cli][spice]") {
+  const auto json = [] { return timeless(tool({"run", scene("adc.toml"), "--json", "-"}).output); };
+  const std::string once = json();
+  CHECK(once.size() > 1000);
+  CHECK(json() == once);
+}
+
+TEST_CASE("the thesis' printed errors come out of the command", "[cli]") {
+  CHECK_THAT(number(tool({"run", scene("thesis/example-3.1-stress.toml"), "--json", "-"}).output,
+                    "mean_abs"),
+             WithinRel(3.03e-7, 0.5 / 303.0));
+  CHECK_THAT(number(tool({"run", scene("thesis/example-3.1-strain.toml"), "--json", "-"}).output,
+                    "mean_abs"),
+             WithinRel(4.04e-5, 0.5 / 404.0));
+}
+
+TEST_CASE("results of run are input of solve", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write(
+      "s.toml", small_scene + "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\nforce = 1.0\n");
+  REQUIRE(tool({"run", path, "--out", folder / "out"}).code == 0);
+  const ProcessResult result = tool({"solve", path, "--readings", folder / "out/readings.csv"});
+  CHECK(result.code == 0);
+  CHECK(result.output == read_text(folder / "out/tractions-tikhonov.csv"));
+}
+
+TEST_CASE("an existing folder keeps what is not a result", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_scene);
+  folder.write("mine.txt", "mine");
+  REQUIRE(tool({"run", path, "--out", folder.path().string()}).code == 0);
+  CHECK(read_text(folder / "mine.txt") == "mine");
+  CHECK(std::filesystem::exists(folder / "report.html"));
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    CHECK(entry.path().filename().string().find("partial") == std::string::npos);
+}
+
+TEST_CASE("an unloaded sensor has no traction and no relative error", "[cli][spice]") {
+  const Folder folder;
+  const std::string path =
+      folder.write("s.toml", small_scene + "methods = [\"tikhonov\", \"network\"]\n");
+  const ProcessResult result = tool({"run", path, "--json", "-"});
+  CHECK(result.code == 0);
+  CHECK_THAT(result.output, ContainsSubstring("\"relative_l2\": null"));
+  CHECK(number(result.output, "difference_to_direct") == 0.0);
+}
+
+TEST_CASE("a method that fails says so, the others answer, and the status is 1", "[cli]") {
+  const Folder folder;
+  const std::string path =
+      folder.write("s.toml",
+                   "[sensor]\ncount = 21\npitch = 1.0\ndepth = 1.0\nreads = [\"shear_xy\"]\n"
+                   "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.3\n"
+                   "[[contact]]\nshape = \"cylinder\"\nhalf_width = 2.0\nforce = 1.0\n"
+                   "[reconstruct]\nmethods = [\"dft\", \"tikhonov\"]\nalpha = 1e-3\n");
+  const ProcessResult result = tool({"run", path, "--out", folder / "out"});
+  CHECK(result.code == 1);
+  CHECK_THAT(result.output,
+             ContainsSubstring("dft: FAILED") && ContainsSubstring("invisible to shear_xy"));
+  CHECK(std::filesystem::exists(folder / "out/tractions-tikhonov.csv"));
+  CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("invisible to shear_xy"));
+}
+
+TEST_CASE("without gnuplot the run succeeds and says what is missing", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_scene);
+  const ProcessResult result =
+      run_process({"env", "PATH=/nowhere", TOOL, "run", path, "--out", folder / "out"});
+  CHECK(result.code == 0);
+  CHECK_THAT(result.errors, ContainsSubstring("apt install gnuplot-nox"));
+  CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("no plots"));
+}
+
+TEST_CASE("without ngspice the other methods still answer", "[cli]") {
+  const Folder folder;
+  const std::string path =
+      folder.write("s.toml", small_scene + "methods = [\"tikhonov\", \"network\"]\n");
+  const ProcessResult result = tool({"run", path, "--ngspice", "no-such-ngspice"});
+  CHECK(result.code == 1);
+  CHECK_THAT(result.output,
+             ContainsSubstring("apt install ngspice") && ContainsSubstring("tikhonov  0.001"));
+}

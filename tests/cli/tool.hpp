@@ -1,0 +1,61 @@
+/// @file
+/// Runs the command as a user does, in a folder of its own.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "tactile_net/simulator/child_process.hpp"
+
+namespace tactile_net {
+
+/// A temporary folder that is removed at the end.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "tactile-net-cli-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) std::abort();
+    path_ = name;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  [[nodiscard]] std::string operator/(const std::string& name) const {
+    return (path_ / name).string();
+  }
+  std::string write(const std::string& name, const std::string& content) const {
+    std::ofstream(path_ / name, std::ios::binary) << content;
+    return *this / name;
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+inline ProcessResult tool(std::vector<std::string> arguments, const std::string& input = {}) {
+  arguments.insert(arguments.begin(), TOOL);
+  return run_process(arguments, {.input = input});
+}
+
+inline std::string scene(const std::string& name) { return std::string(SCENES "/") + name; }
+
+inline const std::string small_scene =
+    "[sensor]\ncount = 3\npitch = 1.0\ndepth = 1.0\nreads = [\"stress_x\"]\n"
+    "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.3\n"
+    "[reconstruct]\nalpha = 1e-3\n";
+
+}  // namespace tactile_net
