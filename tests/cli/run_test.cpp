@@ -123,6 +123,24 @@ TEST_CASE("a method that fails says so, the others answer, and the status is 1",
   CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("invisible to shear_xy"));
 }
 
+TEST_CASE("what double precision cannot resolve is said, not shown as an answer", "[cli][spice]") {
+  const Folder folder;
+  const auto deep = [&](const std::string& alpha) {
+    const std::string path =
+        folder.write("s.toml",
+                     "[sensor]\ncount = 81\npitch = 0.25\ndepth = 9.0\nreads = [\"strain_x\"]\n"
+                     "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+                     "[[contact]]\nshape = \"cylinder\"\nhalf_width = 2.0\nforce = 1.0\n"
+                     "[reconstruct]\nmethods = [\"tikhonov\", \"network\"]\nalpha = " +
+                         alpha + "\n");
+    return tool({"run", path});
+  };
+  CHECK_THAT(deep("1e-16").output, ContainsSubstring("ill_conditioned"));
+  const ProcessResult lost = deep("1e-40");
+  CHECK(lost.code == 1);
+  CHECK_THAT(lost.output, ContainsSubstring("rank deficient in double precision"));
+}
+
 TEST_CASE("without gnuplot the run succeeds and says what is missing", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);

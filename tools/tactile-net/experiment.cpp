@@ -98,7 +98,11 @@ MethodResult by_network(const Scene& scene, const NgspiceOptions& ngspice, Exper
                        brief(relaxation.difference) + ", more than rounding explains (" +
                        brief(relaxation.limit) + ")";
     else
-      result.verdict = "ok";
+      result.verdict = relaxation.resolved() ? "ok" : "ill_conditioned";
+    if (relaxation.stable && !relaxation.resolved())
+      result.warnings.push_back("P has condition number " + brief(relaxation.condition) +
+                                ": rounding alone may change the voltages by " +
+                                brief(relaxation.limit) + "; raise alpha");
   } catch (const SimulatorError& error) {
     result.failure = error.what();
   } catch (const std::domain_error& error) {

@@ -76,7 +76,8 @@ Relaxation relax(const CircuitPlan& plan, const NgspiceOptions& options) {
                     .elements = count_elements(plan.circuit)};
   result.smallest_eigenvalue = smallest_eigenvalue(plan.matrix);
   result.stable = result.smallest_eigenvalue > 0.0;
-  result.condition = row_sum_norm(plan.matrix) / result.smallest_eigenvalue;
+  result.condition = result.stable ? row_sum_norm(plan.matrix) / result.smallest_eigenvalue
+                                   : std::numeric_limits<double>::infinity();
   // Rounding of P's entries and of the simulator's elimination, both multiplied by the condition.
   result.limit = 1e-11 + 100.0 * std::numeric_limits<double>::epsilon() * result.condition;
 

@@ -39,11 +39,14 @@ struct Relaxation {
   double difference = 0.0;           ///< |v - f|_2 / |f|_2
   double limit = 0.0;                ///< largest difference that rounding explains
   double smallest_eigenvalue = 0.0;  ///< of P
-  double condition = 0.0;            ///< bound on P's condition number: largest row sum / that
-  bool stable = false;               ///< P is positive definite
+  double condition =
+      0.0;              ///< bound on P's condition number: largest row sum / that; may be infinite
+  bool stable = false;  ///< P is positive definite
   double ngspice_seconds = 0.0;
 
-  [[nodiscard]] bool agrees() const noexcept { return difference <= limit; }
+  [[nodiscard]] bool agrees() const noexcept { return stable && difference <= limit; }
+  /// Whether rounding leaves enough digits for the comparison, and the circuit, to mean something.
+  [[nodiscard]] bool resolved() const noexcept { return limit <= 1e-3; }
 };
 
 /// Runs ngspice. @throw SimulatorError

@@ -53,8 +53,10 @@ void print_relaxation(std::ostream& out, const Relaxation& relaxation) {
   out << "network: " << name(relaxation.realization) << ", " << relaxation.nodes << " nodes, "
       << elements_in_words(relaxation.elements) << '\n'
       << "  ngspice against the direct solve of P f = b: " << brief(relaxation.difference)
-      << (relaxation.agrees() ? " (agrees" : " (DIFFERS") << "; rounding explains "
-      << brief(relaxation.limit) << ")\n"
+      << (!relaxation.agrees()    ? " (DIFFERS"
+          : relaxation.resolved() ? " (agrees"
+                                  : " (NOT RESOLVED")
+      << "; rounding explains " << brief(relaxation.limit) << ")\n"
       << "  smallest eigenvalue of P: " << brief(relaxation.smallest_eigenvalue)
       << (relaxation.stable ? " > 0: settles with capacitance at its nodes\n"
                             : ": NOT positive definite, would not settle\n")

@@ -27,7 +27,7 @@ struct InverseProblem {
 };
 
 struct ProblemOptions {
-  double smoothing_length = 0.0;           ///< l [m]; 0: the first depth
+  double smoothing_length = 0.0;           ///< l [m], >= 0; the scene reader takes the first depth
   std::vector<double> channel_rms{};       ///< noise of each channel; empty: rows not weighted
   std::vector<std::size_t> dead_taxels{};  ///< indices < count; their rows get weight 0
 };

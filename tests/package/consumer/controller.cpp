@@ -1,11 +1,11 @@
-#include <tactile_net/inverse/reconstruction.hpp>
-
 #include <cstdio>
+#include <tactile_net/inverse/reconstruction.hpp>
 #include <vector>
 
 int main() {
   using namespace tactile_net;
-  const SensorArray array{.count = 41, .pitch = 0.5e-3, .depths = {1.5e-3}, .reads = {Quantity::stress_x}};
+  const SensorArray array{
+      .count = 41, .pitch = 0.5e-3, .depths = {1.5e-3}, .reads = {Quantity::stress_x}};
   const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.45};
   const Reconstruction inverse =
       tikhonov(make_problem(array, silicone, {.smoothing_length = 1.5e-3}), 1e-3);
