@@ -1,36 +1,54 @@
 #include "tactile_net/scene/diagnostic.hpp"
 
+#include <utility>
+
+#include "scene/excerpt.hpp"
+
 namespace tactile_net {
+
 namespace {
 
+/// Blanks up to the column, tabs kept, so that the caret stands below its character whatever the
+/// terminal's tab width.
+std::string caret(std::string_view line, std::size_t column) {
+  std::string result;
+  std::size_t at = 1;
+  for (std::size_t byte = 0; at < column && byte < line.size(); ++at) {
+    const std::size_t size = code_point_size(line.substr(byte));
+    result += line[byte] == '\t' ? '\t' : ' ';
+    byte += size == 0 ? 1 : size;
+  }
+  return result + '^';
+}
+
 std::string all_texts(const std::vector<Diagnostic>& diagnostics) {
-  std::string all;
-  for (const Diagnostic& diagnostic : diagnostics) all += text(diagnostic);
-  return all;
+  std::string result;
+  for (const Diagnostic& diagnostic : diagnostics) result += text(diagnostic);
+  return result;
 }
 
 }  // namespace
 
 std::string text(const Diagnostic& diagnostic) {
-  constexpr std::size_t widest = 160;
-  std::string out = diagnostic.file;
+  std::string result = printable(diagnostic.file);
   if (diagnostic.line > 0) {
-    out += ':' + std::to_string(diagnostic.line);
-    if (diagnostic.column > 0) out += ':' + std::to_string(diagnostic.column);
+    result += ':' + std::to_string(diagnostic.line);
+    if (diagnostic.column > 0) result += ':' + std::to_string(diagnostic.column);
   }
-  out += ": error: " + diagnostic.message + '\n';
-  if (!diagnostic.source.empty() && diagnostic.column > 0 && diagnostic.column <= widest) {
-    const std::string shown = diagnostic.source.substr(0, widest);
-    std::string caret;
-    for (std::size_t i = 0; i + 1 < diagnostic.column && i < shown.size(); ++i)
-      caret += shown[i] == '\t' ? '\t' : ' ';
-    out += "  " + shown + "\n  " + caret + "^\n";
+  result += ": error: " + printable(diagnostic.message) + '\n';
+
+  if (!diagnostic.source.empty()) {
+    const std::size_t offset = diagnostic.source_column - 1;
+    const std::size_t column = diagnostic.column > offset ? diagnostic.column - offset : 0;
+    const Excerpt part = excerpt(diagnostic.source, column);
+    result += printable(part.text) + '\n';
+    if (column > 0) result += caret(part.text, column - part.column + 1) + '\n';
   }
-  if (!diagnostic.hint.empty()) out += "  hint: " + diagnostic.hint + '\n';
-  return out;
+  if (!diagnostic.hint.empty()) result += "hint: " + printable(diagnostic.hint) + '\n';
+  return result;
 }
 
 InputError::InputError(std::vector<Diagnostic> diagnostics)
-    : std::runtime_error(all_texts(diagnostics)), diagnostics_(std::move(diagnostics)) {}
+    : std::runtime_error{all_texts(diagnostics)}, diagnostics_{std::move(diagnostics)} {}
 
 }  // namespace tactile_net

@@ -1,46 +1,52 @@
 #include "tactile_net/scene/nearest.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace tactile_net {
+
 namespace {
 
-/// Edit distance with swaps of neighbours (optimal string alignment).
-std::size_t distance(std::string_view a, std::string_view b) {
+char lower(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+std::size_t edits(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1);
-  std::vector<std::size_t> last(b.size() + 1);
+  std::vector<std::size_t> above(b.size() + 1);
   std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    before.swap(last);
-    last.swap(row);
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, replaced});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        row[j] = std::min(row[j], before[j - 2] + 1);
+      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0U : 1U)});
+      const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
+                           lower(a[i - 2]) == lower(b[j - 1]);
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
     }
+    std::swap(before, above);
+    std::swap(above, row);
   }
-  return row.back();
+  return above[b.size()];
 }
 
 }  // namespace
 
-std::string_view nearest(std::string_view word, std::span<const std::string> known) {
-  constexpr std::size_t longest = 64;
+std::string_view nearest(std::string_view name, std::span<const std::string_view> known) {
   std::string_view best;
-  if (word.size() > longest) return best;
-  std::size_t least = word.size() + longest;
-  for (const std::string& candidate : known) {
-    const std::size_t edits = distance(word, candidate);
-    if (edits < least && edits <= std::max<std::size_t>(2, candidate.size() / 3)) {
-      least = edits;
+  std::size_t fewest = 0;
+  for (const std::string_view candidate : known) {
+    const std::size_t longer = std::max(name.size(), candidate.size());
+    const std::size_t shorter = std::min(name.size(), candidate.size());
+    const std::size_t allowed = (candidate.size() + 1) / 3;
+    if (longer - shorter > allowed) continue;
+    const std::size_t distance = edits(name, candidate);
+    if (distance <= allowed && (best.empty() || distance < fewest)) {
       best = candidate;
+      fewest = distance;
     }
   }
-  return least < word.size() ? best : std::string_view{};
+  return best;
 }
 
 }  // namespace tactile_net

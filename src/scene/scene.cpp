@@ -5,7 +5,13 @@
 namespace tactile_net {
 
 std::string_view name(ForwardModel model) noexcept {
-  return model == ForwardModel::exact ? "exact" : "sampled";
+  switch (model) {
+    case ForwardModel::sampled:
+      return "sampled";
+    case ForwardModel::exact:
+      return "exact";
+  }
+  return "";
 }
 
 std::string_view name(Method method) noexcept {
@@ -29,8 +35,10 @@ std::optional<Method> method_named(std::string_view text) noexcept {
 }
 
 std::vector<std::pair<std::string_view, bool>> effects(const Scene& scene) {
+  const bool friction = std::any_of(scene.contacts.begin(), scene.contacts.end(),
+                                    [](const Contact& contact) { return has_friction(contact); });
   return {{"layer", false},
-          {"friction", std::any_of(scene.contacts.begin(), scene.contacts.end(), has_friction)},
+          {"friction", friction},
           {"noise", scene.noise.has_value()},
           {"quantization", scene.quantization.has_value()},
           {"dead_taxels", !scene.dead_taxels.empty()}};

@@ -1,98 +1,71 @@
 /// @file
-/// One TOML table as the reader sees it: typed values, positions, and which keys were asked for.
-/// Private.
+/// One table of a TOML file that remembers which keys were asked for: what is left over is unknown.
 #pragma once
 
 #include <toml++/toml.h>
 
+#include <initializer_list>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "tactile_net/scene/diagnostic.hpp"
+#include "scene/problems.hpp"
+#include "scene/value.hpp"
 
 namespace tactile_net {
 
-/// Collects the problems of one file.
-class Problems {
- public:
-  Problems(std::string file, std::string_view content);
-
-  void add(const toml::source_region& where, const std::string& message,
-           const std::string& hint = {});
-  /// About the file as a whole.
-  void add(const std::string& message, const std::string& hint = {});
-
-  /// @throw InputError  if there are any: in the file's order, each once
-  void raise() const;
-
- private:
-  std::string file_;
-  std::vector<std::string> lines_;
-  std::vector<Diagnostic> found_;
-};
-
-/// What a number must satisfy; the text completes "KEY must ...".
-struct Rule {
-  const char* text;
-  bool (*holds)(double);
-};
-inline constexpr Rule positive{"be > 0", [](double x) { return x > 0.0; }};
-inline constexpr Rule not_negative{"be >= 0", [](double x) { return x >= 0.0; }};
-inline constexpr Rule finite{"be finite", [](double) { return true; }};
-
-/// Every getter reports what is wrong and returns nothing then, so that all problems of a file are
-/// found in one pass.
 class Table {
  public:
-  Table(const toml::table& table, std::string path, Problems& problems)
-      : table_(table), path_(std::move(path)), problems_(problems) {}
+  /// `path` is how messages call the table, empty for the whole file. The others must outlive the
+  /// object.
+  Table(const toml::table& table, std::string path, Problems& problems);
 
-  [[nodiscard]] bool has(std::string_view key);
-  [[nodiscard]] std::optional<double> number(std::string_view key, const Rule& rule);
-  [[nodiscard]] std::optional<std::int64_t> integer(std::string_view key, std::int64_t least,
-                                                    std::int64_t most);
-  [[nodiscard]] std::optional<std::string> string(std::string_view key);
-  [[nodiscard]] std::optional<std::vector<double>> numbers(std::string_view key, const Rule& rule);
-  [[nodiscard]] std::optional<std::vector<std::int64_t>> integers(std::string_view key,
-                                                                  std::int64_t least,
-                                                                  std::int64_t most);
-  [[nodiscard]] std::optional<std::vector<std::string>> strings(std::string_view key);
-  [[nodiscard]] const toml::table* table(std::string_view key);
-  [[nodiscard]] const toml::node* node(std::string_view key);
+  /// The value of a key that may be absent.
+  [[nodiscard]] std::optional<Value> value(std::string_view key);
 
-  /// One of the known words; says which is nearest otherwise.
-  [[nodiscard]] std::optional<std::size_t> choice(std::string_view key,
-                                                  const std::vector<std::string>& known);
+  /// The value of a key that must be there, or one of `alternatives` instead of it.
+  ///
+  /// @param hint  what the key says, with an example
+  [[nodiscard]] std::optional<Value> required(
+      std::string_view key, std::string_view hint,
+      std::initializer_list<std::string_view> alternatives = {});
 
-  /// Reports a key that is required and absent (false then).
-  bool require(std::string_view key, const std::string& what);
-  /// Reports a key of the format that this version cannot simulate, if it is there.
-  void not_yet(std::string_view key, const std::string& hint);
-  /// Reports a key that does not apply here, if it is there.
-  void refuse(std::string_view key, const std::string& why);
-  /// Reports a problem at a key's value, or at the table if the key is absent.
-  void problem(std::string_view key, const std::string& message, const std::string& hint = {});
-  /// Reports every key that nothing above asked for.
+  /// Says that a key is missing for which the value at `where` asks.
+  void missing(std::string_view key, Place where, std::string message, std::string_view hint);
+
+  /// A key of the format that this version cannot simulate: a problem if it is there.
+  void not_yet(std::string_view key, std::string_view instead);
+
+  /// A key of the format that has no place here: a problem if it is there.
+  void not_here(std::string_view key, std::string_view why, std::string_view hint);
+
+  /// Reports the keys that nobody asked for and those that are missing; a missing key whose
+  /// misspelling was reported is not reported again. To be called once, after every key was asked
+  /// for.
   void finish();
 
+  /// Where the table begins.
+  [[nodiscard]] Place place() const noexcept;
+
  private:
-  [[nodiscard]] std::string full(std::string_view key) const;
-  [[nodiscard]] std::optional<double> checked(const toml::node& value, const std::string& key,
-                                              const Rule& rule);
-  template <class Type, class Get>
-  [[nodiscard]] std::optional<std::vector<Type>> list(std::string_view key, const char* what,
-                                                      Get get);
+  struct Missing {
+    std::vector<std::string_view> keys;  // any of them would do
+    Place where;
+    std::string message;
+    std::string hint;
+  };
 
-  const toml::table& table_;
+  [[nodiscard]] std::string path_of(std::string_view key) const;
+  [[nodiscard]] bool is_known(std::string_view key) const noexcept;
+  void report_unknown(const toml::key& key, const toml::node& node, std::string_view near);
+
+  const toml::table* table_;
   std::string path_;
-  Problems& problems_;
-  std::set<std::string, std::less<>> asked_;
+  Problems* problems_;
+  std::vector<std::string_view> known_;
+  std::vector<std::string_view> on_offer_;  // the known keys that have a use here
+  std::vector<Missing> missing_;
 };
-
-/// A value as the file spells it, for messages: "'abc'", "-1.5", "true", "a table".
-[[nodiscard]] std::string shown(const toml::node& node);
 
 }  // namespace tactile_net

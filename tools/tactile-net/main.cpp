@@ -1,4 +1,5 @@
 #include <iostream>
+#include <string_view>
 #include <vector>
 
 #include "commands.hpp"
@@ -17,8 +18,9 @@ void check_command(const CLI::App& app, int argc, char** argv) {
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   for (const std::string& name : names)
     if (name == argv[1]) return;
+  const std::vector<std::string_view> known(names.begin(), names.end());
   std::string text = "there is no command '" + std::string(argv[1]) + "'";
-  const std::string near(tactile_net::nearest(argv[1], names));
+  const std::string near(tactile_net::nearest(argv[1], known));
   if (!near.empty()) text += "; did you mean '" + near + "'?";
   throw CLI::ParseError(text, wrong_usage);
 }

@@ -1,15 +1,16 @@
 /// @file
-/// "Did you mean": the nearest of some known words.
+/// "Did you mean ...?"
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace tactile_net {
 
-/// The known word with the fewest insertions, deletions, replacements and swaps of neighbours to
-/// `word`; empty if even that one needs more than a third of its letters (at least two) changed.
-[[nodiscard]] std::string_view nearest(std::string_view word, std::span<const std::string> known);
+/// The known name that differs from `name` by the fewest single-letter edits (insert, delete,
+/// replace, swap of neighbours), upper and lower case being alike; the first of several. Empty
+/// if none is near: more than a third of the letters would have to change.
+[[nodiscard]] std::string_view nearest(std::string_view name,
+                                       std::span<const std::string_view> known);
 
 }  // namespace tactile_net

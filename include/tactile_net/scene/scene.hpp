@@ -23,8 +23,8 @@ namespace tactile_net {
 /// `rms` is one number for every quantity, or a table per quantity: then the rows of the problem
 /// are divided by it.
 struct NoiseModel {
-  std::map<Quantity, double> rms{};  ///< of every quantity that is read [unit of the reading], >= 0
-  bool weights_rows = false;         ///< `rms` was given as a table
+  std::map<Quantity, double> rms;  ///< of every quantity that is read [unit of the reading], >= 0
+  bool weights_rows = false;       ///< `rms` was given as a table
   std::uint64_t seed = 1;
 };
 
@@ -37,28 +37,28 @@ enum class Method { dft, tikhonov, closed_form, network };
 
 struct ReconstructOptions {
   std::vector<Method> methods{Method::tikhonov};
-  std::optional<double> alpha{};  ///< absent: only methods that need none can run
+  std::optional<double> alpha;    ///< absent: only methods that need none can run
   double smoothing_length = 0.0;  ///< l [m]; default: the first depth
   double noise_gain_limit = 1e8;  ///< dft: largest noise gain that is accepted
 };
 
 struct NetworkOptions {
   Realization realization = Realization::ideal;
-  Scale scale{};
+  Scale scale;
 };
 
 struct Scene {
-  std::string file{};   ///< name of the file, without its folder
-  std::string title{};  ///< optional `title` at the top of the file
-  SensorArray sensor{};
-  Material material{};
-  std::vector<Contact> contacts{};
-  std::optional<NoiseModel> noise{};
-  std::optional<Converter> quantization{};
-  std::vector<std::size_t> dead_taxels{};
+  std::string file;   ///< name of the file, without its folder
+  std::string title;  ///< optional `title` at the top of the file
+  SensorArray sensor;
+  Material material;
+  std::vector<Contact> contacts;
+  std::optional<NoiseModel> noise;
+  std::optional<Converter> quantization;
+  std::vector<std::size_t> dead_taxels;
   ForwardModel forward = ForwardModel::sampled;
-  ReconstructOptions reconstruct{};
-  NetworkOptions network{};
+  ReconstructOptions reconstruct;
+  NetworkOptions network;
 };
 
 /// The effects a scene may name, in the order of the JSON: layer, friction, noise, quantization,

@@ -1,0 +1,51 @@
+/// @file
+/// Collects what is wrong with one file, to be reported all at once.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactile_net/scene/diagnostic.hpp"
+
+namespace tactile_net {
+
+/// A place in the text: line and column in code points, from 1; line 0 is the file as a whole.
+struct Place {
+  std::size_t line = 0;
+  std::size_t column = 0;
+};
+
+class Problems {
+ public:
+  /// `text` must outlive the object.
+  Problems(std::string file, std::string_view text);
+
+  void add(Place place, std::string message, std::string hint = {});
+
+  /// What the file says from `from` up to `to`, if that is one line; a long text is cut.
+  [[nodiscard]] std::string written(Place from, Place to) const;
+
+  [[nodiscard]] bool none() const noexcept { return diagnostics_.empty(); }
+
+  /// @throw InputError  if there is a problem: in the file's order, none twice, at most 100
+  void throw_if_any();
+
+ private:
+  [[nodiscard]] std::string_view line(std::size_t number) const;
+
+  std::string file_;
+  std::string_view text_;
+  std::vector<std::size_t> line_starts_;
+  std::vector<Diagnostic> diagnostics_;
+  std::size_t left_off_ = 0;
+};
+
+/// `text` in double quotes, for messages; a long text is cut.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+/// The names in double quotes, with commas: for hints.
+[[nodiscard]] std::string listed(const std::vector<std::string_view>& names);
+
+}  // namespace tactile_net

@@ -1,0 +1,400 @@
+#include "scene/sections.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tactile_net {
+
+namespace {
+
+constexpr std::int64_t most_taxels = 4096;
+constexpr std::size_t most_depths = 64;
+constexpr Rule poisson_range{"must be from 0 to 0.5",
+                             [](double nu) noexcept { return nu >= 0.0 && nu <= 0.5; }};
+constexpr Rule at_least_one{"must be >= 1", [](double x) noexcept { return x >= 1.0; }};
+
+template <typename Enum, std::size_t size>
+std::array<std::string_view, size> names_of(const std::array<Enum, size>& all) {
+  std::array<std::string_view, size> names;
+  std::transform(all.begin(), all.end(), names.begin(), [](Enum one) { return name(one); });
+  return names;
+}
+
+bool uses_matrix(Method method) { return method != Method::dft; }
+
+/// What later sections need to know of earlier ones beyond the scene itself.
+struct Read {
+  std::optional<Value> reads;
+  bool reads_complete = false;  // `sensor.reads` was understood as a whole
+  bool depths_complete = false;
+};
+
+// --- [sensor] -----------------------------------------------------------------------------------
+
+void read_quantities(const Value& value, SensorArray& array, Read& read) {
+  const auto list = value.list("quantities, such as \"strain_x\"");
+  if (!list) return;
+  if (list->empty()) value.problem("must name at least one quantity", "reads = [\"stress_x\"]");
+  read.reads_complete = !list->empty();
+  const auto names = names_of(quantities);
+  for (const Value& item : *list) {
+    const auto index = item.one_of("quantity", names);
+    if (!index) {
+      read.reads_complete = false;
+      continue;
+    }
+    const Quantity quantity = quantities[*index];
+    if (std::find(array.reads.begin(), array.reads.end(), quantity) == array.reads.end())
+      array.reads.push_back(quantity);
+    else
+      item.problem("names " + quoted(name(quantity)) + " twice", "remove one");
+  }
+}
+
+void read_depths(const std::optional<Value>& one, const std::optional<Value>& several,
+                 SensorArray& array, Read& read) {
+  if (one && several) {
+    several->problem("and sensor.depth exclude each other", "keep one of the two");
+    return;
+  }
+  if (one) {
+    if (const auto depth = one->number(positive)) array.depths = {*depth};
+  } else if (several) {
+    const auto items = several->list("numbers");
+    const auto depths = several->numbers(positive);
+    if (!items || !depths) return;
+    if (depths->size() > most_depths) {
+      several->problem("must hold at most 64 depths (got " + std::to_string(depths->size()) + ')');
+      return;
+    }
+    if (depths->empty()) several->problem("must hold at least one depth", "depths = [1.0, 1.5]");
+    for (std::size_t i = 0; i < depths->size(); ++i) {
+      const double depth = (*depths)[i];
+      if (std::find(array.depths.begin(), array.depths.end(), depth) == array.depths.end())
+        array.depths.push_back(depth);
+      else
+        (*items)[i].misfit("names a depth twice", "remove one");
+    }
+  }
+  read.depths_complete = !array.depths.empty();
+}
+
+Read read_sensor(Table table, SensorArray& array) {
+  Read read;
+  if (const auto count =
+          table.required("count", "the number of taxels along the surface: count = 81")) {
+    const auto taxels = count->integer(
+        2, most_taxels, "the matrices are dense: 4096 taxels already take 128 MiB for each");
+    array.count = static_cast<std::size_t>(taxels.value_or(0));
+  }
+  if (const auto pitch = table.required("pitch", "the distance from taxel to taxel: pitch = 0.25"))
+    array.pitch = pitch->number(positive).value_or(0.0);
+  const auto depth =
+      table.required("depth", "how far below the surface the taxels are: depth = 1.5", {"depths"});
+  read_depths(depth, table.value("depths"), array, read);
+  read.reads = table.required("reads", "what each taxel reads: reads = [\"strain_x\"]");
+  if (read.reads) read_quantities(*read.reads, array, read);
+  table.finish();
+  return read;
+}
+
+// --- [material] ---------------------------------------------------------------------------------
+
+Material read_material(Table table) {
+  Material material;
+  if (const auto modulus = table.required(
+          "youngs_modulus", "the pad's stiffness, in the unit of stress: youngs_modulus = 1.0"))
+    material.youngs_modulus = modulus->number(positive).value_or(material.youngs_modulus);
+  if (const auto ratio = table.required(
+          "poisson_ratio", "from 0 to 0.5, which is incompressible: poisson_ratio = 0.45"))
+    material.poisson_ratio = ratio->number(poisson_range).value_or(material.poisson_ratio);
+  table.not_yet("layer",
+                "remove it: the pad is then a half plane, which is good for a pad several times "
+                "thicker than the sensors are deep");
+  table.finish();
+  return material;
+}
+
+// --- [noise], [quantization], [dead_taxels] -----------------------------------------------------
+
+void read_rms_table(Table table, const SensorArray& array, const Read& read, NoiseModel& noise) {
+  for (const Quantity quantity : quantities) {
+    const bool is_read =
+        std::find(array.reads.begin(), array.reads.end(), quantity) != array.reads.end();
+    const bool may_be_read = is_read || !read.reads_complete;
+    const auto rms = is_read && read.reads_complete
+                         ? table.required(name(quantity),
+                                          "the table names every quantity that "
+                                          "sensor.reads does")
+                         : table.value(name(quantity));
+    if (!rms) continue;
+    if (!may_be_read)
+      rms->problem("is the noise of a quantity that sensor.reads does not name", "remove it");
+    else if (const auto value = rms->number(positive))
+      noise.rms[quantity] = *value;
+  }
+  table.finish();
+}
+
+NoiseModel read_noise(Table table, const SensorArray& array, const Read& read) {
+  NoiseModel noise;
+  if (const auto rms = table.required(
+          "rms",
+          "the noise of one reading, in its unit: rms = 1e-4, or one for each quantity: "
+          "rms = { strain_x = 1e-4, stress_x = 20.0 }")) {
+    if (rms->is_table()) {
+      noise.weights_rows = true;
+      read_rms_table(*rms->table(), array, read, noise);
+    } else if (const auto value = rms->number(not_negative)) {
+      for (const Quantity quantity : array.reads) noise.rms[quantity] = *value;
+    }
+  }
+  if (const auto seed = table.value("seed"))
+    noise.seed = static_cast<std::uint64_t>(seed->integer(0, INT64_MAX).value_or(1));
+  table.finish();
+  return noise;
+}
+
+Converter read_quantization(Table table) {
+  Converter converter;
+  if (const auto bits = table.required("bits", "the converter's resolution: bits = 12"))
+    converter.bits = static_cast<int>(bits->integer(1, 32).value_or(converter.bits));
+  if (const auto range = table.required(
+          "range", "the lowest and the highest reading it can tell: range = [-1.0, 1.0]")) {
+    if (const auto ends = range->numbers(any_number)) {
+      if (ends->size() != 2)
+        range->problem("must be two numbers, the lowest and the highest reading",
+                       "range = [-1.0, 1.0]");
+      else if (!((*ends)[0] < (*ends)[1]))
+        range->problem("must begin with the lower of its two numbers", "range = [-1.0, 1.0]");
+      else if (!std::isfinite((*ends)[1] - (*ends)[0]))
+        range->problem("is wider than a double can hold");
+      else
+        converter = {converter.bits, (*ends)[0], (*ends)[1]};
+    }
+  }
+  table.finish();
+  return converter;
+}
+
+std::vector<std::size_t> read_dead_taxels(Table table, std::size_t count) {
+  std::vector<std::size_t> dead;
+  const auto indices = table.required("indices", "which taxels, from 0: indices = [3, 17]");
+  if (indices) {
+    const std::int64_t last = count > 0 ? static_cast<std::int64_t>(count) - 1 : most_taxels - 1;
+    std::size_t misfits = 0;
+    for (const Value& item : indices->list("taxel numbers").value_or(std::vector<Value>{})) {
+      if (misfits == most_misfits) break;
+      const auto index = item.integer(0, last, "taxels are numbered from 0");
+      const auto taxel = static_cast<std::size_t>(index.value_or(0));
+      if (!index) {
+        ++misfits;
+      } else if (std::find(dead.begin(), dead.end(), taxel) != dead.end()) {
+        ++misfits;
+        item.misfit("names a taxel twice", "remove one");
+      } else {
+        dead.push_back(taxel);
+      }
+    }
+    if (count > 0 && dead.size() == count)
+      indices->problem("leaves no taxel alive", "at least one taxel must read something");
+  }
+  table.finish();
+  return dead;
+}
+
+// --- [forward] ----------------------------------------------------------------------------------
+
+ForwardModel read_forward(Table table) {
+  constexpr std::array models = {ForwardModel::sampled, ForwardModel::exact};
+  auto result = ForwardModel::sampled;
+  if (const auto model = table.value("model"))
+    if (const auto index = model->one_of("model", names_of(models))) result = models[*index];
+  table.finish();
+  return result;
+}
+
+// --- [reconstruct] ------------------------------------------------------------------------------
+
+/// Where each method that was understood stands in the file.
+struct NamedMethod {
+  Method method;
+  Value value;
+};
+
+std::vector<NamedMethod> read_methods(const Value& value) {
+  constexpr std::array methods = {Method::dft, Method::tikhonov, Method::closed_form,
+                                  Method::network};
+  const auto names = names_of(methods);
+  std::vector<NamedMethod> result;
+  const auto list = value.list("methods, such as \"tikhonov\"");
+  if (!list) return result;
+  if (list->empty())
+    value.problem("must name at least one method",
+                  "one of " + listed({names.begin(), names.end()}));
+  for (const Value& item : *list) {
+    const auto index = item.one_of("method", names);
+    if (!index) continue;
+    const Method method = methods[*index];
+    if (std::any_of(result.begin(), result.end(),
+                    [=](const NamedMethod& named) { return named.method == method; }))
+      item.problem("names " + quoted(name(method)) + " twice", "remove one");
+    else
+      result.push_back({method, item});
+  }
+  return result;
+}
+
+constexpr std::string_view alpha_hint =
+    "try alpha = 1e-4 and go up while the result is rough, down while it is too flat; alpha has "
+    "the unit of the kernel squared: with strain readings it goes as 1/E^2, with stress readings "
+    "it has none";
+
+void read_alpha(Table& table, const std::vector<NamedMethod>& methods,
+                ReconstructOptions& options) {
+  const auto alpha = table.value("alpha");
+  if (alpha && alpha->is_text()) {
+    alpha->misfit("must be a number: rules that choose it come with a later version",
+                  std::string{alpha_hint});
+  } else if (alpha) {
+    options.alpha = alpha->number(positive);
+  } else {
+    const auto needs = std::find_if(methods.begin(), methods.end(), [](const NamedMethod& named) {
+      return uses_matrix(named.method);
+    });
+    if (needs == methods.end()) return;
+    table.missing("alpha", needs->value.place(),
+                  "reconstruct.alpha is missing, which the method " + quoted(name(needs->method)) +
+                      " needs; rules that choose it (\"rgcv\") come with a later version",
+                  alpha_hint);
+  }
+}
+
+/// What the methods ask of the array and the noise.
+void check_methods(const std::vector<NamedMethod>& methods, const Scene& scene, const Read& read) {
+  if (!read.reads_complete) return;
+  const auto& reads = scene.sensor.reads;
+  const bool strains = std::any_of(reads.begin(), reads.end(), is_strain);
+  const bool stresses = !std::all_of(reads.begin(), reads.end(), is_strain);
+  const bool weighted = scene.noise && scene.noise->weights_rows;
+  const std::size_t channels = reads.size() * scene.sensor.depths.size();
+  bool mixes = false;
+  for (const auto& [method, value] : methods) {
+    mixes = mixes || uses_matrix(method);
+    if (method == Method::dft && read.depths_complete && channels > 1)
+      value.problem("asks for \"dft\", which takes one quantity at one depth (this array reads " +
+                        std::to_string(channels) + ')',
+                    "leave \"dft\" out, or read one quantity at one depth");
+  }
+  if (mixes && strains && stresses && !weighted)
+    read.reads->problem(
+        "mixes strains and stresses, whose errors can only be added if noise.rms "
+        "says how large each is",
+        "under [noise], rms = { strain_x = 1e-4, stress_x = 20.0 }: one for each "
+        "quantity");
+}
+
+ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read& read) {
+  ReconstructOptions options;
+  std::vector<NamedMethod> methods;
+  if (const auto value = table.value("methods")) {
+    methods = read_methods(*value);
+    options.methods.clear();
+    for (const NamedMethod& named : methods) options.methods.push_back(named.method);
+  }
+  read_alpha(table, methods, options);
+  if (const auto length = table.value("smoothing_length"))
+    options.smoothing_length = length->number(not_negative).value_or(0.0);
+  else if (!scene.sensor.depths.empty())
+    options.smoothing_length = scene.sensor.depths.front();
+  if (const auto limit = table.value("noise_gain_limit"))
+    options.noise_gain_limit = limit->number(at_least_one).value_or(options.noise_gain_limit);
+  table.not_yet("nonnegative", "remove it: tractions are reconstructed without constraints");
+  table.not_yet("friction_limit", "remove it: only the normal traction is reconstructed");
+  table.not_yet("contact_friction", "remove it: only the normal traction is reconstructed");
+  check_methods(methods, scene, read);
+  table.finish();
+  return options;
+}
+
+// --- [network] ----------------------------------------------------------------------------------
+
+Realization read_realization(const Value& value) {
+  // The ones to come stand last, so that a misspelt name is compared with them too.
+  constexpr std::array built = {Realization::ideal, Realization::nic};
+  const std::array<std::string_view, 7> names = {name(Realization::ideal),
+                                                 name(Realization::nic),
+                                                 "rail",
+                                                 "crossbar",
+                                                 "least_squares",
+                                                 "lc",
+                                                 "ndr"};
+  const auto index = value.one_of("realization", names);
+  if (!index) return Realization::ideal;
+  if (*index < built.size()) return built[*index];
+  value.misfit("is not simulated by this version",
+               "use \"ideal\" (negative resistors) or \"nic\" (op-amps)");
+  return Realization::ideal;
+}
+
+NetworkOptions read_network(Table table) {
+  NetworkOptions options;
+  if (const auto realization = table.value("realization"))
+    options.realization = read_realization(*realization);
+  if (const auto siemens = table.value("siemens"))
+    options.scale.siemens = siemens->number(positive).value_or(options.scale.siemens);
+  if (const auto volts = table.value("volts"))
+    options.scale.volts = volts->number(positive).value_or(options.scale.volts);
+  table.not_yet("opamp", "remove it: op-amps are ideal");
+  table.not_yet("tolerance", "remove it: every element has its exact value");
+  table.not_yet("parasitic", "remove it: only the operating point is found");
+  table.not_yet("settling", "remove it: only the operating point is found");
+  table.finish();
+  return options;
+}
+
+std::optional<Table> table_of(const std::optional<Value>& value) {
+  return value ? value->table() : std::nullopt;
+}
+
+}  // namespace
+
+void read_sections(Table& root, Scene& scene) {
+  if (const auto title = root.value("title")) {
+    scene.title = title->text().value_or("");
+    if (scene.title.find_first_of("\r\n") != std::string::npos)
+      title->problem("must be one line", "say more in comments");
+  }
+
+  Read read;
+  if (const auto table = table_of(root.required(
+          "sensor", "it says where the taxels are and what they read: count, pitch, depth, reads")))
+    read = read_sensor(*table, scene.sensor);
+  if (const auto table = table_of(root.required(
+          "material", "it says what the pad is made of: youngs_modulus, poisson_ratio")))
+    scene.material = read_material(*table);
+  if (const auto contacts = root.value("contact"))
+    if (auto tables = contacts->tables())
+      scene.contacts = read_contacts(std::move(*tables), scene.sensor);
+  if (const auto table = table_of(root.value("noise")))
+    scene.noise = read_noise(*table, scene.sensor, read);
+  if (const auto table = table_of(root.value("quantization")))
+    scene.quantization = read_quantization(*table);
+  if (const auto table = table_of(root.value("dead_taxels")))
+    scene.dead_taxels = read_dead_taxels(*table, scene.sensor.count);
+  if (const auto table = table_of(root.value("forward"))) scene.forward = read_forward(*table);
+
+  if (!scene.sensor.depths.empty())
+    scene.reconstruct.smoothing_length = scene.sensor.depths.front();
+  if (const auto table = table_of(root.value("reconstruct")))
+    scene.reconstruct = read_reconstruct(*table, scene, read);
+  if (const auto table = table_of(root.value("network"))) scene.network = read_network(*table);
+  root.finish();
+}
+
+}  // namespace tactile_net

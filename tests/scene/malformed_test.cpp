@@ -1,0 +1,324 @@
+// Every rule of the format: one change to a good scene, and exactly one message, at its place.
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+#include "tests/scene/good_scene.hpp"
+
+namespace {
+
+using tactile_net::Diagnostic;
+
+/// `place` is "line:column"; "0:0" is the file as a whole.
+struct Case {
+  std::string_view from;
+  std::string_view to;
+  std::string_view place;
+  std::string_view message;
+  std::string_view hint = "";
+};
+
+std::vector<Diagnostic> problems_of(const std::string& toml) {
+  try {
+    (void)tactile_net::parse_scene(toml, "scene.toml");
+  } catch (const tactile_net::InputError& error) {
+    return error.diagnostics();
+  }
+  return {};
+}
+
+void check_each(const std::vector<Case>& cases) {
+  for (const auto& [from, to, place, message, hint] : cases) {
+    std::string toml{good_scene};
+    const std::size_t at = toml.find(from);
+    CAPTURE(from, to);
+    REQUIRE(at != std::string::npos);
+    toml.replace(at, from.size(), to);
+
+    const auto problems = problems_of(toml);
+    CAPTURE(tactile_net::InputError{problems}.what());
+    REQUIRE(problems.size() == 1);
+    const Diagnostic& problem = problems.front();
+    CHECK(std::to_string(problem.line) + ':' + std::to_string(problem.column) == place);
+    CHECK_THAT(problem.message, ContainsSubstring(std::string{message}));
+    CHECK_THAT(problem.hint, ContainsSubstring(std::string{hint}));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the scene that the others are made of is good", "[scene]") {
+  CHECK(problems_of(std::string{good_scene}).empty());
+}
+
+TEST_CASE("a wrong [sensor] is reported", "[scene]") {
+  check_each({
+      {"count = 5", "", "1:1", "sensor.count is missing", "count = 81"},
+      {"count = 5", "count = 81.0", "2:9", "must be a whole number (got 81.0)", "not 81.0"},
+      {"count = 5", "count = true", "2:9", "sensor.count must be a whole number (got true)"},
+      {"count = 5", "count = 1", "2:9", "sensor.count must be from 2 to 4096 (got 1)"},
+      {"count = 5", "count = 4097", "2:9", "must be from 2 to 4096 (got 4097)", "dense"},
+      {"count = 5", "count = -5", "2:9", "must be from 2 to 4096 (got -5)"},
+      {"pitch = 0.5", "", "1:1", "sensor.pitch is missing"},
+      {"pitch = 0.5", "pich = 0.5", "3:1", "unknown key \"sensor.pich\"", "did you mean pitch?"},
+      {"pitch = 0.5", "Pitch = 0.5", "3:1", "unknown key", "did you mean pitch?"},
+      {"pitch = 0.5", "pitch = 0", "3:9", "sensor.pitch must be > 0 (got 0)"},
+      {"pitch = 0.5", "pitch = true", "3:9", "sensor.pitch must be a number (got true)"},
+      {"pitch = 0.5", "pitch = \"0.5\"", "3:9", "must be a number (got \"0.5\")", "without quotes"},
+      {"pitch = 0.5", "pitch = [0.5]", "3:9", "must be a number (got a list)"},
+      {"pitch = 0.5", "pitch = 1979-05-27", "3:9", "must be a number (got 1979-05-27)"},
+      {"pitch = 0.5", "pitch = -inf", "3:9", "sensor.pitch must be a finite number (got -inf)"},
+      {"depth = 1.5", "", "1:1", "sensor.depth is missing"},
+      {"depth = 1.5", "depht = 1.5", "4:1", "unknown key \"sensor.depht\"", "depth?"},
+      {"depth = 1.5", "depth = nan", "4:9", "sensor.depth must be a finite number (got nan)"},
+      {"depth = 1.5", "\tdepth =\t-1.5", "4:10", "sensor.depth must be > 0 (got -1.5)"},
+      {"depth = 1.5", "depth = 1\ndepths = [1]", "5:10", "sensor.depth exclude each other"},
+      {"\ndepth = 1.5", "\ndepths = []", "4:10", "sensor.depths must hold at least one depth"},
+      {"\ndepth = 1.5", "\ndepths = 1.5", "4:10", "must be a list of numbers", "brackets"},
+      {"[\"strain_x\"]", "\"strain_x\"", "5:9", "sensor.reads must be a list of quantities"},
+      {"[\"strain_x\"]", "[]", "5:9", "sensor.reads must name at least one quantity"},
+      {"strain_x", "strain_z", "5:10", "names an unknown quantity \"strain_z\"", "\"strain_x\"?"},
+      {"strain_x", "pressure", "5:10", "names an unknown quantity", "\"stress_x\", \"stress_y\""},
+      {"\"strain_x\"]", "\"strain_x\", 7]", "5:22", "must be the name of a quantity (got 7)"},
+      {"[sensor]", "[[sensor]]", "1:1", "sensor must stand once", "single brackets"},
+  });
+}
+
+TEST_CASE("a wrong list of depths or reads is reported at the item", "[scene]") {
+  const auto several = [](std::string_view from, std::string_view to) {
+    std::string toml{good_scene};
+    const std::string_view dft = "\"dft\", ";  // which takes one channel
+    toml.erase(toml.find(dft), dft.size());
+    return problems_of(toml.replace(toml.find(from), from.size(), to));
+  };
+  for (const auto& [from, to, column, message] :
+       std::vector<std::tuple<std::string, std::string, std::size_t, std::string>>{
+           {"depth = 1.5", "depths = [1.0, 0.0]", 16, "sensor.depths must be > 0 (got 0.0)"},
+           {"depth = 1.5", "depths = [1, 1.5, 1.0]", 19, "names a depth twice (got 1.0)"},
+           {"depth = 1.5", "depths = [1, \"2\"]", 14, "must be a number (got \"2\")"},
+           {"\"strain_x\"]", "\"strain_x\", \"strain_x\"]", 22, "names \"strain_x\" twice"}}) {
+    const auto problems = several(from, to);
+    CAPTURE(to);
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].column == column);
+    CHECK_THAT(problems[0].message, ContainsSubstring(message));
+  }
+}
+
+TEST_CASE("a wrong [material] is reported", "[scene]") {
+  check_each({
+      {"youngs_modulus = 1.0", "", "7:1", "material.youngs_modulus is missing"},
+      {"youngs_modulus = 1.0", "youngs_modulus = 0.0", "8:18", "must be > 0 (got 0.0)"},
+      {"poisson_ratio = 0.45", "", "7:1", "material.poisson_ratio is missing"},
+      {"poisson_ratio = 0.45", "poisson_ratio = 0.51", "9:17", "from 0 to 0.5 (got 0.51)"},
+      {"poisson_ratio = 0.45", "poisson_ratio = -0.1", "9:17", "from 0 to 0.5 (got -0.1)"},
+      {"poisson_ratio = 0.45", "poisson_ratio = 0.45\nlayer = { thickness = 3.0 }", "10:9",
+       "material.layer is not simulated by this version", "half plane"},
+      {"[material]", "[materials]", "7:2", "unknown table \"materials\"", "did you mean material?"},
+  });
+}
+
+TEST_CASE("a wrong [[contact]] is reported", "[scene]") {
+  const std::string_view rigid = "shape = \"punch\"\nhalf_width = 1.0\nforce = 1.0\nedge = 0.1";
+  check_each({
+      {"[[contact]]", "[contact]", "11:1", "contact must be a list of tables", "[[contact]]"},
+      {"shape = \"punch\"", "", "11:1", "contact.shape is missing", "\"cylinder\""},
+      {"\"punch\"", "\"Punsch\"", "12:9", "names an unknown shape \"Punsch\"", "\"punch\"?"},
+      {"\"punch\"", "5", "12:9", "contact.shape must be the name of a shape (got 5)"},
+      {"half_width = 1.0", "", "11:1", "contact.half_width is missing"},
+      {"half_width = 1.0", "half_width = 0", "13:14", "contact.half_width must be > 0 (got 0)"},
+      {"half_width = 1.0", "half_width = 1.26", "13:14", "wider than the array", "more taxels"},
+      {"half_width = 1.0", "half_width = 1.0\ncenter = -2.25", "14:10", "beside the array"},
+      {"half_width = 1.0", "half_width = 1.0\ncenter = inf", "14:10", "finite number (got inf)"},
+      {"half_width = 1.0", "radius = 1.0\nhalf_width = 1.0", "13:1", "\"contact.radius\"",
+       "contact has shape, center, half_width"},
+      {"force = 1.0", "", "11:1", "contact.force is missing"},
+      {"force = 1.0", "force = -1.0", "14:9", "contact.force must be >= 0 (got -1.0)"},
+      {"edge = 0.1", "edge = -0.1", "15:8", "contact.edge must be >= 0 (got -0.1)"},
+      {"edge = 0.1", "friction = nan", "15:12", "contact.friction must be a finite number"},
+      {"\"punch\"", "\"wedge\"", "15:8", "contact.edge applies to the shape \"punch\" only"},
+      {"edge = 0.1", "normal = [1, 2]", "15:10", "applies to the shape \"tractions\" only"},
+      {rigid, "shape = \"tractions\"", "11:1", "contact.normal is missing"},
+      {rigid, "shape = \"tractions\"\nnormal = [1, 2]", "13:10", "per taxel: 5 (got 2)"},
+      {rigid, "shape = \"tractions\"\nnormal = [1, 2, nan, 4, 5]", "13:17", "finite"},
+      {rigid, "shape = \"tractions\"\nnormal = [1, 2, 3, 4, 5]\ntangential = []", "14:14",
+       "contact.tangential must have one value per taxel: 5 (got 0)"},
+      {rigid, "shape = \"tractions\"\nnormal = [1, 2, 3, 4, 5]\nforce = 1", "14:9",
+       "contact.force does not apply to the shape \"tractions\""},
+  });
+}
+
+TEST_CASE("wrong [noise], [quantization] and [dead_taxels] are reported", "[scene]") {
+  check_each({
+      {"rms = 1e-4", "", "17:1", "noise.rms is missing"},
+      {"rms = 1e-4", "rms = -1e-4", "18:7", "noise.rms must be >= 0 (got -1e-4)"},
+      {"rms = 1e-4", "rms = { stress_x = 1, strain_x = 1 }", "18:20", "sensor.reads does not name"},
+      {"rms = 1e-4", "rms = {}", "18:7", "noise.rms.strain_x is missing"},
+      {"rms = 1e-4", "rms = { strain_x = 0 }", "18:20", "noise.rms.strain_x must be > 0 (got 0)"},
+      {"rms = 1e-4", "rms = { strian_x = 1 }", "18:9", "\"noise.rms.strian_x\"", "strain_x?"},
+      {"seed = 3", "seed = -3", "19:8", "noise.seed must be >= 0 (got -3)"},
+      {"seed = 3", "seed = 1e3", "19:8", "noise.seed must be a whole number (got 1e3)"},
+      {"bits = 12", "", "21:1", "quantization.bits is missing"},
+      {"bits = 12", "bits = 33", "22:8", "quantization.bits must be from 1 to 32 (got 33)"},
+      {"range = [-1.0, 1.0]", "", "21:1", "quantization.range is missing"},
+      {"[-1.0, 1.0]", "[1.0, 1.0]", "23:9", "must begin with the lower of its two numbers"},
+      {"[-1.0, 1.0]", "[-1e308, 1e308]", "23:9", "wider than a double can hold"},
+      {"[-1.0, 1.0]", "[1.0]", "23:9", "quantization.range must be two numbers"},
+      {"[-1.0, 1.0]", "2.0", "23:9", "must be a list of numbers (got 2.0)"},
+      {"indices = [1]", "", "25:1", "dead_taxels.indices is missing"},
+      {"[1]", "[5]", "26:12", "dead_taxels.indices must be from 0 to 4 (got 5)"},
+      {"[1]", "[1, 2.0]", "26:15", "dead_taxels.indices must be a whole number (got 2.0)"},
+      {"[1]", "[1, 3, 1]", "26:18", "names a taxel twice (got 1)"},
+      {"[1]", "[0, 1, 2, 3, 4]", "26:11", "leaves no taxel alive"},
+  });
+}
+
+TEST_CASE("wrong [forward], [reconstruct] and [network] are reported", "[scene]") {
+  const std::string_view alpha = "alpha = 1e-3";
+  check_each({
+      {"\"exact\"", "\"exakt\"", "29:9", "unknown model \"exakt\"", "\"exact\"?"},
+      {"[\"dft\", \"tikhonov\"]", "[]", "32:11", "must name at least one method"},
+      {"[\"dft\", \"tikhonov\"]", "\"dft\"", "32:11", "must be a list of methods", "brackets"},
+      {"tikhonov", "thikonov", "32:19", "unknown method \"thikonov\"", "\"tikhonov\"?"},
+      {"\"tikhonov\"", "\"dft\"", "32:19", "reconstruct.methods names \"dft\" twice"},
+      {"depth = 1.5", "depths = [1, 2]", "32:12", "one quantity at one depth (this array reads 2)"},
+      {alpha, "", "32:19", "alpha is missing, which the method \"tikhonov\" needs", "alpha = 1e-4"},
+      {alpha, "alpha = 0", "33:9", "reconstruct.alpha must be > 0 (got 0)"},
+      {alpha, "alpha = \"rgcv\"", "33:9", "later version (got \"rgcv\")", "1/E^2"},
+      {alpha, "alfa = 1e-3", "33:1", "unknown key \"reconstruct.alfa\"", "did you mean alpha?"},
+      {alpha, "alpha = 1e-3\nsmoothing_length = -1", "34:20", "must be >= 0 (got -1)"},
+      {alpha, "alpha = 1e-3\nnoise_gain_limit = 0.5", "34:20", "must be >= 1 (got 0.5)"},
+      {alpha, "alpha = 1e-3\nnonnegative = true", "34:15", "not simulated by this version"},
+      {alpha, "alpha = 1e-3\nfriction_limit = 0.8", "34:18", "not simulated by this version"},
+      {alpha, "alpha = 1e-3\ncontact_friction = 0.5", "34:20", "not simulated by this version"},
+      {"\"ideal\"", "\"crossbar\"", "36:15", "not simulated by this version", "\"nic\""},
+      {"\"ideal\"", "\"idael\"", "36:15", "unknown realization \"idael\"", "\"ideal\"?"},
+      {"\"ideal\"", "\"nic\"\nsiemens = 0", "37:11", "network.siemens must be > 0 (got 0)"},
+      {"\"ideal\"", "\"nic\"\nvolts = -1", "37:9", "network.volts must be > 0 (got -1)"},
+      {"\"ideal\"", "\"nic\"\nopamp = { gain = 1e6 }", "37:9", "network.opamp is not simulated"},
+      {"\"ideal\"", "\"nic\"\nsettling = {}", "37:12", "network.settling is not simulated"},
+      {"\"ideal\"", "\"nic\"\nparasitic = {}", "37:13", "network.parasitic is not simulated"},
+      {"\"ideal\"", "\"nic\"\n[network.tolerance]\ntrials = 9", "37:1", "network.tolerance is not"},
+  });
+}
+
+TEST_CASE("what is wrong with the file as a whole is reported", "[scene]") {
+  const std::string minimum = "[sensor]\ncount = 5\npitch = 1\ndepth = 1\nreads = [\"stress_x\"]\n";
+  const auto check = [](const std::string& toml, std::string_view place, std::string_view message) {
+    const auto problems = problems_of(toml);
+    CAPTURE(toml, tactile_net::InputError{problems}.what());
+    REQUIRE(problems.size() == 1);
+    CHECK(std::to_string(problems[0].line) + ':' + std::to_string(problems[0].column) == place);
+    CHECK_THAT(problems[0].message, ContainsSubstring(std::string{message}));
+  };
+  check("", "0:0", "the scene is empty");
+  check(" \n# only a comment", "0:0", "the scene is empty");
+  check(minimum, "0:0", "[material] is missing");
+  check("title = 5\n" + std::string{good_scene}, "1:9", "title must be text (got 5)");
+  check("title = \"a\\nb\"\n" + std::string{good_scene}, "1:9", "title must be one line");
+  check("noise = 5\n" + minimum + "[material]\nyoungs_modulus = 1\npoisson_ratio = 0", "1:9",
+        "noise must be a table (got 5)");
+  check("a = 1\n\xff", "2:1", "the file is not UTF-8 text");
+  check("a = '\xC3\xA9\xED\xA0\x80'", "1:7", "the file is not UTF-8 text");
+  check(std::string{"a\0b", 3}, "1:2", "the file is not text: it holds a zero byte");
+}
+
+TEST_CASE("a syntax error has the parser's place and words", "[scene]") {
+  check_each({
+      {"\"punch\"", "punch", "12:9", "not valid TOML: value: could not determine", "quotes"},
+      {"pitch = 0.5", "pitch = .5", "3:9", "not valid TOML: floating-point", "0.5"},
+      {"pitch = 0.5", "pitch = 0,5", "3:10", "not valid TOML", "decimal sign is a point"},
+      {"pitch = 0.5", "pitch = 0.5 mm", "3:13", "not valid TOML", "no unit"},
+      {"pitch = 0.5", "pitch: 0.5", "3:6", "expected '='", "key = value"},
+      {"pitch = 0.5", "pitch = 0.5\npitch = 1", "4:9", "cannot redefine existing", "once"},
+      {"[material]", "[material", "7:10", "expected ']'", "[[contact]]"},
+      {"\"punch\"", "\"punch", "12:15", "not valid TOML: string", "on the line where it began"},
+  });
+}
+
+TEST_CASE("a key of absurdly many parts is refused before it nests as many tables", "[scene]") {
+  std::string toml = "a";
+  for (int i = 0; i < 1'000'000; ++i) toml += ". a";
+  const auto problems = problems_of(toml + " = 1");
+  REQUIRE(problems.size() == 1);
+  CHECK_THAT(problems[0].message, ContainsSubstring("too many parts"));
+  CHECK(problems[0].source.size() < 200);
+}
+
+TEST_CASE("a list that is all wrong is reported by its first values", "[scene]") {
+  std::string zeros = "0";
+  for (int i = 0; i < 5000; ++i) zeros += ", 0";
+  for (const auto& [from, to, count] :
+       std::vector<std::tuple<std::string, std::string, std::size_t>>{
+           {"[1]", "[" + zeros + "]", 5},
+           {"depth = 1.5", "depths = [" + zeros + "]", 5},
+           {"depth = 1.5", "depths = [1" + zeros + "]", 5}}) {
+    std::string toml{good_scene};
+    CHECK(problems_of(toml.replace(toml.find(from), from.size(), to)).size() == count);
+  }
+}
+
+TEST_CASE("more depths than anybody builds are refused", "[scene]") {
+  std::string depths = "depths = [1";
+  for (int i = 2; i < 100; ++i) depths += ", " + std::to_string(i);
+  check_each({{"depth = 1.5", depths + "]", "4:10", "must hold at most 64 depths (got 99)"}});
+}
+
+TEST_CASE("dots in comments, texts and lists of numbers are no key parts", "[scene]") {
+  CHECK(problems_of("# ............\ntitle = \"1.2.3.4.5.6.7.8.9.\\\".\"\n" +
+                    std::string{good_scene} + "volts = 1.0 # . . . . . . . . .\n")
+            .empty());
+}
+
+TEST_CASE("every problem is reported at once, in the file's order, and none twice", "[scene]") {
+  const auto problems = problems_of(
+      "[network]\nvolts = 0\n[sensor]\nreads = [\"stress\"]\ncount = 1\npitch = 0\n"
+      "depth = 0\n[material]\nyoungs_modulus = 0\npoisson_ratio = 1\n");
+  CHECK(problems.size() == 7);
+  CHECK(std::is_sorted(problems.begin(), problems.end(),
+                       [](const auto& a, const auto& b) { return a.line < b.line; }));
+}
+
+TEST_CASE("one mistake is not reported as several", "[scene]") {
+  // With a wrong count nothing is said of contacts, dead taxels and tractions that depend on it.
+  std::string toml{good_scene};
+  toml.replace(toml.find("count = 5"), 9, "count = x");
+  toml.replace(toml.find('x'), 1, "0");
+  toml += "[[contact]]\nshape = \"tractions\"\nnormal = [1]\n";
+  CHECK(problems_of(toml).size() == 1);
+}
+
+TEST_CASE("strains and stresses together need the noise of each", "[scene]") {
+  const auto with = [](std::string_view methods, std::string_view noise) {
+    return problems_of(
+        "[sensor]\ncount = 5\npitch = 1\ndepth = 1\nreads = [\"stress_x\", \"strain_x\"]\n"
+        "[material]\nyoungs_modulus = 1\npoisson_ratio = 0\n" +
+        std::string{methods} + std::string{noise});
+  };
+  const std::string_view solved = "[reconstruct]\nmethods = [\"tikhonov\"]\nalpha = 1\n";
+  for (const std::string_view noise : {"", "[noise]\nrms = 1e-3\n"}) {
+    const auto problems = with(solved, noise);
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].line == 5);
+    CHECK_THAT(problems[0].message, ContainsSubstring("sensor.reads mixes strains and stresses"));
+  }
+  CHECK(with(solved, "[noise]\nrms = { stress_x = 1, strain_x = 1e-3 }\n").empty());
+  CHECK(with("", "").empty());
+}
+
+TEST_CASE("the list of problems has an end", "[scene]") {
+  std::string toml;
+  for (int i = 0; i < 5000; ++i) toml += "key" + std::to_string(i) + " = 1\n";
+  const auto problems = problems_of(toml + std::string{good_scene});
+  CHECK(problems.size() == 101);
+  CHECK_THAT(problems.back().message, ContainsSubstring("4900 more problems"));
+
+  toml = "[[contact]]\nshape = \"tractions\"\nnormal = [";
+  for (int i = 0; i < 5000; ++i) toml += "\"a\", ";
+  const auto of_list = problems_of(toml + "]\n");
+  CHECK(of_list.size() < 10);
+}
