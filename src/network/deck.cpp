@@ -65,7 +65,7 @@ void append_subcircuits(std::string& deck, const Circuit& circuit) {
     for (std::string_view name = instance.subcircuit; !name.empty() && used.insert(name).second;)
       name = subcircuit(name).needs;
   for (const Subcircuit& one : subcircuits())
-    if (used.count(one.name) > 0) deck += one.text;
+    if (used.contains(one.name)) deck += one.text;
 }
 
 void append_elements(std::string& deck, const Circuit& circuit) {

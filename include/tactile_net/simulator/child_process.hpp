@@ -15,7 +15,7 @@ struct ProcessOptions {
   std::string input{};                            ///< written to its standard input
   std::vector<std::string> unset{};               ///< environment variables to hide from it
   std::chrono::milliseconds time_limit{60'000};   ///< then it and its children are killed
-  std::size_t output_limit = 16u << 20;           ///< bytes kept; more kills it
+  std::size_t output_limit = 16U << 20;           ///< bytes kept; more kills it
   std::size_t file_limit = std::size_t{4} << 30;  ///< largest file it may write [bytes]
 };
 

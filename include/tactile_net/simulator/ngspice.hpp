@@ -16,7 +16,7 @@ namespace tactile_net {
 struct NgspiceOptions {
   std::string program = "ngspice";               ///< looked up in PATH
   std::chrono::milliseconds time_limit{60'000};  ///< > 0
-  std::size_t output_limit = 16u << 20;          ///< of what it prints [bytes], > 0
+  std::size_t output_limit = 16U << 20;          ///< of what it prints [bytes], > 0
 };
 
 /// ngspice failed. The text says how, and where the deck and the log were kept.
