@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 6> colours = {"#000000", "#0072b2", "#d55
                                                      "#009e73", "#cc79a7", "#e69f00"};
 
 /// Each curve is thinner than the one it covers, so that equal answers are seen to be equal.
-const std::array<std::string, 6> widths = {"1.5", "6", "3.5", "1.5", "1", "1"};
+const std::array<std::string, 6> widths = {"1.5", "4.5", "2.5", "1", "1", "1"};
 
 /// A gnuplot string: single-quoted, quotes doubled.
 std::string literal(std::string_view text) {
@@ -43,7 +43,7 @@ std::string script(const Plot& plot) {
   text += "EOD\nplot ";
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const Curve& curve = plot.curves[i];
-    const std::size_t index = (plot.first_colour + i) % colours.size();
+    const std::size_t index = curve.colour % colours.size();
     if (i > 0) text += ", ";
     text += "$data using 1:" + std::to_string(i + 2) +
             (curve.dots ? " with points pt 7 ps 0.5" : " with lines lw " + widths[index]) +

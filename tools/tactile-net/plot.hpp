@@ -10,8 +10,9 @@ namespace tactile_net::tool {
 
 struct Curve {
   std::string label;
-  std::vector<double> y;  ///< one value per x; not finite: a gap
-  bool dots = false;      ///< points instead of a line
+  std::vector<double> y;   ///< one value per x; not finite: a gap
+  std::size_t colour = 0;  ///< 0: black; the same number is the same colour in every plot
+  bool dots = false;       ///< points instead of a line
 };
 
 struct Plot {
@@ -20,7 +21,6 @@ struct Plot {
   std::string y_label;
   std::vector<double> x;
   std::vector<Curve> curves;
-  std::size_t first_colour = 0;  ///< of the first curve
 };
 
 /// SVG of every plot, in order, from one run of gnuplot.

@@ -66,17 +66,17 @@ std::vector<Plot> plots_of(const Experiment& experiment) {
   const std::vector<double>& truth = experiment.simulation.truth.normal;
   Plot tractions{"Normal traction: truth and reconstructions", "y", "traction", y, {}};
   Plot errors{"Error of each reconstruction", "y", "reconstruction - truth", y, {}};
-  tractions.curves.push_back({"truth", truth});
   for (const MethodResult& result : experiment.results) {
     if (result.normal.empty()) continue;
     const std::string label(name(result.method));
-    tractions.curves.push_back({label, result.normal});
+    const std::size_t colour = tractions.curves.size() + 1;
+    tractions.curves.push_back({label, result.normal, colour});
     std::vector<double> error = result.normal;
     for (std::size_t i = 0; i < error.size(); ++i) error[i] -= truth[i];
-    errors.curves.push_back({label, error});
+    errors.curves.push_back({label, error, colour});
   }
 
-  errors.first_colour = 1;  // each method in its colour of the plot above
+  tractions.curves.push_back({"truth", truth, 0, true});  // last: on top
   std::vector<Plot> plots = {tractions};
   if (!errors.curves.empty()) plots.push_back(errors);
   auto begin = experiment.simulation.readings.begin();
@@ -86,7 +86,7 @@ std::vector<Plot> plots_of(const Experiment& experiment) {
                      "y",
                      std::string(name(channel.quantity)),
                      y,
-                     {{channel.name, {begin, end}, true}}});
+                     {{channel.name, {begin, end}, 0, true}}});
     begin = end;
   }
   return plots;
