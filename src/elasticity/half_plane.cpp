@@ -3,39 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "elasticity/hooke.hpp"
+
 namespace tactile_net {
 
 namespace {
-
-/// The three stresses, of type double (kernel) or std::complex<double> (transform).
-template <class Number>
-struct Stress {
-  Number x, y, shear;
-};
-
-/// Hooke's law for plane strain: the strain along the axis of `along`.
-template <class Number>
-Number strain(const Number& along, const Number& across, const Material& material) noexcept {
-  const double nu = material.poisson_ratio;
-  return (1.0 + nu) * ((1.0 - nu) * along - nu * across) / material.youngs_modulus;
-}
-
-template <class Number>
-Number read(Quantity quantity, const Stress<Number>& stress, const Material& material) noexcept {
-  switch (quantity) {
-    case Quantity::stress_x:
-      return stress.x;
-    case Quantity::stress_y:
-      return stress.y;
-    case Quantity::shear_xy:
-      return stress.shear;
-    case Quantity::strain_x:
-      return strain(stress.x, stress.y, material);
-    case Quantity::strain_y:
-      return strain(stress.y, stress.x, material);
-  }
-  return {};
-}
 
 /// A radial compression 2 cos(angle to the load) / (pi r), resolved along x and y. With the cosine
 /// c and the sine s of the angle to the x axis no power of a length can overflow.

@@ -4,10 +4,21 @@
 
 namespace tactile_net {
 
+std::string_view name(Base base) noexcept {
+  switch (base) {
+    case Base::bonded:
+      return "bonded";
+    case Base::frictionless:
+      return "frictionless";
+  }
+  return "";
+}
+
 void check(const Material& material) {
   require_positive("youngs_modulus", material.youngs_modulus);
   require(material.poisson_ratio >= 0.0 && material.poisson_ratio <= 0.5, "poisson_ratio",
           "lie in [0, 0.5]", material.poisson_ratio);
+  if (material.layer) require_positive("layer.thickness", material.layer->thickness);
 }
 
 }  // namespace tactile_net

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "inverse/finite.hpp"
-#include "tactile_net/elasticity/half_plane.hpp"
+#include "tactile_net/elasticity/pad_kernel.hpp"
 
 namespace tactile_net {
 namespace {
@@ -81,11 +81,11 @@ DftInverse::DftInverse(const SensorArray& array, const Material& material, doubl
 
   const std::size_t n = array.count;
   plan_ = std::make_unique<Plan>(n);
+  const PadKernel response(array.reads[0], Traction::normal, material, array.depths[0]);
   double* const kernel = plan_->real.get();
   for (std::size_t i = 0; i < n; ++i) {  // offsets 0, 1, ..., -2, -1 around the circle
     const double offset = i <= n / 2 ? static_cast<double>(i) : -static_cast<double>(n - i);
-    kernel[i] = array.pitch * half_plane_kernel(array.reads[0], Traction::normal, material,
-                                                array.depths[0], offset * array.pitch);
+    kernel[i] = array.pitch * response(offset * array.pitch);
   }
   fftw_execute(plan_->forward.get());
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "elasticity/require.hpp"
-#include "tactile_net/elasticity/half_plane.hpp"
+#include "tactile_net/elasticity/pad_kernel.hpp"
 
 namespace tactile_net {
 
@@ -75,19 +75,20 @@ Integral integrate(const auto& integrand, const std::vector<double>& borders, do
 /// What a taxel sees: the kernels of both loads, as seen from y. Their only singularities are at
 /// y +- i depth, so that panels whose size grows with the distance from y converge fast.
 struct View {
-  const Channel& channel;
-  const Material& material;
+  const PadKernel& normal;
+  const PadKernel& tangential;
+  double depth;
   double y;
 
   [[nodiscard]] double kernel(Traction load, double s) const noexcept {
-    return half_plane_kernel(channel.quantity, load, material, channel.depth, y - s);
+    return load == Traction::normal ? normal(y - s) : tangential(y - s);
   }
 
   /// The load on s.from ... s.to, which `image` maps to t.from ... t.to, where `integrand` lives.
   [[nodiscard]] Integral load(Interval s, Interval t, const auto& image,
                               const auto& integrand) const {
     // Places are rounded, and the kernel changes over the distance of the nearest of them.
-    const double nearest = std::hypot(channel.depth, std::max({0.0, s.from - y, y - s.to}));
+    const double nearest = std::hypot(depth, std::max({0.0, s.from - y, y - s.to}));
     const double rounding = std::numeric_limits<double>::epsilon() *
                             std::max(std::abs(s.from), std::abs(s.to)) / nearest;
     return integrate(integrand, borders(s, t, image), rounding);
@@ -102,7 +103,7 @@ struct View {
     };
     add(y);
     const double farthest = std::max(std::abs(y - s.from), std::abs(y - s.to));
-    for (double distance = channel.depth; distance < farthest; distance *= 4.0) {
+    for (double distance = depth; distance < farthest; distance *= 4.0) {
       add(y - distance);
       add(y + distance);
     }
@@ -204,12 +205,14 @@ std::vector<double> exact_readings(const SensorArray& array, const Material& mat
 
   std::vector<double> readings;
   for (const Channel& channel : channels(array)) {
+    const PadKernel normal(channel.quantity, Traction::normal, material, channel.depth);
+    const PadKernel tangential(channel.quantity, Traction::tangential, material, channel.depth);
     std::vector<double> sum(array.count);
     for (const Contact& contact : contacts) {
       double peak = 0.0;
       double error = 0.0;
       for (std::size_t j = 0; j < array.count; ++j) {
-        const View view{channel, material, position(array, j)};
+        const View view{normal, tangential, channel.depth, position(array, j)};
         const Integral g = std::visit([&](const auto& c) { return reading(view, c); }, contact);
         peak = std::max(peak, std::abs(g.value));
         error = std::max(error, g.error);

@@ -3,17 +3,18 @@
 #include <cassert>
 
 #include "sensing/superpose.hpp"
-#include "tactile_net/elasticity/half_plane.hpp"
+#include "tactile_net/elasticity/pad_kernel.hpp"
 
 namespace tactile_net {
 
 std::vector<double> sampled_kernel(const Channel& channel, Traction load, const Material& material,
                                    std::size_t count, double pitch) {
+  const PadKernel response(channel.quantity, load, material, channel.depth);
   std::vector<double> kernel(2 * count - 1);
   const auto centre = static_cast<double>(count - 1);
   for (std::size_t i = 0; i < kernel.size(); ++i) {
     const double y = (static_cast<double>(i) - centre) * pitch;
-    kernel[i] = half_plane_kernel(channel.quantity, load, material, channel.depth, y) * pitch;
+    kernel[i] = response(y) * pitch;
   }
   return kernel;
 }
