@@ -131,6 +131,8 @@ double PadKernel::operator()(double y) const noexcept {
   return half_plane_kernel(quantity_, load_, material_, depth_, y);
 }
 
-double PadKernel::relative_error() const noexcept { return material_.layer ? 1e-13 : 2e-15; }
+double relative_kernel_error(const Material& material) noexcept {
+  return material.layer ? 1e-13 : 2e-15;
+}
 
 }  // namespace tactile_net

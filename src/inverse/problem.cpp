@@ -6,12 +6,18 @@
 #include <string>
 
 #include "inverse/eigen.hpp"
+#include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
 namespace tactile_net {
 namespace {
 
 void check(const SensorArray& array, const ProblemOptions& options) {
+  if (options.unknowns != 1 && options.unknowns != 2)
+    throw std::invalid_argument("unknowns must be 1 (normal) or 2 (normal and tangential)");
+  if (options.unknowns > array.reads.size() * array.depths.size())
+    throw std::invalid_argument(
+        "two tractions cannot be told apart by one quantity at one depth: read a second one");
   if (!(options.smoothing_length >= 0.0) || !std::isfinite(options.smoothing_length))
     throw std::invalid_argument("smoothing_length must be >= 0 and finite");
   if (options.channel_rms.empty()) {
@@ -42,11 +48,15 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
 
   const std::size_t n = array.count;
   const std::vector<Channel> all = channels(array);
-  InverseProblem problem{.kernel = {all.size() * n, n, std::vector<double>(all.size() * n * n)},
-                         .weights = std::vector<double>(all.size() * n, 1.0),
+  const std::size_t rows = all.size() * n;
+  const std::size_t columns = options.unknowns * n;
+  InverseProblem problem{.kernel = {rows, columns, std::vector<double>(rows * columns)},
+                         .weights = std::vector<double>(rows, 1.0),
                          .count = n,
+                         .unknowns = options.unknowns,
                          .pitch = array.pitch,
-                         .smoothing_length = options.smoothing_length};
+                         .smoothing_length = options.smoothing_length,
+                         .kernel_error = relative_kernel_error(material)};
 
   for (std::size_t c = 0; c < all.size(); ++c) {
     const auto row_weights = std::span(problem.weights).subspan(c * n, n);
@@ -54,11 +64,13 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
       std::fill(row_weights.begin(), row_weights.end(), 1.0 / options.channel_rms[c]);
     for (const std::size_t taxel : options.dead_taxels) row_weights[taxel] = 0.0;
 
-    const std::vector<double> kernel =
-        sampled_kernel(all[c], Traction::normal, material, n, array.pitch);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        problem.kernel(c * n + i, j) = row_weights[i] * kernel[i + n - 1 - j];
+    for (std::size_t u = 0; u < options.unknowns; ++u) {
+      const Traction load = u == 0 ? Traction::normal : Traction::tangential;
+      const std::vector<double> kernel = sampled_kernel(all[c], load, material, n, array.pitch);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          problem.kernel(c * n + i, u * n + j) = row_weights[i] * kernel[i + n - 1 - j];
+    }
   }
   const auto is_zero = [](double weight) { return weight == 0.0; };
   if (std::all_of(problem.weights.begin(), problem.weights.end(), is_zero))

@@ -15,6 +15,10 @@ namespace tactile_net {
                                                  const Material& material, double depth,
                                                  double wavenumber) noexcept;
 
+/// Largest error of a `PadKernel` over the half plane's peak: 8 ulp on a half plane, 1e-13 in a
+/// layer.
+[[nodiscard]] double relative_kernel_error(const Material& material) noexcept;
+
 /// The reading at a given depth caused by a unit line load, as a function of the lateral distance.
 ///
 /// On a half plane it is the closed form. In a layer it is the closed form plus a correction, whose
@@ -33,12 +37,9 @@ class PadKernel {
   /// base
   PadKernel(Quantity quantity, Traction load, const Material& material, double depth);
 
-  /// At the distance y [m] from the load [Pa / (N/m) for stress, 1 / (N/m) for strain]. A half
-  /// plane's to some ulp; a layer's within `relative_error` of the half plane's peak.
+  /// At the distance y [m] from the load [Pa / (N/m) for stress, 1 / (N/m) for strain], within
+  /// `relative_kernel_error` of the half plane's peak.
   [[nodiscard]] double operator()(double y) const noexcept;
-
-  /// Largest error over the half plane's peak: 8 ulp on a half plane, 1e-13 in a layer.
-  [[nodiscard]] double relative_error() const noexcept;
 
  private:
   Quantity quantity_;

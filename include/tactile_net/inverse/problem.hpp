@@ -24,18 +24,24 @@ struct InverseProblem {
   std::size_t unknowns = 1;       ///< 1: normal traction; 2: normal, then tangential
   double pitch = 0.0;             ///< D [m]
   double smoothing_length = 0.0;  ///< l [m], >= 0
+  double kernel_error = 0.0;      ///< of K's entries, over the largest entry of their block
 };
 
 struct ProblemOptions {
+  std::size_t unknowns = 1;                ///< 1: normal traction; 2: the tangential one too
   double smoothing_length = 0.0;           ///< l [m], >= 0; the scene reader takes the first depth
   std::vector<double> channel_rms{};       ///< noise of each channel; empty: rows not weighted
   std::vector<std::size_t> dead_taxels{};  ///< indices < count; their rows get weight 0
 };
 
-/// Assembles K for the normal traction from `sampled_kernel`.
+/// Assembles K from `sampled_kernel`: one block of rows per channel, one of columns per unknown.
+///
+/// With two unknowns, one channel cannot tell them apart, and some pairs leave null modes (see
+/// `identifiability`): alpha > 0 still gives an answer, the smallest that explains the readings.
 ///
 /// @throw std::invalid_argument  array, material or an option is out of range; every taxel is dead;
-///                               stresses and strains are mixed without `channel_rms`
+///                               stresses and strains are mixed without `channel_rms`; two unknowns
+///                               from one channel
 [[nodiscard]] InverseProblem make_problem(const SensorArray& array, const Material& material,
                                           const ProblemOptions& options = {});
 

@@ -1,0 +1,53 @@
+#include "tactile_net/inverse/error_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "inverse/eigen.hpp"
+#include "inverse/stabiliser.hpp"
+
+namespace tactile_net {
+
+double wedin_bound(double condition, double matrix_norm, double right_norm, double residual_norm,
+                   double solution_norm, double perturbation) noexcept {
+  if (right_norm == 0.0) return 0.0;
+  if (!(solution_norm > 0.0)) return std::numeric_limits<double>::infinity();
+  const double size = matrix_norm * solution_norm;
+  return perturbation *
+         (condition * (1.0 + right_norm / size + condition * residual_norm / size) + 1.0);
+}
+
+double forward_bound(const InverseProblem& problem, double alpha, std::span<const double> readings,
+                     std::span<const double> tractions, double condition) {
+  const auto kernel = as_eigen(problem.kernel);
+  const Eigen::VectorXd g = as_eigen(std::span(problem.weights)).cwiseProduct(as_eigen(readings));
+  const double scale = g.size() > 0 ? g.cwiseAbs().maxCoeff() : 0.0;
+  if (scale == 0.0) return 0.0;
+
+  // Scaled, so that no square leaves the range of a double.
+  const Eigen::VectorXd f = as_eigen(tractions) / scale;
+  const Eigen::VectorXd right = g / scale;
+  const double smoothness = alpha * stabiliser_square(problem, f);
+  const double residual = std::sqrt((kernel * f - right).squaredNorm() + smoothness);
+
+  // |A|_2 lies between the root of the mean and the root of the sum of its squared entries; from
+  // below the bound stays one. |A|_2 >= the norm of the stabiliser, and >= |K x| for any unit x.
+  const double ratio = problem.smoothing_length / problem.pitch;
+  const double stabiliser = std::sqrt(alpha * (1.0 + 2.0 * ratio * ratio));
+  Eigen::VectorXd x = Eigen::VectorXd::Constant(kernel.cols(), 1.0);
+  x /= x.norm();
+  double response = 0.0;
+  for (int step = 0; step < 4; ++step) {
+    const Eigen::VectorXd y = kernel * x;
+    response = y.norm();
+    if (response == 0.0) break;
+    x = (kernel.transpose() * (y / response)).normalized();
+  }
+  const double rounding = std::numeric_limits<double>::epsilon() / 2.0 *
+                          std::sqrt(static_cast<double>(kernel.rows() + 2 * kernel.cols()));
+  return wedin_bound(condition, std::max(response, stabiliser), right.norm(), residual, f.norm(),
+                     problem.kernel_error + rounding);
+}
+
+}  // namespace tactile_net
