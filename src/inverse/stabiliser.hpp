@@ -1,11 +1,28 @@
 /// @file
-/// The stabiliser L of problem.hpp, L'L = l^2/D^2 Q + I, as a function of f. Private.
+/// The stabiliser of problem.hpp, L'L = l^2/D^2 Q + I. Private.
 #pragma once
+
+#include <Eigen/Core>
 
 #include "inverse/eigen.hpp"
 #include "tactile_net/inverse/problem.hpp"
 
 namespace tactile_net {
+
+/// L itself, [l/D differences; I], 2 n x n.
+[[nodiscard]] inline Eigen::MatrixXd stabiliser(const InverseProblem& problem) {
+  const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
+  const auto block = static_cast<Eigen::Index>(problem.count);
+  const double slope = problem.smoothing_length / problem.pitch;
+  Eigen::MatrixXd l = Eigen::MatrixXd::Zero(2 * n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    l(n + i, i) = 1.0;
+    if (i % block + 1 == block) continue;  // the last point of a block has no right neighbour
+    l(i, i) = -slope;
+    l(i, i + 1) = slope;
+  }
+  return l;
+}
 
 /// |L f|_2^2 = |f|^2 + l^2/D^2 sum of the squared differences between neighbours.
 [[nodiscard]] inline double stabiliser_square(const InverseProblem& problem,

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "inverse/eigen.hpp"
+#include "inverse/stabiliser.hpp"
 #include "tactile_net/inverse/problem.hpp"
 
 namespace tactile_net {
@@ -17,6 +18,15 @@ namespace tactile_net {
 inline void check_alpha(double alpha) {
   if (!(alpha > 0.0) || !std::isfinite(alpha))
     throw std::invalid_argument("alpha must be > 0 and finite");
+}
+
+/// [W K; sqrt(alpha) L].
+[[nodiscard]] inline Eigen::MatrixXd stacked(const InverseProblem& problem, double alpha) {
+  const auto kernel = as_eigen(problem.kernel);
+  Eigen::MatrixXd a(kernel.rows() + 2 * kernel.cols(), kernel.cols());
+  a.topRows(kernel.rows()) = kernel;
+  a.bottomRows(2 * kernel.cols()) = std::sqrt(alpha) * stabiliser(problem);
+  return a;
 }
 
 /// QR of a tall matrix. Rows should be stacked largest first: Householder reflections are then

@@ -5,29 +5,6 @@
 #include "tactile_net/inverse/reconstruction.hpp"
 
 namespace tactile_net {
-namespace {
-
-/// [W K; sqrt(alpha) l/D differences; sqrt(alpha) I].
-Eigen::MatrixXd stacked(const InverseProblem& problem, double alpha) {
-  const auto kernel = as_eigen(problem.kernel);
-  const Eigen::Index n = kernel.cols();
-  const auto block = static_cast<Eigen::Index>(problem.count);
-  const double size = std::sqrt(alpha);
-  const double slope = size * problem.smoothing_length / problem.pitch;
-
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(kernel.rows() + 2 * n, n);
-  a.topRows(kernel.rows()) = kernel;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    a(kernel.rows() + n + i, i) = size;
-    if (i % block + 1 == block) continue;  // the last point of a block has no right neighbour
-    a(kernel.rows() + i, i) = -slope;
-    a(kernel.rows() + i, i + 1) = slope;
-  }
-  return a;
-}
-
-}  // namespace
-
 Reconstruction tikhonov(const InverseProblem& problem, double alpha) {
   check_alpha(alpha);
   const StackedQr qr(stacked(problem, alpha));

@@ -1,0 +1,85 @@
+/// @file
+/// Rules that choose alpha, side by side.
+///
+/// With phi_i of filter_frame.hpp, rho the residual's norm, m rows, H the influence matrix
+/// (tr H = sum phi_i: L is square, nothing goes unsmoothed):
+///
+///     rgcv         least  rho^2 / (m - tr H)^2 (c + (1 - c) tr(H^2) / m), c = 0.1   (Lukas 2006)
+///     gcv          least  rho^2 / (m - tr H)^2         (Golub, Heath and Wahba 1979)
+///     discrepancy  rho = 1.01 sigma sqrt(m), sigma the noise's rms     (Morozov 1966)
+///     l_curve      largest curvature of (log rho, log |L f|)     (Hansen and O'Leary 1993)
+///     ncp          residual most like white noise: its normalised cumulative periodogram least far
+///                  from a straight line in the 2-norm     (Hansen, Kilmer and Kjeldsen 2006)
+///     gml          least  g'(I - H) g / det(I - H)^(1/m)     (Wahba 1985)
+///
+/// Every rule is a function of log alpha whose slope is known in closed form; the best of 200
+/// values is refined to a root of the slope. So the answer is the same in any units, to rounding.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "tactile_net/inverse/filter_frame.hpp"
+
+namespace tactile_net {
+
+enum class AlphaRule { rgcv, gcv, discrepancy, l_curve, ncp, gml };
+
+inline constexpr std::array alpha_rules = {AlphaRule::rgcv,        AlphaRule::gcv,
+                                           AlphaRule::discrepancy, AlphaRule::l_curve,
+                                           AlphaRule::ncp,         AlphaRule::gml};
+
+/// The name as scenes, tables and JSON spell it: "rgcv".
+[[nodiscard]] std::string_view name(AlphaRule rule) noexcept;
+[[nodiscard]] std::optional<AlphaRule> alpha_rule_named(std::string_view name) noexcept;
+
+enum class AlphaVerdict {
+  ok,
+  border,          ///< the best value lies at an end of the bracket: the true one may lie beyond
+  no_root,         ///< no alpha fits: no signal, or the noise stated cannot be met
+  rules_disagree,  ///< the traction differs by more than half from that of the other rules' median
+};
+
+/// The spelling in JSON and tables: "ok", "border", "no_root", "rules_disagree".
+[[nodiscard]] std::string_view name(AlphaVerdict verdict) noexcept;
+
+struct AlphaChoice {
+  AlphaRule rule = AlphaRule::rgcv;
+  double alpha = 0.0;  ///< [unit of (W K)^2]; the border's for `border` and `no_root`
+  AlphaVerdict verdict = AlphaVerdict::ok;
+};
+
+/// All rules over one bracket.
+struct AlphaSweep {
+  std::vector<double> alphas{};  ///< 200, rising by equal factors
+  struct Curve {
+    AlphaRule rule = AlphaRule::rgcv;
+    std::vector<double>
+        values{};  ///< what the rule minimises, at `alphas`; discrepancy: |log ratio|
+    AlphaChoice choice{};
+  };
+  std::vector<Curve> curves{};  ///< the rules in the order of `alpha_rules`
+
+  /// The choice of one rule. @throw std::out_of_range  discrepancy, and no noise was given
+  [[nodiscard]] const AlphaChoice& choice(AlphaRule rule) const;
+};
+
+/// Sweeps from max(smallest gamma, 16 eps largest)^2 to (largest gamma)^2. About 200 x components
+/// x rules operations, and for ncp 200 times the residual's periodogram.
+///
+/// @param noise_rms  of one weighted reading; absent: no discrepancy
+/// @throw std::invalid_argument  noise_rms is not >= 0; the frame has no component
+[[nodiscard]] AlphaSweep sweep_alpha(const FilterFrame& frame,
+                                     std::optional<double> noise_rms = {});
+
+/// One rule, and the verdict the sweep gives it, at a fraction of the sweep's cost: the others are
+/// looked at on the 200 values only.
+///
+/// @throw std::invalid_argument  as `sweep_alpha`; rule is discrepancy and noise_rms is absent
+[[nodiscard]] AlphaChoice choose_alpha(const FilterFrame& frame, AlphaRule rule,
+                                       std::optional<double> noise_rms = {});
+
+}  // namespace tactile_net

@@ -1,0 +1,44 @@
+/// @file
+/// Tikhonov's method for every alpha at once.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tactile_net/inverse/filter_frame.hpp"
+#include "tactile_net/inverse/problem.hpp"
+
+namespace tactile_net {
+
+/// The generalised singular values and vectors of (W K, L). With the triangle R of a QR of L, which
+/// is well conditioned, they are those of W K R^-1, by one SVD; nothing is squared.
+class TikhonovFamily {
+ public:
+  /// O(rows x columns^2).
+  explicit TikhonovFamily(const InverseProblem& problem);
+  ~TikhonovFamily();
+  TikhonovFamily(TikhonovFamily&&) noexcept;
+  TikhonovFamily& operator=(TikhonovFamily&&) noexcept;
+
+  /// gamma, descending, as many as tractions.
+  [[nodiscard]] std::span<const double> singular_values() const noexcept;
+
+  /// 2-norm condition number of [W K R^-1; sqrt(alpha) I]: relative errors of the frame, rounding
+  /// included, reach R f multiplied by at most about this.
+  [[nodiscard]] double condition(double alpha) const noexcept;
+
+  /// The frame in the basis of the singular vectors. O(rows x columns).
+  /// @throw std::invalid_argument  readings have the wrong size or are not finite
+  [[nodiscard]] FilterFrame analyse(std::span<const double> readings) const;
+
+  /// The minimiser for one alpha [Pa], as `tikhonov`. O(columns^2).
+  /// @throw std::invalid_argument  alpha is not > 0 and finite
+  [[nodiscard]] std::vector<double> solve(const FilterFrame& frame, double alpha) const;
+
+ private:
+  struct Factors;
+  std::unique_ptr<const Factors> factors_;
+};
+
+}  // namespace tactile_net

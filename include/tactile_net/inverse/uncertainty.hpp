@@ -1,0 +1,97 @@
+/// @file
+/// How far the tractions may be from the truth: bands, and what they mean for the contact's force.
+///
+/// Tikhonov's minimiser is the mean of f given the readings, if the noise is white and the prior
+/// says that L f is white with variance sigma^2 / alpha. Its covariance then is
+///
+///     C = sigma^2 (K'W^2 K + alpha L'L)^-1
+///
+/// (Wahba 1983; Kaipio and Somersalo 2005, 3.4): noise and what alpha smooths away, together. With
+/// an alpha chosen by a rule, bands of it hold the truth at their stated rate on average over the
+/// array, though not at every point of it: less at a contact's edge, more where nothing touches. An
+/// error of the model (kernels, pad, positions) is not in it; `NoiseEstimate` shows it apart.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/problem.hpp"
+
+namespace tactile_net {
+
+class TractionCovariance {
+ public:
+  /// Of `tikhonov`, from a QR of the stacked matrix: C is never formed. O((m + n) n^2).
+  ///
+  /// @throw std::invalid_argument  alpha is not > 0
+  /// @throw std::domain_error      the stacked matrix is rank deficient in double precision
+  TractionCovariance(const InverseProblem& problem, double alpha);
+
+  /// Of `ConstrainedTikhonov`, given which variables are free: what is held at zero is taken for
+  /// certain.
+  ///
+  /// @param free  columns of `edges`, as in `ConstrainedSolution`; none: everything is certain
+  TractionCovariance(const InverseProblem& problem, double alpha, const Constraints& constraints,
+                     std::span<const std::size_t> free);
+  ~TractionCovariance();
+  TractionCovariance(TractionCovariance&&) noexcept;
+  TractionCovariance& operator=(TractionCovariance&&) noexcept;
+
+  /// Standard deviation of every traction per unit of `noise_rms` [Pa].
+  [[nodiscard]] std::vector<double> deviations() const;
+
+  /// Standard deviation of sum_i weights_i f_i per unit of `noise_rms`.
+  [[nodiscard]] double deviation(std::span<const double> weights) const;
+
+  /// tr H: how many of the readings' degrees of freedom the tractions use up.
+  [[nodiscard]] double degrees_of_freedom() const noexcept;
+
+ private:
+  struct Factor;
+  std::unique_ptr<const Factor> factor_;
+};
+
+/// The noise as the residual shows it, beside the noise that was stated.
+struct NoiseEstimate {
+  double residual_rms = 0.0;  ///< of one weighted reading: |W (K f - g)| / sqrt(rows - tr H)
+  std::optional<double> stated_rms{};
+  /// sqrt(residual^2 - stated^2), where the residual exceeds what 99 % of white noise would leave:
+  /// an error of the model as large as this per reading; 0: the noise stated explains the residual.
+  double model_rms = 0.0;
+
+  /// What the bands should use: the stated noise, or else the residual's.
+  [[nodiscard]] double rms() const noexcept { return stated_rms.value_or(residual_rms); }
+};
+
+/// @param stated_rms  of one weighted reading, >= 0
+[[nodiscard]] NoiseEstimate estimate_noise(const InverseProblem& problem,
+                                           std::span<const double> readings,
+                                           std::span<const double> tractions,
+                                           double degrees_of_freedom,
+                                           std::optional<double> stated_rms = {});
+
+/// A value and its standard deviation.
+struct Uncertain {
+  double value = 0.0;
+  double deviation = 0.0;
+};
+
+/// The contact's force, by first-order propagation of the covariance.
+struct UncertainResultant {
+  Uncertain normal{};                     ///< F_v = D sum f_v [N/m]
+  std::optional<Uncertain> tangential{};  ///< F_t [N/m]; absent with one unknown
+  std::optional<Uncertain> centre{};      ///< sum y f_v / sum f_v [m]; absent if F_v <= 0
+  std::optional<Uncertain> angle{};  ///< atan2(F_t, F_v) [rad]; absent with one unknown or F_v <= 0
+};
+
+/// @param noise_rms  of one weighted reading
+[[nodiscard]] UncertainResultant resultant_of(const InverseProblem& problem,
+                                              std::span<const double> tractions,
+                                              const TractionCovariance& covariance,
+                                              double noise_rms);
+
+}  // namespace tactile_net

@@ -1,0 +1,103 @@
+#include "tactile_net/inverse/constrained.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "inverse/finite.hpp"
+#include "inverse/nonnegative.hpp"
+#include "inverse/stacked.hpp"
+
+namespace tactile_net {
+namespace {
+
+void check(const InverseProblem& problem, const Constraints& constraints) {
+  if (!constraints.friction_limit) return;
+  if (!(*constraints.friction_limit > 0.0) || !std::isfinite(*constraints.friction_limit))
+    throw std::invalid_argument("friction_limit must be > 0 and finite");
+  if (problem.unknowns != 2)
+    throw std::invalid_argument("a friction limit needs the tangential traction as an unknown");
+}
+
+}  // namespace
+
+Matrix edges(const InverseProblem& problem, const Constraints& constraints) {
+  check(problem, constraints);
+  const std::size_t n = problem.unknowns * problem.count;
+  Matrix map{n, n, std::vector<double>(n * n)};
+  for (std::size_t i = 0; i < n; ++i) map(i, i) = 1.0;
+  if (!constraints.friction_limit) return map;
+  const double limit = *constraints.friction_limit;
+  for (std::size_t i = 0; i < problem.count; ++i) {
+    const std::size_t t = i + problem.count;
+    map(i, t) = 1.0;
+    map(t, i) = limit;
+    map(t, t) = -limit;
+  }
+  return map;
+}
+
+struct ConstrainedTikhonov::System {
+  Eigen::VectorXd weights;
+  Eigen::MatrixXd edges;
+  Eigen::MatrixXd q;         // the first rows of the orthonormal factor, for the readings
+  Eigen::MatrixXd triangle;  // of the stacked matrix times edges, columns of unit norm
+  Eigen::VectorXd norms;     // of those columns before
+  std::vector<bool> bounded;
+};
+
+ConstrainedTikhonov::ConstrainedTikhonov(const InverseProblem& problem, double alpha,
+                                         const Constraints& constraints)
+    : system_(std::make_unique<System>()) {
+  check_alpha(alpha);
+  System& s = *system_;
+  s.weights = as_eigen(std::span(problem.weights));
+  s.edges = as_eigen(tactile_net::edges(problem, constraints));
+  Eigen::MatrixXd a = stacked(problem, alpha) * s.edges;
+  s.norms = a.colwise().norm();
+  a *= s.norms.cwiseInverse().asDiagonal();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(a);
+  const Eigen::Index n = a.cols();
+  s.triangle = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  s.q = (qr.householderQ() * Eigen::MatrixXd::Identity(a.rows(), n))
+            .topRows(static_cast<Eigen::Index>(problem.kernel.rows));
+  (void)StackedQr(s.triangle).condition();  // throws if rank deficient
+  s.bounded.assign(static_cast<std::size_t>(n), true);
+  if (!constraints.friction_limit)
+    for (std::size_t i = 0; i < s.bounded.size(); ++i)
+      s.bounded[i] = constraints.nonnegative && i < problem.count;
+}
+
+ConstrainedTikhonov::~ConstrainedTikhonov() = default;
+ConstrainedTikhonov::ConstrainedTikhonov(ConstrainedTikhonov&&) noexcept = default;
+ConstrainedTikhonov& ConstrainedTikhonov::operator=(ConstrainedTikhonov&&) noexcept = default;
+
+ConstrainedSolution ConstrainedTikhonov::solve(std::span<const double> readings,
+                                               std::size_t iteration_limit) const {
+  const System& s = *system_;
+  if (std::ssize(readings) != s.weights.size())
+    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
+                                " values, the problem has " + std::to_string(s.weights.size()) +
+                                " rows");
+  if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
+
+  Eigen::VectorXd g = s.weights.cwiseProduct(as_eigen(readings));
+  const double scale = g.cwiseAbs().maxCoeff();
+  if (scale > 0.0) g = g / scale;
+  NonnegativeSolution found =
+      nonnegative_least_squares(s.triangle, s.q.transpose() * g, s.bounded, iteration_limit);
+  const Eigen::VectorXd f = s.edges * found.z.cwiseQuotient(s.norms) * scale;
+
+  ConstrainedSolution solution{
+      .tractions = {f.begin(), f.end()},
+      .verdict = found.converged ? ConstrainedVerdict::ok : ConstrainedVerdict::iteration_limit,
+      .kkt_residual = found.kkt_residual,
+      .iterations = found.iterations};
+  for (std::size_t i = 0; i < found.free.size(); ++i)
+    if (found.free[i]) solution.free.push_back(i);
+  if (!solution.free.empty())
+    solution.condition = StackedQr(s.triangle(Eigen::all, solution.free)).condition();
+  return solution;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,164 @@
+#include "inverse/nonnegative.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace tactile_net {
+namespace {
+
+/// Exchanges of whole sets without progress, after which single variables are exchanged.
+constexpr int patience = 5;
+
+/// Of a variable, over the largest one, and of a gradient, over |d|: what rounding explains.
+constexpr double tolerance = 1e-11;
+
+class ActiveSet {
+ public:
+  ActiveSet(const Eigen::MatrixXd& a, const Eigen::VectorXd& d, const std::vector<bool>& bounded,
+            std::size_t iteration_limit)
+      : a_(a), d_(d), bounded_(bounded), limit_(iteration_limit), size_(d.norm()) {}
+
+  NonnegativeSolution run() {
+    if (size_ > 0.0 && !by_blocks()) one_by_one();
+    NonnegativeSolution solution{.z = z_, .free = free_, .iterations = iterations_};
+    const Eigen::VectorXd g = gradient(z_);
+    double worst = 0.0;
+    bool held_well = true;
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      const bool held = bounded_[i] && z_(index(i)) == 0.0;
+      worst = std::max(worst, held ? -g(index(i)) : std::abs(g(index(i))));
+      held_well = held_well && (!held || g(index(i)) >= -tolerance * size_);
+    }
+    solution.kkt_residual = size_ > 0.0 ? worst / size_ : 0.0;
+    solution.converged = size_ == 0.0 || (held_well && !stopped_);
+    return solution;
+  }
+
+ private:
+  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+  [[nodiscard]] Eigen::VectorXd gradient(const Eigen::VectorXd& z) const {
+    return a_.transpose() * (a_ * z - d_);
+  }
+
+  /// The least squares of the free columns, the others zero.
+  [[nodiscard]] Eigen::VectorXd free_solution() {
+    ++iterations_;
+    std::vector<Eigen::Index> columns;
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      if (free_[i]) columns.push_back(index(i));
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(a_.cols());
+    if (columns.empty()) return z;
+    const Eigen::MatrixXd part = a_(Eigen::all, columns);
+    z(columns) = part.householderQr().solve(d_);
+    return z;
+  }
+
+  /// Block principal pivoting: frees and holds all variables with a wrong sign at once, starting
+  /// from the unconstrained solution. A handful of steps, where it ends; false if it stalls.
+  bool by_blocks() {
+    free_.assign(bounded_.size(), true);
+    std::size_t fewest = bounded_.size() + 1;
+    for (int left = patience; iterations_ < limit_;) {
+      const Eigen::VectorXd z = free_solution();
+      const Eigen::VectorXd g = gradient(z);
+      const double least = -tolerance * z.cwiseAbs().maxCoeff();
+      std::vector<std::size_t> wrong;
+      for (std::size_t i = 0; i < free_.size(); ++i)
+        if (bounded_[i] && (free_[i] ? z(index(i)) < least : g(index(i)) < -tolerance * size_))
+          wrong.push_back(i);
+      if (wrong.empty()) {
+        accept(z);
+        return true;
+      }
+      if (wrong.size() < fewest) {
+        fewest = wrong.size();
+        left = patience;
+      } else if (left-- == 0) {
+        return false;
+      }
+      for (const std::size_t i : wrong) free_[i] = !free_[i];
+    }
+    return false;
+  }
+
+  /// Lawson and Hanson (Solving Least Squares Problems, 1974, 23.3): every iterate obeys the
+  /// constraints and lowers the residual, so that no set returns.
+  void one_by_one() {
+    for (std::size_t i = 0; i < free_.size(); ++i) free_[i] = !bounded_[i];
+    z_ = free_solution();
+    std::vector<bool> refused(free_.size(), false);
+    while (iterations_ < limit_) {
+      const Eigen::VectorXd g = gradient(z_);
+      std::size_t best = free_.size();
+      for (std::size_t i = 0; i < free_.size(); ++i)
+        if (!free_[i] && !refused[i] && g(index(i)) < -tolerance * size_ &&
+            (best == free_.size() || g(index(i)) < g(index(best))))
+          best = i;
+      if (best == free_.size()) return;
+      free_[best] = true;
+      Eigen::VectorXd next = free_solution();
+      if (!(next(index(best)) > 0.0)) {  // its gradient was rounding
+        free_[best] = false;
+        refused[best] = true;
+        continue;
+      }
+      refused.assign(free_.size(), false);
+      while (!obeys(next) && iterations_ < limit_) {
+        step_towards(next);
+        next = free_solution();
+      }
+      if (obeys(next)) accept(next);
+    }
+    stopped_ = true;
+  }
+
+  [[nodiscard]] bool obeys(const Eigen::VectorXd& z) const {
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      if (bounded_[i] && free_[i] && !(z(index(i)) > 0.0)) return false;
+    return true;
+  }
+
+  /// As far as the first bound, where variables that reach it are held.
+  void step_towards(const Eigen::VectorXd& next) {
+    double step = 1.0;
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      if (bounded_[i] && free_[i] && !(next(index(i)) > 0.0))
+        step = std::min(step, z_(index(i)) / (z_(index(i)) - next(index(i))));
+    if (!(step > 0.0)) step = 0.0;
+    z_ += step * (next - z_);
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      if (bounded_[i] && free_[i] && !(next(index(i)) > 0.0) &&
+          !(z_(index(i)) > tolerance * z_.cwiseAbs().maxCoeff())) {
+        z_(index(i)) = 0.0;
+        free_[i] = false;
+      }
+  }
+
+  void accept(const Eigen::VectorXd& z) {
+    z_ = z;
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      if (bounded_[i]) z_(index(i)) = std::max(z_(index(i)), 0.0);
+  }
+
+  const Eigen::MatrixXd& a_;
+  const Eigen::VectorXd& d_;
+  const std::vector<bool>& bounded_;
+  std::size_t limit_;
+  double size_;
+  std::size_t iterations_ = 0;
+  bool stopped_ = false;
+  std::vector<bool> free_ = std::vector<bool>(bounded_.size(), false);
+  Eigen::VectorXd z_ = Eigen::VectorXd::Zero(a_.cols());
+};
+
+}  // namespace
+
+NonnegativeSolution nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& d,
+                                              const std::vector<bool>& bounded,
+                                              std::size_t iteration_limit) {
+  return ActiveSet(a, d, bounded, iteration_limit).run();
+}
+
+}  // namespace tactile_net

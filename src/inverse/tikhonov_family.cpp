@@ -1,0 +1,141 @@
+#include "tactile_net/inverse/tikhonov_family.hpp"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "inverse/finite.hpp"
+#include "inverse/stacked.hpp"
+
+namespace tactile_net {
+namespace {
+
+/// Of readings in the space of rows: a matrix-vector product per alpha.
+class DensePeriodogram final : public ResidualPeriodogram {
+ public:
+  DensePeriodogram(std::shared_ptr<const Eigen::MatrixXd> spectra, Eigen::VectorXd outside,
+                   std::size_t bins)
+      : spectra_(std::move(spectra)), outside_(std::move(outside)), bins_(bins) {}
+
+  [[nodiscard]] std::size_t size() const noexcept override { return bins_; }
+
+  void power(std::span<const double> left, std::span<const double> change, std::span<double> values,
+             std::span<double> slopes) const override {
+    const Eigen::VectorXd residual = *spectra_ * as_eigen(left) + outside_;
+    const Eigen::VectorXd rate = *spectra_ * as_eigen(change);
+    std::fill(values.begin(), values.end(), 0.0);
+    std::fill(slopes.begin(), slopes.end(), 0.0);
+    for (Eigen::Index i = 0; i < residual.size(); ++i) {
+      const auto bin = static_cast<std::size_t>(i) % bins_;
+      values[bin] += residual(i) * residual(i);
+      slopes[bin] += 2.0 * residual(i) * rate(i);
+    }
+  }
+
+ private:
+  std::shared_ptr<const Eigen::MatrixXd> spectra_;
+  Eigen::VectorXd outside_;
+  std::size_t bins_;
+};
+
+/// Cosines and sines of the frequencies 1 ... count / 2, for every channel.
+Eigen::MatrixXd fourier_rows(Eigen::Index count, Eigen::Index channels) {
+  const Eigen::Index bins = count / 2;
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2 * bins * channels, count * channels);
+  for (Eigen::Index k = 0; k < bins; ++k)
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double turn = static_cast<double>((k + 1) * i % count) / static_cast<double>(count);
+      for (Eigen::Index c = 0; c < channels; ++c) {
+        rows(2 * bins * c + k, count * c + i) = std::cos(2.0 * std::numbers::pi * turn);
+        rows(2 * bins * c + bins + k, count * c + i) = std::sin(2.0 * std::numbers::pi * turn);
+      }
+    }
+  return rows;
+}
+
+}  // namespace
+
+struct TikhonovFamily::Factors {
+  explicit Factors(const InverseProblem& problem);
+
+  std::size_t count;
+  Eigen::VectorXd weights;
+  Eigen::MatrixXd triangle;  // R of the stabiliser
+  Eigen::MatrixXd u, v;
+  std::vector<double> gamma;
+  Eigen::MatrixXd fourier;                         // cosines, then sines, channel by channel
+  std::shared_ptr<const Eigen::MatrixXd> spectra;  // of u's columns
+};
+
+TikhonovFamily::Factors::Factors(const InverseProblem& problem)
+    : count(problem.count), weights(as_eigen(std::span(problem.weights))) {
+  const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
+  triangle =
+      stabiliser(problem).householderQr().matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  const Eigen::MatrixXd standard = triangle.triangularView<Eigen::Upper>().solve<Eigen::OnTheRight>(
+      Eigen::MatrixXd(as_eigen(problem.kernel)));
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(standard, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  u = svd.matrixU();
+  v = svd.matrixV();
+  gamma.assign(svd.singularValues().begin(), svd.singularValues().end());
+  const auto block = static_cast<Eigen::Index>(count);
+  fourier = fourier_rows(block, u.rows() / block);
+  spectra = std::make_shared<const Eigen::MatrixXd>(fourier * u);
+}
+
+TikhonovFamily::TikhonovFamily(const InverseProblem& problem)
+    : factors_(std::make_unique<const Factors>(problem)) {}
+TikhonovFamily::~TikhonovFamily() = default;
+TikhonovFamily::TikhonovFamily(TikhonovFamily&&) noexcept = default;
+TikhonovFamily& TikhonovFamily::operator=(TikhonovFamily&&) noexcept = default;
+
+std::span<const double> TikhonovFamily::singular_values() const noexcept { return factors_->gamma; }
+
+double TikhonovFamily::condition(double alpha) const noexcept {
+  const double root = std::sqrt(alpha);
+  return std::hypot(factors_->gamma.front(), root) / std::hypot(factors_->gamma.back(), root);
+}
+
+FilterFrame TikhonovFamily::analyse(std::span<const double> readings) const {
+  const Factors& factors = *factors_;
+  if (std::ssize(readings) != factors.weights.size())
+    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
+                                " values, the problem has " +
+                                std::to_string(factors.weights.size()) + " rows");
+  if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
+
+  FilterFrame frame{.gamma = factors.gamma, .beta = std::vector<double>(factors.gamma.size())};
+  frame.rows = static_cast<std::size_t>((factors.weights.array() != 0.0).count());
+  Eigen::VectorXd g = factors.weights.cwiseProduct(as_eigen(readings));
+  frame.scale = g.cwiseAbs().maxCoeff();
+  if (frame.scale > 0.0) g = g / frame.scale;
+
+  Eigen::Map<Eigen::VectorXd> beta(frame.beta.data(), std::ssize(frame.beta));
+  beta = factors.u.transpose() * g;
+  g -= factors.u * beta;
+  frame.outside = g.norm();
+  frame.periodogram = std::make_shared<DensePeriodogram>(
+      factors.spectra, Eigen::VectorXd(factors.fourier * g), factors.count / 2);
+  return frame;
+}
+
+std::vector<double> TikhonovFamily::solve(const FilterFrame& frame, double alpha) const {
+  check_alpha(alpha);
+  const Factors& factors = *factors_;
+  const double root = std::sqrt(alpha);
+  Eigen::VectorXd y(std::ssize(frame.beta));
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double size = std::hypot(frame.gamma[at], root);  // gamma^2 + alpha is its square
+    y(i) = frame.beta[at] * (frame.gamma[at] / size) / size;
+  }
+  const Eigen::VectorXd f =
+      factors.triangle.triangularView<Eigen::Upper>().solve(factors.v * y) * frame.scale;
+  return {f.begin(), f.end()};
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,124 @@
+#include "tactile_net/inverse/uncertainty.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+
+#include "inverse/stacked.hpp"
+
+namespace tactile_net {
+
+/// C = sigma^2 S S', S = E R^-1: E the map of the free variables, R the triangle of the stacked
+/// matrix times E.
+struct TractionCovariance::Factor {
+  Factor(const InverseProblem& problem, const Eigen::MatrixXd& stacked_columns,
+         const Eigen::MatrixXd& map)
+      : root(Eigen::MatrixXd::Zero(map.rows(), map.cols())) {
+    if (map.cols() == 0) return;
+    const StackedQr qr(stacked_columns);
+    (void)qr.condition();  // throws if rank deficient
+    root = map * qr.solve_rotated(Eigen::MatrixXd::Identity(map.cols(), map.cols()));
+    degrees = (as_eigen(problem.kernel) * root).squaredNorm();
+  }
+  Eigen::MatrixXd root;
+  double degrees = 0.0;
+};
+
+TractionCovariance::TractionCovariance(const InverseProblem& problem, double alpha) {
+  check_alpha(alpha);
+  const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
+  factor_ = std::make_unique<const Factor>(problem, stacked(problem, alpha),
+                                           Eigen::MatrixXd::Identity(n, n));
+}
+
+TractionCovariance::TractionCovariance(const InverseProblem& problem, double alpha,
+                                       const Constraints& constraints,
+                                       std::span<const std::size_t> free) {
+  check_alpha(alpha);
+  const Matrix all = edges(problem, constraints);
+  const Eigen::MatrixXd map = as_eigen(all)(Eigen::all, std::vector(free.begin(), free.end()));
+  factor_ = std::make_unique<const Factor>(problem, stacked(problem, alpha) * map, map);
+}
+
+TractionCovariance::~TractionCovariance() = default;
+TractionCovariance::TractionCovariance(TractionCovariance&&) noexcept = default;
+TractionCovariance& TractionCovariance::operator=(TractionCovariance&&) noexcept = default;
+
+std::vector<double> TractionCovariance::deviations() const {
+  const Eigen::VectorXd norms = factor_->root.rowwise().norm();
+  return {norms.begin(), norms.end()};
+}
+
+double TractionCovariance::deviation(std::span<const double> weights) const {
+  return (factor_->root.transpose() * as_eigen(weights)).norm();
+}
+
+double TractionCovariance::degrees_of_freedom() const noexcept { return factor_->degrees; }
+
+NoiseEstimate estimate_noise(const InverseProblem& problem, std::span<const double> readings,
+                             std::span<const double> tractions, double degrees_of_freedom,
+                             std::optional<double> stated_rms) {
+  const Eigen::VectorXd weights = as_eigen(std::span(problem.weights));
+  const Eigen::VectorXd g = weights.cwiseProduct(as_eigen(readings));
+  const double scale = std::max(g.cwiseAbs().maxCoeff(), 0.0);
+  NoiseEstimate noise{.stated_rms = stated_rms};
+  if (scale == 0.0) return noise;
+  const auto rows = static_cast<double>((weights.array() != 0.0).count());
+  const double free = std::max(rows - degrees_of_freedom, 1.0);
+  const Eigen::VectorXd residual =
+      as_eigen(problem.kernel) * (as_eigen(tractions) / scale) - g / scale;
+  noise.residual_rms = residual.norm() / std::sqrt(free) * scale;
+  if (stated_rms) {
+    const double limit =
+        boost::math::quantile(boost::math::chi_squared_distribution<double>(free), 0.99) / free;
+    const double ratio = *stated_rms / noise.residual_rms;
+    if (1.0 > limit * ratio * ratio)
+      noise.model_rms = noise.residual_rms * std::sqrt(1.0 - ratio * ratio);
+  }
+  return noise;
+}
+
+UncertainResultant resultant_of(const InverseProblem& problem, std::span<const double> tractions,
+                                const TractionCovariance& covariance, double noise_rms) {
+  const std::size_t n = problem.count;
+  const double d = problem.pitch;
+  const auto place = [&](std::size_t i) {
+    return (static_cast<double>(i) - 0.5 * static_cast<double>(n - 1)) * d;
+  };
+  double normal = 0.0;
+  double moment = 0.0;
+  double tangential = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    normal += d * tractions[i];
+    moment += d * place(i) * tractions[i];
+    if (problem.unknowns == 2) tangential += d * tractions[n + i];
+  }
+  // The gradient of each result by the tractions: `on_normal` at every place, `on_tangential`.
+  const auto uncertain = [&](double value, const auto& on_normal, double on_tangential) {
+    std::vector<double> gradient(tractions.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      gradient[i] = on_normal(i);
+      if (problem.unknowns == 2) gradient[n + i] = on_tangential;
+    }
+    return Uncertain{value, covariance.deviation(gradient) * noise_rms};
+  };
+  const auto nowhere = [](std::size_t) { return 0.0; };
+
+  UncertainResultant result;
+  result.normal = uncertain(
+      normal, [&](std::size_t) { return d; }, 0.0);
+  if (problem.unknowns == 2) result.tangential = uncertain(tangential, nowhere, d);
+  if (!(normal > 0.0)) return result;
+  const double centre = moment / normal;
+  result.centre = uncertain(
+      centre, [&](std::size_t i) { return d * (place(i) - centre) / normal; }, 0.0);
+  if (problem.unknowns == 2) {
+    const double slope = tangential / normal;
+    const double scale = d / normal / (1.0 + slope * slope);
+    result.angle = uncertain(
+        std::atan2(tangential, normal), [&](std::size_t) { return -slope * scale; }, scale);
+  }
+  return result;
+}
+
+}  // namespace tactile_net
