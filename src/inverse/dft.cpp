@@ -1,7 +1,5 @@
 #include "tactile_net/inverse/dft.hpp"
 
-#include <fftw3.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -12,17 +10,13 @@
 #include <vector>
 
 #include "inverse/finite.hpp"
+#include "sensing/real_fft.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 
 namespace tactile_net {
 namespace {
 
 constexpr double accepted_gain = 1e4;
-
-struct Release {
-  void operator()(fftw_plan_s* plan) const noexcept { fftw_destroy_plan(plan); }
-  void operator()(void* memory) const noexcept { fftw_free(memory); }
-};
 
 }  // namespace
 
@@ -41,29 +35,9 @@ std::string_view name(DftVerdict verdict) noexcept {
 }
 
 struct DftInverse::Plan {
-  explicit Plan(std::size_t count)
-      : samples(count),
-        bins(count / 2 + 1),
-        real(fftw_alloc_real(count)),
-        spectrum(reinterpret_cast<std::complex<double>*>(fftw_alloc_complex(bins))),
-        forward(fftw_plan_dft_r2c_1d(static_cast<int>(count), real.get(), fftw_spectrum(),
-                                     FFTW_ESTIMATE)),
-        backward(fftw_plan_dft_c2r_1d(static_cast<int>(count), fftw_spectrum(), real.get(),
-                                      FFTW_ESTIMATE)),
-        inverse(bins) {
-    if (!real || !spectrum || !forward || !backward)
-      throw std::runtime_error("FFTW made no plan for " + std::to_string(count) + " points");
-  }
-  [[nodiscard]] fftw_complex* fftw_spectrum() const noexcept {
-    return reinterpret_cast<fftw_complex*>(spectrum.get());
-  }
+  explicit Plan(std::size_t count) : fft(count), inverse(fft.bins().size()) {}
 
-  std::size_t samples;
-  std::size_t bins;
-  std::unique_ptr<double, Release> real;
-  std::unique_ptr<std::complex<double>, Release> spectrum;
-  std::unique_ptr<fftw_plan_s, Release> forward;
-  std::unique_ptr<fftw_plan_s, Release> backward;
+  RealFft fft;
   std::vector<std::complex<double>> inverse;  // 1 / (count * DFT of the kernel)
   NoiseGain gain;
 };
@@ -82,14 +56,14 @@ DftInverse::DftInverse(const SensorArray& array, const Material& material, doubl
   const std::size_t n = array.count;
   plan_ = std::make_unique<Plan>(n);
   const PadKernel response(array.reads[0], Traction::normal, material, array.depths[0]);
-  double* const kernel = plan_->real.get();
+  const auto kernel = plan_->fft.samples();
   for (std::size_t i = 0; i < n; ++i) {  // offsets 0, 1, ..., -2, -1 around the circle
     const double offset = i <= n / 2 ? static_cast<double>(i) : -static_cast<double>(n - i);
     kernel[i] = array.pitch * response(offset * array.pitch);
   }
-  fftw_execute(plan_->forward.get());
+  plan_->fft.forward();
 
-  const std::span spectrum(plan_->spectrum.get(), plan_->bins);
+  const auto spectrum = plan_->fft.bins();
   const auto smaller = [](auto a, auto b) { return std::abs(a) < std::abs(b); };
   const auto least = std::min_element(spectrum.begin(), spectrum.end(), smaller);
   const auto most = std::max_element(spectrum.begin(), spectrum.end(), smaller);
@@ -114,8 +88,8 @@ DftInverse::DftInverse(const SensorArray& array, const Material& material, doubl
            << " (frequency " << gain.frequency << " of " << n / 2 << ") is lost at depth "
            << array.depths[0];
     if (gain.sign_changes > 0)
-      text << "; the kernel's DFT changes sign at " << gain.sign_changes << " of " << plan_->bins
-           << " frequencies";
+      text << "; the kernel's DFT changes sign at " << gain.sign_changes << " of "
+           << spectrum.size() << " frequencies";
     throw std::domain_error(text.str());
   }
   std::transform(spectrum.begin(), spectrum.end(), plan_->inverse.begin(),
@@ -123,15 +97,16 @@ DftInverse::DftInverse(const SensorArray& array, const Material& material, doubl
 }
 
 Status DftInverse::solve(std::span<const double> readings, std::span<double> tractions) noexcept {
-  if (readings.size() != plan_->samples || tractions.size() != plan_->samples)
-    return Status::wrong_size;
+  RealFft& fft = plan_->fft;
+  if (readings.size() != fft.size() || tractions.size() != fft.size()) return Status::wrong_size;
   if (!all_finite(readings)) return Status::not_finite;
 
-  std::copy(readings.begin(), readings.end(), plan_->real.get());
-  fftw_execute(plan_->forward.get());
-  for (std::size_t k = 0; k < plan_->bins; ++k) plan_->spectrum.get()[k] *= plan_->inverse[k];
-  fftw_execute(plan_->backward.get());
-  std::copy_n(plan_->real.get(), tractions.size(), tractions.begin());
+  std::copy(readings.begin(), readings.end(), fft.samples().begin());
+  fft.forward();
+  for (std::size_t k = 0; k < plan_->inverse.size(); ++k)
+    fft.bins()[k] = product(fft.bins()[k], plan_->inverse[k]);
+  fft.backward();
+  std::copy_n(fft.samples().begin(), tractions.size(), tractions.begin());
   return Status::ok;
 }
 
