@@ -10,9 +10,9 @@
 #include "tactile_net/sensing/sampled.hpp"
 
 namespace tactile_net {
-namespace {
-
-void check(const SensorArray& array, const ProblemOptions& options) {
+void check(const SensorArray& array, const Material& material, const ProblemOptions& options) {
+  check(array);
+  check(material);
   if (options.unknowns != 1 && options.unknowns != 2)
     throw std::invalid_argument("unknowns must be 1 (normal) or 2 (normal and tangential)");
   if (options.unknowns > array.reads.size() * array.depths.size())
@@ -38,13 +38,9 @@ void check(const SensorArray& array, const ProblemOptions& options) {
       throw std::invalid_argument("dead taxel " + std::to_string(taxel) + " is not < count");
 }
 
-}  // namespace
-
 InverseProblem make_problem(const SensorArray& array, const Material& material,
                             const ProblemOptions& options) {
-  check(array);
-  check(material);
-  check(array, options);
+  check(array, material, options);
 
   const std::size_t n = array.count;
   const std::vector<Channel> all = channels(array);

@@ -34,6 +34,9 @@ struct ProblemOptions {
   std::vector<std::size_t> dead_taxels{};  ///< indices < count; their rows get weight 0
 };
 
+/// @throw std::invalid_argument  the array, the material or an option is out of range
+void check(const SensorArray& array, const Material& material, const ProblemOptions& options);
+
 /// Assembles K from `sampled_kernel`: one block of rows per channel, one of columns per unknown.
 ///
 /// With two unknowns, one channel cannot tell them apart, and some pairs leave null modes (see

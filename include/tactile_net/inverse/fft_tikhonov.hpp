@@ -1,0 +1,61 @@
+/// @file
+/// P f = b by FFT, boundaries included (target tactile_net::spectral).
+///
+/// Filtering by FFT, zero-padded or not, solves a circular system, whose answer is some 20 % off
+/// where a contact touches the array's end (dft_tikhonov.hpp solves that one, and says so). Here
+/// the FFT only multiplies by the true Toeplitz blocks; the minimiser of problem.hpp is found by
+/// conjugate gradients on the stacked matrix [W K; sqrt(alpha) L] (CGLS: P is never formed), with
+/// the circular inverse, frequency by frequency, as preconditioner. About ten steps, each
+/// O(count log count): for arrays for which a dense factorisation is slow.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/status.hpp"
+#include "tactile_net/sensing/array.hpp"
+
+namespace tactile_net {
+
+/// What one frame's iteration came to.
+struct Convergence {
+  std::size_t steps = 0;
+  double estimate = 0.0;  ///< of |error|_2 / |f|_2: the preconditioned gradient over f
+  double bound = 0.0;     ///< the same, proved: |gradient| / (alpha |f|), since P >= alpha
+  bool converged = true;  ///< `estimate` reached the tolerance
+};
+
+class FftTikhonov {
+ public:
+  /// Plans and transforms the kernels. O(count log count).
+  ///
+  /// @param alpha  > 0
+  /// @throw std::invalid_argument  as `make_problem`; alpha is not > 0 and finite
+  FftTikhonov(const SensorArray& array, const Material& material, const ProblemOptions& options,
+              double alpha);
+  ~FftTikhonov();
+  FftTikhonov(FftTikhonov&&) noexcept;
+  FftTikhonov& operator=(FftTikhonov&&) noexcept;
+
+  /// One frame. Uses buffers of its own: one object per thread. Allocates nothing.
+  ///
+  /// @param tolerance   wanted |error|_2 / |f|_2 against the exact minimiser, > 0
+  /// @param step_limit  after which the best so far is returned, with `converged` false
+  Status solve(std::span<const double> readings, std::span<double> tractions,
+               double tolerance = 1e-10, std::size_t step_limit = 200) noexcept;
+
+  /// Of the last frame.
+  [[nodiscard]] const Convergence& convergence() const noexcept;
+
+  [[nodiscard]] std::size_t readings() const noexcept;
+  [[nodiscard]] std::size_t tractions() const noexcept;
+
+ private:
+  struct Plan;
+  std::unique_ptr<Plan> plan_;
+};
+
+}  // namespace tactile_net

@@ -1,0 +1,258 @@
+#include "tactile_net/inverse/dft_tikhonov.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+
+#include "inverse/finite.hpp"
+#include "sensing/real_fft.hpp"
+#include "tactile_net/sensing/sampled.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr double negligible = 1e-13;
+
+/// The circular kernel's spectrum: lags -count/2 ... count/2; for even counts the farthest lag is
+/// both, and its mean is taken.
+void transform_circular(RealFft& fft, std::span<const double> kernel) {
+  const std::size_t n = fft.size();
+  const auto at = [&](std::ptrdiff_t lag) {
+    return kernel[static_cast<std::size_t>(lag + static_cast<std::ptrdiff_t>(n) - 1)];
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto lag = static_cast<std::ptrdiff_t>(i);
+    const auto back = lag - static_cast<std::ptrdiff_t>(n);
+    fft.samples()[i] = 2 * i < n ? at(lag) : 2 * i > n ? at(back) : 0.5 * (at(lag) + at(back));
+  }
+  fft.forward();
+}
+
+/// Readings under way in the Fourier basis: bin by bin.
+class BinnedPeriodogram final : public ResidualPeriodogram {
+ public:
+  BinnedPeriodogram(std::vector<std::size_t> bin_of, std::vector<double> outside)
+      : bin_of_(std::move(bin_of)), outside_(std::move(outside)) {}
+
+  [[nodiscard]] std::size_t size() const noexcept override { return outside_.size(); }
+
+  void power(std::span<const double> left, std::span<const double> change, std::span<double> values,
+             std::span<double> slopes) const override {
+    std::copy(outside_.begin(), outside_.end(), values.begin());
+    std::fill(slopes.begin(), slopes.end(), 0.0);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      if (bin_of_[i] == 0) continue;  // the mean
+      values[bin_of_[i] - 1] += left[i] * left[i];
+      slopes[bin_of_[i] - 1] += 2.0 * left[i] * change[i];
+    }
+  }
+
+ private:
+  std::vector<std::size_t> bin_of_;  // frequency of each component
+  std::vector<double> outside_;      // power at frequencies 1, 2, ...
+};
+
+}  // namespace
+
+struct DftTikhonov::Plan {
+  /// A / sqrt(l) = U S V' at one frequency.
+  struct Frequency {
+    Eigen::MatrixXcd u, v;
+    Eigen::VectorXd s;
+    double root = 1.0;      // of l = 1 + 4 l^2/D^2 sin^2
+    double multiple = 1.0;  // how many of the DFT's frequencies look alike: k and count - k
+  };
+
+  explicit Plan(std::size_t count) : fft(count) {}
+
+  /// The readings' spectrum at every frequency, channel by channel.
+  void transform(std::span<const double> readings) {
+    const std::size_t n = fft.size();
+    for (std::size_t c = 0; c < weights.size(); ++c) {
+      for (std::size_t i = 0; i < n; ++i) fft.samples()[i] = weights[c] * readings[c * n + i];
+      fft.forward();
+      for (std::size_t k = 0; k < frequencies.size(); ++k)
+        spectrum(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(k)) = fft.bins()[k];
+    }
+  }
+
+  RealFft fft;
+  double pitch = 0.0;
+  std::size_t unknowns = 1;
+  std::vector<double> weights;  // of each channel
+  std::vector<Frequency> frequencies;
+  std::vector<DftNullMode> null_modes;
+  double largest = 0.0;
+  Eigen::MatrixXcd spectrum;  // channels x frequencies
+  Eigen::MatrixXcd solution;  // unknowns x frequencies
+};
+
+DftTikhonov::~DftTikhonov() = default;
+DftTikhonov::DftTikhonov(DftTikhonov&&) noexcept = default;
+DftTikhonov& DftTikhonov::operator=(DftTikhonov&&) noexcept = default;
+
+DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
+                         const ProblemOptions& options) {
+  check(array, material, options);
+  if (!options.dead_taxels.empty())
+    throw std::invalid_argument("dft takes a dead taxel's zero for a reading: use tikhonov");
+
+  const std::size_t n = array.count;
+  const std::vector<Channel> all = channels(array);
+  plan_ = std::make_unique<Plan>(n);
+  Plan& plan = *plan_;
+  plan.pitch = array.pitch;
+  plan.unknowns = options.unknowns;
+  plan.weights.assign(all.size(), 1.0);
+  for (std::size_t c = 0; c < options.channel_rms.size(); ++c)
+    plan.weights[c] = 1.0 / options.channel_rms[c];
+
+  const std::size_t bins = n / 2 + 1;
+  const auto rows = static_cast<Eigen::Index>(all.size());
+  const auto columns = static_cast<Eigen::Index>(plan.unknowns);
+  std::vector<Eigen::MatrixXcd> a(bins, Eigen::MatrixXcd::Zero(rows, columns));
+  for (std::size_t c = 0; c < all.size(); ++c)
+    for (std::size_t u = 0; u < plan.unknowns; ++u) {
+      const Traction load = u == 0 ? Traction::normal : Traction::tangential;
+      transform_circular(plan.fft, sampled_kernel(all[c], load, material, n, array.pitch));
+      const bool odd = (all[c].quantity == Quantity::shear_xy) == (load == Traction::normal);
+      for (std::size_t k = 0; k < bins; ++k) {
+        // Rounding must not give an odd kernel a mean, nor an even one a phase.
+        const std::complex<double> value =
+            plan.weights[c] * (odd ? std::complex<double>(0.0, plan.fft.bins()[k].imag())
+                                   : std::complex<double>(plan.fft.bins()[k].real(), 0.0));
+        a[k](static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(u)) = value;
+      }
+    }
+
+  const double ratio = options.smoothing_length / array.pitch;
+  for (std::size_t k = 0; k < bins; ++k) {
+    const double wave =
+        2.0 * ratio * std::sin(std::numbers::pi * static_cast<double>(k) / static_cast<double>(n));
+    Plan::Frequency frequency;
+    frequency.root = std::hypot(1.0, wave);
+    frequency.multiple = k == 0 || 2 * k == n ? 1.0 : 2.0;
+    const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(a[k] / frequency.root,
+                                                 Eigen::ComputeThinU | Eigen::ComputeThinV);
+    frequency.u = svd.matrixU();
+    frequency.v = svd.matrixV();
+    frequency.s = svd.singularValues();
+    plan.largest = std::max(plan.largest, frequency.s(0));
+    plan.frequencies.push_back(std::move(frequency));
+  }
+  for (std::size_t k = 0; k < bins; ++k) {
+    Plan::Frequency& frequency = plan.frequencies[k];
+    for (Eigen::Index j = 0; j < frequency.s.size(); ++j) {
+      if (frequency.s(j) > negligible * plan.largest) continue;
+      frequency.s(j) = 0.0;
+      const bool tangential =
+          columns == 2 && std::abs(frequency.v(1, j)) > std::abs(frequency.v(0, j));
+      plan.null_modes.push_back({k, tangential ? Traction::tangential : Traction::normal});
+    }
+  }
+  plan.spectrum.resize(rows, static_cast<Eigen::Index>(bins));
+  plan.solution.resize(columns, static_cast<Eigen::Index>(bins));
+}
+
+std::span<const DftNullMode> DftTikhonov::null_modes() const noexcept { return plan_->null_modes; }
+
+std::string DftTikhonov::in_words(const DftNullMode& mode) const {
+  const std::string unknown = mode.unknown == Traction::normal ? "normal" : "tangential";
+  if (mode.frequency == 0) return "the mean of the " + unknown + " traction (k = 0)";
+  const std::size_t n = plan_->fft.size();
+  if (2 * mode.frequency == n)
+    return "the " + unknown + " traction that alternates from taxel to taxel (Nyquist)";
+  std::ostringstream text;
+  text << "a ripple of the " << unknown << " traction with wavelength "
+       << static_cast<double>(n) * plan_->pitch / static_cast<double>(mode.frequency);
+  return text.str();
+}
+
+double DftTikhonov::condition(double alpha) const noexcept {
+  const double root = std::sqrt(alpha);
+  double smallest = plan_->largest;
+  for (const Plan::Frequency& frequency : plan_->frequencies)
+    for (const double s : frequency.s)
+      if (s > 0.0) smallest = std::min(smallest, s);
+  return std::hypot(plan_->largest, root) / std::hypot(smallest, root);
+}
+
+FilterFrame DftTikhonov::analyse(std::span<const double> readings) {
+  Plan& plan = *plan_;
+  const std::size_t n = plan.fft.size();
+  if (readings.size() != plan.weights.size() * n)
+    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
+                                " values, the array has " +
+                                std::to_string(plan.weights.size() * n));
+  if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
+
+  FilterFrame frame;
+  frame.rows = readings.size();
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    frame.scale = std::max(frame.scale, std::abs(plan.weights[i / n] * readings[i]));
+  const double unit = frame.scale > 0.0 ? frame.scale : 1.0;
+
+  std::vector<double> scaled(readings.begin(), readings.end());
+  for (double& reading : scaled) reading /= unit;
+  plan.transform(scaled);
+  const double parseval = std::sqrt(1.0 / static_cast<double>(n));
+  std::vector<std::size_t> bin_of;
+  std::vector<double> outside(n / 2, 0.0);
+  for (std::size_t k = 0; k < plan.frequencies.size(); ++k) {
+    const Plan::Frequency& frequency = plan.frequencies[k];
+    const Eigen::VectorXcd g = parseval * plan.spectrum.col(static_cast<Eigen::Index>(k));
+    const Eigen::VectorXcd beta = frequency.u.adjoint() * g;
+    const double rest = frequency.multiple * (g - frequency.u * beta).squaredNorm();
+    frame.outside += rest;
+    if (k > 0) outside[k - 1] += rest;
+    for (Eigen::Index j = 0; j < beta.size(); ++j)
+      for (int copy = 0; copy < static_cast<int>(frequency.multiple); ++copy) {
+        frame.gamma.push_back(frequency.s(j));
+        frame.beta.push_back(std::abs(beta(j)));
+        bin_of.push_back(k);
+      }
+  }
+  frame.outside = std::sqrt(frame.outside);
+  frame.periodogram = std::make_shared<BinnedPeriodogram>(std::move(bin_of), std::move(outside));
+  return frame;
+}
+
+Status DftTikhonov::solve(std::span<const double> readings, double alpha,
+                          std::span<double> tractions) noexcept {
+  Plan& plan = *plan_;
+  const std::size_t n = plan.fft.size();
+  if (readings.size() != plan.weights.size() * n || tractions.size() != plan.unknowns * n)
+    return Status::wrong_size;
+  if (!all_finite(readings)) return Status::not_finite;
+
+  plan.transform(readings);
+  const double root = std::sqrt(alpha);
+  for (std::size_t k = 0; k < plan.frequencies.size(); ++k) {
+    const Plan::Frequency& frequency = plan.frequencies[k];
+    const auto at = static_cast<Eigen::Index>(k);
+    plan.solution.col(at).setZero();
+    for (Eigen::Index j = 0; j < frequency.s.size(); ++j) {
+      if (frequency.s(j) == 0.0) continue;
+      const double size = std::hypot(frequency.s(j), root);
+      const double inverse = frequency.s(j) / size / size / frequency.root;
+      plan.solution.col(at) +=
+          frequency.v.col(j) * (inverse * frequency.u.col(j).dot(plan.spectrum.col(at)));
+    }
+  }
+  for (std::size_t u = 0; u < plan.unknowns; ++u) {
+    for (std::size_t k = 0; k < plan.frequencies.size(); ++k)
+      plan.fft.bins()[k] =
+          plan.solution(static_cast<Eigen::Index>(u), static_cast<Eigen::Index>(k)) /
+          static_cast<double>(n);
+    plan.fft.backward();
+    std::copy_n(plan.fft.samples().begin(), n,
+                tractions.begin() + static_cast<std::ptrdiff_t>(u * n));
+  }
+  return Status::ok;
+}
+
+}  // namespace tactile_net

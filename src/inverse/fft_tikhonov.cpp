@@ -1,0 +1,271 @@
+#include "tactile_net/inverse/fft_tikhonov.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "inverse/finite.hpp"
+#include "sensing/real_fft.hpp"
+#include "tactile_net/sensing/sampled.hpp"
+
+namespace tactile_net {
+namespace {
+
+using Complex = std::complex<double>;
+using Spectrum = std::vector<Complex>;
+
+double dot(std::span<const double> a, std::span<const double> b) noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
+
+struct FftTikhonov::Plan {
+  Plan(std::size_t count_, std::size_t channels_, std::size_t unknowns_)
+      : count(count_),
+        channels(channels_),
+        unknowns(unknowns_),
+        padded(RealFft::fast_size(2 * count_ - 1)),
+        circle(count_),
+        input(unknowns_, Spectrum(padded.bins().size())),
+        output(std::max(unknowns_, channels_), Spectrum(padded.bins().size())),
+        circular(unknowns_, Spectrum(circle.bins().size())) {
+    const std::size_t n = unknowns * count;
+    const std::size_t m = channels * count;
+    right.resize(m);
+    residual.resize(m + 2 * n);
+    image.resize(m + 2 * n);
+    f.resize(n);
+    gradient.resize(n);
+    preconditioned.resize(n);
+    direction.resize(n);
+  }
+
+  /// [W K; sqrt(alpha) L] x.
+  void apply(std::span<const double> x, std::span<double> y) noexcept {
+    for (std::size_t u = 0; u < unknowns; ++u) to_spectrum(x.subspan(u * count, count), input[u]);
+    for (std::size_t c = 0; c < channels; ++c) {
+      std::fill(padded.bins().begin(), padded.bins().end(), Complex{});
+      for (std::size_t u = 0; u < unknowns; ++u) {
+        const Spectrum& kernel = kernels[c * unknowns + u];
+        for (std::size_t k = 0; k < kernel.size(); ++k)
+          padded.bins()[k] += product(kernel[k], input[u][k]);
+      }
+      padded.backward();
+      for (std::size_t i = 0; i < count; ++i)
+        y[c * count + i] = weights[c * count + i] * padded.samples()[i];
+    }
+    auto* slope_out = y.data() + channels * count;
+    auto* size_out = slope_out + unknowns * count;
+    for (std::size_t u = 0; u < unknowns; ++u)
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = u * count + i;
+        slope_out[at] = i + 1 < count ? slope * (x[at + 1] - x[at]) : 0.0;
+        size_out[at] = size * x[at];
+      }
+  }
+
+  /// Its transpose.
+  void apply_transposed(std::span<const double> y, std::span<double> x) noexcept {
+    for (std::size_t c = 0; c < channels; ++c) {
+      for (std::size_t i = 0; i < count; ++i)
+        padded.samples()[i] = weights[c * count + i] * y[c * count + i];
+      std::fill(padded.samples().begin() + static_cast<std::ptrdiff_t>(count),
+                padded.samples().end(), 0.0);
+      padded.forward();
+      std::copy(padded.bins().begin(), padded.bins().end(), output[c].begin());
+    }
+    const double* slope_in = y.data() + channels * count;
+    const double* size_in = slope_in + unknowns * count;
+    for (std::size_t u = 0; u < unknowns; ++u) {
+      std::fill(padded.bins().begin(), padded.bins().end(), Complex{});
+      for (std::size_t c = 0; c < channels; ++c) {
+        const Spectrum& kernel = kernels[c * unknowns + u];
+        for (std::size_t k = 0; k < kernel.size(); ++k)
+          padded.bins()[k] += conjugate_product(kernel[k], output[c][k]);
+      }
+      padded.backward();
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = u * count + i;
+        x[at] = padded.samples()[i] + size * size_in[at] +
+                slope * ((i > 0 ? slope_in[at - 1] : 0.0) - (i + 1 < count ? slope_in[at] : 0.0));
+      }
+    }
+  }
+
+  /// z = (circular P)^-1 x.
+  void precondition(std::span<const double> x, std::span<double> z) noexcept {
+    const auto scale = 1.0 / static_cast<double>(count);
+    for (std::size_t u = 0; u < unknowns; ++u) {
+      std::copy_n(x.begin() + static_cast<std::ptrdiff_t>(u * count), count,
+                  circle.samples().begin());
+      circle.forward();
+      std::copy(circle.bins().begin(), circle.bins().end(), circular[u].begin());
+    }
+    for (std::size_t u = 0; u < unknowns; ++u) {
+      for (std::size_t k = 0; k < circle.bins().size(); ++k) {
+        Complex sum{};
+        for (std::size_t v = 0; v < unknowns; ++v)
+          sum += product(inverse[(u * unknowns + v) * circle.bins().size() + k], circular[v][k]);
+        circle.bins()[k] = scale * sum;
+      }
+      circle.backward();
+      std::copy_n(circle.samples().begin(), count,
+                  z.begin() + static_cast<std::ptrdiff_t>(u * count));
+    }
+  }
+
+  void to_spectrum(std::span<const double> x, Spectrum& spectrum) noexcept {
+    std::copy(x.begin(), x.end(), padded.samples().begin());
+    std::fill(padded.samples().begin() + static_cast<std::ptrdiff_t>(count), padded.samples().end(),
+              0.0);
+    padded.forward();
+    std::copy(padded.bins().begin(), padded.bins().end(), spectrum.begin());
+  }
+
+  std::size_t count, channels, unknowns;
+  RealFft padded;  // for Toeplitz blocks: nothing that wraps around is read
+  RealFft circle;  // for the preconditioner
+  double alpha = 0.0;
+  double size = 0.0;   // sqrt(alpha)
+  double slope = 0.0;  // sqrt(alpha) l / D
+  std::vector<double> weights;
+  std::vector<Spectrum> kernels;  // channels x unknowns, over the padded size
+  Spectrum inverse;               // unknowns x unknowns x frequencies
+  std::vector<Spectrum> input, output, circular;
+  std::vector<double> right, residual, image, f, gradient, preconditioned, direction;
+  Convergence convergence;
+};
+
+FftTikhonov::~FftTikhonov() = default;
+FftTikhonov::FftTikhonov(FftTikhonov&&) noexcept = default;
+FftTikhonov& FftTikhonov::operator=(FftTikhonov&&) noexcept = default;
+
+FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
+                         const ProblemOptions& options, double alpha) {
+  check(array, material, options);
+  if (!(alpha > 0.0) || !std::isfinite(alpha))
+    throw std::invalid_argument("alpha must be > 0 and finite");
+  const std::size_t n = array.count;
+  const std::vector<Channel> all = channels(array);
+  plan_ = std::make_unique<Plan>(n, all.size(), options.unknowns);
+  Plan& plan = *plan_;
+  plan.alpha = alpha;
+  plan.size = std::sqrt(alpha);
+  plan.slope = plan.size * options.smoothing_length / array.pitch;
+
+  std::vector<double> channel_weights(all.size(), 1.0);
+  for (std::size_t c = 0; c < options.channel_rms.size(); ++c)
+    channel_weights[c] = 1.0 / options.channel_rms[c];
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    plan.weights.insert(plan.weights.end(), n, channel_weights[c]);
+    for (const std::size_t taxel : options.dead_taxels) plan.weights[c * n + taxel] = 0.0;
+  }
+
+  // The circular stand-in: the Toeplitz blocks' lags, those beyond half the array wrapped (Strang).
+  const std::size_t bins = plan.circle.bins().size();
+  const auto u_count = static_cast<Eigen::Index>(plan.unknowns);
+  std::vector<Eigen::MatrixXcd> a(
+      bins, Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(all.size()), u_count));
+  for (std::size_t c = 0; c < all.size(); ++c)
+    for (std::size_t u = 0; u < plan.unknowns; ++u) {
+      const Traction load = u == 0 ? Traction::normal : Traction::tangential;
+      const std::vector<double> kernel = sampled_kernel(all[c], load, material, n, array.pitch);
+      transform_kernel(plan.padded, kernel);
+      Spectrum spectrum(plan.padded.bins().begin(), plan.padded.bins().end());
+      for (Complex& bin : spectrum) bin /= static_cast<double>(plan.padded.size());
+      plan.kernels.push_back(std::move(spectrum));
+
+      for (std::size_t i = 0; i < n; ++i)
+        plan.circle.samples()[i] = 2 * i <= n ? kernel[i + n - 1] : kernel[i - 1];
+      plan.circle.forward();
+      for (std::size_t k = 0; k < bins; ++k)
+        a[k](static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(u)) =
+            channel_weights[c] * plan.circle.bins()[k];
+    }
+
+  const double ratio = options.smoothing_length / array.pitch;
+  plan.inverse.resize(plan.unknowns * plan.unknowns * bins);
+  for (std::size_t k = 0; k < bins; ++k) {
+    const double wave =
+        2.0 * ratio * std::sin(std::numbers::pi * static_cast<double>(k) / static_cast<double>(n));
+    const Eigen::MatrixXcd p =
+        a[k].adjoint() * a[k] +
+        alpha * (1.0 + wave * wave) * Eigen::MatrixXcd::Identity(u_count, u_count);
+    const Eigen::MatrixXcd inverse = p.inverse();
+    for (std::size_t u = 0; u < plan.unknowns; ++u)
+      for (std::size_t v = 0; v < plan.unknowns; ++v)
+        plan.inverse[(u * plan.unknowns + v) * bins + k] =
+            inverse(static_cast<Eigen::Index>(u), static_cast<Eigen::Index>(v));
+  }
+}
+
+Status FftTikhonov::solve(std::span<const double> readings, std::span<double> tractions,
+                          double tolerance, std::size_t step_limit) noexcept {
+  Plan& p = *plan_;
+  if (readings.size() != p.right.size() || tractions.size() != p.f.size())
+    return Status::wrong_size;
+  if (!all_finite(readings)) return Status::not_finite;
+
+  p.convergence = {};
+  double scale = 0.0;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    p.right[i] = p.weights[i] * readings[i];
+    scale = std::max(scale, std::abs(p.right[i]));
+  }
+  if (scale == 0.0) {
+    std::fill(tractions.begin(), tractions.end(), 0.0);
+    return Status::ok;
+  }
+  std::fill(p.residual.begin(), p.residual.end(), 0.0);
+  for (std::size_t i = 0; i < readings.size(); ++i) p.residual[i] = p.right[i] / scale;
+  std::fill(p.f.begin(), p.f.end(), 0.0);
+
+  p.apply_transposed(p.residual, p.gradient);
+  p.precondition(p.gradient, p.preconditioned);
+  p.direction = p.preconditioned;
+  double power = dot(p.gradient, p.preconditioned);
+  Convergence& c = p.convergence;
+  c.converged = false;
+  for (c.steps = 0; c.steps < step_limit && power > 0.0;) {
+    p.apply(p.direction, p.image);
+    const double step = power / dot(p.image, p.image);
+    if (!std::isfinite(step)) break;
+    for (std::size_t i = 0; i < p.f.size(); ++i) p.f[i] += step * p.direction[i];
+    for (std::size_t i = 0; i < p.residual.size(); ++i) p.residual[i] -= step * p.image[i];
+    ++c.steps;
+
+    p.apply_transposed(p.residual, p.gradient);
+    p.precondition(p.gradient, p.preconditioned);
+    const double size = std::sqrt(dot(p.f, p.f));
+    c.estimate = std::sqrt(dot(p.preconditioned, p.preconditioned)) / size;
+    c.bound = std::sqrt(dot(p.gradient, p.gradient)) / (p.alpha * size);
+    // The circular inverse stands for the true one: a factor of ten between them.
+    if (10.0 * c.estimate <= tolerance) {
+      c.converged = true;
+      break;
+    }
+    const double next = dot(p.gradient, p.preconditioned);
+    const double turn = next / power;
+    power = next;
+    for (std::size_t i = 0; i < p.direction.size(); ++i)
+      p.direction[i] = p.preconditioned[i] + turn * p.direction[i];
+  }
+  if (power == 0.0) c.converged = true;
+  for (std::size_t i = 0; i < tractions.size(); ++i) tractions[i] = p.f[i] * scale;
+  return Status::ok;
+}
+
+const Convergence& FftTikhonov::convergence() const noexcept { return plan_->convergence; }
+std::size_t FftTikhonov::readings() const noexcept { return plan_->right.size(); }
+std::size_t FftTikhonov::tractions() const noexcept { return plan_->f.size(); }
+
+}  // namespace tactile_net
