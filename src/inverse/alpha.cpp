@@ -11,8 +11,9 @@ namespace tactile_net {
 namespace {
 
 constexpr std::size_t steps = 200;
-constexpr double robustness = 0.1;  // Lukas' gamma
-constexpr double safety = 1.01;     // of the discrepancy
+constexpr double robustness = 0.1;   // Lukas' gamma
+constexpr double safety = 1.01;      // of the discrepancy
+constexpr double resolution = 64.0;  // units of rounding per row below which gamma means nothing
 
 /// A rule's value and its slope in log alpha.
 struct Point {
@@ -43,7 +44,8 @@ class Criteria {
     for (const double gamma : frame.gamma)
       relative_.push_back(largest_ > 0.0 ? gamma / largest_ : 0.0);
     const double smallest = *std::min_element(relative_.begin(), relative_.end());
-    low_ = 2.0 * std::log(std::max(smallest, 16.0 * std::numeric_limits<double>::epsilon()));
+    const double floor = resolution * rows_ * std::numeric_limits<double>::epsilon();
+    low_ = 2.0 * std::log(std::max(smallest, std::min(floor, 0.1)));
     if (!(low_ < -1.0)) low_ = -1.0;  // all gamma equal: a bracket needs a width
     left_.resize(relative_.size());
     change_.resize(relative_.size());
@@ -254,7 +256,10 @@ Candidate candidate(Criteria& criteria, AlphaRule rule, const std::vector<double
 /// The verdict of one candidate among all: the traction must not differ by more than half from
 /// that of the median alpha of the others.
 AlphaVerdict judge(const Criteria& criteria, const Candidate& one, std::vector<double> others) {
-  if (one.verdict != AlphaVerdict::ok || others.empty()) return one.verdict;
+  if (one.verdict != AlphaVerdict::ok) return one.verdict;
+  if (criteria.difference(one.log_alpha, one.log_alpha + std::log(10.0)) > 1.0)
+    return AlphaVerdict::unstable;
+  if (others.empty()) return one.verdict;
   const auto middle = others.begin() + std::ssize(others) / 2;
   std::nth_element(others.begin(), middle, others.end());
   return criteria.difference(one.log_alpha, *middle) > 0.5 ? AlphaVerdict::rules_disagree
@@ -295,6 +300,8 @@ std::string_view name(AlphaVerdict verdict) noexcept {
       return "border";
     case AlphaVerdict::no_root:
       return "no_root";
+    case AlphaVerdict::unstable:
+      return "unstable";
     case AlphaVerdict::rules_disagree:
       return "rules_disagree";
   }

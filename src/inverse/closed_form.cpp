@@ -28,8 +28,7 @@ Reconstruction closed_form(const InverseProblem& problem, double alpha) {
   of_c << kernel * e, size * e, Eigen::MatrixXd::Zero(n, unknowns);
 
   const StackedQr qr(of_h);
-  const double condition = qr.condition();
-  const Eigen::MatrixXd u = qr.pseudo_inverse(m);
+  const auto [u, condition] = qr.pseudo_inverse(m);
   // Without smoothing the first entry of h is a constant too, and c is redundant.
   if (problem.smoothing_length == 0.0) return {unweighted(g * u, problem), condition};
 
@@ -37,7 +36,7 @@ Reconstruction closed_form(const InverseProblem& problem, double alpha) {
   const Eigen::MatrixXd v = qr.solve_rotated(rotated);
   rotated.topRows(n).setZero();
   const StackedQr residual(qr.rotate_back(rotated));  // r_v, orthogonal to the columns of h
-  const Eigen::MatrixXd c = residual.pseudo_inverse(m);
+  const Eigen::MatrixXd c = residual.pseudo_inverse(m).first;
   return {unweighted(g * (u - v * c) + e * c, problem), condition};
 }
 

@@ -181,6 +181,25 @@ double DftTikhonov::condition(double alpha) const noexcept {
   return std::hypot(plan_->largest, root) / std::hypot(smallest, root);
 }
 
+bool DftTikhonov::cut_off(std::span<const double> readings, double alpha) const noexcept {
+  const std::size_t n = plan_->fft.size();
+  const std::size_t end = std::max<std::size_t>(n / 40, 1);
+  const double gain = condition(alpha);
+  for (std::size_t c = 0; (c + 1) * n <= readings.size(); ++c) {
+    const auto channel = readings.subspan(c * n, n);
+    double peak = 0.0;
+    for (const double reading : channel) peak = std::max(peak, std::abs(reading));
+    double first = 0.0;
+    double last = 0.0;
+    for (std::size_t i = 0; i < end; ++i) {
+      first += channel[i] / static_cast<double>(end);
+      last += channel[n - 1 - i] / static_cast<double>(end);
+    }
+    if (std::max(std::abs(first), std::abs(last)) * gain > peak) return true;
+  }
+  return false;
+}
+
 FilterFrame DftTikhonov::analyse(std::span<const double> readings) {
   Plan& plan = *plan_;
   const std::size_t n = plan.fft.size();

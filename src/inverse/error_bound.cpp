@@ -46,8 +46,9 @@ double forward_bound(const InverseProblem& problem, double alpha, std::span<cons
   }
   const double rounding = std::numeric_limits<double>::epsilon() / 2.0 *
                           std::sqrt(static_cast<double>(kernel.rows() + 2 * kernel.cols()));
-  return wedin_bound(condition, std::max(response, stabiliser), right.norm(), residual, f.norm(),
-                     problem.kernel_error + rounding);
+  const double size = std::max(response, stabiliser);
+  return wedin_bound(condition, size, right.norm(), residual, f.norm(),
+                     problem.kernel_error / size + rounding);
 }
 
 }  // namespace tactile_net

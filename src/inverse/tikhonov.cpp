@@ -7,10 +7,9 @@
 namespace tactile_net {
 Reconstruction tikhonov(const InverseProblem& problem, double alpha) {
   check_alpha(alpha);
-  const StackedQr qr(stacked(problem, alpha));
-  const double condition = qr.condition();
   const auto rows = static_cast<Eigen::Index>(problem.kernel.rows);
-  return {unweighted(qr.pseudo_inverse(rows), problem), condition};
+  const auto [inverse, condition] = StackedQr(stacked(problem, alpha)).pseudo_inverse(rows);
+  return {unweighted(inverse, problem), condition};
 }
 
 std::vector<double> tikhonov_solve(const InverseProblem& problem, double alpha,

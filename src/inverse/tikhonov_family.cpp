@@ -1,7 +1,5 @@
 #include "tactile_net/inverse/tikhonov_family.hpp"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,6 +8,7 @@
 
 #include "inverse/finite.hpp"
 #include "inverse/stacked.hpp"
+#include "inverse/standard_form.hpp"
 
 namespace tactile_net {
 namespace {
@@ -60,32 +59,23 @@ Eigen::MatrixXd fourier_rows(Eigen::Index count, Eigen::Index channels) {
 }  // namespace
 
 struct TikhonovFamily::Factors {
-  explicit Factors(const InverseProblem& problem);
+  explicit Factors(const InverseProblem& problem)
+      : count(problem.count),
+        weights(as_eigen(std::span(problem.weights))),
+        form(as_eigen(problem.kernel), stabiliser(problem)),
+        gamma(form.gamma.begin(), form.gamma.end()) {
+    const auto block = static_cast<Eigen::Index>(count);
+    fourier = fourier_rows(block, form.u.rows() / block);
+    spectra = std::make_shared<const Eigen::MatrixXd>(fourier * form.u);
+  }
 
   std::size_t count;
   Eigen::VectorXd weights;
-  Eigen::MatrixXd triangle;  // R of the stabiliser
-  Eigen::MatrixXd u, v;
+  StandardForm form;
   std::vector<double> gamma;
   Eigen::MatrixXd fourier;                         // cosines, then sines, channel by channel
   std::shared_ptr<const Eigen::MatrixXd> spectra;  // of u's columns
 };
-
-TikhonovFamily::Factors::Factors(const InverseProblem& problem)
-    : count(problem.count), weights(as_eigen(std::span(problem.weights))) {
-  const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
-  triangle =
-      stabiliser(problem).householderQr().matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  const Eigen::MatrixXd standard = triangle.triangularView<Eigen::Upper>().solve<Eigen::OnTheRight>(
-      Eigen::MatrixXd(as_eigen(problem.kernel)));
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(standard, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  u = svd.matrixU();
-  v = svd.matrixV();
-  gamma.assign(svd.singularValues().begin(), svd.singularValues().end());
-  const auto block = static_cast<Eigen::Index>(count);
-  fourier = fourier_rows(block, u.rows() / block);
-  spectra = std::make_shared<const Eigen::MatrixXd>(fourier * u);
-}
 
 TikhonovFamily::TikhonovFamily(const InverseProblem& problem)
     : factors_(std::make_unique<const Factors>(problem)) {}
@@ -115,8 +105,8 @@ FilterFrame TikhonovFamily::analyse(std::span<const double> readings) const {
   if (frame.scale > 0.0) g = g / frame.scale;
 
   Eigen::Map<Eigen::VectorXd> beta(frame.beta.data(), std::ssize(frame.beta));
-  beta = factors.u.transpose() * g;
-  g -= factors.u * beta;
+  beta = factors.form.u.transpose() * g;
+  g -= factors.form.u * beta;
   frame.outside = g.norm();
   frame.periodogram = std::make_shared<DensePeriodogram>(
       factors.spectra, Eigen::VectorXd(factors.fourier * g), factors.count / 2);
@@ -133,8 +123,7 @@ std::vector<double> TikhonovFamily::solve(const FilterFrame& frame, double alpha
     const double size = std::hypot(frame.gamma[at], root);  // gamma^2 + alpha is its square
     y(i) = frame.beta[at] * (frame.gamma[at] / size) / size;
   }
-  const Eigen::VectorXd f =
-      factors.triangle.triangularView<Eigen::Upper>().solve(factors.v * y) * frame.scale;
+  const Eigen::VectorXd f = factors.form.from_components(y) * frame.scale;
   return {f.begin(), f.end()};
 }
 

@@ -5,39 +5,49 @@
 #include <cmath>
 
 #include "inverse/stacked.hpp"
+#include "inverse/standard_form.hpp"
 
 namespace tactile_net {
 
-/// C = sigma^2 S S', S = E R^-1: E the map of the free variables, R the triangle of the stacked
-/// matrix times E.
+/// C = sigma^2 S S'.
 struct TractionCovariance::Factor {
-  Factor(const InverseProblem& problem, const Eigen::MatrixXd& stacked_columns,
+  /// @param map  from the free variables to the tractions
+  Factor(const InverseProblem& problem, double alpha, double prior_alpha,
          const Eigen::MatrixXd& map)
       : root(Eigen::MatrixXd::Zero(map.rows(), map.cols())) {
+    check_alpha(alpha);
+    check_alpha(prior_alpha);
     if (map.cols() == 0) return;
-    const StackedQr qr(stacked_columns);
-    (void)qr.condition();  // throws if rank deficient
-    root = map * qr.solve_rotated(Eigen::MatrixXd::Identity(map.cols(), map.cols()));
-    degrees = (as_eigen(problem.kernel) * root).squaredNorm();
+    const StandardForm form(as_eigen(problem.kernel) * map, stabiliser(problem) * map);
+    const double smoothing = std::sqrt(alpha);
+    Eigen::VectorXd size(form.gamma.size());
+    for (Eigen::Index i = 0; i < size.size(); ++i) {
+      // Noise gamma / (gamma^2 + alpha), and what is smoothed away alpha / (gamma^2 + alpha) of a
+      // prior whose deviation is 1 / sqrt(prior_alpha).
+      const double gamma = form.gamma(i);
+      const double whole = std::hypot(gamma, smoothing);
+      size(i) = std::hypot(gamma, smoothing * (smoothing / std::sqrt(prior_alpha))) / whole / whole;
+      degrees += (gamma / whole) * (gamma / whole);
+    }
+    root = map * form.from_components(Eigen::MatrixXd(size.asDiagonal()));
   }
-  Eigen::MatrixXd root;
+  Eigen::MatrixXd root;  // S
   double degrees = 0.0;
 };
 
-TractionCovariance::TractionCovariance(const InverseProblem& problem, double alpha) {
-  check_alpha(alpha);
+TractionCovariance::TractionCovariance(const InverseProblem& problem, double alpha,
+                                       double prior_alpha) {
   const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
-  factor_ = std::make_unique<const Factor>(problem, stacked(problem, alpha),
-                                           Eigen::MatrixXd::Identity(n, n));
+  factor_ =
+      std::make_unique<const Factor>(problem, alpha, prior_alpha, Eigen::MatrixXd::Identity(n, n));
 }
 
 TractionCovariance::TractionCovariance(const InverseProblem& problem, double alpha,
-                                       const Constraints& constraints,
+                                       double prior_alpha, const Constraints& constraints,
                                        std::span<const std::size_t> free) {
-  check_alpha(alpha);
   const Matrix all = edges(problem, constraints);
   const Eigen::MatrixXd map = as_eigen(all)(Eigen::all, std::vector(free.begin(), free.end()));
-  factor_ = std::make_unique<const Factor>(problem, stacked(problem, alpha) * map, map);
+  factor_ = std::make_unique<const Factor>(problem, alpha, prior_alpha, map);
 }
 
 TractionCovariance::~TractionCovariance() = default;

@@ -25,7 +25,9 @@ std::array<std::string_view, size> names_of(const std::array<Enum, size>& all) {
   return names;
 }
 
-bool uses_matrix(Method method) { return method != Method::dft; }
+std::optional<Table> table_of(const std::optional<Value>& value) {
+  return value ? value->table() : std::nullopt;
+}
 
 /// What later sections need to know of earlier ones beyond the scene itself.
 struct Read {
@@ -105,7 +107,27 @@ Read read_sensor(Table table, SensorArray& array) {
 
 // --- [material] ---------------------------------------------------------------------------------
 
-Material read_material(Table table) {
+Layer read_layer(Table table, const SensorArray& array) {
+  constexpr std::array bases = {Base::bonded, Base::frictionless};
+  Layer layer;
+  if (const auto thickness =
+          table.required("thickness", "from the surface to the rigid base: thickness = 3.0")) {
+    if (const auto h = thickness->number(positive)) {
+      layer.thickness = *h;
+      if (std::any_of(array.depths.begin(), array.depths.end(),
+                      [=](double depth) { return depth > *h; }))
+        thickness->misfit("must be at least the sensors' depth",
+                          "sensors lie in the layer, at its base at most");
+    }
+  }
+  if (const auto base = table.required(
+          "base", "what holds the layer's lower face: base = \"bonded\", or \"frictionless\""))
+    if (const auto index = base->one_of("base", names_of(bases))) layer.base = bases[*index];
+  table.finish();
+  return layer;
+}
+
+Material read_material(Table table, const SensorArray& array) {
   Material material;
   if (const auto modulus = table.required(
           "youngs_modulus", "the pad's stiffness, in the unit of stress: youngs_modulus = 1.0"))
@@ -113,9 +135,7 @@ Material read_material(Table table) {
   if (const auto ratio = table.required(
           "poisson_ratio", "from 0 to 0.5, which is incompressible: poisson_ratio = 0.45"))
     material.poisson_ratio = ratio->number(poisson_range).value_or(material.poisson_ratio);
-  table.not_yet("layer",
-                "remove it: the pad is then a half plane, which is good for a pad several times "
-                "thicker than the sensors are deep");
+  if (const auto layer = table_of(table.value("layer"))) material.layer = read_layer(*layer, array);
   table.finish();
   return material;
 }
@@ -250,53 +270,73 @@ std::vector<NamedMethod> read_methods(const Value& value) {
   return result;
 }
 
-constexpr std::string_view alpha_hint =
-    "try alpha = 1e-4 and go up while the result is rough, down while it is too flat; alpha has "
-    "the unit of the kernel squared: with strain readings it goes as 1/E^2, with stress readings "
-    "it has none";
-
-void read_alpha(Table& table, const std::vector<NamedMethod>& methods,
-                ReconstructOptions& options) {
-  const auto alpha = table.value("alpha");
-  if (alpha && alpha->is_text()) {
-    alpha->misfit("must be a number: rules that choose it come with a later version",
-                  std::string{alpha_hint});
-  } else if (alpha) {
-    options.alpha = alpha->number(positive);
-  } else {
-    const auto needs = std::find_if(methods.begin(), methods.end(), [](const NamedMethod& named) {
-      return uses_matrix(named.method);
-    });
-    if (needs == methods.end()) return;
-    table.missing("alpha", needs->value.place(),
-                  "reconstruct.alpha is missing, which the method " + quoted(name(needs->method)) +
-                      " needs; rules that choose it (\"rgcv\") come with a later version",
-                  alpha_hint);
+void read_alpha(const Value& alpha, const Scene& scene, ReconstructOptions& options) {
+  if (!alpha.is_text()) {
+    options.alpha = alpha.number(positive);
+    return;
   }
+  const auto index = alpha.one_of("rule", names_of(alpha_rules));
+  if (!index) return;
+  options.alpha_rule = alpha_rules[*index];
+  const bool noisy = scene.noise && std::any_of(scene.noise->rms.begin(), scene.noise->rms.end(),
+                                                [](const auto& rms) { return rms.second > 0.0; });
+  if (options.alpha_rule == AlphaRule::discrepancy && !noisy)
+    alpha.misfit("needs to know the noise: the residual is made as large as that",
+                 "under [noise], rms = 1e-4, or one for each quantity; or alpha = \"rgcv\"");
 }
 
 /// What the methods ask of the array and the noise.
 void check_methods(const std::vector<NamedMethod>& methods, const Scene& scene, const Read& read) {
-  if (!read.reads_complete) return;
+  if (!read.reads_complete || methods.empty()) return;
   const auto& reads = scene.sensor.reads;
   const bool strains = std::any_of(reads.begin(), reads.end(), is_strain);
   const bool stresses = !std::all_of(reads.begin(), reads.end(), is_strain);
   const bool weighted = scene.noise && scene.noise->weights_rows;
-  const std::size_t channels = reads.size() * scene.sensor.depths.size();
-  bool mixes = false;
-  for (const auto& [method, value] : methods) {
-    mixes = mixes || uses_matrix(method);
-    if (method == Method::dft && read.depths_complete && channels > 1)
-      value.problem("asks for \"dft\", which takes one quantity at one depth (this array reads " +
-                        std::to_string(channels) + ')',
-                    "leave \"dft\" out, or read one quantity at one depth");
-  }
-  if (mixes && strains && stresses && !weighted)
+  if (strains && stresses && !weighted)
     read.reads->problem(
         "mixes strains and stresses, whose errors can only be added if noise.rms "
         "says how large each is",
         "under [noise], rms = { strain_x = 1e-4, stress_x = 20.0 }: one for each "
         "quantity");
+}
+
+void read_constraints(Table& table, const Scene& scene, const Read& read,
+                      const std::vector<NamedMethod>& methods, ReconstructOptions& options) {
+  const bool known = read.reads_complete && read.depths_complete;
+  const bool one_channel = scene.sensor.reads.size() * scene.sensor.depths.size() == 1;
+  const auto uses = [&](Method method) {
+    return methods.empty() ? method == Method::tikhonov
+                           : std::any_of(methods.begin(), methods.end(),
+                                         [=](const NamedMethod& n) { return n.method == method; });
+  };
+  constexpr std::string_view two_quantities =
+      "read a second quantity, such as reads = [\"stress_x\", \"shear_xy\"], or one at two depths";
+
+  if (const auto nonnegative = table.value("nonnegative"))
+    options.nonnegative = nonnegative->boolean().value_or(false);
+  if (const auto limit = table.value("friction_limit")) {
+    options.friction_limit = limit->number(positive);
+    if (known && one_channel)
+      limit->problem("bounds the tangential traction, which one quantity at one depth cannot tell",
+                     std::string{two_quantities});
+  }
+  if (const auto tangential = table.value("tangential")) {
+    options.tangential = tangential->boolean();
+    if (options.tangential == true && known && one_channel)
+      tangential->problem("asks for a traction that one quantity at one depth cannot tell",
+                          std::string{two_quantities});
+    if (options.tangential == false && options.friction_limit)
+      tangential->problem("leaves out the traction that friction_limit bounds", "remove one");
+  }
+  if (const auto friction = table.value("contact_friction")) {
+    options.contact_friction = friction->number(any_number);
+    if (!uses(Method::dft))
+      friction->problem("is used by the method \"dft\" alone, which this scene does not name",
+                        "remove it, or add \"dft\" to methods");
+    else if (known && !one_channel)
+      friction->problem("is for one quantity at one depth; this array can tell the friction itself",
+                        "remove it");
+  }
 }
 
 ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read& read) {
@@ -307,16 +347,14 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
     options.methods.clear();
     for (const NamedMethod& named : methods) options.methods.push_back(named.method);
   }
-  read_alpha(table, methods, options);
+  if (const auto alpha = table.value("alpha")) read_alpha(*alpha, scene, options);
   if (const auto length = table.value("smoothing_length"))
     options.smoothing_length = length->number(not_negative).value_or(0.0);
   else if (!scene.sensor.depths.empty())
     options.smoothing_length = scene.sensor.depths.front();
   if (const auto limit = table.value("noise_gain_limit"))
     options.noise_gain_limit = limit->number(at_least_one).value_or(options.noise_gain_limit);
-  table.not_yet("nonnegative", "remove it: tractions are reconstructed without constraints");
-  table.not_yet("friction_limit", "remove it: only the normal traction is reconstructed");
-  table.not_yet("contact_friction", "remove it: only the normal traction is reconstructed");
+  read_constraints(table, scene, read, methods, options);
   check_methods(methods, scene, read);
   table.finish();
   return options;
@@ -358,10 +396,6 @@ NetworkOptions read_network(Table table) {
   return options;
 }
 
-std::optional<Table> table_of(const std::optional<Value>& value) {
-  return value ? value->table() : std::nullopt;
-}
-
 }  // namespace
 
 void read_sections(Table& root, Scene& scene) {
@@ -377,7 +411,7 @@ void read_sections(Table& root, Scene& scene) {
     read = read_sensor(*table, scene.sensor);
   if (const auto table = table_of(root.required(
           "material", "it says what the pad is made of: youngs_modulus, poisson_ratio")))
-    scene.material = read_material(*table);
+    scene.material = read_material(*table, scene.sensor);
   if (const auto contacts = root.value("contact"))
     if (auto tables = contacts->tables())
       scene.contacts = read_contacts(std::move(*tables), scene.sensor);

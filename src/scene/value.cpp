@@ -67,6 +67,12 @@ std::optional<std::int64_t> Value::integer(std::int64_t low, std::int64_t high,
   return std::nullopt;
 }
 
+std::optional<bool> Value::boolean() const {
+  if (const auto* boolean = node_->as_boolean()) return boolean->get();
+  misfit("must be true or false");
+  return std::nullopt;
+}
+
 std::optional<std::string> Value::text() const {
   if (const auto* string = node_->as_string()) return string->get();
   misfit("must be text", "text stands in quotes");

@@ -44,6 +44,8 @@ class Value {
   [[nodiscard]] std::optional<std::int64_t> integer(std::int64_t low, std::int64_t high,
                                                     std::string_view reason = {}) const;
 
+  [[nodiscard]] std::optional<bool> boolean() const;
+
   [[nodiscard]] std::optional<std::string> text() const;
 
   /// Index of the text in `names`; `kind` is what a name stands for: "shape".

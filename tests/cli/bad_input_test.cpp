@@ -83,12 +83,3 @@ TEST_CASE("a full disk is a failure", "[cli]") {
          "-o", "/dev/full"},
         1, "could not be written");
 }
-
-TEST_CASE("a scene without alpha says what to add", "[cli]") {
-  const Folder folder;
-  const std::string path =
-      folder.write("s.toml", small_scene.substr(0, small_scene.find("[reconstruct]")));
-  for (const char* command : {"gen", "relax"})
-    check({command, path}, 2, "reconstruct.alpha is missing");
-  check({"run", path}, 2, "reconstruct.alpha is missing");
-}

@@ -32,6 +32,10 @@ inline std::vector<NamedProblem> sample_problems() {
       {"weighted, a dead taxel",
        make(31, 0.5, {1.0}, {stress_x, strain_x},
             {.smoothing_length = 1.0, .channel_rms = {2.0, 0.1}, .dead_taxels = {3}})},
+      {"two unknowns",
+       make(31, 0.5, {1.0}, {stress_x, shear_xy}, {.unknowns = 2, .smoothing_length = 1.0})},
+      {"two unknowns, two depths, even",
+       make(20, 0.5, {1.0, 1.5}, {strain_x}, {.unknowns = 2, .smoothing_length = 1.0})},
   };
 }
 

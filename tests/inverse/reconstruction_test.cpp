@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/sensing/exact.hpp"
+#include "tactile_net/sensing/traction_field.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
 
@@ -38,7 +41,8 @@ double functional(const InverseProblem& problem, double alpha, const std::vector
       view(problem.kernel) * view(f) - view(problem.weights).cwiseProduct(view(readings));
   double smoothness = view(f).squaredNorm();
   for (std::size_t j = 0; j + 1 < f.size(); ++j)
-    smoothness += std::pow(problem.smoothing_length / problem.pitch * (f[j + 1] - f[j]), 2);
+    if ((j + 1) % problem.count != 0)
+      smoothness += std::pow(problem.smoothing_length / problem.pitch * (f[j + 1] - f[j]), 2);
   return residual.squaredNorm() + alpha * smoothness;
 }
 
@@ -53,6 +57,59 @@ TEST_CASE("the answer solves P f = b", "[tikhonov][property]") {
     const Eigen::VectorXd gradient =
         view(normal_matrix(problem, alpha)) * view(f) - view(normal_right_side(problem, g));
     CHECK(gradient.norm() <= 1e-12 * view(normal_right_side(problem, g)).norm());
+  }
+}
+
+TEST_CASE("the matrix loses kappa, not its square, of the readings' digits",
+          "[tikhonov][closed_form]") {
+  // Against the direct solve, which is backward stable, down to kappa = 1e10.
+  const InverseProblem problem =
+      make_problem({41, 0.25, {3.0}, {Quantity::stress_x, Quantity::shear_xy}}, {1.0, 0.5},
+                   {.unknowns = 2, .smoothing_length = 3.0});
+  const std::vector<double> smooth = [&] {
+    std::vector<double> f(82);
+    for (std::size_t i = 0; i < f.size(); ++i)
+      f[i] = std::exp(-std::pow((static_cast<double>(i % 41) - 20.0) / 6.0, 2));
+    const Eigen::VectorXd g = view(problem.kernel) * view(f);
+    return std::vector<double>(g.begin(), g.end());
+  }();
+  const double alpha = GENERATE(1e-6, 1e-12, 1e-18, 1e-22);
+  const std::vector<double> direct = tikhonov_solve(problem, alpha, smooth);
+  for (const Reconstruction& inverse : {tikhonov(problem, alpha), closed_form(problem, alpha)}) {
+    CAPTURE(alpha, inverse.condition());
+    const double bound = forward_bound(problem, alpha, smooth, direct, inverse.condition());
+    CHECK(relative_l2_error(solved(inverse, smooth), direct) <= bound);
+    CHECK(relative_l2_error(solved(inverse, smooth), direct) <=
+          1e-14 * inverse.condition() + 1e-13);
+  }
+}
+
+TEST_CASE("two tractions are told apart by the pairs that determine them", "[tikhonov]") {
+  using enum Quantity;
+  const Contact contact = RigidContact{.half_width = 2.0, .force = 3.0, .friction = 0.4};
+  const auto base = GENERATE(0, 1, 2);
+  std::optional<Layer> layer;
+  if (base > 0) layer = Layer{3.0, base == 1 ? Base::bonded : Base::frictionless};
+  struct Pair {
+    std::vector<double> depths;
+    std::vector<Quantity> reads;
+    double nu;
+  };
+  for (const Pair& pair :
+       {Pair{{1.5}, {stress_x, shear_xy}, 0.5}, Pair{{1.5}, {stress_x, stress_y}, 0.45},
+        Pair{{1.5}, {strain_x, strain_y}, 0.3}, Pair{{1.0, 1.5}, {stress_x}, 0.5},
+        Pair{{1.0, 1.5}, {strain_x}, 0.5}}) {
+    const SensorArray array{60, 0.25, pair.depths, pair.reads};
+    const Material pad{1.0, pair.nu, layer};
+    CAPTURE(base, pair.reads.size(), pair.nu, name(pair.reads.back()));
+    const std::vector<double> g = exact_readings(array, pad, std::array{contact});
+    const InverseProblem problem =
+        make_problem(array, pad, {.unknowns = 2, .smoothing_length = 1.5});
+    const std::vector<double> f = tikhonov_solve(problem, 1e-10, g);
+    const TractionField truth = sample(std::array{contact}, array);
+    CHECK(relative_l2_error(std::span(f).first(60), truth.normal) < 0.12);
+    CHECK(relative_l2_error(std::span(f).last(60), truth.tangential) < 0.3);
+    CHECK_THAT(sampled_force(std::span(f).first(60), 0.25), WithinRel(3.0, 0.02));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/sensing/spectral.hpp"
 #include "text.hpp"
@@ -34,41 +35,96 @@ double frame_seconds(Solver& solver, std::span<const double> readings, std::span
   return *middle;
 }
 
-void measure(MethodResult& result, const Scene& scene, const Simulation& simulation) {
-  result.mean_abs = mean_absolute_error(result.normal, simulation.truth.normal);
-  result.relative_l2 = relative_l2_error(result.normal, simulation.truth.normal);
-  result.force = sampled_force(result.normal, scene.sensor.pitch);
+/// Splits a method's tractions into components, and each beside the truth.
+void measure(MethodResult& result, std::span<const double> f, const Scene& scene,
+             const TractionField& truth) {
+  const std::size_t n = scene.sensor.count;
+  const std::vector<double> no_tangential(n);
+  const auto component = [](std::span<const double> traction, std::span<const double> reference) {
+    return Component{.traction = {traction.begin(), traction.end()},
+                     .mean_abs = mean_absolute_error(traction, reference),
+                     .relative_l2 = relative_l2_error(traction, reference)};
+  };
+  result.normal = component(f.first(n), truth.normal);
+  result.force = sampled_force(result.normal.traction, scene.sensor.pitch);
+  if (f.size() > n)
+    result.tangential =
+        component(f.subspan(n), truth.tangential.empty() ? no_tangential : truth.tangential);
 }
 
-/// dft's verdict depends on the frame: it takes the array for a ring.
-void judge_frame(const DftInverse& dft, std::span<const double> readings, MethodResult& result) {
-  const DftVerdict verdict = dft.verdict(readings);
-  result.verdict = name(verdict);
-  if (verdict == DftVerdict::cut_off)
-    result.warnings.emplace_back(
-        "the readings have not died away at the array's ends: dft takes the array for a ring, and "
-        "what is cut off comes back amplified");
+/// What can be said about the errors of an answer of P f = b.
+void judge_errors(MethodResult& result, std::span<const double> f, const Scene& scene,
+                  const Experiment& experiment) {
+  const std::span<const double> readings = experiment.simulation.readings;
+  if (f.size() >= large) {
+    result.warnings.emplace_back("no uncertainty is given for an array as large as this");
+    return;
+  }
+  const InverseProblem problem = problem_of(scene);
+  const auto constraints = constraints_of(scene);
+  const AlphaChoice& prior = experiment.sweep->choice(AlphaRule::gml);
+  const double prior_alpha = prior.verdict == AlphaVerdict::ok ? prior.alpha : *result.alpha;
+  const TractionCovariance covariance =
+      result.constrained ? TractionCovariance(problem, *result.alpha, prior_alpha, *constraints,
+                                              result.constrained->free)
+                         : TractionCovariance(problem, *result.alpha, prior_alpha);
+  result.noise =
+      estimate_noise(problem, readings, f, covariance.degrees_of_freedom(), stated_noise(scene));
+  const double rms = result.noise->rms();
+  result.resultant = resultant_of(problem, f, covariance, rms);
+  std::vector<double> deviation = covariance.deviations();
+  for (double& value : deviation) value *= rms;
+  const auto middle = deviation.begin() + static_cast<std::ptrdiff_t>(problem.count);
+  result.normal.deviation.assign(deviation.begin(), middle);
+  result.tangential.deviation.assign(middle, deviation.end());
+  if (!result.constrained)
+    result.error_bound = forward_bound(problem, *result.alpha, readings, f, *result.condition);
+  if (result.error_bound && *result.error_bound > 1e-3) {
+    if (result.verdict == "ok") result.verdict = "ill_conditioned";
+    result.warnings.push_back("rounding alone may have moved the answer by " +
+                              brief(*result.error_bound) + " of its size; raise alpha");
+  }
+  if (result.noise->model_rms > 0.0)
+    result.warnings.push_back(
+        "the residual is larger than the noise stated explains: the model is off by about " +
+        brief(result.noise->model_rms / *result.noise->stated_rms) +
+        " times the noise, which the bands do not hold");
 }
 
-MethodResult reconstruct(const Scene& scene, Method method, const Simulation& simulation) {
+MethodResult reconstruct(const Scene& scene, Method method, const Experiment& experiment) {
+  const Simulation& simulation = experiment.simulation;
   MethodResult result{.method = method, .verdict = "failed"};
   try {
-    const auto start = Clock::now();
-    Solver solver = make_solver(scene, method);
-    result.setup_seconds = since(start);
-    result.alpha = solver.alpha;
-    result.condition = solver.condition;
-    result.warnings = solver.warnings;
+    // The sweep has chosen for the matrix methods; dft chooses in its own basis.
+    Scene fixed = scene;
+    const bool swept = !scene.reconstruct.alpha && method != Method::dft;
+    if (swept)
+      fixed.reconstruct.alpha = experiment.sweep->choice(scene.reconstruct.alpha_rule).alpha;
 
-    std::vector<double> f(scene.sensor.count);
-    if (solver.solve(simulation.readings, f) != Status::ok)
+    const auto start = Clock::now();
+    const std::unique_ptr<Solver> solver = make_solver(fixed, method);
+    result.setup_seconds = since(start);
+    std::vector<double> f(solver->tractions());
+    if (solver->solve(simulation.readings, f) != Status::ok)
       throw std::domain_error("the readings are not finite");
-    result.frame_seconds = frame_seconds(solver, simulation.readings, f);
-    result.verdict = solver.verdict;
-    if (const auto* dft = std::get_if<DftInverse>(&solver.inverse))
-      judge_frame(*dft, simulation.readings, result);
-    result.normal = std::move(f);
-    measure(result, scene, simulation);
+    result.frame_seconds = frame_seconds(*solver, simulation.readings, f);
+
+    const FrameFacts& facts = solver->facts();
+    result.alpha = facts.alpha;
+    if (result.alpha)
+      result.alpha_rule = scene.reconstruct.alpha ? "given" : name(scene.reconstruct.alpha_rule);
+    result.verdict = facts.verdict;
+    result.condition = facts.condition;
+    result.warnings = facts.warnings;
+    result.constrained = facts.constrained;
+    if (swept) {
+      const AlphaVerdict verdict = experiment.sweep->choice(scene.reconstruct.alpha_rule).verdict;
+      if (verdict != AlphaVerdict::ok) result.verdict = name(verdict);
+    }
+    measure(result, f, scene, simulation.truth);
+    if (method != Method::dft) judge_errors(result, f, scene, experiment);
+    if (method == Method::closed_form && constraints_of(scene))
+      result.warnings.emplace_back("the constraints bind the method tikhonov alone");
   } catch (const std::domain_error& error) {
     result.failure = error.what();
   } catch (const std::invalid_argument& error) {
@@ -81,15 +137,18 @@ MethodResult by_network(const Scene& scene, const NgspiceOptions& ngspice, Exper
   MethodResult result{.method = Method::network, .verdict = "failed"};
   try {
     const auto start = Clock::now();
-    const CircuitPlan plan = plan_circuit(scene, experiment.simulation.readings);
+    const double alpha = scene.reconstruct.alpha
+                             ? *scene.reconstruct.alpha
+                             : experiment.sweep->choice(scene.reconstruct.alpha_rule).alpha;
+    const CircuitPlan plan = plan_circuit(scene, experiment.simulation.readings, alpha);
     experiment.deck = deck_text(plan, Answer::printed);
     result.setup_seconds = since(start);
-    result.alpha = scene.reconstruct.alpha;
+    result.alpha = alpha;
+    result.alpha_rule = scene.reconstruct.alpha ? "given" : name(scene.reconstruct.alpha_rule);
     const Relaxation relaxation = relax(plan, ngspice);
     result.frame_seconds = relaxation.ngspice_seconds;
     result.condition = relaxation.condition;
-    result.normal = relaxation.tractions;
-    measure(result, scene, experiment.simulation);
+    measure(result, relaxation.tractions, scene, experiment.simulation.truth);
     experiment.relaxation = relaxation;
     if (!relaxation.stable)
       result.failure = "P is not positive definite: the circuit would not settle";
@@ -103,6 +162,9 @@ MethodResult by_network(const Scene& scene, const NgspiceOptions& ngspice, Exper
       result.warnings.push_back("P has condition number " + brief(relaxation.condition) +
                                 ": rounding alone may change the voltages by " +
                                 brief(relaxation.limit) + "; raise alpha");
+    if (relaxation.stable) result.error_bound = relaxation.limit;
+    if (constraints_of(scene))
+      result.warnings.emplace_back("the constraints bind the method tikhonov alone");
   } catch (const SimulatorError& error) {
     result.failure = error.what();
   } catch (const std::domain_error& error) {
@@ -126,10 +188,13 @@ std::vector<std::string> warnings_of(const Scene& scene, double force) {
   const auto rigid = [](const Contact& contact) {
     return std::holds_alternative<RigidContact>(contact);
   };
-  if (std::any_of(scene.contacts.begin(), scene.contacts.end(), has_friction))
+  if (unknowns(scene) == 1 && !scene.reconstruct.contact_friction &&
+      std::any_of(scene.contacts.begin(), scene.contacts.end(), has_friction))
     warnings.emplace_back(
-        "the scene has friction, and this version solves for the normal traction alone: what the "
-        "tangential traction adds to the readings is taken for normal traction");
+        "the scene has friction, and one traction alone is solved for: what the tangential "
+        "traction "
+        "adds to the readings is taken for normal traction; read a second quantity, such as "
+        "shear_xy");
   if (std::all_of(scene.contacts.begin(), scene.contacts.end(), rigid)) {
     const double outside = force_outside(scene);
     if (outside > 1e-12 * force)
@@ -178,15 +243,22 @@ Experiment run_experiment(const Scene& scene, const NgspiceOptions& ngspice, Pro
                         .simulation = simulate(scene),
                         .force = total_force(scene),
                         .sampled_force = 0.0,
+                        .sweep = {},
                         .results = {},
                         .relaxation = {},
                         .deck = {}};
   experiment.sampled_force = sampled_force(experiment.simulation.truth.normal, scene.sensor.pitch);
-  for (const Method method : scene.reconstruct.methods) {
+  const auto& methods = scene.reconstruct.methods;
+  const auto by_matrix = [](Method method) { return method != Method::dft; };
+  if (std::any_of(methods.begin(), methods.end(), by_matrix)) {
+    progress.step("comparing rules for alpha ...");
+    experiment.sweep = sweep_of(scene, experiment.simulation.readings);
+  }
+  for (const Method method : methods) {
     progress.step(std::string(name(method)) + " ...");
     experiment.results.push_back(method == Method::network
                                      ? by_network(scene, ngspice, experiment)
-                                     : reconstruct(scene, method, experiment.simulation));
+                                     : reconstruct(scene, method, experiment));
   }
   return experiment;
 }

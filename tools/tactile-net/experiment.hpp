@@ -9,6 +9,7 @@
 #include "progress.hpp"
 #include "relaxation.hpp"
 #include "solver.hpp"
+#include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 
 namespace tactile_net::tool {
@@ -23,27 +24,43 @@ struct Simulation {
 /// Only the effects that the scene names are simulated.
 [[nodiscard]] Simulation simulate(const Scene& scene);
 
-/// One method's answer beside the truth.
+/// One component of an answer beside the truth.
+struct Component {
+  std::vector<double> traction{};   ///< [Pa]; empty: the method did not solve for it
+  std::vector<double> deviation{};  ///< standard deviation [Pa]; empty: not known
+  double mean_abs = 0.0;            ///< mean |f - truth| [Pa] (thesis 3.17)
+  double relative_l2 = 0.0;         ///< NaN where the truth is zero
+};
+
+/// One method's answer.
 struct MethodResult {
   Method method = Method::tikhonov;
   std::optional<double> alpha{};
+  std::string alpha_rule{};  ///< "given", or the rule's name; empty without alpha
   std::string verdict{};
-  std::vector<double> normal{};  ///< [Pa]; empty if the method failed
-  double mean_abs = 0.0;         ///< mean |f - truth| [Pa] (thesis 3.17)
-  double relative_l2 = 0.0;      ///< NaN without a load
-  double force = 0.0;            ///< pitch x sum [N/m]
+  Component normal{};
+  Component tangential{};
+  double force = 0.0;  ///< pitch x sum of the normal traction [N/m]
   double setup_seconds = 0.0;
   double frame_seconds = 0.0;
-  double condition = 0.0;
+  std::optional<double> condition{};
+  /// How far rounding may have moved the answer, over its 2-norm; absent: no bound is known.
+  std::optional<double> error_bound{};
+  std::optional<ConstrainedSolution> constrained{};
+  std::optional<NoiseEstimate> noise{};
+  std::optional<UncertainResultant> resultant{};
   std::vector<std::string> warnings{};
   std::string failure{};  ///< why there is no answer; empty: there is one
+
+  [[nodiscard]] bool has_answer() const noexcept { return !normal.traction.empty(); }
 };
 
 struct Experiment {
   Scene scene;
   Simulation simulation;
-  double force = 0.0;          ///< of all contacts, exact [N/m]
-  double sampled_force = 0.0;  ///< pitch x sum of the truth at the taxels [N/m]
+  double force = 0.0;               ///< of all contacts, exact [N/m]
+  double sampled_force = 0.0;       ///< pitch x sum of the truth at the taxels [N/m]
+  std::optional<AlphaSweep> sweep;  ///< every rule for alpha, where a method uses the matrix
   std::vector<MethodResult> results;
   std::optional<Relaxation> relaxation;
   std::string deck;  ///< as `gen` writes it; empty if the network is not a method

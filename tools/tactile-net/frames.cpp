@@ -155,13 +155,15 @@ bool FrameReader::next(std::span<double> readings) {
   return true;
 }
 
-void append_traction_header(std::string& out, std::size_t count, bool with_time) {
+void append_traction_header(std::string& out, std::size_t count, bool with_tangential,
+                            bool with_time) {
   if (with_time) out += "t,";
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i > 0) out += ',';
-    out += "normal_" + std::to_string(i);
-  }
-  out += '\n';
+  const auto columns = [&](std::string_view component) {
+    for (std::size_t i = 0; i < count; ++i) out.append(component).append(std::to_string(i)) += ',';
+  };
+  columns("normal_");
+  if (with_tangential) columns("tangential_");
+  out.back() = '\n';
 }
 
 void append_row(std::string& out, std::span<const double> values) {

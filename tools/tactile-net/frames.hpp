@@ -64,8 +64,9 @@ class FrameReader {
   bool has_time_ = false;
 };
 
-/// Header of a tractions file: t if `with_time`, then normal_0 ...
-void append_traction_header(std::string& out, std::size_t count, bool with_time);
+/// Header of a tractions file: t if `with_time`, then normal_0 ..., then tangential_0 ...
+void append_traction_header(std::string& out, std::size_t count, bool with_tangential,
+                            bool with_time);
 
 /// Values separated by commas, shortest exact text, and a newline.
 void append_row(std::string& out, std::span<const double> values);

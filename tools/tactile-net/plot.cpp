@@ -26,30 +26,49 @@ std::string literal(std::string_view text) {
   return out + "'";
 }
 
+std::string number(double value) {
+  std::string text;
+  if (std::isfinite(value))
+    append_number(text, value);
+  else
+    text = "NaN";
+  return text;
+}
+
 std::string script(const Plot& plot) {
   std::string text = "set title " + literal(plot.title) + "\nset xlabel " + literal(plot.x_label) +
-                     "\nset ylabel " + literal(plot.y_label) + "\n$data << EOD\n";
+                     "\nset ylabel " + literal(plot.y_label) +
+                     (plot.logarithmic_x ? "\nset logscale x\nset format x '10^{%L}'"
+                                         : "\nunset logscale x\nset format x '%h'") +
+                     "\n$data << EOD\n";
   for (std::size_t i = 0; i < plot.x.size(); ++i) {
-    append_number(text, plot.x[i]);
+    text += number(plot.x[i]);
     for (const Curve& curve : plot.curves) {
-      text += ' ';
-      if (std::isfinite(curve.y[i]))
-        append_number(text, curve.y[i]);
-      else
-        text += "NaN";
+      text += ' ' + number(curve.y[i]);
+      if (!curve.half_width.empty())
+        text += ' ' + number(curve.y[i] - curve.half_width[i]) + ' ' +
+                number(curve.y[i] + curve.half_width[i]);
     }
     text += '\n';
   }
   text += "EOD\nplot ";
-  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
-    const Curve& curve = plot.curves[i];
+
+  // Bands first: they lie under every line.
+  std::string bands;
+  std::string lines;
+  std::size_t column = 2;
+  for (const Curve& curve : plot.curves) {
     const std::size_t index = curve.colour % colours.size();
-    if (i > 0) text += ", ";
-    text += "$data using 1:" + std::to_string(i + 2) +
-            (curve.dots ? " with points pt 7 ps 0.5" : " with lines lw " + widths[index]) +
-            " lc rgb '" + std::string(colours[index]) + "' title " + literal(curve.label);
+    const std::string colour = " lc rgb '" + std::string(colours[index]) + "'";
+    lines += (lines.empty() ? "" : ", ") + ("$data using 1:" + std::to_string(column)) +
+             (curve.dots ? " with points pt 7 ps 0.5" : " with lines lw " + widths[index]) +
+             colour + " title " + literal(curve.label);
+    if (!curve.half_width.empty())
+      bands += "$data using 1:" + std::to_string(column + 1) + ":" + std::to_string(column + 2) +
+               " with filledcurves fs transparent solid 0.18 noborder" + colour + " notitle, ";
+    column += curve.half_width.empty() ? std::size_t{1} : std::size_t{3};
   }
-  return text + "\n";
+  return text + bands + lines + "\n";
 }
 
 }  // namespace

@@ -10,9 +10,10 @@ namespace tactile_net::tool {
 
 struct Curve {
   std::string label;
-  std::vector<double> y;   ///< one value per x; not finite: a gap
-  std::size_t colour = 0;  ///< 0: black; the same number is the same colour in every plot
-  bool dots = false;       ///< points instead of a line
+  std::vector<double> y;             ///< one value per x; not finite: a gap
+  std::size_t colour = 0;            ///< 0: black; the same number is the same colour in every plot
+  bool dots = false;                 ///< points instead of a line
+  std::vector<double> half_width{};  ///< of a band around the line; empty: none
 };
 
 struct Plot {
@@ -21,6 +22,7 @@ struct Plot {
   std::string y_label;
   std::vector<double> x;
   std::vector<Curve> curves;
+  bool logarithmic_x = false;
 };
 
 /// SVG of every plot, in order, from one run of gnuplot.

@@ -7,29 +7,34 @@
 
 #include "solver.hpp"
 #include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
 #include "text.hpp"
 
 namespace tactile_net::tool {
 namespace {
 
-DeckHeader header_of(const Scene& scene, const CircuitPlan& plan) {
+DeckHeader header_of(const Scene& scene, const CircuitPlan& plan, double alpha) {
   const double first = position(scene.sensor, 0);
   const std::string volts = exact(plan.scale.volts);
+  const bool two = unknowns(scene) == 2;
   DeckHeader header{
       .title = "tactile-net " TACTILE_NET_VERSION ": " + scene.file + ", realization " +
                std::string(name(plan.realization)),
       .comments =
-          {"Solves P f = b for the normal traction f on the surface above a tactile array.",
+          {two ? "Solves P f = b for the tractions f on the surface above a tactile array: the "
+                 "normal "
+                 "ones, then the tangential ones."
+               : "Solves P f = b for the normal traction f on the surface above a tactile array.",
            "P = K'K + alpha (l^2/D^2 Q + I), b = K'g; K: kernel x pitch, g: readings, Q: squared "
            "differences of neighbours.",
            "Sensor: " + sensor_in_words(scene) + ".", "Material: " + material_in_words(scene) + ".",
-           "alpha = " + exact(alpha_of(scene)) +
-               ", l = " + exact(scene.reconstruct.smoothing_length) +
+           "alpha = " + exact(alpha) + ", l = " + exact(scene.reconstruct.smoothing_length) +
                ", D = " + exact(scene.sensor.pitch) + ".",
            "Scale: " + exact(plan.scale.siemens) + " S per unit of P, " + volts +
                " V per unit of f: f_i = v(n_i) / " + volts + ".",
            "Node n_i stands for the taxel at y = " + exact(first) + " + " +
-               exact(scene.sensor.pitch) + " i.",
+               exact(scene.sensor.pitch) +
+               (two ? " (i modulo " + std::to_string(scene.sensor.count) + ")." : " i."),
            "Expected below: the direct solve of P f = b, in volts."},
       .expected = plan.direct};
   for (double& value : header.expected) value *= plan.scale.volts;
@@ -50,8 +55,14 @@ double row_sum_norm(const Matrix& matrix) {
 }  // namespace
 
 CircuitPlan plan_circuit(const Scene& scene, std::span<const double> readings) {
+  const ReconstructOptions& options = scene.reconstruct;
+  return plan_circuit(
+      scene, readings,
+      options.alpha ? *options.alpha : sweep_of(scene, readings).choice(options.alpha_rule).alpha);
+}
+
+CircuitPlan plan_circuit(const Scene& scene, std::span<const double> readings, double alpha) {
   const InverseProblem problem = problem_of(scene);
-  const double alpha = alpha_of(scene);
   CircuitPlan plan{.realization = scene.network.realization,
                    .scale = scene.network.scale,
                    .matrix = normal_matrix(problem, alpha),
@@ -60,7 +71,7 @@ CircuitPlan plan_circuit(const Scene& scene, std::span<const double> readings) {
                    .direct = tikhonov_solve(problem, alpha, readings)};
   plan.circuit = realize(plan.realization, conductances(plan.matrix),
                          normal_right_side(problem, readings), plan.scale);
-  plan.header = header_of(scene, plan);
+  plan.header = header_of(scene, plan, alpha);
   return plan;
 }
 

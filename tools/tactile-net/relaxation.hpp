@@ -24,7 +24,10 @@ struct CircuitPlan {
   std::vector<double> direct;  ///< f of the direct solve of P f = b [Pa]
 };
 
-/// @throw InputError  the scene has no alpha
+[[nodiscard]] CircuitPlan plan_circuit(const Scene& scene, std::span<const double> readings,
+                                       double alpha);
+
+/// With the scene's alpha, or the one its rule chooses for these readings.
 [[nodiscard]] CircuitPlan plan_circuit(const Scene& scene, std::span<const double> readings);
 
 [[nodiscard]] std::string deck_text(const CircuitPlan& plan, Answer answer);

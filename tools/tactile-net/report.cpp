@@ -1,5 +1,8 @@
 #include "report.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "plot.hpp"
@@ -60,25 +63,71 @@ std::string table(const std::vector<std::vector<std::string>>& rows) {
   return out + "</table></div>\n";
 }
 
+/// One component of every answer, with bands of two standard deviations, under the truth.
+void add_component(std::vector<Plot>& plots, const Experiment& experiment,
+                   Component MethodResult::*which, const std::string& title,
+                   const std::vector<double>& truth) {
+  const std::vector<double> y = positions(experiment.scene.sensor);
+  Plot tractions{title + " traction: truth and reconstructions", "y", "traction", y, {}};
+  Plot errors{
+      title + " traction: error of each reconstruction", "y", "reconstruction - truth", y, {}};
+  std::size_t colour = 0;
+  for (const MethodResult& result : experiment.results) {
+    const Component& component = result.*which;
+    ++colour;
+    if (component.traction.empty()) continue;
+    const std::string label(name(result.method));
+    Curve curve{label, component.traction, colour};
+    std::vector<double> error = component.traction;
+    for (std::size_t i = 0; i < error.size(); ++i) error[i] -= truth[i];
+    Curve difference{label, std::move(error), colour};
+    for (const double deviation : component.deviation) curve.half_width.push_back(2.0 * deviation);
+    tractions.curves.push_back(std::move(curve));
+    errors.curves.push_back(std::move(difference));
+  }
+  const bool any = !errors.curves.empty();
+  tractions.curves.push_back({"truth", truth, 0, true});  // last: on top
+  plots.push_back(std::move(tractions));
+  if (any) plots.push_back(std::move(errors));
+}
+
+/// What each rule minimises over alpha, each between 0 and 1.
+Plot rules_plot(const AlphaSweep& sweep) {
+  Plot plot{"Rules for alpha: what each makes least, scaled to 0 ... 1",
+            "alpha",
+            "criterion",
+            sweep.alphas,
+            {},
+            true};
+  for (const AlphaSweep::Curve& curve : sweep.curves) {
+    std::vector<double> values = curve.values;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const double value : values) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+    for (double& value : values) value = (value - low) / (high - low);
+    plot.curves.push_back({std::string(name(curve.rule)) + " " + brief(curve.choice.alpha), values,
+                           plot.curves.size()});
+  }
+  return plot;
+}
+
 std::vector<Plot> plots_of(const Experiment& experiment) {
   const Scene& scene = experiment.scene;
   const std::vector<double> y = positions(scene.sensor);
-  const std::vector<double>& truth = experiment.simulation.truth.normal;
-  Plot tractions{"Normal traction: truth and reconstructions", "y", "traction", y, {}};
-  Plot errors{"Error of each reconstruction", "y", "reconstruction - truth", y, {}};
-  for (const MethodResult& result : experiment.results) {
-    if (result.normal.empty()) continue;
-    const std::string label(name(result.method));
-    const std::size_t colour = tractions.curves.size() + 1;
-    tractions.curves.push_back({label, result.normal, colour});
-    std::vector<double> error = result.normal;
-    for (std::size_t i = 0; i < error.size(); ++i) error[i] -= truth[i];
-    errors.curves.push_back({label, error, colour});
-  }
-
-  tractions.curves.push_back({"truth", truth, 0, true});  // last: on top
-  std::vector<Plot> plots = {tractions};
-  if (!errors.curves.empty()) plots.push_back(errors);
+  const TractionField& truth = experiment.simulation.truth;
+  std::vector<Plot> plots;
+  add_component(plots, experiment, &MethodResult::normal, "Normal", truth.normal);
+  const bool tangential =
+      std::any_of(experiment.results.begin(), experiment.results.end(),
+                  [](const MethodResult& result) { return !result.tangential.traction.empty(); });
+  if (tangential)
+    add_component(plots, experiment, &MethodResult::tangential, "Tangential",
+                  truth.tangential.empty() ? std::vector<double>(y.size()) : truth.tangential);
+  if (experiment.sweep) plots.push_back(rules_plot(*experiment.sweep));
   auto begin = experiment.simulation.readings.begin();
   for (const Channel& channel : channels(scene.sensor)) {
     const auto end = begin + static_cast<std::ptrdiff_t>(y.size());
@@ -151,9 +200,17 @@ Report report_html(const Experiment& experiment) {
                            "frame is a whole run of ngspice, not the circuit's settling time.");
   for (const MethodResult& result : experiment.results) {
     const std::string method = std::string(name(result.method)) + ": ";
+    if (result.resultant)
+      html += element("p", method + resultant_in_words(*result.resultant) +
+                               " (one standard deviation; bands in the plots are two).");
     for (const std::string& warning : result.warnings)
       html += element("p", method + warning, "note");
     if (!result.failure.empty()) html += element("p", method + result.failure, "bad");
+  }
+  if (experiment.sweep) {
+    html += element("h2", "The choice of alpha");
+    html += element("p", "Every rule on these readings; " + rule_used(scene) + ".");
+    html += table(rule_cells(*experiment.sweep));
   }
   if (!report.missing.empty()) html += element("p", report.missing, "note");
   for (const std::string& picture : pictures) html += "<figure>" + picture + "</figure>\n";

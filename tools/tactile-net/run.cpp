@@ -31,21 +31,23 @@ std::string readings_csv(const Experiment& experiment) {
   return text;
 }
 
-std::string tractions_csv(std::span<const double> normal) {
+std::string tractions_csv(std::vector<double> normal, std::span<const double> tangential) {
   std::string text;
-  append_traction_header(text, normal.size(), false);
+  append_traction_header(text, normal.size(), !tangential.empty(), false);
+  normal.insert(normal.end(), tangential.begin(), tangential.end());
   append_row(text, normal);
   return text;
 }
 
 void write_results(const Experiment& experiment, const OutputFolder& folder) {
+  const TractionField& truth = experiment.simulation.truth;
   folder.write("result.json", experiment_json(experiment));
   folder.write("readings.csv", readings_csv(experiment));
-  folder.write("truth.csv", tractions_csv(experiment.simulation.truth.normal));
+  folder.write("truth.csv", tractions_csv(truth.normal, truth.tangential));
   for (const MethodResult& result : experiment.results)
-    if (!result.normal.empty())
+    if (result.has_answer())
       folder.write("tractions-" + std::string(name(result.method)) + ".csv",
-                   tractions_csv(result.normal));
+                   tractions_csv(result.normal.traction, result.tangential.traction));
   if (!experiment.deck.empty()) folder.write("network.cir", experiment.deck);
   const Report report = report_html(experiment);
   folder.write("report.html", report.html);

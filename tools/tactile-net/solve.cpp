@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -36,14 +37,16 @@ std::vector<bool> unread_columns(const Scene& scene) {
 
 /// Turns each frame of readings on `in` into one row of tractions on `out`; returns how many.
 /// @param live  flush after every frame: somebody waits at the other end
-std::size_t stream(Solver& solver, FrameReader& reader, std::ostream& out, const Scene& scene,
-                   const std::string& file, bool live) {
+std::size_t stream(Solver& solver, FrameReader& reader,
+                   std::map<std::string, std::size_t>& verdicts, std::ostream& out,
+                   const Scene& scene, const std::string& file, bool live) {
   constexpr std::size_t block = 1 << 16;
   Progress progress;
   std::vector<double> g(channels(scene.sensor).size() * scene.sensor.count);
-  std::vector<double> f(scene.sensor.count);
+  std::vector<double> f(solver.tractions());
   std::string text;
-  append_traction_header(text, f.size(), reader.has_time());
+  append_traction_header(text, scene.sensor.count, f.size() > scene.sensor.count,
+                         reader.has_time());
   const auto write = [&] {
     out.write(text.data(), std::ssize(text));
     if (live) out.flush();
@@ -66,6 +69,7 @@ std::size_t stream(Solver& solver, FrameReader& reader, std::ostream& out, const
       }
       append_row(text, f);
       ++frames;
+      ++verdicts[solver.facts().verdict];
       if (live || text.size() >= block) write();
       if (progress.due()) progress.step(std::to_string(frames) + " frames ...");
     }
@@ -84,8 +88,8 @@ void run(const Options& options) {
     throw CLI::ValidationError("--method", "'" + options.method +
                                                "' does not solve frames: use dft, tikhonov or "
                                                "closed_form");
-  Solver solver = make_solver(scene, *method);
-  for (const std::string& warning : solver.warnings)
+  const std::unique_ptr<Solver> solver = make_solver(scene, *method);
+  for (const std::string& warning : solver->facts().warnings)
     std::cerr << options.method << ": warning: " << warning << '\n';
 
   const bool live = options.readings == "-";
@@ -111,30 +115,43 @@ void run(const Options& options) {
   OutputFile output(options.output);
   const auto start = std::chrono::steady_clock::now();
   std::size_t frames = 0;
+  std::map<std::string, std::size_t> verdicts;
   try {
-    frames = stream(solver, reader, output.stream(), scene, name, live);
+    frames = stream(*solver, reader, verdicts, output.stream(), scene, name, live);
   } catch (const InputError&) {
     output.commit();
     throw;
   }
   output.commit();
 
+  const FrameFacts& facts = solver->facts();
+  for (const auto& [verdict, count] : verdicts)
+    if (verdict != "ok")
+      std::cerr << options.method << ": note: " << count << " of " << frames
+                << " frames have the verdict " << verdict << '\n';
+
   if (options.json.empty()) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  using Json = nlohmann::ordered_json;
+  const auto or_null = [](const auto& value) { return value ? Json(*value) : Json(nullptr); };
+  const bool ruled = facts.alpha && !scene.reconstruct.alpha;
   OutputFile summary(options.json);
-  summary.stream() << nlohmann::ordered_json{{"tactile_net", TACTILE_NET_VERSION},
-                                             {"scene", scene.file},
-                                             {"readings", options.readings},
-                                             {"frames", frames},
-                                             {"method", options.method},
-                                             {"alpha", solver.alpha
-                                                           ? nlohmann::ordered_json(*solver.alpha)
-                                                           : nullptr},
-                                             {"verdict", solver.verdict},
-                                             {"condition", solver.condition},
-                                             {"warnings", solver.warnings},
-                                             {"columns_ignored", reader.ignored()},
-                                             {"seconds", elapsed.count()}}
+  summary.stream() << Json{{"tactile_net", TACTILE_NET_VERSION},
+                           {"scene", scene.file},
+                           {"readings", options.readings},
+                           {"frames", frames},
+                           {"method", options.method},
+                           {"alpha", ruled ? Json(nullptr) : or_null(facts.alpha)},
+                           {"alpha_rule",
+                            !facts.alpha ? Json(nullptr)
+                            : ruled      ? Json(tactile_net::name(scene.reconstruct.alpha_rule))
+                                         : Json("given")},
+                           {"verdict", verdicts.size() == 1 ? verdicts.begin()->first : "mixed"},
+                           {"verdicts", verdicts},
+                           {"condition", or_null(facts.condition)},
+                           {"warnings", facts.warnings},
+                           {"columns_ignored", reader.ignored()},
+                           {"seconds", elapsed.count()}}
                           .dump(2)
                    << '\n';
   summary.commit();

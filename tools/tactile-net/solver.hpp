@@ -2,39 +2,71 @@
 /// A scene's reconstruction methods, made ready: from a scene's words to the library's calls.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "tactile_net/inverse/dft.hpp"
-#include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/status.hpp"
 #include "tactile_net/scene/scene.hpp"
 
 namespace tactile_net::tool {
 
+/// Tractions from which P f = b is solved by FFT: a dense factorisation would take seconds.
+inline constexpr std::size_t large = 1024;
+
+/// The options of the inverse problem a scene describes.
+[[nodiscard]] ProblemOptions problem_options(const Scene& scene);
+
 /// The inverse problem a scene describes: its K, weights and smoothing length.
 [[nodiscard]] InverseProblem problem_of(const Scene& scene);
 
-/// The scene's alpha. @throw InputError  the scene has none
-[[nodiscard]] double alpha_of(const Scene& scene);
+/// The noise of one weighted reading, if the scene states it.
+[[nodiscard]] std::optional<double> stated_noise(const Scene& scene);
 
-/// What a method of one frame needs, after the part that may throw and take long.
-struct Solver {
-  std::variant<Reconstruction, DftInverse> inverse;
+/// What the scene demands of tikhonov's tractions, if anything.
+[[nodiscard]] std::optional<Constraints> constraints_of(const Scene& scene);
+
+/// Every rule on one frame of a scene: by the singular values of the matrix, or for large arrays in
+/// the Fourier basis.
+[[nodiscard]] AlphaSweep sweep_of(const Scene& scene, std::span<const double> readings);
+
+/// What a solver knows after a frame.
+struct FrameFacts {
   std::optional<double> alpha{};  ///< empty: the method has none
   std::string verdict = "ok";
-  double condition = 0.0;  ///< of the system; for dft the noise gain
+  std::optional<double> condition{};  ///< of the system; for dft the noise gain
   std::vector<std::string> warnings{};
-
-  Status solve(std::span<const double> readings, std::span<double> tractions) noexcept;
+  std::optional<ConstrainedSolution> constrained{};
 };
 
-/// @param method  dft, tikhonov or closed_form
-/// @throw InputError             alpha is missing
+/// A method of one frame, after the part that may take long.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+
+  /// @return not `ok`: the tractions are untouched
+  /// @throw std::domain_error  the answer would be noise
+  virtual Status solve(std::span<const double> readings, std::span<double> tractions) = 0;
+
+  /// How many tractions a frame has: count, or twice that.
+  [[nodiscard]] virtual std::size_t tractions() const = 0;
+
+  /// Of the last frame; before the first, what holds for all of them.
+  [[nodiscard]] const FrameFacts& facts() const noexcept { return facts_; }
+
+ protected:
+  FrameFacts facts_;
+};
+
+/// @param method  dft, tikhonov or closed_form; where the scene has a rule for alpha, each frame
+///                gets its own
 /// @throw std::invalid_argument  the method cannot take this scene
 /// @throw std::domain_error      its answer would be noise
-[[nodiscard]] Solver make_solver(const Scene& scene, Method method);
+[[nodiscard]] std::unique_ptr<Solver> make_solver(const Scene& scene, Method method);
 
 }  // namespace tactile_net::tool

@@ -25,21 +25,63 @@ void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>&
 }  // namespace
 
 std::vector<std::vector<std::string>> comparison_cells(const Experiment& experiment) {
-  std::vector<std::vector<std::string>> rows = {{"method", "alpha", "mean |error|", "relative L2",
-                                                 "force", "condition", "set-up", "per frame",
-                                                 "verdict"}};
+  const bool two =
+      std::any_of(experiment.results.begin(), experiment.results.end(),
+                  [](const MethodResult& result) { return !result.tangential.traction.empty(); });
+  std::vector<std::vector<std::string>> rows = {{"method", "alpha", "mean |error|", "relative L2"}};
+  if (two) rows.front().emplace_back("tangential L2");
+  for (const char* title : {"force", "condition", "rounding <=", "set-up", "per frame", "verdict"})
+    rows.front().emplace_back(title);
+
+  const auto brief_or_dash = [](const std::optional<double>& number) {
+    return number ? brief(*number) : "-";
+  };
   for (const MethodResult& result : experiment.results) {
-    const std::string method(name(result.method));
-    if (result.normal.empty()) {
-      rows.push_back({method, "-", "-", "-", "-", "-", "-", "-", result.verdict});
-      continue;
+    std::vector<std::string> row = {std::string(name(result.method))};
+    if (!result.has_answer()) {
+      row.resize(rows.front().size() - 1, "-");
+    } else {
+      const bool given = result.alpha_rule == "given";
+      row.push_back(!result.alpha ? "-" : given ? exact(*result.alpha) : brief(*result.alpha));
+      row.push_back(brief(result.normal.mean_abs));
+      row.push_back(brief(result.normal.relative_l2));
+      if (two)
+        row.push_back(result.tangential.traction.empty() ? "-"
+                                                         : brief(result.tangential.relative_l2));
+      row.push_back(brief(result.force));
+      row.push_back(brief_or_dash(result.condition));
+      row.push_back(brief_or_dash(result.error_bound));
+      row.push_back(duration(result.setup_seconds));
+      row.push_back(duration(result.frame_seconds));
     }
-    rows.push_back({method, result.alpha ? exact(*result.alpha) : "-", brief(result.mean_abs),
-                    brief(result.relative_l2), brief(result.force), brief(result.condition),
-                    duration(result.setup_seconds), duration(result.frame_seconds),
-                    result.verdict});
+    row.push_back(result.verdict);
+    rows.push_back(std::move(row));
   }
   return rows;
+}
+
+std::vector<std::vector<std::string>> rule_cells(const AlphaSweep& sweep) {
+  std::vector<std::vector<std::string>> rows = {{"rule", "alpha", "verdict"}};
+  for (const AlphaSweep::Curve& curve : sweep.curves)
+    rows.push_back({std::string(name(curve.rule)), brief(curve.choice.alpha),
+                    std::string(name(curve.choice.verdict))});
+  return rows;
+}
+
+std::string rule_used(const Scene& scene) {
+  return scene.reconstruct.alpha ? "the scene gives " + exact(*scene.reconstruct.alpha)
+                                 : std::string(name(scene.reconstruct.alpha_rule)) + " was used";
+}
+
+std::string resultant_in_words(const UncertainResultant& resultant) {
+  const auto number = [](const Uncertain& value) {
+    return brief(value.value) + " +- " + brief(value.deviation);
+  };
+  std::string text = "normal force " + number(resultant.normal);
+  if (resultant.tangential) text += ", tangential " + number(*resultant.tangential);
+  if (resultant.centre) text += ", centre " + number(*resultant.centre);
+  if (resultant.angle) text += ", angle " + number(*resultant.angle) + " rad";
+  return text;
 }
 
 std::string elements_in_words(const ElementCounts& elements) {
@@ -79,10 +121,16 @@ void print_experiment(std::ostream& out, const Experiment& experiment) {
   out << "force of the contacts: " << brief(experiment.force) << " exact, "
       << brief(experiment.sampled_force) << " as pitch x sum of the truth at the taxels\n";
   for (const MethodResult& result : experiment.results) {
+    if (result.resultant)
+      out << name(result.method) << ": " << resultant_in_words(*result.resultant) << '\n';
     for (const std::string& warning : result.warnings)
       out << name(result.method) << ": warning: " << warning << '\n';
     if (!result.failure.empty())
       out << name(result.method) << ": FAILED: " << result.failure << '\n';
+  }
+  if (experiment.sweep) {
+    out << "\nalpha, by rule (" << rule_used(scene) << "):\n";
+    print_cells(out, rule_cells(*experiment.sweep));
   }
   if (experiment.relaxation) {
     out << '\n';

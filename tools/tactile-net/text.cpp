@@ -74,7 +74,11 @@ std::string sensor_in_words(const Scene& scene) {
 }
 
 std::string material_in_words(const Scene& scene) {
-  return "half plane, E = " + brief(scene.material.youngs_modulus) +
+  std::string body = "half plane";
+  if (const auto& layer = scene.material.layer)
+    body = "layer " + brief(layer->thickness) + " thick on a " + std::string(name(layer->base)) +
+           " base";
+  return body + ", E = " + brief(scene.material.youngs_modulus) +
          ", nu = " + exact(scene.material.poisson_ratio);
 }
 

@@ -39,11 +39,12 @@ inline constexpr std::array alpha_rules = {AlphaRule::rgcv,        AlphaRule::gc
 enum class AlphaVerdict {
   ok,
   border,          ///< the best value lies at an end of the bracket: the true one may lie beyond
+  unstable,        ///< ten times alpha would change the traction by more than what would be left
   no_root,         ///< no alpha fits: no signal, or the noise stated cannot be met
   rules_disagree,  ///< the traction differs by more than half from that of the other rules' median
 };
 
-/// The spelling in JSON and tables: "ok", "border", "no_root", "rules_disagree".
+/// The spelling in JSON and tables: "ok", "border", "unstable", "no_root", "rules_disagree".
 [[nodiscard]] std::string_view name(AlphaVerdict verdict) noexcept;
 
 struct AlphaChoice {
@@ -67,7 +68,8 @@ struct AlphaSweep {
   [[nodiscard]] const AlphaChoice& choice(AlphaRule rule) const;
 };
 
-/// Sweeps from max(smallest gamma, 16 eps largest)^2 to (largest gamma)^2. About 200 x components
+/// Sweeps from max(smallest gamma, 64 rows eps largest)^2, below which double precision resolves
+/// nothing, to (largest gamma)^2. About 200 x components
 /// x rules operations, and for ncp 200 times the residual's periodogram.
 ///
 /// @param noise_rms  of one weighted reading; absent: no discrepancy

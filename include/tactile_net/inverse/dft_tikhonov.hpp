@@ -54,6 +54,11 @@ class DftTikhonov {
   /// errors of the readings reach the tractions multiplied by up to this.
   [[nodiscard]] double condition(double alpha) const noexcept;
 
+  /// True if the readings are cut off by the array's ends, where the circle closes: at either end
+  /// the mean over a fortieth of the array, times `condition`, exceeds the peak, in some channel.
+  /// What is cut off is folded in from the other end and amplified.
+  [[nodiscard]] bool cut_off(std::span<const double> readings, double alpha) const noexcept;
+
   /// The frame in the Fourier basis: rules for alpha cost O(count) per alpha. Uses buffers of its
   /// own: one object per thread.
   /// @throw std::invalid_argument  readings have the wrong size or are not finite

@@ -24,7 +24,7 @@ struct InverseProblem {
   std::size_t unknowns = 1;       ///< 1: normal traction; 2: normal, then tangential
   double pitch = 0.0;             ///< D [m]
   double smoothing_length = 0.0;  ///< l [m], >= 0
-  double kernel_error = 0.0;      ///< of K's entries, over the largest entry of their block
+  double kernel_error = 0.0;      ///< how far rounding may have moved W K, in the 2-norm
 };
 
 struct ProblemOptions {

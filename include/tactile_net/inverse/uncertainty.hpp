@@ -1,15 +1,18 @@
 /// @file
 /// How far the tractions may be from the truth: bands, and what they mean for the contact's force.
 ///
-/// Tikhonov's minimiser is the mean of f given the readings, if the noise is white and the prior
-/// says that L f is white with variance sigma^2 / alpha. Its covariance then is
+/// Take the noise for white, and L f for white too, with the variance sigma^2 / prior_alpha. Then
+/// the error of Tikhonov's minimiser has, in the basis of the generalised singular vectors, the
+/// variance
 ///
-///     C = sigma^2 (K'W^2 K + alpha L'L)^-1
+///     sigma^2 (gamma^2 + alpha^2 / prior_alpha) / (gamma^2 + alpha)^2
 ///
-/// (Wahba 1983; Kaipio and Somersalo 2005, 3.4): noise and what alpha smooths away, together. With
-/// an alpha chosen by a rule, bands of it hold the truth at their stated rate on average over the
-/// array, though not at every point of it: less at a contact's edge, more where nothing touches. An
-/// error of the model (kernels, pad, positions) is not in it; `NoiseEstimate` shows it apart.
+/// noise and what alpha smooths away, together; for prior_alpha = alpha it is the posterior
+/// covariance sigma^2 P^-1 (Wahba 1983; Kaipio and Somersalo 2005, 3.4). The prior's size is
+/// estimated best by the rule gml, which is its maximum likelihood. Bands then hold the truth at
+/// their stated rate or more often, on average over the array, though not at every point of it:
+/// less at a contact's edge, more where nothing touches. An error of the model (kernels, pad,
+/// positions) is not in it; `NoiseEstimate` shows it apart.
 #pragma once
 
 #include <cstddef>
@@ -25,18 +28,18 @@ namespace tactile_net {
 
 class TractionCovariance {
  public:
-  /// Of `tikhonov`, from a QR of the stacked matrix: C is never formed. O((m + n) n^2).
+  /// Of `tikhonov`. C is never formed. O((m + n) n^2).
   ///
-  /// @throw std::invalid_argument  alpha is not > 0
-  /// @throw std::domain_error      the stacked matrix is rank deficient in double precision
-  TractionCovariance(const InverseProblem& problem, double alpha);
+  /// @param prior_alpha  > 0; the same as alpha: the posterior covariance
+  /// @throw std::invalid_argument  alpha or prior_alpha is not > 0 and finite
+  TractionCovariance(const InverseProblem& problem, double alpha, double prior_alpha);
 
   /// Of `ConstrainedTikhonov`, given which variables are free: what is held at zero is taken for
   /// certain.
   ///
   /// @param free  columns of `edges`, as in `ConstrainedSolution`; none: everything is certain
-  TractionCovariance(const InverseProblem& problem, double alpha, const Constraints& constraints,
-                     std::span<const std::size_t> free);
+  TractionCovariance(const InverseProblem& problem, double alpha, double prior_alpha,
+                     const Constraints& constraints, std::span<const std::size_t> free);
   ~TractionCovariance();
   TractionCovariance(TractionCovariance&&) noexcept;
   TractionCovariance& operator=(TractionCovariance&&) noexcept;

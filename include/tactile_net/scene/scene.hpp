@@ -13,6 +13,7 @@
 
 #include "tactile_net/elasticity/contact.hpp"
 #include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/network/circuit.hpp"
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/sensing/array.hpp"
@@ -37,9 +38,14 @@ enum class Method { dft, tikhonov, closed_form, network };
 
 struct ReconstructOptions {
   std::vector<Method> methods{Method::tikhonov};
-  std::optional<double> alpha;    ///< absent: only methods that need none can run
-  double smoothing_length = 0.0;  ///< l [m]; default: the first depth
-  double noise_gain_limit = 1e8;  ///< dft: largest noise gain that is accepted
+  std::optional<double> alpha{};             ///< absent: `alpha_rule` chooses it
+  AlphaRule alpha_rule = AlphaRule::rgcv;    ///< where `alpha` is absent
+  double smoothing_length = 0.0;             ///< l [m]; default: the first depth
+  double noise_gain_limit = 1e8;             ///< dft: largest noise gain that is accepted
+  bool nonnegative = false;                  ///< tikhonov: f_v >= 0
+  std::optional<double> friction_limit{};    ///< tikhonov: |f_t| <= limit f_v; implies f_v >= 0
+  std::optional<double> contact_friction{};  ///< dft: known mu, f_t constant over the contact
+  std::optional<bool> tangential{};          ///< solve for it too; absent: see `unknowns`
 };
 
 struct NetworkOptions {
@@ -60,6 +66,11 @@ struct Scene {
   ReconstructOptions reconstruct;
   NetworkOptions network;
 };
+
+/// How many tractions a scene solves for: 2, normal and tangential, if the array reads more than
+/// one channel and the scene calls for it: by `tangential`, by a friction limit, by a contact with
+/// friction, or by having no contact, as scenes for recorded readings.
+[[nodiscard]] std::size_t unknowns(const Scene& scene);
 
 /// The effects a scene may name, in the order of the JSON: layer, friction, noise, quantization,
 /// dead_taxels; each with whether this scene calls for it.

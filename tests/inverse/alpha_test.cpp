@@ -1,0 +1,199 @@
+#include "tactile_net/inverse/alpha.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tactile_net/sensing/effects.hpp"
+#include "tactile_net/sensing/sampled.hpp"
+#include "tests/catch.hpp"
+#include "tests/inverse/problems.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+/// One random frame of one or two cylinders with noise.
+struct RandomContact {
+  std::vector<double> truth, readings;
+  double noise;
+};
+
+class RandomContacts {
+ public:
+  RandomContacts(SensorArray array, Material material, unsigned seed)
+      : array_(std::move(array)), material_(material), generator_(seed) {}
+
+  RandomContact next() {
+    std::vector<Contact> contacts;
+    for (int left = uniform(0.0, 1.0) < 0.5 ? 1 : 2; left > 0; --left)
+      contacts.push_back(RigidContact{.center = uniform(-6.0, 6.0),
+                                      .half_width = uniform(0.5, 3.5),
+                                      .force = uniform(0.3, 1.3)});
+    const TractionField field = sample(contacts, array_);
+    RandomContact frame{field.normal, sampled_readings(array_, material_, field), 0.0};
+    double peak = 0.0;
+    for (const double reading : frame.readings) peak = std::max(peak, std::abs(reading));
+    frame.noise = peak * 0.001 * std::pow(50.0, uniform(0.0, 1.0));
+    add_noise(frame.readings, frame.noise, generator_(), 0);
+    return frame;
+  }
+
+ private:
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(generator_()) / 4294967296.0;
+  }
+  SensorArray array_;
+  Material material_;
+  std::mt19937 generator_;
+};
+
+SensorArray array_of(Quantity quantity) { return {81, 0.25, {1.5}, {quantity}}; }
+
+FilterFrame frame_of(const InverseProblem& problem, const std::vector<double>& readings) {
+  return TikhonovFamily(problem).analyse(readings);
+}
+
+double percentile(std::vector<double> values, double p) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(p * static_cast<double>(values.size() - 1))];
+}
+
+}  // namespace
+
+TEST_CASE("the family solves as tikhonov does, for every alpha", "[tikhonov_family]") {
+  for (const auto& [name, problem] : sample_problems()) {
+    const TikhonovFamily family(problem);
+    const std::vector<double> g = random_values(problem.kernel.rows, 3);
+    const FilterFrame frame = family.analyse(g);
+    for (const double alpha : {1e-8, 1e-4, 1.0, 1e3}) {
+      CAPTURE(name, alpha);
+      CHECK(relative_l2_error(family.solve(frame, alpha), tikhonov_solve(problem, alpha, g)) <
+            1e-10);
+    }
+  }
+}
+
+TEST_CASE("rules come near the best alpha on contacts nobody chose, or say that they do not",
+          "[alpha]") {
+  const Material pad{1.0, 0.45};
+  std::vector<std::vector<double>> ratios(alpha_rules.size());
+  std::vector<double> caught;  // of gcv, what its verdict lets pass
+  for (const Quantity quantity : {Quantity::stress_x, Quantity::strain_x}) {
+    const InverseProblem problem = make_problem(array_of(quantity), pad, {.smoothing_length = 1.0});
+    const TikhonovFamily family(problem);
+    RandomContacts contacts(array_of(quantity), pad, 11);
+    for (int i = 0; i < 100; ++i) {
+      const RandomContact contact = contacts.next();
+      const FilterFrame frame = family.analyse(contact.readings);
+      const AlphaSweep sweep = sweep_alpha(frame, contact.noise);
+      const auto error = [&](double alpha) {
+        return relative_l2_error(family.solve(frame, alpha), contact.truth);
+      };
+      double best = error(sweep.alphas.front());
+      for (const double alpha : sweep.alphas) best = std::min(best, error(alpha));
+      for (std::size_t r = 0; r < sweep.curves.size(); ++r) {
+        const AlphaChoice& choice = sweep.curves[r].choice;
+        ratios[r].push_back(error(choice.alpha) / best);
+        if (choice.rule == AlphaRule::gcv && choice.verdict == AlphaVerdict::ok)
+          caught.push_back(ratios[r].back());
+        if (choice.rule == AlphaRule::l_curve && ratios[r].back() > 3.0)
+          CHECK(choice.verdict != AlphaVerdict::ok);
+      }
+    }
+  }
+  CHECK(percentile(ratios[0], 0.95) <= 1.2);  // rgcv
+  CHECK(percentile(ratios[0], 1.0) <= 1.5);
+  CHECK(percentile(ratios[1], 0.5) <= 1.05);   // gcv
+  CHECK(percentile(ratios[2], 0.95) <= 1.35);  // discrepancy
+  CHECK(percentile(ratios[4], 0.95) <= 1.35);  // ncp
+  CHECK(percentile(caught, 1.0) <= 3.0);
+}
+
+TEST_CASE("the answer is the same in any units", "[alpha][property]") {
+  // Lengths in millimetres, another modulus, readings in other units: alpha changes, f / E does
+  // not.
+  const auto [length, modulus] =
+      GENERATE(std::pair(1e-3, 1.0), std::pair(1.0, 1e6), std::pair(25.4, 1e-12));
+  const auto solve = [](double unit, double e, AlphaRule rule) {
+    const SensorArray array{41, 0.5 * unit, {1.5 * unit}, {Quantity::strain_x}};
+    const Material pad{e, 0.45};
+    const std::vector<Contact> contacts = {
+        RigidContact{.center = unit, .half_width = 3.0 * unit, .force = 0.1 * e * unit}};
+    std::vector<double> g = sampled_readings(array, pad, sample(contacts, array));
+    add_noise(g, 3e-4, 7, 0);
+    const InverseProblem problem = make_problem(array, pad, {.smoothing_length = unit});
+    const TikhonovFamily family(problem);
+    const FilterFrame frame = family.analyse(g);
+    std::vector<double> f = family.solve(frame, choose_alpha(frame, rule, 3e-4).alpha);
+    for (double& value : f) value /= e;
+    return f;
+  };
+  for (const AlphaRule rule : alpha_rules) {
+    CAPTURE(name(rule), length, modulus);
+    CHECK(relative_l2_error(solve(length, modulus, rule), solve(1.0, 1.0, rule)) < 1e-10);
+  }
+}
+
+TEST_CASE("the discrepancy's residual is as large as the noise", "[alpha]") {
+  const Material pad{1.0, 0.45};
+  const InverseProblem problem =
+      make_problem(array_of(Quantity::stress_x), pad, {.smoothing_length = 1.0});
+  const TikhonovFamily family(problem);
+  const RandomContact contact = RandomContacts(array_of(Quantity::stress_x), pad, 5).next();
+  const FilterFrame frame = family.analyse(contact.readings);
+  const AlphaChoice choice = choose_alpha(frame, AlphaRule::discrepancy, contact.noise);
+  REQUIRE(choice.verdict == AlphaVerdict::ok);
+  const std::vector<double> f = family.solve(frame, choice.alpha);
+  std::vector<double> back(81);
+  for (std::size_t i = 0; i < 81; ++i)
+    for (std::size_t j = 0; j < 81; ++j) back[i] += problem.kernel(i, j) * f[j];
+  double residual = 0.0;
+  for (std::size_t i = 0; i < 81; ++i) residual += std::pow(back[i] - contact.readings[i], 2);
+  CHECK_THAT(std::sqrt(residual), WithinRel(1.01 * contact.noise * 9.0, 1e-10));
+}
+
+TEST_CASE("no rule answers without a signal, or beyond its bracket, in silence", "[alpha]") {
+  const InverseProblem problem =
+      make_problem(array_of(Quantity::stress_x), {1.0, 0.45}, {.smoothing_length = 1.0});
+  const FilterFrame silent = frame_of(problem, std::vector<double>(81));
+  for (const AlphaSweep::Curve& curve : sweep_alpha(silent, 1e-3).curves)
+    CHECK(curve.choice.verdict == AlphaVerdict::no_root);
+
+  const std::vector<double> noise = random_values(81, 9);
+  CHECK(choose_alpha(frame_of(problem, noise), AlphaRule::discrepancy, 1e3).verdict ==
+        AlphaVerdict::no_root);
+  CHECK(choose_alpha(frame_of(problem, noise), AlphaRule::discrepancy, 0.0).verdict ==
+        AlphaVerdict::no_root);
+  CHECK_THROWS_AS(choose_alpha(frame_of(problem, noise), AlphaRule::discrepancy),
+                  std::invalid_argument);
+
+  // Readings without noise: less and less smoothing fits better, and the verdict says border.
+  std::vector<double> f(81);
+  for (std::size_t i = 30; i < 50; ++i) f[i] = 1.0;
+  const std::vector<double> clean =
+      sampled_readings(array_of(Quantity::stress_x), {1.0, 0.45}, {f, {}});
+  CHECK(choose_alpha(frame_of(problem, clean), AlphaRule::rgcv).verdict == AlphaVerdict::border);
+}
+
+TEST_CASE("denormal and huge readings get the alpha of ordinary ones", "[alpha]") {
+  const Material pad{1.0, 0.45};
+  const InverseProblem problem =
+      make_problem(array_of(Quantity::stress_x), pad, {.smoothing_length = 1.0});
+  const RandomContact contact = RandomContacts(array_of(Quantity::stress_x), pad, 6).next();
+  const double alpha = choose_alpha(frame_of(problem, contact.readings), AlphaRule::rgcv).alpha;
+  for (const double scale : {1e-150, 1e150, 1e-300}) {
+    std::vector<double> scaled = contact.readings;
+    for (double& reading : scaled) reading *= scale;
+    CHECK_THAT(choose_alpha(frame_of(problem, scaled), AlphaRule::rgcv).alpha,
+               WithinRel(alpha, 1e-9));
+  }
+}
+
+TEST_CASE("rules are known by their names", "[alpha]") {
+  for (const AlphaRule rule : alpha_rules) CHECK(alpha_rule_named(name(rule)) == rule);
+  CHECK_FALSE(alpha_rule_named("aic").has_value());
+}

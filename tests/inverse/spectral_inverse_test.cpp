@@ -1,0 +1,209 @@
+// The two ways to use an FFT: the circular system, and P f = b itself.
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/inverse/dft.hpp"
+#include "tactile_net/inverse/dft_tikhonov.hpp"
+#include "tactile_net/inverse/fft_tikhonov.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/sensing/sampled.hpp"
+#include "tests/catch.hpp"
+#include "tests/inverse/problems.hpp"
+
+using namespace tactile_net;
+using enum Quantity;
+
+namespace {
+
+const Material pad{1.0, 0.45};
+
+/// The circular system's own readings: every lag taken around the circle.
+std::vector<double> circular_readings(const SensorArray& array, const Material& material,
+                                      const std::vector<double>& f) {
+  const std::size_t n = array.count;
+  std::vector<double> g;
+  for (const Channel& channel : channels(array)) {
+    std::vector<double> row(n);
+    for (std::size_t u = 0; u < f.size() / n; ++u) {
+      const std::vector<double> kernel = sampled_kernel(
+          channel, u == 0 ? Traction::normal : Traction::tangential, material, n, array.pitch);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) {
+          const std::size_t lag = (i + n - j) % n;
+          const double forward = kernel[n - 1 + lag];
+          const double backward = lag == 0 ? forward : kernel[lag - 1];
+          const double k = 2 * lag < n   ? forward
+                           : 2 * lag > n ? backward
+                                         : 0.5 * (forward + backward);
+          row[i] += k * f[u * n + j];
+        }
+    }
+    g.insert(g.end(), row.begin(), row.end());
+  }
+  return g;
+}
+
+}  // namespace
+
+TEST_CASE("without alpha the circular system is inverted exactly", "[dft_tikhonov]") {
+  const std::size_t n = GENERATE(as<std::size_t>{}, 20, 21, 31);
+  for (const auto& reads : {std::vector{stress_x, shear_xy}, std::vector{strain_x, shear_xy}}) {
+    const SensorArray array{n, 0.5, {1.0}, reads};
+    DftTikhonov inverse(array, pad,
+                        {.unknowns = 2, .smoothing_length = 1.0, .channel_rms = {1.0, 0.5}});
+    CHECK(inverse.null_modes().empty());
+    const std::vector<double> f = random_values(2 * n, 1);
+    std::vector<double> answer(2 * n);
+    REQUIRE(inverse.solve(circular_readings(array, pad, f), 0.0, answer) == Status::ok);
+    CHECK(relative_l2_error(answer, f) < 1e-14 * inverse.condition(0.0) + 1e-13);
+  }
+}
+
+TEST_CASE("what no reading shows is named and set to zero", "[dft_tikhonov]") {
+  const bool even = GENERATE(false, true);
+  const std::size_t n = even ? 20 : 21;
+  const SensorArray array{n, 0.5, {1.0}, {stress_x, stress_y}};
+  DftTikhonov inverse(array, pad, {.unknowns = 2, .smoothing_length = 1.0});
+  REQUIRE(inverse.null_modes().size() == (even ? 2 : 1));
+  CHECK(inverse.in_words(inverse.null_modes()[0]) == "the mean of the tangential traction (k = 0)");
+  if (even)
+    CHECK(inverse.in_words(inverse.null_modes()[1]) ==
+          "the tangential traction that alternates from taxel to taxel (Nyquist)");
+
+  std::vector<double> f = random_values(2 * n, 2);
+  std::vector<double> answer(2 * n);
+  REQUIRE(inverse.solve(circular_readings(array, pad, f), 0.0, answer) == Status::ok);
+  double mean = 0.0;
+  for (std::size_t i = 0; i < n; ++i) mean += answer[n + i] / static_cast<double>(n);
+  CHECK_THAT(mean, WithinAbs(0.0, 1e-10));
+  // The rest is measured.
+  CHECK(relative_l2_error(std::span(answer).first(n), std::span(f).first(n)) < 1e-9);
+}
+
+TEST_CASE("alpha means the same in the Fourier basis", "[dft_tikhonov]") {
+  // The circular functional's gradient vanishes: its Toeplitz form with wrapped lags.
+  const std::size_t n = 20;
+  const SensorArray array{n, 0.5, {1.0}, {stress_x, stress_y}};
+  const double alpha = 1e-3;
+  const double ratio = 2.0;
+  DftTikhonov inverse(array, pad, {.unknowns = 2, .smoothing_length = 1.0});
+  const std::vector<double> g = random_values(2 * n, 5);
+  std::vector<double> f(2 * n);
+  REQUIRE(inverse.solve(g, alpha, f) == Status::ok);
+  const auto functional = [&](const std::vector<double>& x) {
+    const std::vector<double> back = circular_readings(array, pad, x);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 2 * n; ++i) sum += std::pow(back[i] - g[i], 2);
+    for (std::size_t u = 0; u < 2; ++u)
+      for (std::size_t i = 0; i < n; ++i)
+        sum += alpha * (std::pow(x[u * n + i], 2) +
+                        std::pow(ratio * (x[u * n + (i + 1) % n] - x[u * n + i]), 2));
+    return sum;
+  };
+  const double least = functional(f);
+  for (unsigned seed = 1; seed < 20; ++seed)
+    for (const double size : {1e-3, -1e-3}) {
+      std::vector<double> changed = f;
+      const std::vector<double> step = random_values(2 * n, seed);
+      for (std::size_t i = 0; i < f.size(); ++i) changed[i] += size * step[i];
+      CHECK(functional(changed) > least);
+    }
+}
+
+TEST_CASE("one channel without alpha is the plain division", "[dft_tikhonov]") {
+  const SensorArray array{41, 0.5, {1.5}, {strain_x}};
+  DftTikhonov inverse(array, pad, {.smoothing_length = 1.5});
+  DftInverse plain(array, pad);
+  const std::vector<double> g = random_values(41, 4);
+  std::vector<double> a(41);
+  std::vector<double> b(41);
+  REQUIRE(inverse.solve(g, 0.0, a) == Status::ok);
+  REQUIRE(plain.solve(g, b) == Status::ok);
+  CHECK(relative_l2_error(a, b) < 1e-11);
+}
+
+TEST_CASE("the Fourier basis holds all of a frame", "[dft_tikhonov]") {
+  const SensorArray array{20, 0.5, {1.0}, {stress_x, shear_xy}};
+  DftTikhonov inverse(array, pad, {.unknowns = 2, .smoothing_length = 1.0});
+  const std::vector<double> g = random_values(40, 6);
+  const FilterFrame frame = inverse.analyse(g);
+  double power = frame.outside * frame.outside;
+  for (const double beta : frame.beta) power += beta * beta;
+  double size = 0.0;
+  for (const double value : g) size += value * value;
+  CHECK_THAT(power * frame.scale * frame.scale, WithinRel(size, 1e-13));
+  CHECK(frame.beta.size() == 40);
+  CHECK(sweep_alpha(frame, 0.1).curves.size() == alpha_rules.size());
+}
+
+TEST_CASE("contacts at the array's end are cut off, in the middle they are not", "[dft_tikhonov]") {
+  const SensorArray array{81, 0.25, {1.0}, {stress_x, shear_xy}};
+  DftTikhonov inverse(array, pad, {.unknowns = 2, .smoothing_length = 1.0});
+  const auto readings = [&](double centre) {
+    const std::vector<Contact> contacts = {RigidContact{.center = centre, .half_width = 1.0}};
+    return sampled_readings(array, pad, sample(contacts, array));
+  };
+  CHECK(inverse.cut_off(readings(9.5), 1e-3));
+  CHECK_FALSE(inverse.cut_off(readings(0.0), 1e-3));
+}
+
+TEST_CASE("conjugate gradients solve P f = b, boundaries included", "[fft_tikhonov]") {
+  const double alpha = GENERATE(1e-6, 1e-3, 1.0);
+  const std::size_t n = GENERATE(as<std::size_t>{}, 2, 3, 20, 81, 101);
+  const bool both = GENERATE(false, true);
+  const bool layered = GENERATE(false, true);
+  const SensorArray array{
+      n, 0.25, {1.0}, both ? std::vector{stress_x, shear_xy} : std::vector{strain_x}};
+  Material material{1.0, 0.45};
+  if (layered) material.layer = Layer{1.0, Base::bonded};
+  ProblemOptions options{.unknowns = both ? std::size_t{2} : std::size_t{1},
+                         .smoothing_length = 1.0};
+  if (n > 3) options.dead_taxels = {1};
+  if (both) options.channel_rms = {1.0, 0.3};
+  const std::vector<double> g = random_values((both ? 2 : 1) * n, 8);
+  FftTikhonov inverse(array, material, options, alpha);
+  std::vector<double> f(inverse.tractions());
+  REQUIRE(inverse.solve(g, f, 1e-9) == Status::ok);
+  CAPTURE(alpha, n, both, layered, inverse.convergence().steps);
+  CHECK(inverse.convergence().converged);
+  const double error =
+      relative_l2_error(f, tikhonov_solve(make_problem(array, material, options), alpha, g));
+  CHECK(error <= 1e-8);
+  CHECK(error <= inverse.convergence().bound + 1e-10);
+}
+
+TEST_CASE("a filter is not P f = b where a contact touches the end", "[fft_tikhonov]") {
+  const SensorArray array{81, 0.125, {1.5}, {stress_x}};
+  const std::vector<Contact> contacts = {RigidContact{.center = 4.5, .half_width = 1.0}};
+  const std::vector<double> g = sampled_readings(array, pad, sample(contacts, array));
+  const ProblemOptions options{.smoothing_length = 1.0};
+  const std::vector<double> direct = tikhonov_solve(make_problem(array, pad, options), 1e-3, g);
+  std::vector<double> filtered(81);
+  std::vector<double> solved(81);
+  DftTikhonov filter(array, pad, options);
+  FftTikhonov solver(array, pad, options, 1e-3);
+  REQUIRE(filter.solve(g, 1e-3, filtered) == Status::ok);
+  REQUIRE(solver.solve(g, solved) == Status::ok);
+  CHECK(relative_l2_error(filtered, direct) > 0.05);
+  CHECK(relative_l2_error(solved, direct) < 1e-9);
+}
+
+TEST_CASE("frames that cannot be solved say so", "[fft_tikhonov][dft_tikhonov]") {
+  const SensorArray array{21, 0.5, {1.0}, {stress_x}};
+  FftTikhonov solver(array, pad, {.smoothing_length = 1.0}, 1e-14);
+  std::vector<double> f(21);
+  REQUIRE(solver.solve(random_values(21, 1), f, 1e-14, 3) == Status::ok);
+  CHECK_FALSE(solver.convergence().converged);
+  CHECK(solver.solve(random_values(20, 1), f) == Status::wrong_size);
+  std::vector<double> broken(21);
+  broken[3] = std::nan("");
+  CHECK(solver.solve(broken, f) == Status::not_finite);
+  REQUIRE(solver.solve(std::vector<double>(21), f) == Status::ok);
+  for (const double value : f) CHECK(value == 0.0);
+  CHECK_THROWS_AS(FftTikhonov(array, pad, {}, 0.0), std::invalid_argument);
+  CHECK_THROWS_AS(DftTikhonov(array, pad, {.dead_taxels = {1}}), std::invalid_argument);
+}
