@@ -26,28 +26,110 @@ const std::string header = "t,stress_x_0,stress_x_1,stress_x_2\n";
 
 }  // namespace
 
-TEST_CASE("recorded presses of a pad give its force and its centre", "[cli]") {
-  // Finite-element readings, not made by our formulas; frames 0 to 2 are without friction.
-  const ProcessResult result = tool(
-      {"solve", scene("recorded/thick-pad.toml"), "--readings", scene("recorded/thick-pad.csv")});
+// Finite-element readings, not made by our formulas, and what truly pressed.
+namespace {
+
+struct Pad {
+  std::string name;
+  std::size_t count;
+  double pitch;
+};
+const Pad thin{"thin-pad", 41, 0.5e-3};
+const Pad thick{"thick-pad", 61, 0.4e-3};
+
+struct Recorded {
+  std::vector<std::vector<double>> found, truth;
+};
+
+Recorded recorded(const Pad& pad, const std::string& scene_name) {
+  const ProcessResult result = tool({"solve", scene("recorded/" + scene_name + ".toml"),
+                                     "--readings", scene("recorded/" + pad.name + ".csv")});
   REQUIRE(result.code == 0);
-  CHECK_THAT(result.errors, ContainsSubstring("183 columns are not read"));
-  const auto found = rows(result.output);
-  const auto truth = rows(read_text(scene("recorded/thick-pad.truth.csv")));
-  REQUIRE(found.size() == 5);
-  for (std::size_t frame = 0; frame < 3; ++frame) {
-    CAPTURE(frame);
-    double force = 0.0;
-    double moment = 0.0;
-    for (std::size_t j = 0; j < 61; ++j) {
-      const double y = (static_cast<double>(j) - 30.0) * 0.4e-3;
-      force += 0.4e-3 * found[frame][j + 1];
-      moment += 0.4e-3 * y * found[frame][j + 1];
-    }
-    CHECK(found[frame][0] == truth[frame][0]);
-    CHECK_THAT(force, WithinRel(truth[frame][1], 0.03));
-    if (frame > 0) CHECK_THAT(moment / force, WithinAbs(truth[frame][3], 0.2e-3));
+  CHECK_THAT(result.errors, ContainsSubstring("columns are not read"));
+  return {rows(result.output), rows(read_text(scene("recorded/" + pad.name + ".truth.csv")))};
+}
+
+/// |found - truth| / |truth| over `count` values; the truth has four columns before its tractions.
+double relative_error(const std::vector<double>& found, const std::vector<double>& truth,
+                      std::size_t first, std::size_t count) {
+  double error = 0.0;
+  double size = 0.0;
+  for (std::size_t j = 0; j < count; ++j) {
+    error += std::pow(found[1 + first + j] - truth[4 + first + j], 2);
+    size += std::pow(truth[4 + first + j], 2);
   }
+  return std::sqrt(error / size);
+}
+
+}  // namespace
+
+TEST_CASE("recorded frames of a pad give its forces and their place", "[cli]") {
+  const Pad& pad = GENERATE(from_range(std::vector{thin, thick}));
+  const auto [found, truth] = recorded(pad, pad.name);
+  REQUIRE(found.size() == truth.size());
+  for (std::size_t frame = 1; frame < found.size(); ++frame) {  // all but the lightest
+    double normal = 0.0;
+    double tangential = 0.0;
+    double moment = 0.0;
+    for (std::size_t j = 0; j < pad.count; ++j) {
+      const double y =
+          (static_cast<double>(j) - 0.5 * static_cast<double>(pad.count - 1)) * pad.pitch;
+      normal += pad.pitch * found[frame][1 + j];
+      tangential += pad.pitch * found[frame][1 + pad.count + j];
+      moment += pad.pitch * y * found[frame][1 + j];
+    }
+    CAPTURE(pad.name, frame);
+    CHECK(found[frame][0] == truth[frame][0]);
+    CHECK_THAT(normal, WithinRel(truth[frame][1], 0.01));
+    CHECK_THAT(tangential, WithinAbs(truth[frame][2], 0.03 * truth[frame][1]));
+    CHECK_THAT(moment / normal, WithinAbs(truth[frame][3], 0.1e-3));
+  }
+}
+
+TEST_CASE("what contact allows makes recorded tractions better", "[cli]") {
+  const auto [found, truth] = recorded(thin, "thin-pad-contact");
+  const auto [plain, same_truth] = recorded(thin, "thin-pad");
+  REQUIRE(found.size() == 7);
+  for (std::size_t frame = 3; frame < 7; ++frame) {
+    CAPTURE(frame);
+    for (std::size_t j = 0; j < 41; ++j) {
+      CHECK(found[frame][1 + j] >= 0.0);
+      CHECK(std::abs(found[frame][42 + j]) <= 0.8 * found[frame][1 + j] * (1.0 + 1e-9));
+    }
+    CHECK(relative_error(found[frame], truth[frame], 0, 41) <= 0.08);
+    CHECK(relative_error(plain[frame], truth[frame], 0, 41) <= 0.18);
+    if (frame > 3) CHECK(relative_error(found[frame], truth[frame], 41, 41) <= 0.13);
+  }
+}
+
+TEST_CASE("bands of recorded frames hold what truly pressed", "[cli]") {
+  const Pad& pad = GENERATE(from_range(std::vector{thin, thick}));
+  const Folder folder;
+  REQUIRE(tool({"solve", scene("recorded/" + pad.name + ".toml"), "--readings",
+                scene("recorded/" + pad.name + ".csv"), "-o", folder / "tractions.csv",
+                "--uncertainty", folder / "uncertainty.csv"})
+              .code == 0);
+  const auto found = rows(read_text(folder / "tractions.csv"));
+  const auto bands = rows(read_text(folder / "uncertainty.csv"));
+  const auto truth = rows(read_text(scene("recorded/" + pad.name + ".truth.csv")));
+  REQUIRE(bands.size() == truth.size());
+  std::size_t within = 0;
+  std::size_t all = 0;
+  for (std::size_t frame = 0; frame < truth.size(); ++frame) {
+    CAPTURE(pad.name, frame);
+    REQUIRE(bands[frame].size() == 11 + 2 * pad.count);
+    for (std::size_t j = 0; j < 2 * pad.count; ++j) {
+      ++all;
+      const double error = std::abs(found[frame][1 + j] - truth[frame][4 + j]);
+      if (error <= 2.0 * bands[frame][11 + j]) ++within;
+    }
+    for (std::size_t component : {std::size_t{1}, std::size_t{2}})  // normal, tangential force
+      CHECK(std::abs(bands[frame][2 * component - 1] - truth[frame][component]) <=
+            2.5 * bands[frame][2 * component]);
+    CHECK(bands[frame][9] < 1.25);   // the residual, in units of the noise stated,
+    CHECK(bands[frame][10] == 0.0);  // and what of it the noise does not explain
+  }
+  CHECK(static_cast<double>(within) >= 0.95 * static_cast<double>(all));
 }
 
 TEST_CASE("frames stream from standard input, columns in any order", "[cli]") {

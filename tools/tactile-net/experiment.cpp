@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "frame_uncertainty.hpp"
 #include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/sensing/exact.hpp"
@@ -54,41 +55,29 @@ void measure(MethodResult& result, std::span<const double> f, const Scene& scene
 
 /// What can be said about the errors of an answer of P f = b.
 void judge_errors(MethodResult& result, std::span<const double> f, const Scene& scene,
-                  const Experiment& experiment) {
+                  const FrameFacts& facts, const Experiment& experiment) {
   const std::span<const double> readings = experiment.simulation.readings;
   if (f.size() >= large) {
     result.warnings.emplace_back("no uncertainty is given for an array as large as this");
     return;
   }
   const InverseProblem problem = problem_of(scene);
-  const auto constraints = constraints_of(scene);
-  const AlphaChoice& prior = experiment.sweep->choice(AlphaRule::gml);
-  const double prior_alpha = prior.verdict == AlphaVerdict::ok ? prior.alpha : *result.alpha;
-  const TractionCovariance covariance =
-      result.constrained ? TractionCovariance(problem, *result.alpha, prior_alpha, *constraints,
-                                              result.constrained->free)
-                         : TractionCovariance(problem, *result.alpha, prior_alpha);
-  result.noise =
-      estimate_noise(problem, readings, f, covariance.degrees_of_freedom(), stated_noise(scene));
-  const double rms = result.noise->rms();
-  result.resultant = resultant_of(problem, f, covariance, rms);
-  std::vector<double> deviation = covariance.deviations();
-  for (double& value : deviation) value *= rms;
-  const auto middle = deviation.begin() + static_cast<std::ptrdiff_t>(problem.count);
-  result.normal.deviation.assign(deviation.begin(), middle);
-  result.tangential.deviation.assign(middle, deviation.end());
-  if (!result.constrained)
-    result.error_bound = forward_bound(problem, *result.alpha, readings, f, *result.condition);
+  const FrameUncertainty uncertainty =
+      uncertainty_of(scene, problem, readings, f, facts, experiment.sweep->choice(AlphaRule::gml));
+  result.noise = uncertainty.noise;
+  result.resultant = uncertainty.resultant;
+  const auto middle = uncertainty.deviation.begin() + static_cast<std::ptrdiff_t>(problem.count);
+  result.normal.deviation.assign(uncertainty.deviation.begin(), middle);
+  result.tangential.deviation.assign(middle, uncertainty.deviation.end());
+  if (!facts.constrained)
+    result.error_bound = forward_bound(problem, *facts.alpha, readings, f, *facts.condition);
   if (result.error_bound && *result.error_bound > 1e-3) {
     if (result.verdict == "ok") result.verdict = "ill_conditioned";
     result.warnings.push_back("rounding alone may have moved the answer by " +
                               brief(*result.error_bound) + " of its size; raise alpha");
   }
-  if (result.noise->model_rms > 0.0)
-    result.warnings.push_back(
-        "the residual is larger than the noise stated explains: the model is off by about " +
-        brief(result.noise->model_rms / *result.noise->stated_rms) +
-        " times the noise, which the bands do not hold");
+  const std::string model = model_error_in_words(uncertainty.noise);
+  if (!model.empty()) result.warnings.push_back(model);
 }
 
 MethodResult reconstruct(const Scene& scene, Method method, const Experiment& experiment) {
@@ -122,7 +111,7 @@ MethodResult reconstruct(const Scene& scene, Method method, const Experiment& ex
       if (verdict != AlphaVerdict::ok) result.verdict = name(verdict);
     }
     measure(result, f, scene, simulation.truth);
-    if (method != Method::dft) judge_errors(result, f, scene, experiment);
+    if (method != Method::dft) judge_errors(result, f, scene, facts, experiment);
     if (method == Method::closed_form && constraints_of(scene))
       result.warnings.emplace_back("the constraints bind the method tikhonov alone");
   } catch (const std::domain_error& error) {

@@ -7,10 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "frame_uncertainty.hpp"
 #include "frames.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "solver.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "text.hpp"
@@ -24,6 +26,65 @@ struct Options {
   std::string method = "tikhonov";
   std::string output;
   std::string json;
+  std::string uncertainty;
+};
+
+/// Writes how far each frame may be from the truth, one frame a row.
+class UncertaintyFile {
+ public:
+  UncertaintyFile(const std::string& path, const Scene& scene, bool with_time)
+      : scene_(scene),
+        problem_(problem_of(scene)),
+        family_(problem_),
+        output_(path),
+        with_time_(with_time) {
+    std::string text = with_time ? "t," : "";
+    for (const char* name : {"normal_force", "tangential_force", "centre", "angle"})
+      text += std::string(name) + ',' + name + "_deviation,";
+    text += "residual_rms,model_rms,";
+    for (const char* name : {"normal_deviation_", "tangential_deviation_"}) {
+      if (problem_.unknowns == 1 && name[0] == 't') break;
+      for (std::size_t i = 0; i < problem_.count; ++i) text += name + std::to_string(i) + ',';
+    }
+    text.back() = '\n';
+    output_.stream() << text;
+  }
+
+  void add(std::span<const double> readings, std::span<const double> tractions,
+           const FrameFacts& facts, std::string_view time) {
+    const AlphaChoice gml =
+        choose_alpha(family_.analyse(readings), AlphaRule::gml, stated_noise(scene_));
+    const FrameUncertainty uncertainty =
+        uncertainty_of(scene_, problem_, readings, tractions, facts, gml);
+    std::string text;
+    if (with_time_) text.append(time) += ',';
+    const UncertainResultant& resultant = uncertainty.resultant;
+    const auto number = [&](const std::optional<Uncertain>& value) {
+      if (value) append_number(text, value->value);
+      text += ',';
+      if (value) append_number(text, value->deviation);
+      text += ',';
+    };
+    number(resultant.normal);
+    number(resultant.tangential);
+    number(resultant.centre);
+    number(resultant.angle);
+    append_number(text, uncertainty.noise.residual_rms);
+    text += ',';
+    append_number(text, uncertainty.noise.model_rms);
+    text += ',';
+    append_row(text, uncertainty.deviation);
+    output_.stream() << text;
+  }
+
+  void commit() { output_.commit(); }
+
+ private:
+  const Scene& scene_;
+  InverseProblem problem_;
+  TikhonovFamily family_;
+  OutputFile output_;
+  bool with_time_;
 };
 
 /// Which columns hold the readings of dead taxels.
@@ -37,9 +98,10 @@ std::vector<bool> unread_columns(const Scene& scene) {
 
 /// Turns each frame of readings on `in` into one row of tractions on `out`; returns how many.
 /// @param live  flush after every frame: somebody waits at the other end
-std::size_t stream(Solver& solver, FrameReader& reader,
-                   std::map<std::string, std::size_t>& verdicts, std::ostream& out,
-                   const Scene& scene, const std::string& file, bool live) {
+///
+/// @param after  called with the readings and the tractions of each frame
+std::size_t stream(Solver& solver, FrameReader& reader, std::ostream& out, const Scene& scene,
+                   const std::string& file, bool live, const auto& after) {
   constexpr std::size_t block = 1 << 16;
   Progress progress;
   std::vector<double> g(channels(scene.sensor).size() * scene.sensor.count);
@@ -69,7 +131,7 @@ std::size_t stream(Solver& solver, FrameReader& reader,
       }
       append_row(text, f);
       ++frames;
-      ++verdicts[solver.facts().verdict];
+      after(std::span<const double>(g), std::span<const double>(f));
       if (live || text.size() >= block) write();
       if (progress.due()) progress.step(std::to_string(frames) + " frames ...");
     }
@@ -89,6 +151,11 @@ void run(const Options& options) {
                                                "' does not solve frames: use dft, tikhonov or "
                                                "closed_form");
   const std::unique_ptr<Solver> solver = make_solver(scene, *method);
+  if (!options.uncertainty.empty() && (*method == Method::dft || solver->tractions() >= large))
+    throw CLI::ValidationError("--uncertainty",
+                               "needs the method tikhonov or closed_form, and "
+                               "fewer than " +
+                                   std::to_string(large) + " tractions");
   for (const std::string& warning : solver->facts().warnings)
     std::cerr << options.method << ": warning: " << warning << '\n';
 
@@ -116,13 +183,24 @@ void run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   std::size_t frames = 0;
   std::map<std::string, std::size_t> verdicts;
-  try {
-    frames = stream(*solver, reader, verdicts, output.stream(), scene, name, live);
-  } catch (const InputError&) {
+  std::optional<UncertaintyFile> uncertainty;
+  if (!options.uncertainty.empty())
+    uncertainty.emplace(options.uncertainty, scene, reader.has_time());
+  const auto commit = [&] {
     output.commit();
+    if (uncertainty) uncertainty->commit();
+  };
+  try {
+    frames = stream(*solver, reader, output.stream(), scene, name, live,
+                    [&](std::span<const double> g, std::span<const double> f) {
+                      ++verdicts[solver->facts().verdict];
+                      if (uncertainty) uncertainty->add(g, f, solver->facts(), reader.time());
+                    });
+  } catch (const InputError&) {
+    commit();
     throw;
   }
-  output.commit();
+  commit();
 
   const FrameFacts& facts = solver->facts();
   for (const auto& [verdict, count] : verdicts)
@@ -174,6 +252,9 @@ void add_solve(CLI::App& app) {
       ->capture_default_str();
   command->add_option("-o,--output", options->output,
                       "CSV file for the tractions [Pa] (default: standard output)");
+  command->add_option("--uncertainty", options->uncertainty,
+                      "CSV file for each frame's forces, centre and angle with their standard "
+                      "deviations, and the deviation of every traction");
   command->add_option("--json", options->json, "Write a summary as JSON to this file");
   command->callback([options] { run(*options); });
 }
