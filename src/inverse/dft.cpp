@@ -40,6 +40,7 @@ struct DftInverse::Plan {
   RealFft fft;
   std::vector<std::complex<double>> inverse;  // 1 / (count * DFT of the kernel)
   NoiseGain gain;
+  double kernel_error = 0.0;  // of the kernel's DFT, over its largest entry
 };
 
 DftInverse::~DftInverse() = default;
@@ -76,6 +77,10 @@ DftInverse::DftInverse(const SensorArray& array, const Material& material, doubl
         return std::real(value * std::conj(*most)) < 0.0;
       }));
 
+  double sum = 0.0;
+  for (const double value : plan_->fft.samples()) sum += std::abs(value);
+  plan_->kernel_error = relative_kernel_error(material) * sum / std::abs(*most);
+
   if (gain.largest > gain_limit) {
     std::ostringstream text;
     text << "dft would multiply errors of the readings by up to " << gain.largest << " (limit "
@@ -111,6 +116,17 @@ Status DftInverse::solve(std::span<const double> readings, std::span<double> tra
 }
 
 const NoiseGain& DftInverse::noise_gain() const noexcept { return plan_->gain; }
+
+double DftInverse::forward_bound(std::span<const double> readings) const noexcept {
+  double peak = 0.0;
+  for (const double reading : readings) peak = std::max(peak, std::abs(reading));
+  if (peak == 0.0) return 0.0;
+  const double underflow =
+      std::numeric_limits<double>::denorm_min() * static_cast<double>(readings.size()) / peak;
+  const double transforms = 3.0 * std::log2(static_cast<double>(plan_->fft.size()) + 2.0) *
+                            std::numeric_limits<double>::epsilon();
+  return plan_->gain.largest * (plan_->kernel_error + transforms + underflow);
+}
 
 DftVerdict DftInverse::verdict() const noexcept {
   if (plan_->gain.sign_changes > 0) return DftVerdict::sign_change;

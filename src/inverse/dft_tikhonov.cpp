@@ -9,7 +9,9 @@
 #include <stdexcept>
 
 #include "inverse/finite.hpp"
+#include "inverse/kernel_error.hpp"
 #include "sensing/real_fft.hpp"
+#include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
 namespace tactile_net {
@@ -87,6 +89,7 @@ struct DftTikhonov::Plan {
   std::vector<Frequency> frequencies;
   std::vector<DftNullMode> null_modes;
   double largest = 0.0;
+  double kernel_error = 0.0;  // of the matrices' entries
   Eigen::MatrixXcd spectrum;  // channels x frequencies
   Eigen::MatrixXcd solution;  // unknowns x frequencies
 };
@@ -118,7 +121,10 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t u = 0; u < plan.unknowns; ++u) {
       const Traction load = u == 0 ? Traction::normal : Traction::tangential;
-      transform_circular(plan.fft, sampled_kernel(all[c], load, material, n, array.pitch));
+      const std::vector<double> kernel = sampled_kernel(all[c], load, material, n, array.pitch);
+      plan.kernel_error = std::hypot(
+          plan.kernel_error, plan.weights[c] * kernel_error(all[c], load, material, array, kernel));
+      transform_circular(plan.fft, kernel);
       const bool odd = (all[c].quantity == Quantity::shear_xy) == (load == Traction::normal);
       for (std::size_t k = 0; k < bins; ++k) {
         // Rounding must not give an odd kernel a mean, nor an even one a phase.
@@ -179,6 +185,27 @@ double DftTikhonov::condition(double alpha) const noexcept {
     for (const double s : frequency.s)
       if (s > 0.0) smallest = std::min(smallest, s);
   return std::hypot(plan_->largest, root) / std::hypot(smallest, root);
+}
+
+double DftTikhonov::forward_bound(std::span<const double> readings, double alpha,
+                                  std::span<const double> tractions) {
+  const FilterFrame frame = analyse(readings);
+  if (frame.scale == 0.0) return 0.0;
+  double right = frame.outside * frame.outside;
+  double residual = right;  // of the stacked system: the functional's least value
+  for (std::size_t i = 0; i < frame.beta.size(); ++i) {
+    const double power = frame.beta[i] * frame.beta[i];
+    right += power;
+    const double square = frame.gamma[i] * frame.gamma[i];
+    if (square > 0.0 || alpha > 0.0) residual += alpha / (square + alpha) * power;
+  }
+  double solution = 0.0;
+  for (const double f : tractions) solution += (f / frame.scale) * (f / frame.scale);
+  const double transforms = 3.0 * std::log2(static_cast<double>(plan_->fft.size()) + 2.0) *
+                            std::numeric_limits<double>::epsilon();
+  return wedin_bound(condition(alpha), std::hypot(plan_->largest, std::sqrt(alpha)),
+                     std::sqrt(right), std::sqrt(residual), std::sqrt(solution),
+                     plan_->kernel_error / plan_->largest + transforms);
 }
 
 bool DftTikhonov::cut_off(std::span<const double> readings, double alpha) const noexcept {

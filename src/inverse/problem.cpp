@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <span>
 #include <stdexcept>
 #include <string>
 
 #include "inverse/eigen.hpp"
-#include "tactile_net/elasticity/half_plane.hpp"
-#include "tactile_net/elasticity/pad_kernel.hpp"
+#include "inverse/kernel_error.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
 namespace tactile_net {
@@ -41,27 +38,6 @@ void check(const SensorArray& array, const Material& material, const ProblemOpti
       throw std::invalid_argument("dead taxel " + std::to_string(taxel) + " is not < count");
 }
 
-namespace {
-
-/// How far rounding may have moved one Toeplitz block, in the 2-norm. Half plane: some ulp of every
-/// entry, so that the 1-norm of the lags bounds it. Layer: each lag is off by a share of the half
-/// plane's peak, one way as well as the other.
-double block_error(const Channel& channel, Traction load, const Material& material,
-                   const SensorArray& array, std::span<const double> kernel) {
-  const double relative = relative_kernel_error(material);
-  if (!material.layer)
-    return relative * std::accumulate(kernel.begin(), kernel.end(), 0.0,
-                                      [](double sum, double k) { return sum + std::abs(k); });
-  double peak = 0.0;
-  for (std::size_t i = 0; i < array.count; ++i)
-    peak =
-        std::max(peak, std::abs(half_plane_kernel(channel.quantity, load, material, channel.depth,
-                                                  static_cast<double>(i) * array.pitch)));
-  return relative * peak * array.pitch * std::sqrt(static_cast<double>(kernel.size()));
-}
-
-}  // namespace
-
 InverseProblem make_problem(const SensorArray& array, const Material& material,
                             const ProblemOptions& options) {
   check(array, material, options);
@@ -88,7 +64,7 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
       const std::vector<double> kernel = sampled_kernel(all[c], load, material, n, array.pitch);
       const double weight = options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[c];
       problem.kernel_error = std::hypot(
-          problem.kernel_error, weight * block_error(all[c], load, material, array, kernel));
+          problem.kernel_error, weight * kernel_error(all[c], load, material, array, kernel));
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j)
           problem.kernel(c * n + i, u * n + j) = row_weights[i] * kernel[i + n - 1 - j];

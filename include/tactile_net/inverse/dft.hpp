@@ -56,6 +56,10 @@ class DftInverse {
 
   [[nodiscard]] const NoiseGain& noise_gain() const noexcept;
 
+  /// How far rounding may have moved a frame's tractions, over their 2-norm: the noise gain times
+  /// the errors of the kernel and of three transforms, and of readings near the smallest double.
+  [[nodiscard]] double forward_bound(std::span<const double> readings) const noexcept;
+
   /// Of the array and the kernel alone.
   [[nodiscard]] DftVerdict verdict() const noexcept;
 

@@ -54,6 +54,11 @@ class DftTikhonov {
   /// errors of the readings reach the tractions multiplied by up to this.
   [[nodiscard]] double condition(double alpha) const noexcept;
 
+  /// The first-order bound of least squares for one frame of the circular system: how far rounding
+  /// may have moved the tractions, over their 2-norm (see error_bound.hpp).
+  [[nodiscard]] double forward_bound(std::span<const double> readings, double alpha,
+                                     std::span<const double> tractions);
+
   /// True if the readings are cut off by the array's ends, where the circle closes: at either end
   /// the mean over a fortieth of the array, times `condition`, exceeds the peak, in some channel.
   /// What is cut off is folded in from the other end and amplified.

@@ -23,9 +23,9 @@ namespace tactile_net {
 /// What one frame's iteration came to.
 struct Convergence {
   std::size_t steps = 0;
-  double estimate = 0.0;  ///< of |error|_2 / |f|_2: the preconditioned gradient over f
+  double estimate = 0.0;  ///< of |error|_2 / |f|_2, four steps ago: what they took off |error|_P
   double bound = 0.0;     ///< the same, proved: |gradient| / (alpha |f|), since P >= alpha
-  bool converged = true;  ///< `estimate` reached the tolerance
+  bool converged = true;  ///< `estimate` or `bound` reached the tolerance
 };
 
 class FftTikhonov {

@@ -1,0 +1,109 @@
+// Nothing crashes, hangs, returns NaN, or is wrong beyond its own stated bound.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/error_bound.hpp"
+#include "tactile_net/sensing/sampled.hpp"
+#include "tests/catch.hpp"
+#include "tests/hard/outcomes.hpp"
+#include "tests/hard/reference.hpp"
+
+using namespace tactile_net;
+using namespace tactile_net::hard;
+
+TEST_CASE("every method on every hard case stays within its bound", "[hard]") {
+  for (const Case& hard_case : cases())
+    for (const Outcome& outcome : outcomes(hard_case)) {
+      CAPTURE(hard_case.name, outcome.method, outcome.verdict, outcome.condition, outcome.error,
+              outcome.bound, outcome.wedin);
+      CHECK(outcome.finite);
+      if (!outcome.answered) {
+        // Refusing must be right: the system is beyond double precision.
+        CHECK(outcome.condition > 1e7);
+        continue;
+      }
+      CHECK(outcome.error <= outcome.bound);
+      if (outcome.verdict == "not_converged") continue;
+      const double tolerance = outcome.method == "conjugate gradients" ? 1e-12 : 1e-15;
+      CHECK(outcome.error <= 100.0 * outcome.wedin + tolerance);
+    }
+}
+
+#ifdef __OPTIMIZE__  // half a minute otherwise
+TEST_CASE("large arrays stay within their bounds", "[hard]") {
+  for (const Case& hard_case : large_cases())
+    for (const Outcome& outcome : large_outcomes(hard_case)) {
+      CAPTURE(hard_case.name, outcome.method, outcome.condition, outcome.error, outcome.bound);
+      CHECK(outcome.verdict == "ok");
+      CHECK(outcome.error <= outcome.bound);
+      CHECK(outcome.error < 1e-10);
+    }
+}
+#endif
+
+TEST_CASE("constrained answers are optimal in 50 digits", "[hard]") {
+  for (const Case& hard_case : cases()) {
+    const InverseProblem problem =
+        make_problem(hard_case.array, hard_case.material, hard_case.options);
+    const bool two = problem.unknowns == 2;
+    const Constraints constraints{.friction_limit = two ? std::optional(0.5) : std::nullopt};
+    CAPTURE(hard_case.name);
+    ConstrainedSolution solution;
+    try {
+      solution =
+          ConstrainedTikhonov(problem, hard_case.alpha, constraints).solve(hard_case.readings);
+    } catch (const std::domain_error&) {
+      continue;  // rank deficient, as every other method says
+    }
+    REQUIRE(solution.verdict == ConstrainedVerdict::ok);
+    const RealMatrix kernel =
+        reference_matrix(hard_case.array, hard_case.material, hard_case.options, false);
+    Reals right;
+    for (std::size_t i = 0; i < hard_case.readings.size(); ++i)
+      right.push_back(Real(problem.weights[i]) * Real(hard_case.readings[i]));
+    const Reals f(solution.tractions.begin(), solution.tractions.end());
+    const double ratio = problem.smoothing_length / problem.pitch;
+    const Reals gradient =
+        reference_gradient(kernel, right, hard_case.alpha, ratio, problem.count, f);
+    // Along every edge of the cone the functional must not fall, nor may it fall along f itself.
+    const Reals start = reference_gradient(kernel, right, hard_case.alpha, ratio, problem.count,
+                                           Reals(f.size(), 0));
+    const double bound = forward_bound(problem, hard_case.alpha, hard_case.readings,
+                                       solution.tractions, std::max(solution.condition, 1.0));
+    const Real slack = norm(start) * Real(1e-9 + (f.empty() || norm(f) == 0 ? 0.0 : bound));
+    const Matrix map = edges(problem, constraints);
+    Real along_f = 0;
+    for (std::size_t i = 0; i < f.size(); ++i) along_f += gradient[i] * f[i];
+    CHECK(abs(along_f) <= slack * norm(f));
+    for (std::size_t z = 0; z < f.size(); ++z) {
+      if (!two && f[z] < 0) FAIL("a traction pulls");
+      Real along = 0;
+      for (std::size_t i = 0; i < f.size(); ++i) along += Real(map(i, z)) * gradient[i];
+      CHECK(along >= -slack);
+    }
+  }
+}
+
+TEST_CASE("the reference's kernels are the library's, by another way", "[hard]") {
+  using enum Quantity;
+  for (const auto& layer : {std::optional<Layer>{}, std::optional(Layer{2.0, Base::bonded}),
+                            std::optional(Layer{2.0, Base::frictionless})})
+    for (const Quantity quantity : quantities)
+      for (const Traction load : {Traction::normal, Traction::tangential}) {
+        if (layer && layer->base == Base::frictionless && load == Traction::tangential &&
+            quantity != stress_x && quantity != shear_xy)
+          continue;  // these do not die away: the trapezoidal rule has no period
+        const Material pad{2.0, 0.4, layer};
+        const Channel channel{quantity, 1.3, "x"};
+        const Reals exact = reference_kernel(channel, load, pad, 9, 0.4);
+        const std::vector<double> kernel = sampled_kernel(channel, load, pad, 9, 0.4);
+        double peak = 0.0;
+        for (const double value : kernel) peak = std::max(peak, std::abs(value));
+        for (std::size_t i = 0; i < kernel.size(); ++i) {
+          CAPTURE(name(quantity), load == Traction::normal, i);
+          CHECK(std::abs(static_cast<double>(Real(kernel[i]) - exact[i])) <= 2e-14 * peak);
+        }
+      }
+}
