@@ -9,7 +9,9 @@
 #include "tactile_net/inverse/dft.hpp"
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/fft_tikhonov.hpp"
+#include "tactile_net/inverse/identifiability.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/sensing/effects.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
@@ -149,6 +151,36 @@ TEST_CASE("contacts at the array's end are cut off, in the middle they are not",
   };
   CHECK(inverse.cut_off(readings(9.5), 1e-3));
   CHECK_FALSE(inverse.cut_off(readings(0.0), 1e-3));
+}
+
+TEST_CASE("a ripple's amplitude scatters as predicted", "[dft_tikhonov][identifiability]") {
+  // Noise alone, through the circular system, which has no ends; the amplitude at one wavelength.
+  const std::size_t n = 64;
+  const SensorArray array{n, 0.5, {0.5}, {stress_x, shear_xy}};
+  const Material pad{1.0, 0.3};
+  const auto predicted = resolutions(array, pad, {.unknowns = 2});
+  DftTikhonov inverse(array, pad, {.unknowns = 2});
+  const std::size_t j = 8;
+  double normal = 0.0;
+  double tangential = 0.0;
+  const int frames = 600;
+  for (int frame = 0; frame < frames; ++frame) {
+    std::vector<double> g(2 * n);
+    add_noise(g, 1.0, 5, static_cast<std::size_t>(frame));
+    std::vector<double> f(2 * n);
+    REQUIRE(inverse.solve(g, 0.0, f) == Status::ok);
+    const auto amplitude = [&](std::size_t start) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < n; ++i)
+        sum += f[start + i] * std::cos(2.0 * std::numbers::pi * static_cast<double>(j * i) /
+                                       static_cast<double>(n));
+      return 2.0 * sum / static_cast<double>(n);
+    };
+    normal += std::pow(amplitude(0), 2) / frames;
+    tangential += std::pow(amplitude(n), 2) / frames;
+  }
+  CHECK_THAT(std::sqrt(normal), WithinRel(predicted[j].normal, 0.12));
+  CHECK_THAT(std::sqrt(tangential), WithinRel(predicted[j].tangential, 0.12));
 }
 
 TEST_CASE("conjugate gradients solve P f = b, boundaries included", "[fft_tikhonov]") {

@@ -15,6 +15,7 @@ void add_run(CLI::App& app);
 void add_gen(CLI::App& app);
 void add_relax(CLI::App& app);
 void add_solve(CLI::App& app);
+void add_identify(CLI::App& app);
 
 /// Adds --ngspice and --time-limit [s].
 void add_ngspice_options(CLI::App& command, NgspiceOptions& options, double& time_limit);

@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
   tactile_net::tool::add_gen(app);
   tactile_net::tool::add_relax(app);
   tactile_net::tool::add_solve(app);
+  tactile_net::tool::add_identify(app);
   try {
     check_command(app, argc, argv);
     app.parse(argc, argv);

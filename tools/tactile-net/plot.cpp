@@ -38,7 +38,7 @@ std::string number(double value) {
 std::string script(const Plot& plot) {
   std::string text = "set title " + literal(plot.title) + "\nset xlabel " + literal(plot.x_label) +
                      "\nset ylabel " + literal(plot.y_label) +
-                     (plot.logarithmic_x ? "\nset logscale x\nset format x '10^{%L}'"
+                     (plot.logarithmic_x ? "\nset logscale x\nset format x '1e%T'"
                                          : "\nunset logscale x\nset format x '%h'") +
                      "\n$data << EOD\n";
   for (std::size_t i = 0; i < plot.x.size(); ++i) {

@@ -5,63 +5,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "html.hpp"
 #include "plot.hpp"
 #include "table.hpp"
 #include "text.hpp"
 
 namespace tactile_net::tool {
 namespace {
-
-constexpr std::string_view style = R"(
-body { font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 62rem; margin: 2rem auto;
-       padding: 0 1rem; }
-h1 { font-size: 1.6rem; margin-bottom: 0; } h2 { font-size: 1.15rem; margin-top: 2rem; }
-table { border-collapse: collapse; } .wide { overflow-x: auto; }
-th, td { text-align: left; padding: .25rem .8rem .25rem 0; border-bottom: 1px solid #ddd;
-         white-space: nowrap; font-variant-numeric: tabular-nums; }
-.note { color: #7a4b00; background: #fff6e5; padding: .4rem .8rem; border-left: 4px solid #e69f00; }
-.bad { color: #8a1c00; background: #fdecea; padding: .4rem .8rem; border-left: 4px solid #d55e00; }
-svg { max-width: 100%; height: auto; } footer { color: #666; margin-top: 3rem; font-size: .9rem; }
-)";
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
-std::string element(std::string_view tag, std::string_view content, std::string_view type = {}) {
-  std::string out = "<" + std::string(tag);
-  if (!type.empty()) out += " class=\"" + std::string(type) + "\"";
-  return out + ">" + escaped(content) + "</" + std::string(tag) + ">\n";
-}
-
-std::string list(const std::vector<std::string>& items) {
-  std::string out = "<ul>\n";
-  for (const std::string& item : items) out += element("li", item);
-  return out + "</ul>\n";
-}
-
-std::string table(const std::vector<std::vector<std::string>>& rows) {
-  std::string out = "<div class=\"wide\"><table>\n";
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    out += "<tr>";
-    for (const std::string& cell : rows[i]) out += element(i == 0 ? "th" : "td", cell);
-    out += "</tr>\n";
-  }
-  return out + "</table></div>\n";
-}
 
 /// One component of every answer, with bands of two standard deviations, under the truth.
 void add_component(std::vector<Plot>& plots, const Experiment& experiment,
@@ -172,11 +122,6 @@ Report report_html(const Experiment& experiment) {
   }
 
   std::string& html = report.html;
-  html =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width\">\n";
-  html += element("title", scene.file + " - tactile-net") + "<style>" + std::string(style) +
-          "</style></head>\n<body>\n";
   html += element("h1", scene.title.empty() ? scene.file : scene.title);
   if (!scene.title.empty()) html += element("p", scene.file);
 
@@ -185,14 +130,14 @@ Report report_html(const Experiment& experiment) {
       element("p", "Sensor: " + sensor_in_words(scene) + ". Material: " + material_in_words(scene) +
                        ". Forward model: " + std::string(name(scene.forward)) + ".");
   const std::vector<std::string> contacts = contacts_in_words(scene);
-  html += contacts.empty() ? element("p", "No contact: an unloaded sensor.") : list(contacts);
+  html += contacts.empty() ? element("p", "No contact: an unloaded sensor.") : html_list(contacts);
   html += element("p", "Effects simulated: " + effects_in_words(scene, true) +
                            ". Absent, and free of cost: " + effects_in_words(scene, false) + ".");
   for (const std::string& warning : experiment.simulation.warnings)
     html += element("p", warning, "note");
 
   html += element("h2", "Methods compared");
-  html += table(comparison_cells(experiment));
+  html += html_table(comparison_cells(experiment));
   html += element("p", "Force of the contacts: " + brief(experiment.force) + " exact, " +
                            brief(experiment.sampled_force) +
                            " as pitch x sum of the truth at the taxels. Errors are against the "
@@ -210,14 +155,12 @@ Report report_html(const Experiment& experiment) {
   if (experiment.sweep) {
     html += element("h2", "The choice of alpha");
     html += element("p", "Every rule on these readings; " + rule_used(scene) + ".");
-    html += table(rule_cells(*experiment.sweep));
+    html += html_table(rule_cells(*experiment.sweep));
   }
   if (!report.missing.empty()) html += element("p", report.missing, "note");
   for (const std::string& picture : pictures) html += "<figure>" + picture + "</figure>\n";
   if (experiment.relaxation) html += network_section(*experiment.relaxation);
-  html += element("footer", "Written by tactile-net " TACTILE_NET_VERSION
-                            ". Lengths, forces and tractions are in the scene's units.");
-  html += "</body>\n</html>\n";
+  html = html_page(scene.file + " - tactile-net", html);
   return report;
 }
 

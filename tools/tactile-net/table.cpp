@@ -7,8 +7,6 @@
 #include "text.hpp"
 
 namespace tactile_net::tool {
-namespace {
-
 void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const auto& row : rows)
@@ -21,8 +19,6 @@ void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>&
     out << line << '\n';
   }
 }
-
-}  // namespace
 
 std::vector<std::vector<std::string>> comparison_cells(const Experiment& experiment) {
   const bool two =

@@ -10,6 +10,9 @@
 
 namespace tactile_net::tool {
 
+/// Rows in columns that line up.
+void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>& rows);
+
 /// Header and rows of the comparison of methods, as cells: shared by the terminal and the report.
 [[nodiscard]] std::vector<std::vector<std::string>> comparison_cells(const Experiment& experiment);
 
