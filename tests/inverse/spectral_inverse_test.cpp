@@ -156,7 +156,7 @@ TEST_CASE("contacts at the array's end are cut off, in the middle they are not",
 TEST_CASE("a ripple's amplitude scatters as predicted", "[dft_tikhonov][identifiability]") {
   // Noise alone, through the circular system, which has no ends; the amplitude at one wavelength.
   const std::size_t n = 64;
-  const SensorArray array{n, 0.5, {0.5}, {stress_x, shear_xy}};
+  const SensorArray array{n, 0.5, {1.0}, {stress_x, shear_xy}};
   const Material pad{1.0, 0.3};
   const auto predicted = resolutions(array, pad, {.unknowns = 2});
   DftTikhonov inverse(array, pad, {.unknowns = 2});

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "tactile_net/inverse/dft.hpp"
+#include "tactile_net/inverse/dft_friction.hpp"
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/fft_tikhonov.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
@@ -53,6 +54,39 @@ class Division final : public Solver {
 
  private:
   DftInverse inverse_;
+  std::size_t count_;
+  std::size_t lasting_ = 0;  // warnings that hold for every frame
+};
+
+/// dft of one channel with known friction.
+class Sliding final : public Solver {
+ public:
+  explicit Sliding(const Scene& scene)
+      : inverse_(scene.sensor, scene.material, *scene.reconstruct.contact_friction,
+                 scene.reconstruct.noise_gain_limit),
+        count_(scene.sensor.count) {
+    facts_.condition = inverse_.division().noise_gain().largest;
+    if (!scene.dead_taxels.empty()) facts_.warnings.emplace_back(dead_taxel_warning);
+    lasting_ = facts_.warnings.size();
+  }
+  Status solve(std::span<const double> readings, std::span<double> tractions) override {
+    const FrictionSolution solution = inverse_.solve(readings);
+    facts_.verdict =
+        solution.verdict == FrictionVerdict::dft ? name(solution.dft) : name(solution.verdict);
+    facts_.warnings.resize(lasting_);
+    if (solution.verdict == FrictionVerdict::not_one_contact)
+      facts_.warnings.emplace_back(
+          "these are not the readings of one contact in the array's middle, which contact_friction "
+          "takes for granted");
+    std::copy(solution.normal.begin(), solution.normal.end(), tractions.begin());
+    std::copy(solution.tangential.begin(), solution.tangential.end(),
+              tractions.begin() + static_cast<std::ptrdiff_t>(count_));
+    return Status::ok;
+  }
+  [[nodiscard]] std::size_t tractions() const override { return 2 * count_; }
+
+ private:
+  DftFriction inverse_;
   std::size_t count_;
   std::size_t lasting_ = 0;  // warnings that hold for every frame
 };
@@ -293,6 +327,7 @@ AlphaSweep sweep_of(const Scene& scene, std::span<const double> readings) {
 std::unique_ptr<Solver> make_solver(const Scene& scene, Method method) {
   switch (method) {
     case Method::dft:
+      if (scene.reconstruct.contact_friction) return std::make_unique<Sliding>(scene);
       if (scene.sensor.reads.size() * scene.sensor.depths.size() == 1)
         return std::make_unique<Division>(scene);
       return std::make_unique<Frequencies>(scene);
