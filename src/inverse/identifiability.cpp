@@ -1,69 +1,174 @@
 #include "tactile_net/inverse/identifiability.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <limits>
 #include <numbers>
 #include <sstream>
 
 #include "inverse/eigen.hpp"
-#include "tactile_net/elasticity/pad_kernel.hpp"
 
 namespace tactile_net {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr std::size_t most_modes = 6;  // named in one space
+constexpr double pure = 0.9;           // share from which a mode is called by one name
 
-/// The frequency j = 0 ... count / 2 at which one block of a mode is strongest.
-std::size_t strongest_frequency(const Eigen::Ref<const Eigen::VectorXd>& block) {
-  const auto n = static_cast<std::size_t>(block.size());
-  std::size_t best = 0;
-  double most = -1.0;
-  for (std::size_t j = 0; j <= n / 2; ++j) {
-    std::complex<double> sum{};
-    for (std::size_t i = 0; i < n; ++i)
-      sum += block(static_cast<Eigen::Index>(i)) *
-             std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(j * i % n) /
-                                 static_cast<double>(n));
-    // Both k and count - k hold a ripple's power, but for the mean and Nyquist.
-    const double power = std::norm(sum) * (j == 0 || 2 * j == n ? 1.0 : 2.0);
-    if (power > most) {
-      most = power;
-      best = j;
+/// Columns 2 m and 2 m + 1: the cosine and the sine of m half waves in the array, centred, of unit
+/// norm; a wave that is zero at every taxel is a column of zeros.
+Eigen::MatrixXd half_waves(Eigen::Index n) {
+  Eigen::MatrixXd waves(n, 2 * (n + 1));
+  for (Eigen::Index m = 0; m <= n; ++m)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      // The phase m (2 i + 1 - n) pi / (2 n), reduced while it is a whole number.
+      const Eigen::Index turns = (m * (2 * i + 1 - n)) % (4 * n);
+      const double phase =
+          std::numbers::pi * static_cast<double>(turns) / (2.0 * static_cast<double>(n));
+      waves(i, 2 * m) = std::cos(phase);
+      waves(i, 2 * m + 1) = std::sin(phase);
     }
+  for (Eigen::Index column = 0; column < waves.cols(); ++column) {
+    const double norm = waves.col(column).norm();
+    if (norm > 0.5)  // at least 1/sqrt(2), or zero but for rounding
+      waves.col(column) /= norm;
+    else
+      waves.col(column).setZero();
   }
-  return best;
+  return waves;
 }
 
-NullMode named(const Eigen::VectorXd& mode, double singular_value, const InverseProblem& problem) {
-  const auto n = static_cast<Eigen::Index>(problem.count);
-  NullMode result{.singular_value = singular_value};
-  Eigen::Index start = 0;
-  if (problem.unknowns == 2) {
-    const double normal = mode.head(n).squaredNorm() / mode.squaredNorm();
-    result.unknown = normal >= 0.5 ? Traction::normal : Traction::tangential;
-    result.share = std::max(normal, 1.0 - normal);
-    if (result.unknown == Traction::tangential) start = n;
+/// Names modes of one problem.
+class Namer {
+ public:
+  explicit Namer(const InverseProblem& problem)
+      : problem_(problem),
+        count_(static_cast<Eigen::Index>(problem.count)),
+        unknowns_(static_cast<Eigen::Index>(problem.unknowns)),
+        waves_(half_waves(count_)) {}
+
+  [[nodiscard]] TractionMode name(const Eigen::VectorXd& mode) const;
+
+  /// @param basis  orthonormal columns
+  [[nodiscard]] ModeSpace name_space(const Eigen::Ref<const Eigen::MatrixXd>& basis) const;
+
+ private:
+  /// Coefficients in the waves of every traction: 2 rows for each traction, for each m.
+  [[nodiscard]] Eigen::MatrixXd spectrum(const Eigen::Ref<const Eigen::MatrixXd>& vectors) const {
+    Eigen::MatrixXd rows(2 * unknowns_ * (count_ + 1), vectors.cols());
+    for (Eigen::Index u = 0; u < unknowns_; ++u) {
+      const Eigen::MatrixXd block = waves_.transpose() * vectors.middleRows(u * count_, count_);
+      for (Eigen::Index m = 0; m <= count_; ++m)
+        rows.middleRows(2 * (m * unknowns_ + u), 2) = block.middleRows(2 * m, 2);
+    }
+    return rows;
   }
-  const std::size_t frequency = strongest_frequency(mode.segment(start, n));
+  [[nodiscard]] auto at(Eigen::MatrixXd& spectrum, Eigen::Index m) const {
+    return spectrum.middleRows(2 * unknowns_ * m, 2 * unknowns_);
+  }
+  [[nodiscard]] double wavelength(Eigen::Index m) const {
+    return m == 0 ? infinity
+                  : 2.0 * static_cast<double>(count_) * problem_.pitch / static_cast<double>(m);
+  }
+
+  const InverseProblem& problem_;
+  Eigen::Index count_;
+  Eigen::Index unknowns_;
+  Eigen::MatrixXd waves_;
+};
+
+Parity parity_of(const Eigen::Ref<const Eigen::VectorXd>& block) {
+  const double even = (block + block.reverse()).squaredNorm() / (4.0 * block.squaredNorm());
+  return even > 0.99 ? Parity::even : even < 0.01 ? Parity::odd : Parity::neither;
+}
+
+std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
+
+std::string in_words(const TractionMode& mode, bool alternating) {
   std::ostringstream text;
-  text << (result.unknown == Traction::normal ? "normal" : "tangential") << " traction";
-  if (result.share < 0.9)
-    text << " (" << std::lround(100.0 * result.share) << " %) with "
-         << (result.unknown == Traction::normal ? "tangential" : "normal");
-  if (frequency == 0) {
-    text << ", constant (k = 0)";
-  } else {
-    result.wavelength =
-        static_cast<double>(problem.count) * problem.pitch / static_cast<double>(frequency);
-    if (2 * frequency + 1 >= problem.count)
-      text << ", alternating from taxel to taxel (Nyquist)";
-    else
-      text << ", wavelength " << *result.wavelength;
+  if (mode.unknown)
+    text << (*mode.unknown == Traction::normal ? "normal" : "tangential") << " traction";
+  else
+    text << "normal (" << percent(mode.normal_share) << ") with tangential traction ("
+         << percent(1.0 - mode.normal_share) << ")";
+  text << (mode.wave_share < 0.5    ? ", of many wavelengths, the strongest: "
+           : mode.wave_share < pure ? ", nearly "
+                                    : ", ");
+  if (!mode.wavelength)
+    text << "constant (k = 0)";
+  else if (alternating)
+    text << "alternating from taxel to taxel (Nyquist)";
+  else
+    text << "wavelength " << *mode.wavelength;
+  if (mode.unknown && mode.parity != Parity::neither)
+    text << ", " << (mode.parity == Parity::even ? "even" : "odd") << " about the centre";
+  return text.str();
+}
+
+TractionMode Namer::name(const Eigen::VectorXd& mode) const {
+  TractionMode result{.singular_value = (as_eigen(problem_.kernel) * mode).norm()};
+  Eigen::MatrixXd coefficients = spectrum(mode);
+  Eigen::Index strongest = 0;
+  double most = -1.0;
+  for (Eigen::Index m = 0; m <= count_; ++m) {
+    const double share = at(coefficients, m).squaredNorm();
+    if (share > most + 1e-9) {
+      most = share;
+      strongest = m;
+    }
   }
-  result.description = text.str();
+  result.wave_share = std::min(most, 1.0);
+  if (strongest > 0) result.wavelength = wavelength(strongest);
+
+  result.normal_share = unknowns_ == 1 ? 1.0 : std::min(mode.head(count_).squaredNorm(), 1.0);
+  const bool normal = result.normal_share >= 0.5;
+  if (std::max(result.normal_share, 1.0 - result.normal_share) >= pure)
+    result.unknown = normal ? Traction::normal : Traction::tangential;
+  result.parity = parity_of(normal ? mode.head(count_) : mode.tail(count_));
+  result.description = in_words(result, strongest + 1 >= count_ && count_ > 2);
   return result;
+}
+
+ModeSpace Namer::name_space(const Eigen::Ref<const Eigen::MatrixXd>& basis) const {
+  ModeSpace space{.dimension = static_cast<std::size_t>(basis.cols())};
+  if (space.dimension == 0) return space;
+  Eigen::MatrixXd left = spectrum(basis);
+
+  // The largest share of wavelength m that a combination of unit norm has: an eigenvalue.
+  const auto purity = [&](Eigen::Index m) {
+    const Eigen::MatrixXd rows = at(left, m);
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(rows * rows.transpose());
+  };
+  for (std::size_t step = 0; step < std::min(space.dimension, most_modes); ++step) {
+    std::vector<double> purities;
+    for (Eigen::Index m = 0; m <= count_; ++m)
+      purities.push_back(purity(m).eigenvalues().reverse()(0));
+    if (step == 0)
+      for (Eigen::Index m = 0; m <= count_; ++m)
+        if (purities[static_cast<std::size_t>(m)] >= 0.5) {
+          if (space.shortest == 0.0) space.longest = wavelength(m);
+          space.shortest = wavelength(m);
+        }
+    // The first among equals; of one wavelength, a cosine or sine of one traction before a mixture.
+    const double most = *std::max_element(purities.begin(), purities.end()) - 1e-6;
+    const Eigen::Index m =
+        std::find_if(purities.begin(), purities.end(), [&](double p) { return p >= most; }) -
+        purities.begin();
+    const Eigen::MatrixXd rows = at(left, m);
+    Eigen::VectorXd direction = rows.transpose() * purity(m).eigenvectors().rightCols<1>();
+    for (Eigen::Index row = 0; row < rows.rows(); ++row)
+      if (rows.row(row).squaredNorm() >= most) {
+        direction = rows.row(row).transpose();
+        break;
+      }
+    direction.normalize();
+    space.modes.push_back(name(basis * direction));
+    left -= (left * direction).eval() * direction.transpose();
+  }
+  return space;
 }
 
 }  // namespace
@@ -72,71 +177,39 @@ Identifiability identifiability(const InverseProblem& problem) {
   const Eigen::BDCSVD<Eigen::MatrixXd> svd(Eigen::MatrixXd(as_eigen(problem.kernel)),
                                            Eigen::ComputeThinV);
   const Eigen::VectorXd& s = svd.singularValues();
-  Identifiability result{.singular_values = {s.begin(), s.end()}};
   const double largest = s(0);
   const double smallest = s(s.size() - 1);
+  Identifiability result{.singular_values = {s.begin(), s.end()}};
   result.condition = smallest > 0.0 ? largest / smallest : infinity;
   result.noise_gain = smallest > 0.0 ? 1.0 / smallest : infinity;
-  const double floor = std::max(
-      static_cast<double>(problem.kernel.rows) * std::numeric_limits<double>::epsilon() * largest,
-      problem.kernel_error);
-  result.rank = static_cast<std::size_t>((s.array() > floor).count());
-  for (Eigen::Index i = s.size(); i-- > static_cast<Eigen::Index>(result.rank);)
-    result.null_modes.push_back(named(svd.matrixV().col(i), s(i), problem));
+  result.floor =
+      std::max(static_cast<double>(std::max(problem.kernel.rows, problem.kernel.columns)) *
+                   epsilon * largest,
+               problem.kernel_error);
+  const Eigen::Index rank = (s.array() > result.floor).count();
+  const Eigen::Index safe =
+      (s.array() > std::max(result.floor, std::sqrt(epsilon) * largest)).count();
+  result.rank = static_cast<std::size_t>(rank);
+
+  const Namer namer(problem);
+  result.null_space = namer.name_space(svd.matrixV().rightCols(s.size() - rank));
+  result.nearly_null = namer.name_space(svd.matrixV().middleCols(safe, rank - safe));
+  result.weakest = namer.name(svd.matrixV().rightCols<1>());
   return result;
 }
 
-std::vector<Resolution> resolutions(const SensorArray& array, const Material& material,
-                                    const ProblemOptions& options) {
-  check(array, material, options);
-  const std::vector<Channel> all = channels(array);
-  const std::size_t n = array.count;
-  const auto unknowns = static_cast<Eigen::Index>(options.unknowns);
-  std::vector<Resolution> result;
-  for (std::size_t j = 0; j <= n / 2; ++j) {
-    const double k =
-        2.0 * std::numbers::pi * static_cast<double>(j) / (static_cast<double>(n) * array.pitch);
-    const bool single = j == 0 || 2 * j == n;
-    Eigen::MatrixXcd a(static_cast<Eigen::Index>(all.size()), unknowns);
-    for (std::size_t c = 0; c < all.size(); ++c)
-      for (Eigen::Index u = 0; u < unknowns; ++u) {
-        const Traction load = u == 0 ? Traction::normal : Traction::tangential;
-        const bool odd = (all[c].quantity == Quantity::shear_xy) == (load == Traction::normal);
-        const double weight = options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[c];
-        a(static_cast<Eigen::Index>(c), u) =
-            odd && single
-                ? 0.0
-                : weight * pad_transform(all[c].quantity, load, material, all[c].depth, k);
-      }
-    const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(a, Eigen::ComputeThinV);
-    const auto deviation = [&](Eigen::Index u) {
-      double variance = 0.0;
-      for (Eigen::Index i = 0; i < svd.singularValues().size(); ++i) {
-        const double part = std::norm(svd.matrixV()(u, i));
-        const double s = svd.singularValues()(i);
-        if (s > 1e-14 * svd.singularValues()(0))
-          variance += part / (s * s);
-        else if (part > 1e-20)
-          return infinity;
-      }
-      return std::sqrt((single ? 1.0 : 2.0) / static_cast<double>(n) * variance);
-    };
-    result.push_back({.wavelength = j == 0 ? infinity : 2.0 * std::numbers::pi / k,
-                      .normal = deviation(0),
-                      .tangential = unknowns == 2 ? deviation(1) : infinity});
+std::size_t lost_by_symmetry(const SensorArray& array, std::size_t unknowns) {
+  const std::size_t even = (array.count + 1) / 2;  // dimension of the even vectors
+  const std::size_t odd = array.count / 2;
+  std::size_t lost = 0;
+  for (const bool normal_is_even : {true, false}) {
+    const std::size_t wanted = unknowns == 2 ? array.count : normal_is_even ? even : odd;
+    std::size_t read = 0;
+    for (const Channel& channel : channels(array))
+      read += (channel.quantity == Quantity::shear_xy) == normal_is_even ? odd : even;
+    if (read < wanted) lost += wanted - read;
   }
-  return result;
-}
-
-std::optional<double> resolvable_wavelength(const std::vector<Resolution>& all, Traction component,
-                                            double limit) {
-  std::optional<double> shortest;
-  for (std::size_t j = 1; j < all.size(); ++j) {
-    const double deviation = component == Traction::normal ? all[j].normal : all[j].tangential;
-    if (!(deviation <= limit)) break;
-    shortest = all[j].wavelength;
-  }
-  return shortest;
+  return lost;
 }
 
 }  // namespace tactile_net

@@ -1,7 +1,7 @@
 #include "tactile_net/inverse/identifiability.hpp"
 
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
@@ -11,94 +11,180 @@ using enum Quantity;
 
 namespace {
 
-InverseProblem pair_of(std::size_t count, double nu, std::vector<Quantity> reads,
-                       std::vector<double> depths = {1.5}) {
-  return make_problem({count, 0.5, std::move(depths), std::move(reads)}, {1.0, nu},
-                      {.unknowns = 2});
+SensorArray array_of(std::size_t count, std::vector<Quantity> reads,
+                     std::vector<double> depths = {1.5}) {
+  return {count, 0.5, std::move(depths), std::move(reads)};
+}
+
+Identifiability studied(const SensorArray& array, double nu, std::size_t unknowns = 2) {
+  ProblemOptions options{.unknowns = unknowns};
+  for (const Channel& channel : channels(array))  // about equal parts of the noise
+    options.channel_rms.push_back(is_strain(channel.quantity) ? 0.5 : 1.0);
+  return identifiability(make_problem(array, {1.0, nu}, options));
 }
 
 }  // namespace
 
 TEST_CASE("two strains on 81 taxels are singular, and the mode is named", "[identifiability]") {
-  const Identifiability strains = identifiability(pair_of(81, 0.45, {strain_x, strain_y}));
+  // The design's numbers: "about 5e17" is rounding over the largest value, 1e5 is 1.3e5.
+  const double pitch = GENERATE(0.25, 0.5);
+  CAPTURE(pitch);
+  const auto pair_of = [&](std::vector<Quantity> reads) {
+    return identifiability(
+        make_problem({81, pitch, {1.5}, std::move(reads)}, {1.0, 0.45}, {.unknowns = 2}));
+  };
+  const Identifiability strains = pair_of({strain_x, strain_y});
   CHECK(strains.condition > 1e15);
   CHECK(strains.rank == 161);
-  REQUIRE(strains.null_modes.size() == 1);
-  CHECK(strains.null_modes[0].unknown == Traction::tangential);
-  CHECK(strains.null_modes[0].share > 0.95);
+  REQUIRE(strains.null_space.modes.size() == 1);
+  const TractionMode& mode = strains.null_space.modes[0];
+  CHECK(mode.unknown == Traction::tangential);
+  CHECK(mode.parity == Parity::even);
+  CHECK_THAT(mode.description, ContainsSubstring("tangential traction") &&
+                                   ContainsSubstring("alternating from taxel to taxel (Nyquist)"));
+  CHECK(strains.weakest.description == mode.description);
 
-  const Identifiability shear = identifiability(pair_of(81, 0.45, {stress_x, shear_xy}));
-  CHECK(shear.condition < 1e6);
+  const Identifiability shear = pair_of({stress_x, shear_xy});
   CHECK(shear.rank == 162);
-  CHECK(shear.null_modes.empty());
+  CHECK(shear.null_space.dimension == 0);
+  CHECK(shear.condition < (pitch == 0.5 ? 2e5 : 2e9));
+}
+
+TEST_CASE("what counting says is lost is lost, and nothing else", "[identifiability][property]") {
+  const std::size_t count = GENERATE(as<std::size_t>{}, 8, 9, 20, 21);
+  const bool odd = count % 2 == 1;
+  CAPTURE(count);
+  const auto check = [&](const SensorArray& array, std::size_t unknowns, std::size_t lost) {
+    CAPTURE(name(array.reads[0]), array.reads.size(), array.depths.size(), unknowns);
+    CHECK(lost_by_symmetry(array, unknowns) == lost);
+    CHECK(studied(array, 0.3, unknowns).null_space.dimension == lost);
+  };
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    const bool is_shear = quantities[i] == shear_xy;
+    check(array_of(count, {quantities[i]}), 1, odd && is_shear ? 1 : 0);
+    check(array_of(count, {quantities[i]}, {0.75, 1.5}), 2, odd ? 1 : 0);
+    for (std::size_t j = i + 1; j < quantities.size(); ++j) {
+      const bool one_shear = is_shear || quantities[j] == shear_xy;
+      check(array_of(count, {quantities[i], quantities[j]}), 2, odd && !one_shear ? 1 : 0);
+    }
+  }
+  check(array_of(count, {stress_x, stress_y, shear_xy}), 2, 0);
+}
+
+TEST_CASE("two shears lose the normal traction, two stresses the tangential one",
+          "[identifiability]") {
+  const Identifiability shears = studied(array_of(21, {shear_xy}, {0.75, 1.5}), 0.3);
+  REQUIRE(shears.null_space.dimension == 1);
+  CHECK(shears.weakest.normal_share > 0.5);
+  CHECK(shears.weakest.parity == Parity::even);
+  const Identifiability stresses = studied(array_of(21, {stress_x}, {0.75, 1.5}), 0.3);
+  REQUIRE(stresses.null_space.dimension == 1);
+  CHECK(stresses.weakest.normal_share < 0.5);
+  CHECK(stresses.weakest.parity == Parity::even);
 }
 
 TEST_CASE("at nu = 0.5 two strains at one depth are one", "[identifiability]") {
-  const Identifiability strains = identifiability(pair_of(21, 0.5, {strain_x, strain_y}));
-  CHECK(strains.rank <= 21);
-  CHECK(identifiability(pair_of(21, 0.5, {strain_x}, {1.0, 1.5})).rank >= 41);
+  const Identifiability strains = studied(array_of(21, {strain_x, strain_y}), 0.5);
+  CHECK(strains.rank == 21);
+  CHECK(strains.null_space.dimension == 21);
+  CHECK(strains.null_space.shortest < 1.1);     // two pitches
+  CHECK(strains.null_space.longest > 10.0);     // the array
+  CHECK(strains.null_space.modes.size() == 6);  // not all of them are told
+  for (const TractionMode& mode : strains.null_space.modes) CHECK(mode.wave_share > 0.9);
+  CHECK(studied(array_of(21, {strain_x}, {1.0, 1.5}), 0.5).rank == 41);
+}
+
+TEST_CASE("names do not depend on the basis that a decomposition happens to choose",
+          "[identifiability][property]") {
+  // The same rows in another order: a degenerate space comes in another basis.
+  const double nu = GENERATE(0.3, 0.5);
+  const auto names = [&](std::vector<Quantity> reads) {
+    std::vector<std::string> all;
+    for (const TractionMode& mode : studied(array_of(21, std::move(reads)), nu).null_space.modes)
+      all.push_back(mode.description);
+    return all;
+  };
+  CHECK_FALSE(names({strain_x, strain_y}).empty());
+  CHECK(names({strain_x, strain_y}) == names({strain_y, strain_x}));
 }
 
 TEST_CASE("a null mode moves no reading", "[identifiability][property]") {
-  // The readings of the modes' span: none, to rounding. Here by the count alone: rank + modes.
   for (const auto& [name, problem] : sample_problems()) {
     CAPTURE(name);
     const Identifiability result = identifiability(problem);
-    CHECK(result.rank + result.null_modes.size() == problem.kernel.columns);
-    for (std::size_t i = 0; i + 1 < result.singular_values.size(); ++i)
-      CHECK(result.singular_values[i] >= result.singular_values[i + 1]);
-    CHECK_THAT(result.noise_gain * result.singular_values.back(), WithinRel(1.0, 1e-12));
+    const std::vector<double>& s = result.singular_values;
+    CHECK(result.rank + result.null_space.dimension == problem.kernel.columns);
+    for (std::size_t i = 0; i + 1 < s.size(); ++i) CHECK(s[i] >= s[i + 1]);
+    for (const TractionMode& mode : result.null_space.modes)
+      CHECK(mode.singular_value <= 2.0 * result.floor);
+    for (const TractionMode& mode : result.nearly_null.modes) {
+      CHECK(mode.singular_value <= 2e-8 * s.front());
+      CHECK(mode.singular_value >= 0.5 * s.back());
+    }
+    CHECK(result.weakest.singular_value <= std::max(1.001 * s.back(), result.floor));
+    if (s.back() > 0.0) {
+      CHECK_THAT(result.noise_gain * s.back(), WithinRel(1.0, 1e-12));
+      CHECK_THAT(result.condition * s.back(), WithinRel(s.front(), 1e-12));
+    }
   }
 }
 
-TEST_CASE("the mean of the tangential load is hidden from two stresses alone",
-          "[identifiability]") {
-  const auto mean = [](std::vector<Quantity> reads) {
-    return resolutions({40, 0.25, {1.5}, std::move(reads)}, {1.0, 0.45}, {.unknowns = 2});
-  };
-  CHECK(std::isinf(mean({stress_x, stress_y})[0].tangential));
-  CHECK(std::isinf(mean({stress_x, stress_y})[20].tangential));  // Nyquist
-  CHECK(std::isfinite(mean({stress_x, stress_y})[1].tangential));
-  for (const Resolution& resolution : mean({stress_x, shear_xy})) {
-    CHECK(std::isfinite(resolution.normal));
-    CHECK(std::isfinite(resolution.tangential));
-  }
+TEST_CASE("a space of nothing but waves is named by them, the longest first", "[identifiability]") {
+  // No reading at all but one: every traction orthogonal to a row is a null mode.
+  InverseProblem problem = make_problem(array_of(16, {stress_x}), {1.0, 0.3});
+  for (std::size_t i = 0; i < 16; ++i)
+    for (std::size_t j = 0; j < 16; ++j)
+      problem.kernel(i, j) = i == 0 ? (j % 2 == 0 ? 1.0 : -1.0) : 0.0;
+  const Identifiability result = identifiability(problem);
+  CHECK(result.rank == 1);
+  CHECK(result.null_space.dimension == 15);
+  REQUIRE(result.null_space.modes.size() == 6);
+  CHECK(result.null_space.modes[0].description ==
+        "normal traction, constant (k = 0), even about "
+        "the centre");
+  CHECK_FALSE(result.null_space.modes[0].wavelength.has_value());
+  for (std::size_t i = 2; i < 6; ++i)
+    CHECK(*result.null_space.modes[i].wavelength <= *result.null_space.modes[i - 1].wavelength);
+  CHECK(std::isinf(result.null_space.longest));
+  CHECK(result.null_space.shortest > 1.0);  // the one that alternates is read
 }
 
-TEST_CASE("shear and stress invert as their determinant says", "[identifiability]") {
-  // f_v = e^a [(1-a) stress + i a shear], f_t = e^a [(1+a) shear + i a stress].
-  const std::size_t n = 41;
-  const auto all = resolutions({n, 0.25, {1.5}, {stress_x, shear_xy}}, {1.0, 0.3}, {.unknowns = 2});
-  for (std::size_t j = 1; j < all.size(); ++j) {
-    const double a = 2.0 * std::numbers::pi / all[j].wavelength * 1.5;
-    const double factor = std::exp(a) * std::sqrt(2.0 / static_cast<double>(n));
-    CHECK_THAT(all[j].normal, WithinRel(factor * std::hypot(1.0 - a, a), 1e-6));
-    CHECK_THAT(all[j].tangential, WithinRel(factor * std::hypot(1.0 + a, a), 1e-6));
-  }
+TEST_CASE("the reading of a dead taxel is missed", "[identifiability]") {
+  const SensorArray array = array_of(12, {stress_x});
+  const Material material{1.0, 0.3};
+  CHECK(identifiability(make_problem(array, material)).null_space.dimension == 0);
+  const Identifiability result =
+      identifiability(make_problem(array, material, {.dead_taxels = {3, 7}}));
+  CHECK(result.null_space.dimension == 2);
 }
 
-TEST_CASE("the resolvable wavelength grows with the depth and with the noise",
-          "[identifiability]") {
-  const auto shortest = [](double depth, double limit) {
-    return resolvable_wavelength(
-        resolutions({81, 0.25, {depth}, {stress_x, shear_xy}}, {1.0, 0.45}, {.unknowns = 2}),
-        Traction::normal, limit);
-  };
-  CHECK(*shortest(1.0, 10.0) < *shortest(2.0, 10.0));
-  CHECK(*shortest(1.0, 100.0) < *shortest(1.0, 10.0));
-  CHECK_FALSE(shortest(1.0, 1e-3).has_value());
+TEST_CASE("what smoothing leaves of short waves is nearly null", "[identifiability]") {
+  const Identifiability deep =
+      identifiability(make_problem({81, 0.25, {2.5}, {stress_x}}, {1.0, 0.3}));
+  CHECK(deep.null_space.dimension == 0);
+  CHECK(deep.nearly_null.dimension > 0);
+  CHECK(deep.nearly_null.longest < 1.0);
+  CHECK_THAT(deep.nearly_null.shortest, WithinRel(0.5, 1e-12));
 }
 
 TEST_CASE("units change nothing", "[identifiability][property]") {
-  const auto shares = [](double length, double modulus) {
+  const auto result = [](double length, double modulus, double noise) {
     const SensorArray array{31, 0.25 * length, {1.5 * length}, {strain_x, strain_y}};
-    const Identifiability result =
-        identifiability(make_problem(array, {modulus, 0.3}, {.unknowns = 2}));
-    return std::pair(result.singular_values[20] / result.singular_values[0], result.rank);
+    return identifiability(
+        make_problem(array, {modulus, 0.3},
+                     {.unknowns = 2, .channel_rms = {noise / modulus, 2.0 * noise / modulus}}));
   };
-  const auto [share, rank] = shares(1.0, 1.0);
-  for (const auto& [length, modulus] : {std::pair(1e-3, 1e6), std::pair(1e3, 1e-12)}) {
-    CHECK_THAT(shares(length, modulus).first, WithinRel(share, 1e-10));
-    CHECK(shares(length, modulus).second == rank);
+  const Identifiability one = result(1.0, 1.0, 1.0);
+  for (const auto& [length, modulus, noise] :
+       {std::tuple(1e-3, 1e6, 1e-4), std::tuple(1e3, 1e-12, 1e9)}) {
+    const Identifiability other = result(length, modulus, noise);
+    CHECK_THAT(other.singular_values[50] / other.singular_values[0],
+               WithinRel(one.singular_values[50] / one.singular_values[0], 1e-10));
+    CHECK_THAT(other.singular_values[50] * noise, WithinRel(one.singular_values[50], 1e-10));
+    CHECK(other.rank == one.rank);
+    CHECK(other.nearly_null.dimension == one.nearly_null.dimension);
+    CHECK(other.weakest.description == one.weakest.description);
+    REQUIRE(other.weakest.wavelength.has_value());
+    CHECK_THAT(*other.weakest.wavelength, WithinRel(length * *one.weakest.wavelength, 1e-12));
   }
 }

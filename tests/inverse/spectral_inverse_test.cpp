@@ -9,8 +9,8 @@
 #include "tactile_net/inverse/dft.hpp"
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/fft_tikhonov.hpp"
-#include "tactile_net/inverse/identifiability.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/resolution.hpp"
 #include "tactile_net/sensing/effects.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
@@ -153,7 +153,7 @@ TEST_CASE("contacts at the array's end are cut off, in the middle they are not",
   CHECK_FALSE(inverse.cut_off(readings(0.0), 1e-3));
 }
 
-TEST_CASE("a ripple's amplitude scatters as predicted", "[dft_tikhonov][identifiability]") {
+TEST_CASE("a ripple's amplitude scatters as predicted", "[dft_tikhonov][resolution]") {
   // Noise alone, through the circular system, which has no ends; the amplitude at one wavelength.
   const std::size_t n = 64;
   const SensorArray array{n, 0.5, {1.0}, {stress_x, shear_xy}};

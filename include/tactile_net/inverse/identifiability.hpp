@@ -1,65 +1,73 @@
 /// @file
 /// Before any reading: which tractions can these sensors tell apart?
+///
+/// The singular values of W K say how strongly each combination of tractions shows in the readings;
+/// the combinations that do not show are named in words. `resolution.hpp` has the same question
+/// wavelength by wavelength, with noise.
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/inverse/problem.hpp"
-#include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
 
-/// A combination of tractions that no reading shows in double precision.
-struct NullMode {
-  double singular_value = 0.0;
-  Traction unknown = Traction::normal;  ///< the larger part of it
-  double share = 1.0;                   ///< of its energy in that unknown, 0.5 ... 1
-  std::optional<double> wavelength{};   ///< the strongest [m]; absent: constant
-  std::string description{};            ///< "tangential traction, constant (k = 0)"
+/// What a mode does when the array is reflected about its centre.
+enum class Parity { even, odd, neither };
+
+/// A combination of tractions, described by the strongest of its wavelengths. Those that a vector
+/// of `count` values is analysed into are 2 count pitch / m, m = 0 ... count: half waves too, since
+/// the modes of an array with ends need not close on themselves.
+struct TractionMode {
+  double singular_value = 0.0;         ///< |W K v| for |v| = 1 [weighted reading per Pa]
+  double normal_share = 1.0;           ///< of its energy in the normal traction, 0 ... 1
+  std::optional<double> wavelength{};  ///< the strongest [m]; absent: constant
+  double wave_share = 1.0;             ///< of its energy in that wavelength, 0 ... 1
+  Parity parity = Parity::neither;     ///< of the traction that holds more of its energy
+  std::optional<Traction> unknown{};   ///< holding at least 90 % of its energy; absent: both
+  std::string description{};           ///< "tangential traction, constant (k = 0), even about ..."
+};
+
+/// A space of such combinations. Singular vectors of (nearly) equal singular values are any basis
+/// of their space; `modes` is the basis that waves give: each the purest wave that is left, the
+/// longest first among equals.
+struct ModeSpace {
+  std::size_t dimension = 0;
+  std::vector<TractionMode> modes{};  ///< the first few of the basis
+  /// The longest and shortest wavelength [m] that is half or more of some combination in the space;
+  /// infinite: a constant; 0: none is.
+  double longest = 0.0;
+  double shortest = 0.0;
 };
 
 /// The singular values of W K, and what they hide.
 struct Identifiability {
   std::vector<double> singular_values{};  ///< descending [weighted reading per Pa]
   double condition = 1.0;                 ///< largest over smallest; may be infinite
-  std::size_t rank = 0;     ///< values above max(rows, columns) eps and the kernel's error
-  double noise_gain = 0.0;  ///< 1 / smallest: traction per unit of weighted noise; may be infinite
-  std::vector<NullMode> null_modes{};  ///< columns - rank, the least visible first
+  double floor = 0.0;       ///< the larger of max(rows, columns) eps |W K| and the kernel's error
+  std::size_t rank = 0;     ///< singular values above `floor`
+  double noise_gain = 0.0;  ///< 1 / smallest [Pa per unit of weighted noise]; may be infinite
+  ModeSpace null_space{};   ///< at or below `floor`: no reading shows it in double precision
+  ModeSpace nearly_null{};  ///< up to sqrt(eps) of the largest: lost where P = K'K is formed
+  TractionMode weakest{};   ///< of the smallest singular value
 };
 
 /// O(rows x columns^2).
 [[nodiscard]] Identifiability identifiability(const InverseProblem& problem);
 
-/// How well a ripple of the traction is known from one frame of the whole array.
-struct Resolution {
-  double wavelength = std::numeric_limits<double>::infinity();  ///< [m]
-  /// Standard deviation of the ripple's amplitude [Pa] per unit of `noise`; infinite: not seen.
-  double normal = 0.0;
-  double tangential = 0.0;  ///< infinite with one unknown
-};
-
-/// For the wavelengths count pitch / j, j = 0 ... count / 2, of an array long enough for its ends
-/// not to matter. With the channels x unknowns matrix A of the weighted transforms at k, each of
-/// the ripple's two real amplitudes has the variance
+/// How many combinations of tractions no kernel can show, by counting alone.
 ///
-///     2 / count [(A* A)^-1]_uu        (1 / count for the mean and at Nyquist, which have one)
+/// An array that is mirrored about its centre keeps two halves of the problem apart: normal even
+/// with tangential odd, and the reverse. Each half has `count` unknowns (with one unknown: the even
+/// or the odd normal tractions), and from each channel the even or the odd half of its readings:
+/// the half that the parity of the kernels leads to. An odd count has one more even vector than odd
+/// ones, so that a half may have fewer readings than unknowns: two channels of stress_x, stress_y,
+/// strain_x and strain_y lose one, and so do two of shear_xy, or one shear_xy with one unknown.
 ///
-/// On the taxels' grid an odd kernel's response vanishes at k = 0 and at Nyquist: a tangential
-/// traction is odd in stress_x, stress_y and the strains, a normal one in shear_xy.
-///
-/// @throw std::invalid_argument  as `make_problem`
-[[nodiscard]] std::vector<Resolution> resolutions(const SensorArray& array,
-                                                  const Material& material,
-                                                  const ProblemOptions& options);
-
-/// The shortest wavelength such that it and every longer one, the mean aside, has at most `limit`
-/// in `component`; absent: none.
-[[nodiscard]] std::optional<double> resolvable_wavelength(const std::vector<Resolution>& all,
-                                                          Traction component, double limit);
+/// @param unknowns  1 or 2
+[[nodiscard]] std::size_t lost_by_symmetry(const SensorArray& array, std::size_t unknowns);
 
 }  // namespace tactile_net

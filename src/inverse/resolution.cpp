@@ -1,0 +1,110 @@
+#include "tactile_net/inverse/resolution.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "tactile_net/elasticity/pad_kernel.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+using Complex = std::complex<double>;
+
+double norm_of(std::span<const Complex> column) {
+  double size = 0.0;
+  for (const Complex value : column) size = std::hypot(size, std::abs(value));
+  return size;
+}
+
+/// |a x b| / (|a| |b|): the sine of the angle between two columns, by their 2 x 2 minors.
+double sine(std::span<const Complex> a, double a_norm, std::span<const Complex> b, double b_norm) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = i + 1; j < a.size(); ++j)
+      sum += std::norm(a[i] / a_norm * (b[j] / b_norm) - a[j] / a_norm * (b[i] / b_norm));
+  return std::sqrt(sum);
+}
+
+/// sqrt([(A* A)^-1]_uu) of one or two columns: one over the part of column u that is orthogonal to
+/// the other one.
+struct Gains {
+  double normal = infinity;
+  double tangential = infinity;
+};
+Gains gains(std::span<const Complex> normal, std::span<const Complex> tangential) {
+  const double n = norm_of(normal);
+  const double t = norm_of(tangential);
+  if (t == 0.0) return {.normal = 1.0 / n};
+  if (n == 0.0) return {.tangential = 1.0 / t};
+  const double s = sine(normal, n, tangential, t);
+  if (s <= 1e-14) return {};  // of the rounding of the transforms
+  return {.normal = 1.0 / (n * s), .tangential = 1.0 / (t * s)};
+}
+
+std::vector<Complex> columns_of(const SensorArray& array, const Material& material,
+                                const ProblemOptions& options, double wavenumber, bool on_grid) {
+  const std::vector<Channel> all = channels(array);
+  std::vector<Complex> columns;  // one after the other
+  for (std::size_t u = 0; u < options.unknowns; ++u)
+    for (std::size_t c = 0; c < all.size(); ++c) {
+      const Traction load = u == 0 ? Traction::normal : Traction::tangential;
+      const bool odd = (all[c].quantity == Quantity::shear_xy) == (load == Traction::normal);
+      const double rms = options.channel_rms.empty() ? 1.0 : options.channel_rms[c];
+      columns.push_back(
+          odd && on_grid
+              ? 0.0
+              : pad_transform(all[c].quantity, load, material, all[c].depth, wavenumber) / rms);
+    }
+  return columns;
+}
+
+}  // namespace
+
+std::vector<Complex> transfer_matrix(const SensorArray& array, const Material& material,
+                                     const ProblemOptions& options, double wavenumber) {
+  check(array, material, options);
+  const std::vector<Complex> columns = columns_of(array, material, options, wavenumber, false);
+  const std::size_t rows = columns.size() / options.unknowns;
+  std::vector<Complex> matrix;
+  for (std::size_t c = 0; c < rows; ++c)
+    for (std::size_t u = 0; u < options.unknowns; ++u) matrix.push_back(columns[u * rows + c]);
+  return matrix;
+}
+
+std::vector<Resolution> resolutions(const SensorArray& array, const Material& material,
+                                    const ProblemOptions& options) {
+  check(array, material, options);
+  const std::size_t n = array.count;
+  const auto length = static_cast<double>(n) * array.pitch;
+  std::vector<Resolution> result;
+  for (std::size_t j = 0; j <= n / 2; ++j) {
+    const bool real = j == 0 || 2 * j == n;
+    const double k = 2.0 * std::numbers::pi * static_cast<double>(j) / length;
+    const std::vector<Complex> columns = columns_of(array, material, options, k, real);
+    const std::span<const Complex> all(columns);
+    const std::size_t rows = all.size() / options.unknowns;
+    const Gains gain = gains(all.first(rows), all.subspan(rows));
+    const double scale = std::sqrt((real ? 1.0 : 2.0) / static_cast<double>(n));
+    result.push_back({.wavelength = j == 0 ? infinity : length / static_cast<double>(j),
+                      .normal = scale * gain.normal,
+                      .tangential = scale * gain.tangential});
+  }
+  return result;
+}
+
+std::optional<double> resolvable_wavelength(std::span<const Resolution> all, Traction component,
+                                            double limit) {
+  std::optional<double> shortest;
+  for (const Resolution& resolution : all) {
+    if (!std::isfinite(resolution.wavelength)) continue;
+    const double deviation =
+        component == Traction::normal ? resolution.normal : resolution.tangential;
+    if (!(deviation <= limit)) break;
+    shortest = resolution.wavelength;
+  }
+  return shortest;
+}
+
+}  // namespace tactile_net
