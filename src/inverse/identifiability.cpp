@@ -87,7 +87,7 @@ Parity parity_of(const Eigen::Ref<const Eigen::VectorXd>& block) {
 
 std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
 
-std::string in_words(const TractionMode& mode, bool alternating) {
+std::string in_words(const TractionMode& mode) {
   std::ostringstream text;
   if (mode.unknown)
     text << (*mode.unknown == Traction::normal ? "normal" : "tangential") << " traction";
@@ -99,7 +99,7 @@ std::string in_words(const TractionMode& mode, bool alternating) {
                                     : ", ");
   if (!mode.wavelength)
     text << "constant (k = 0)";
-  else if (alternating)
+  else if (mode.alternating)
     text << "alternating from taxel to taxel (Nyquist)";
   else
     text << "wavelength " << *mode.wavelength;
@@ -128,7 +128,8 @@ TractionMode Namer::name(const Eigen::VectorXd& mode) const {
   if (std::max(result.normal_share, 1.0 - result.normal_share) >= pure)
     result.unknown = normal ? Traction::normal : Traction::tangential;
   result.parity = parity_of(normal ? mode.head(count_) : mode.tail(count_));
-  result.description = in_words(result, strongest + 1 >= count_ && count_ > 2);
+  result.alternating = strongest > 0 && strongest + 1 >= count_;
+  result.description = in_words(result);
   return result;
 }
 

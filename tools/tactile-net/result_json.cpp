@@ -1,21 +1,9 @@
 #include "result_json.hpp"
 
-#include <nlohmann/json.hpp>
+#include "scene_json.hpp"
 
 namespace tactile_net::tool {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json head(const Scene& scene) {
-  Json simulated = Json::array();
-  Json absent = Json::array();
-  for (const auto& [effect, present] : effects(scene))
-    (present ? simulated : absent).push_back(effect);
-  return {{"tactile_net", TACTILE_NET_VERSION},
-          {"scene", scene.file},
-          {"effects", {{"simulated", simulated}, {"absent", absent}}}};
-}
 
 Json number_or_null(const std::optional<double>& number) {
   return number ? Json(*number) : Json(nullptr);
@@ -121,7 +109,7 @@ Json network(const Relaxation& relaxation) {
 std::string experiment_json(const Experiment& experiment) {
   const Scene& scene = experiment.scene;
   const TractionField& truth = experiment.simulation.truth;
-  Json json = head(scene);
+  Json json = scene_json(scene);
   json["positions"] = positions(scene.sensor);
   json["truth"] = {{"normal", truth.normal},
                    {"tangential", list_or_null(truth.tangential)},
@@ -143,7 +131,7 @@ std::string experiment_json(const Experiment& experiment) {
 }
 
 std::string relaxation_json(const Scene& scene, const Relaxation& relaxation) {
-  Json json = head(scene);
+  Json json = scene_json(scene);
   json["network"] = network(relaxation);
   return json.dump(1) + '\n';
 }

@@ -1,7 +1,11 @@
 #include "survey.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <tuple>
 
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
@@ -10,43 +14,38 @@
 namespace tactile_net::tool {
 namespace {
 
-/// The largest reading that a ripple of unit amplitude, of any wavelength, can cause.
-double largest_response(const Scene& scene, const Channel& channel) {
-  double largest = 0.0;
-  for (const Traction load : {Traction::normal, Traction::tangential})
-    for (std::size_t j = 1; j <= scene.sensor.count / 2; ++j) {
-      const double k = 2.0 * 3.141592653589793 * static_cast<double>(j) /
-                       (static_cast<double>(scene.sensor.count) * scene.sensor.pitch);
-      largest = std::max(largest, std::abs(pad_transform(channel.quantity, load, scene.material,
-                                                         channel.depth, k)));
-    }
-  return largest;
+/// Alternatives are decomposed on at most so many taxels, 81 of which take 20 ms and 802 a second;
+/// an odd count stays odd, since its parity decides what is singular.
+constexpr std::size_t most_taxels = 121;
+std::size_t compared_taxels(std::size_t count) {
+  return count <= most_taxels ? count : most_taxels - 1 + count % 2;
 }
 
-SensorChoice study(const Scene& scene, std::vector<Quantity> reads, std::vector<double> depths,
-                   const SurveyOptions& options, double traction) {
-  SensorChoice choice{.reads = std::move(reads), .depths = std::move(depths)};
-  const SensorArray array{scene.sensor.count, scene.sensor.pitch, choice.depths, choice.reads};
-  const std::vector<Channel> all = channels(array);
-  const bool wanted = scene.reconstruct.tangential.value_or(true);
-  choice.unknowns = all.size() > 1 && wanted ? 2 : 1;
-
-  ProblemOptions problem{.unknowns = choice.unknowns, .dead_taxels = scene.dead_taxels};
-  for (const Channel& channel : all) {
-    double rms = 0.0;
-    if (scene.noise) {
-      const auto stated = scene.noise->rms.find(channel.quantity);
-      if (stated != scene.noise->rms.end()) rms = stated->second;
+/// The largest reading that a ripple of normal traction of unit amplitude causes, whatever its
+/// wavelength. A channel that a layer's base keeps from reading anything has the half plane's, so
+/// that its rounding is not taken for a signal.
+double largest_response(const Scene& scene, const Channel& channel) {
+  const auto largest = [&](const Material& material) {
+    double most = 0.0;
+    for (std::size_t j = 1; j <= scene.sensor.count / 2; ++j) {
+      const double k = 2.0 * std::numbers::pi * static_cast<double>(j) /
+                       (static_cast<double>(scene.sensor.count) * scene.sensor.pitch);
+      most = std::max(most, std::abs(pad_transform(channel.quantity, Traction::normal, material,
+                                                   channel.depth, k)));
     }
-    if (rms == 0.0) rms = options.relative_noise * traction * largest_response(scene, channel);
-    problem.channel_rms.push_back(rms > 0.0 ? rms : 1.0);
-  }
-  choice.identifiability = identifiability(make_problem(array, scene.material, problem));
-  choice.resolutions = resolutions(array, scene.material, problem);
-  choice.normal = resolvable_wavelength(choice.resolutions, Traction::normal, traction);
-  if (choice.unknowns == 2)
-    choice.tangential = resolvable_wavelength(choice.resolutions, Traction::tangential, traction);
-  return choice;
+    return most;
+  };
+  Material half_plane = scene.material;
+  half_plane.layer.reset();
+  const double of_pad = largest(scene.material);
+  const double of_half_plane = largest(half_plane);
+  return of_pad > 1e-9 * of_half_plane ? of_pad : of_half_plane;
+}
+
+double stated_rms(const Scene& scene, Quantity quantity) {
+  if (!scene.noise) return 0.0;
+  const auto stated = scene.noise->rms.find(quantity);
+  return stated == scene.noise->rms.end() ? 0.0 : stated->second;
 }
 
 double peak_traction(const Scene& scene) {
@@ -56,47 +55,99 @@ double peak_traction(const Scene& scene) {
   return peak > 0.0 ? peak : 1.0;
 }
 
-bool is_own(const SensorChoice& choice, const Scene& scene) {
-  return choice.reads == scene.sensor.reads && choice.depths == scene.sensor.depths;
+/// The noise that every channel is taken to have.
+class AssumedNoise {
+ public:
+  AssumedNoise(const Scene& scene, const SurveyOptions& options, double traction)
+      : scene_(scene), traction_(traction), use_stated_(!options.relative_noise) {
+    double share = 0.0;
+    for (const Channel& channel : channels(scene.sensor))
+      share = std::max(share, stated_rms(scene, channel.quantity) /
+                                  (traction * largest_response(scene, channel)));
+    relative_ = options.relative_noise.value_or(share > 0.0 ? share : 0.01);
+    const std::string relative = brief(100.0 * relative_) +
+                                 " % of the largest reading that a ripple of that normal traction "
+                                 "causes";
+    words_ = use_stated_ && share > 0.0
+                 ? "the scene's rms; for quantities without one the same share, " + relative
+                 : relative;
+  }
+
+  [[nodiscard]] double operator()(const Channel& channel) const {
+    const double stated = use_stated_ ? stated_rms(scene_, channel.quantity) : 0.0;
+    return stated > 0.0 ? stated : relative_ * traction_ * largest_response(scene_, channel);
+  }
+  [[nodiscard]] const std::string& in_words() const noexcept { return words_; }
+
+ private:
+  const Scene& scene_;
+  double traction_;
+  bool use_stated_;
+  double relative_ = 0.0;
+  std::string words_;
+};
+
+SensorChoice study(const Scene& scene, const SensorArray& array, std::size_t taxels,
+                   const AssumedNoise& noise, double traction) {
+  SensorChoice choice{.reads = array.reads, .depths = array.depths};
+  const std::vector<Channel> all = channels(array);
+  choice.unknowns = all.size() > 1 && scene.reconstruct.tangential.value_or(true) ? 2 : 1;
+  ProblemOptions options{.unknowns = choice.unknowns};
+  for (const Channel& channel : all) options.channel_rms.push_back(noise(channel));
+  choice.resolutions = resolutions(array, scene.material, options);
+  choice.normal = resolvable_wavelength(choice.resolutions, Traction::normal, traction);
+  if (choice.unknowns == 2)
+    choice.tangential = resolvable_wavelength(choice.resolutions, Traction::tangential, traction);
+
+  SensorArray decomposed = array;
+  decomposed.count = taxels;
+  if (taxels == array.count) options.dead_taxels = scene.dead_taxels;
+  choice.identifiability = identifiability(make_problem(decomposed, scene.material, options));
+  return choice;
 }
 
-std::string join(const auto& parts, const auto& text) {
-  std::string all;
-  for (const auto& part : parts) all += (all.empty() ? "" : ", ") + std::string(text(part));
-  return all;
-}
-
-std::string short_mode(const Identifiability& result) {
-  const auto& modes = result.null_modes;
-  if (modes.empty()) return "-";
-  if (modes.size() > 1) return std::to_string(modes.size()) + " modes";
-  const std::string brief_name =
-      modes.front().unknown == Traction::normal ? "normal" : "tangential";
-  if (!modes.front().wavelength) return brief_name + ", k = 0";
-  if (modes.front().description.find("Nyquist") != std::string::npos)
-    return brief_name + ", Nyquist";
-  return brief_name + ", wavelength " + brief(*modes.front().wavelength);
+bool same(std::vector<Quantity> a, std::vector<Quantity> b) {
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  return a == b;
 }
 
 }  // namespace
 
-Survey survey(const Scene& scene, const SurveyOptions& options) {
-  Survey result{.traction = options.traction ? *options.traction : peak_traction(scene)};
-  const auto study_one = [&](std::vector<Quantity> reads, std::vector<double> depths) {
-    return study(scene, std::move(reads), std::move(depths), options, result.traction);
-  };
-  result.own = study_one(scene.sensor.reads, scene.sensor.depths);
-  const bool stated = scene.noise && std::any_of(scene.noise->rms.begin(), scene.noise->rms.end(),
-                                                 [](const auto& rms) { return rms.second > 0.0; });
-  result.noise = (stated ? "the scene's noise where it states it, else " : "") +
-                 brief(100.0 * options.relative_noise) +
-                 " % of the largest reading that a ripple of that traction causes";
+bool hides_mean(const SensorChoice& choice, Traction component) {
+  const Resolution& mean = choice.resolutions.front();
+  return !std::isfinite(component == Traction::normal ? mean.normal : mean.tangential);
+}
 
-  const double depth = scene.sensor.depths.front();
-  const auto add = [&](std::vector<Quantity> reads, std::vector<double> depths) {
-    SensorChoice choice = study_one(std::move(reads), std::move(depths));
-    if (!is_own(choice, scene)) result.alternatives.push_back(std::move(choice));
+bool tells_more(const SensorChoice& a, const SensorChoice& b) {
+  const auto key = [](const SensorChoice& choice) {
+    const double nothing = std::numeric_limits<double>::infinity();
+    const bool two = choice.unknowns == 2;
+    return std::tuple(
+        choice.identifiability.null_space.dimension > 0,
+        hides_mean(choice, Traction::normal) || (two && hides_mean(choice, Traction::tangential)),
+        std::max(choice.normal.value_or(nothing), two ? choice.tangential.value_or(nothing) : 0.0),
+        choice.identifiability.condition);
   };
+  return key(a) < key(b);
+}
+
+Survey survey(const Scene& scene, const SurveyOptions& options, Progress& progress) {
+  Survey result{.traction = options.traction.value_or(peak_traction(scene)),
+                .taxels = compared_taxels(scene.sensor.count)};
+  const AssumedNoise noise(scene, options, result.traction);
+  result.noise = noise.in_words();
+  progress.step("the scene's sensors ...");
+  result.own = study(scene, scene.sensor, scene.sensor.count, noise, result.traction);
+
+  const auto add = [&](std::vector<Quantity> reads, std::vector<double> depths) {
+    if (same(reads, scene.sensor.reads) && depths == scene.sensor.depths) return;
+    const SensorArray array{scene.sensor.count, scene.sensor.pitch, std::move(depths),
+                            std::move(reads)};
+    progress.step("alternative " + std::to_string(result.alternatives.size() + 1) + " ...");
+    result.alternatives.push_back(study(scene, array, result.taxels, noise, result.traction));
+  };
+  const double depth = scene.sensor.depths.front();
   for (const Quantity quantity : quantities) add({quantity}, {depth});
   for (std::size_t i = 0; i < quantities.size(); ++i)
     for (std::size_t j = i + 1; j < quantities.size(); ++j)
@@ -106,79 +157,45 @@ Survey survey(const Scene& scene, const SurveyOptions& options) {
                                       : std::vector<double>{0.5 * depth, depth};
   for (const Quantity quantity : quantities) add({quantity}, two);
 
-  // The pair that hides nothing and sees finest, at other depths.
-  const SensorChoice* best = nullptr;
+  std::vector<const SensorChoice*> pairs;
+  const auto is_pair = [](const SensorChoice& choice) {
+    return choice.reads.size() == 2 && choice.depths.size() == 1;
+  };
+  if (is_pair(result.own)) pairs.push_back(&result.own);
   for (const SensorChoice& choice : result.alternatives)
-    if (choice.tangential && choice.depths.size() == 1 &&
-        choice.identifiability.null_modes.empty() &&
-        (best == nullptr || *choice.tangential < *best->tangential))
-      best = &choice;
-  if (best != nullptr) {
-    const std::vector<Quantity> reads = best->reads;
+    if (is_pair(choice)) pairs.push_back(&choice);
+  std::stable_sort(pairs.begin(), pairs.end(), [](auto a, auto b) { return tells_more(*a, *b); });
+  const std::array best = {pairs[0]->reads, pairs[1]->reads};
+  for (const std::vector<Quantity>& reads : best)
     for (const double factor : {0.5, 1.5, 2.0})
       if (!scene.material.layer || factor * depth <= scene.material.layer->thickness)
         add(reads, {factor * depth});
-  }
   return result;
 }
 
 std::string in_words(const SensorChoice& choice) {
-  return join(choice.reads, [](Quantity quantity) { return name(quantity); }) + " at " +
-         join(choice.depths, [](double depth) { return brief(depth); });
+  std::vector<std::string> reads;
+  std::vector<std::string> depths;
+  for (const Quantity quantity : choice.reads) reads.emplace_back(name(quantity));
+  for (const double depth : choice.depths) depths.push_back(brief(depth));
+  return join(reads, ", ") + " at " + join(depths, " and ");
 }
 
-std::vector<std::string> verdict_in_words(const Survey& survey, const Scene& scene) {
-  const SensorChoice& own = survey.own;
-  const auto& modes = own.identifiability.null_modes;
-  std::vector<std::string> text;
-  if (modes.empty()) {
-    text.push_back("Every traction can be told, with " + brief(own.identifiability.condition) +
-                   " as the condition number.");
-  } else {
-    std::string what = modes.size() == 1 ? "One combination of tractions is invisible: "
-                                         : std::to_string(modes.size()) +
-                                               " combinations of tractions are invisible, first: ";
-    text.push_back(what + modes.front().description + ".");
+std::string hidden_in_short(const SensorChoice& choice) {
+  const ModeSpace& space = choice.identifiability.null_space;
+  if (space.dimension == 0) return "-";
+  if (space.dimension > 1) {
+    std::string text = std::to_string(space.dimension) + " modes";
+    if (space.longest > 0.0)
+      text += ", wavelengths " + brief(space.shortest) + " to " +
+              (std::isinf(space.longest) ? "k = 0" : brief(space.longest));
+    return text;
   }
-
-  const auto reads = [&](Quantity quantity) {
-    return std::find(own.reads.begin(), own.reads.end(), quantity) != own.reads.end();
-  };
-  const bool strains_only = std::all_of(own.reads.begin(), own.reads.end(), is_strain);
-  if (own.unknowns == 2 && scene.material.poisson_ratio == 0.5 && strains_only &&
-      own.depths.size() == 1)
-    text.emplace_back(
-        "At nu = 0.5 strain_y is -strain_x: two strains at one depth are one. Read a stress, or "
-        "one "
-        "strain at two depths.");
-  else if (own.unknowns == 2 && !reads(Quantity::shear_xy))
-    text.emplace_back(
-        "About a taxel, a tangential traction's kernel is odd in " +
-        join(own.reads, [](Quantity quantity) { return name(quantity); }) +
-        ": on the taxels' grid it vanishes for a uniform traction and for one that alternates from "
-        "taxel to taxel (k = 0 and Nyquist), and an antisymmetric block of odd order is exactly "
-        "singular. shear_xy's kernel is even: read it instead of one of them.");
-  if (own.unknowns == 1)
-    text.emplace_back(
-        "One quantity at one depth tells one traction: the normal one, if there is no friction.");
-  return text;
-}
-
-std::vector<std::vector<std::string>> survey_cells(const Survey& survey) {
-  std::vector<std::vector<std::string>> rows = {
-      {"reads", "unknowns", "condition", "invisible", "normal from", "tangential from"}};
-  const auto wavelength = [](const std::optional<double>& value) {
-    return value ? brief(*value) : std::string("nothing");
-  };
-  const auto add = [&](const SensorChoice& choice, const std::string& mark) {
-    rows.push_back({in_words(choice) + mark, std::to_string(choice.unknowns),
-                    brief(choice.identifiability.condition), short_mode(choice.identifiability),
-                    wavelength(choice.normal),
-                    choice.unknowns == 2 ? wavelength(choice.tangential) : "-"});
-  };
-  add(survey.own, " (the scene's)");
-  for (const SensorChoice& choice : survey.alternatives) add(choice, "");
-  return rows;
+  const TractionMode& mode = space.modes.front();
+  return std::string(mode.normal_share >= 0.5 ? "normal" : "tangential") + ", " +
+         (!mode.wavelength   ? "k = 0"
+          : mode.alternating ? "alternating"
+                             : "wavelength " + brief(*mode.wavelength));
 }
 
 }  // namespace tactile_net::tool

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "progress.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
+#include "tactile_net/inverse/resolution.hpp"
 #include "tactile_net/scene/scene.hpp"
 
 namespace tactile_net::tool {
@@ -15,7 +17,7 @@ namespace tactile_net::tool {
 struct SensorChoice {
   std::vector<Quantity> reads{};
   std::vector<double> depths{};
-  std::size_t unknowns = 1;  ///< 2 if there is more than one channel
+  std::size_t unknowns = 1;
   Identifiability identifiability{};
   std::vector<Resolution> resolutions{};
   std::optional<double> normal{};      ///< resolvable wavelength [m]
@@ -24,26 +26,33 @@ struct SensorChoice {
 
 struct SurveyOptions {
   std::optional<double>
-      traction{};                ///< a ripple's amplitude [Pa]; absent: the contacts' peak, or 1
-  double relative_noise = 0.01;  ///< over the largest reading of it, where the scene has no rms
+      traction{};  ///< a ripple's amplitude [Pa]; absent: the contacts' peak, or 1
+  /// Noise of every channel over the largest reading that such a ripple of normal traction causes.
+  /// Absent: the scene's rms; for quantities it has none of, the same share, or 1 %.
+  std::optional<double> relative_noise{};
 };
 
 struct Survey {
   SensorChoice own{};
+  /// Singles, pairs and singles at two depths in the scene's place, then the best pairs elsewhere.
   std::vector<SensorChoice> alternatives{};
-  double traction = 1.0;
-  std::string noise{};  ///< which noise was assumed, in words
+  double traction = 1.0;   ///< [Pa]
+  std::string noise{};     ///< which noise was assumed, in words
+  std::size_t taxels = 0;  ///< of which the alternatives' singular values are; <= the scene's count
 };
 
-[[nodiscard]] Survey survey(const Scene& scene, const SurveyOptions& options);
+[[nodiscard]] Survey survey(const Scene& scene, const SurveyOptions& options, Progress& progress);
+
+/// True if the mean of that traction shows in no kernel: `resolutions` at k = 0.
+[[nodiscard]] bool hides_mean(const SensorChoice& choice, Traction component);
+
+/// Fewer things hidden, then the finer of the coarser resolvable wavelengths, then the condition.
+[[nodiscard]] bool tells_more(const SensorChoice& a, const SensorChoice& b);
 
 /// "stress_x, shear_xy at 1.5"
 [[nodiscard]] std::string in_words(const SensorChoice& choice);
 
-/// What the sensors cannot tell, and why, and what to read instead; one sentence each.
-[[nodiscard]] std::vector<std::string> verdict_in_words(const Survey& survey, const Scene& scene);
-
-/// Header and rows of the comparison, the scene's own sensors first.
-[[nodiscard]] std::vector<std::vector<std::string>> survey_cells(const Survey& survey);
+/// "-", "tangential, alternating", "81 modes, wavelengths 1 to 40"
+[[nodiscard]] std::string hidden_in_short(const SensorChoice& choice);
 
 }  // namespace tactile_net::tool

@@ -6,15 +6,6 @@
 namespace tactile_net::tool {
 namespace {
 
-std::string join(const std::vector<std::string>& parts, std::string_view separator) {
-  std::string text;
-  for (const std::string& part : parts) {
-    if (!text.empty()) text += separator;
-    text += part;
-  }
-  return text;
-}
-
 std::string_view shape_name(Shape shape) {
   switch (shape) {
     case Shape::cylinder:
@@ -42,6 +33,15 @@ std::string in_words(const SampledTractions& contact) {
 }
 
 }  // namespace
+
+std::string join(const std::vector<std::string>& parts, std::string_view separator) {
+  std::string text;
+  for (const std::string& part : parts) {
+    if (!text.empty()) text += separator;
+    text += part;
+  }
+  return text;
+}
 
 std::string exact(double number) {
   std::string text;

@@ -16,6 +16,9 @@ inline void append_number(std::string& out, double number) {
   out.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
 }
 
+/// The parts with the separator between them.
+[[nodiscard]] std::string join(const std::vector<std::string>& parts, std::string_view separator);
+
 /// Shortest decimal text that reads back as the same number.
 [[nodiscard]] std::string exact(double number);
 

@@ -26,6 +26,7 @@ struct TractionMode {
   double normal_share = 1.0;           ///< of its energy in the normal traction, 0 ... 1
   std::optional<double> wavelength{};  ///< the strongest [m]; absent: constant
   double wave_share = 1.0;             ///< of its energy in that wavelength, 0 ... 1
+  bool alternating = false;            ///< that wavelength is two pitches: Nyquist
   Parity parity = Parity::neither;     ///< of the traction that holds more of its energy
   std::optional<Traction> unknown{};   ///< holding at least 90 % of its energy; absent: both
   std::string description{};           ///< "tangential traction, constant (k = 0), even about ..."

@@ -1,0 +1,15 @@
+#include "scene_json.hpp"
+
+namespace tactile_net::tool {
+
+Json scene_json(const Scene& scene) {
+  Json simulated = Json::array();
+  Json absent = Json::array();
+  for (const auto& [effect, present] : effects(scene))
+    (present ? simulated : absent).push_back(effect);
+  return {{"tactile_net", TACTILE_NET_VERSION},
+          {"scene", scene.file},
+          {"effects", {{"simulated", simulated}, {"absent", absent}}}};
+}
+
+}  // namespace tactile_net::tool

@@ -1,0 +1,178 @@
+#include "survey_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "html.hpp"
+#include "plot.hpp"
+#include "text.hpp"
+#include "verdict.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+double deviation(const Resolution& resolution, Traction component) {
+  return component == Traction::normal ? resolution.normal : resolution.tangential;
+}
+
+std::string condition_in_words(const Identifiability& result) {
+  return result.null_space.dimension > 0 ? "singular" : brief(result.condition);
+}
+
+Plot singular_value_plot(const Identifiability& result) {
+  Plot plot{"Singular values of the scene's sensors", "number", "log10 of the value", {}, {}};
+  Curve values{"singular values", {}, 1, true};
+  for (const double value : result.singular_values) {
+    plot.x.push_back(static_cast<double>(plot.x.size() + 1));
+    values.y.push_back(std::log10(value));
+  }
+  plot.curves.push_back(std::move(values));
+  plot.curves.push_back(
+      {"rounding", std::vector<double>(plot.x.size(), std::log10(result.floor)), 0});
+  return plot;
+}
+
+/// The scene's sensors and the alternatives that tell most, at most five in all.
+std::vector<const SensorChoice*> drawn(const Survey& survey) {
+  std::vector<const SensorChoice*> choices;
+  for (const SensorChoice& choice : survey.alternatives)
+    if (choice.unknowns == survey.own.unknowns) choices.push_back(&choice);
+  std::stable_sort(choices.begin(), choices.end(),
+                   [](auto a, auto b) { return tells_more(*a, *b); });
+  choices.resize(std::min<std::size_t>(choices.size(), 4));
+  choices.insert(choices.begin(), &survey.own);
+  return choices;
+}
+
+Plot deviation_plot(const Survey& survey, Traction component) {
+  Plot plot{std::string(component == Traction::normal ? "Normal" : "Tangential") +
+                " traction: standard deviation of a ripple's amplitude",
+            "wavelength",
+            "log10 of deviation / traction",
+            {},
+            {},
+            true};
+  // Far above the traction nothing is left to see: a curve ends there.
+  constexpr double top = 1e4;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const SensorChoice* choice : drawn(survey))
+    for (const Resolution& resolution : choice->resolutions)
+      if (deviation(resolution, component) <= top * survey.traction)
+        shortest = std::min(shortest, resolution.wavelength);
+  const auto shown = [&](const Resolution& resolution) {
+    return std::isfinite(resolution.wavelength) && resolution.wavelength >= shortest;
+  };
+  for (const Resolution& resolution : survey.own.resolutions)
+    if (shown(resolution)) plot.x.push_back(resolution.wavelength);
+  for (const SensorChoice* choice : drawn(survey)) {
+    Curve line{in_words(*choice), {}, plot.curves.size() + 1};
+    for (const Resolution& resolution : choice->resolutions)
+      if (shown(resolution)) {
+        const double ratio = deviation(resolution, component) / survey.traction;
+        line.y.push_back(ratio <= top ? std::log10(ratio)
+                                      : std::numeric_limits<double>::quiet_NaN());
+      }
+    plot.curves.push_back(std::move(line));
+  }
+  plot.curves.push_back({"the traction itself", std::vector<double>(plot.x.size()), 0});
+  return plot;
+}
+
+std::vector<Plot> plots_of(const Survey& survey) {
+  std::vector<Plot> plots = {singular_value_plot(survey.own.identifiability),
+                             deviation_plot(survey, Traction::normal)};
+  if (survey.own.unknowns == 2) plots.push_back(deviation_plot(survey, Traction::tangential));
+  std::erase_if(plots, [](const Plot& plot) { return plot.x.empty(); });
+  return plots;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::string>> survey_cells(const Survey& survey) {
+  std::vector<std::vector<std::string>> rows = {{"reads", "unknowns", "condition", "hidden",
+                                                 "hidden mean", "normal from", "tangential from"}};
+  const auto wavelength = [](const std::optional<double>& value) {
+    return value ? brief(*value) : std::string("none");
+  };
+  const auto add = [&](const SensorChoice& choice, const std::string& mark) {
+    const bool two = choice.unknowns == 2;
+    std::vector<std::string> means;
+    if (hides_mean(choice, Traction::normal)) means.emplace_back("normal");
+    if (two && hides_mean(choice, Traction::tangential)) means.emplace_back("tangential");
+    rows.push_back({in_words(choice) + mark, std::to_string(choice.unknowns),
+                    condition_in_words(choice.identifiability), hidden_in_short(choice),
+                    means.empty() ? "-" : join(means, ", "), wavelength(choice.normal),
+                    two ? wavelength(choice.tangential) : "-"});
+  };
+  add(survey.own, " (the scene's)");
+  for (const SensorChoice& choice : survey.alternatives) add(choice, "");
+  return rows;
+}
+
+std::string cells_in_words(const Scene& scene, const Survey& survey) {
+  std::string text =
+      "normal from, tangential from: the shortest wavelength from which on every ripple of "
+      "amplitude " +
+      brief(survey.traction) +
+      " stands out of the noise, by its standard deviation in one frame; hidden mean: shows only "
+      "at "
+      "the array's ends. Noise: " +
+      survey.noise + ".";
+  if (survey.taxels < scene.sensor.count)
+    text += " Condition and hidden combinations of the alternatives are of " +
+            std::to_string(survey.taxels) + " taxels.";
+  return text;
+}
+
+std::vector<std::string> singular_values_in_words(const Identifiability& result) {
+  std::vector<std::string> text;
+  text.push_back("singular values: " + std::to_string(result.singular_values.size()) + ", from " +
+                 brief(result.singular_values.front()) + " to " +
+                 brief(result.singular_values.back()) + " in units of the noise; rank " +
+                 std::to_string(result.rank) + ", condition " + brief(result.condition));
+  text.push_back(result.null_space.dimension > 0
+                     ? "noise gain: unbounded without smoothing"
+                     : "noise gain: noise of the assumed size may become a traction of " +
+                           brief(result.noise_gain) + " without smoothing");
+  for (const ModeSpace* space : {&result.null_space, &result.nearly_null}) {
+    const bool null = space == &result.null_space;
+    for (const TractionMode& mode : space->modes)
+      text.push_back(std::string(null ? "hidden: " : "nearly hidden: ") + mode.description +
+                     (null ? "" : " (singular value " + brief(mode.singular_value) + ")"));
+    if (space->dimension > space->modes.size())
+      text.push_back((null ? "hidden: " : "nearly hidden: ") +
+                     std::to_string(space->dimension - space->modes.size()) + " more");
+  }
+  return text;
+}
+
+Report survey_html(const Scene& scene, const Survey& survey) {
+  Report result;
+  std::vector<std::string> pictures;
+  try {
+    pictures = draw(plots_of(survey));
+  } catch (const std::runtime_error& error) {
+    result.missing = std::string("the report has no plots: ") + error.what();
+  }
+
+  std::string body = element("h1", scene.title.empty() ? scene.file : scene.title);
+  body += element(
+      "p", scene.file + ": " + sensor_in_words(scene) + "; " + material_in_words(scene) + ".");
+  body += element("h2", "What these sensors can tell");
+  const std::vector<std::string> verdict = verdict_in_words(survey, scene);
+  const bool hidden = survey.own.identifiability.null_space.dimension > 0;
+  body += element("p", verdict.front(), hidden ? "bad" : "");
+  for (std::size_t i = 1; i < verdict.size(); ++i) body += element("p", verdict[i]);
+  body += html_list(singular_values_in_words(survey.own.identifiability));
+  if (!result.missing.empty()) body += element("p", result.missing, "note");
+  for (const std::string& picture : pictures) body += "<figure>" + picture + "</figure>\n";
+  body += element("h2", "Which quantities, at which depth");
+  body += element("p", cells_in_words(scene, survey));
+  body += html_table(survey_cells(survey));
+  result.html = html_page(scene.file + " - tactile-net identify", body);
+  return result;
+}
+
+}  // namespace tactile_net::tool
