@@ -119,15 +119,18 @@ bool hides_mean(const SensorChoice& choice, Traction component) {
   return !std::isfinite(component == Traction::normal ? mean.normal : mean.tangential);
 }
 
+double coarsest(const SensorChoice& choice) {
+  const double none = std::numeric_limits<double>::infinity();
+  return std::max(choice.normal.value_or(none),
+                  choice.unknowns == 2 ? choice.tangential.value_or(none) : 0.0);
+}
+
 bool tells_more(const SensorChoice& a, const SensorChoice& b) {
   const auto key = [](const SensorChoice& choice) {
-    const double nothing = std::numeric_limits<double>::infinity();
-    const bool two = choice.unknowns == 2;
-    return std::tuple(
-        choice.identifiability.null_space.dimension > 0,
-        hides_mean(choice, Traction::normal) || (two && hides_mean(choice, Traction::tangential)),
-        std::max(choice.normal.value_or(nothing), two ? choice.tangential.value_or(nothing) : 0.0),
-        choice.identifiability.condition);
+    return std::tuple(hides_mean(choice, Traction::normal) ||
+                          (choice.unknowns == 2 && hides_mean(choice, Traction::tangential)),
+                      coarsest(choice), choice.identifiability.null_space.dimension > 0,
+                      choice.identifiability.condition);
   };
   return key(a) < key(b);
 }

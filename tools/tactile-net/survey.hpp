@@ -46,7 +46,11 @@ struct Survey {
 /// True if the mean of that traction shows in no kernel: `resolutions` at k = 0.
 [[nodiscard]] bool hides_mean(const SensorChoice& choice, Traction component);
 
-/// Fewer things hidden, then the finer of the coarser resolvable wavelengths, then the condition.
+/// The coarser of the resolvable wavelengths [m]; infinite: there is none.
+[[nodiscard]] double coarsest(const SensorChoice& choice);
+
+/// By what counts first: no hidden mean, the coarsest resolvable wavelength, no hidden combination
+/// (a short one is below the noise anyway), the condition.
 [[nodiscard]] bool tells_more(const SensorChoice& a, const SensorChoice& b);
 
 /// "stress_x, shear_xy at 1.5"

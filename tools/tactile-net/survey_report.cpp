@@ -131,19 +131,25 @@ std::vector<std::string> singular_values_in_words(const Identifiability& result)
   text.push_back("singular values: " + std::to_string(result.singular_values.size()) + ", from " +
                  brief(result.singular_values.front()) + " to " +
                  brief(result.singular_values.back()) + " in units of the noise; rank " +
-                 std::to_string(result.rank) + ", condition " + brief(result.condition));
+                 std::to_string(result.rank) + ", condition " + condition_in_words(result));
   text.push_back(result.null_space.dimension > 0
                      ? "noise gain: unbounded without smoothing"
                      : "noise gain: noise of the assumed size may become a traction of " +
                            brief(result.noise_gain) + " without smoothing");
   for (const ModeSpace* space : {&result.null_space, &result.nearly_null}) {
     const bool null = space == &result.null_space;
-    for (const TractionMode& mode : space->modes)
-      text.push_back(std::string(null ? "hidden: " : "nearly hidden: ") + mode.description +
-                     (null ? "" : " (singular value " + brief(mode.singular_value) + ")"));
-    if (space->dimension > space->modes.size())
-      text.push_back((null ? "hidden: " : "nearly hidden: ") +
-                     std::to_string(space->dimension - space->modes.size()) + " more");
+    const std::size_t shown = std::min<std::size_t>(space->modes.size(), 3);
+    const std::string kind = null ? "hidden: " : "nearly hidden: ";
+    for (std::size_t i = 0; i < shown; ++i)
+      text.push_back(
+          kind + space->modes[i].description +
+          (null ? "" : " (singular value " + brief(space->modes[i].singular_value) + ")"));
+    if (space->dimension > shown)
+      text.push_back(kind + std::to_string(space->dimension - shown) + " more" +
+                     (space->longest > 0.0
+                          ? ", wavelengths " + brief(space->shortest) + " to " +
+                                (std::isinf(space->longest) ? "k = 0" : brief(space->longest))
+                          : ""));
   }
   return text;
 }

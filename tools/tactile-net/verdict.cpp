@@ -103,21 +103,21 @@ void add_reasons(std::vector<std::string>& text, const Survey& survey, const Sce
   }
 }
 
-/// The best choice at the same depth that keeps something of what is read now; null: none is
-/// better.
-const SensorChoice* neighbour(const Survey& survey) {
-  const SensorChoice& own = survey.own;
-  const SensorChoice* best = &own;
-  for (const SensorChoice& choice : survey.alternatives) {
-    const bool keeps = own.unknowns == 1 ||
-                       std::any_of(own.reads.begin(), own.reads.end(),
-                                   [&](Quantity quantity) { return reads(choice, quantity); });
-    const bool here = own.reads.size() > 1 ? choice.depths == own.depths
-                                           : choice.depths.front() == own.depths.front();
-    if (choice.unknowns == own.unknowns && keeps && here && tells_more(choice, *best))
-      best = &choice;
-  }
-  return best == &own ? nullptr : best;
+bool hides(const SensorChoice& choice) {
+  return choice.identifiability.null_space.dimension > 0 || hides_mean(choice, Traction::normal) ||
+         (choice.unknowns == 2 && hides_mean(choice, Traction::tangential));
+}
+
+/// The best alternative of those that `counts`, if it is worth a change.
+const SensorChoice* best_of(const Survey& survey, const auto& counts) {
+  const SensorChoice* best = nullptr;
+  for (const SensorChoice& choice : survey.alternatives)
+    if (counts(choice) && (best == nullptr || tells_more(choice, *best))) best = &choice;
+  if (best == nullptr || best->unknowns != survey.own.unknowns) return best;
+  const bool worth =
+      tells_more(*best, survey.own) &&
+      ((hides(survey.own) && !hides(*best)) || coarsest(*best) < 0.9 * coarsest(survey.own));
+  return worth ? best : nullptr;
 }
 
 std::string difference(const SensorChoice& from, const SensorChoice& without) {
@@ -129,33 +129,41 @@ std::string difference(const SensorChoice& from, const SensorChoice& without) {
 
 void add_advice(std::vector<std::string>& text, const Survey& survey) {
   const SensorChoice& own = survey.own;
-  const SensorChoice* other = neighbour(survey);
-  if (other == nullptr) {
-    text.emplace_back("None of the quantities compared tells more at this depth.");
-  } else {
-    const bool exchange = other->depths == own.depths && other->reads.size() == own.reads.size();
-    text.push_back(
-        "Read " +
-        (exchange ? difference(*other, own) + " instead of " + difference(own, *other)
-                  : in_words(*other) + " instead") +
-        ": " +
-        (other->identifiability.null_space.dimension == 0 ? "nothing is hidden then, " : "") +
-        told(*other) + ".");
-  }
+  const auto sees = [&](const SensorChoice& choice) {
+    return (hides(own) && !hides(choice) ? "nothing is hidden then; " : "") + told(choice) + ".";
+  };
+  const auto here = [&](const SensorChoice& choice) {
+    return choice.depths == own.depths && choice.reads.size() == own.reads.size() &&
+           choice.unknowns == own.unknowns;
+  };
+  const SensorChoice* one = best_of(survey, [&](const SensorChoice& choice) {
+    return here(choice) && (own.reads.size() == 1 ||
+                            std::any_of(own.reads.begin(), own.reads.end(), [&](Quantity quantity) {
+                              return reads(choice, quantity);
+                            }));
+  });
+  const SensorChoice* at_depth = best_of(survey, [&](const SensorChoice& choice) {
+    return choice.unknowns == 2 && choice.depths.size() == 1 &&
+           choice.depths.front() == own.depths.front();
+  });
+  const SensorChoice* any =
+      best_of(survey, [](const SensorChoice& choice) { return choice.unknowns == 2; });
+
+  if (one != nullptr)
+    text.push_back("Read " + difference(*one, own) + " instead of " + difference(own, *one) + ": " +
+                   sees(*one));
   if (own.unknowns == 1)
     text.emplace_back(
-        "One unknown is solved: the normal traction. What friction adds to the readings would be "
-        "taken for it.");
-
-  const auto best = std::min_element(survey.alternatives.begin(), survey.alternatives.end(),
-                                     [&](const auto& a, const auto& b) {
-                                       if (a.unknowns != b.unknowns) return a.unknowns > b.unknowns;
-                                       return tells_more(a, b);
-                                     });
-  if (best != survey.alternatives.end() && best->unknowns == 2 &&
-      (own.unknowns == 1 || tells_more(*best, own)) && &*best != other)
-    text.push_back("Of all compared, " + in_words(*best) +
-                   " tells most of both tractions: " + told(*best) + ".");
+        "One unknown is solved: the normal traction. What friction adds to the readings is taken "
+        "for it.");
+  const std::string subject = own.unknowns == 1 ? " for both tractions: " : ": ";
+  if (at_depth != nullptr && at_depth != one)
+    text.push_back("Best of the pairs compared at this depth" + subject + in_words(*at_depth) +
+                   "; " + told(*at_depth) + ".");
+  if (any != nullptr && any != one && any != at_depth)
+    text.push_back("Best of all compared" + subject + in_words(*any) + "; " + told(*any) + ".");
+  if (one == nullptr && at_depth == nullptr && any == nullptr)
+    text.emplace_back("Nothing compared tells more.");
 }
 
 }  // namespace
