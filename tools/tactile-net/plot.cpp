@@ -1,5 +1,6 @@
 #include "plot.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -35,12 +36,30 @@ std::string number(double value) {
   return text;
 }
 
+/// A short logarithmic axis has labels at 1, 2 and 5: its powers of ten would be one or two.
+std::string labels_along(const std::vector<double>& x) {
+  const auto [low, high] = std::minmax_element(x.begin(), x.end());
+  if (x.empty() || !(*low > 0.0) || *high > 1e3 * *low) return "\nset xtics auto";
+  std::string labels;
+  for (int power = static_cast<int>(std::floor(std::log10(*low))); std::pow(10.0, power) <= *high;
+       ++power)
+    for (const double digit : {1.0, 2.0, 5.0})
+      labels += (labels.empty() ? "" : ", ") + brief(digit * std::pow(10.0, power));
+  return "\nset format x '%g'\nset xtics (" + labels + ")";
+}
+
+std::string axes(const Plot& plot) {
+  return (plot.logarithmic_x
+              ? "\nset logscale x\nset format x '1e%T'\nset autoscale xfix" + labels_along(plot.x)
+              : "\nunset logscale x\nset format x '%h'\nset autoscale x"
+                "\nset xtics auto") +
+         (plot.logarithmic_y ? "\nset logscale y\nset format y '1e%T'"
+                             : "\nunset logscale y\nset format y '%h'");
+}
+
 std::string script(const Plot& plot) {
   std::string text = "set title " + literal(plot.title) + "\nset xlabel " + literal(plot.x_label) +
-                     "\nset ylabel " + literal(plot.y_label) +
-                     (plot.logarithmic_x ? "\nset logscale x\nset format x '1e%T'"
-                                         : "\nunset logscale x\nset format x '%h'") +
-                     "\n$data << EOD\n";
+                     "\nset ylabel " + literal(plot.y_label) + axes(plot) + "\n$data << EOD\n";
   for (std::size_t i = 0; i < plot.x.size(); ++i) {
     text += number(plot.x[i]);
     for (const Curve& curve : plot.curves) {

@@ -23,6 +23,7 @@ struct Plot {
   std::vector<double> x;
   std::vector<Curve> curves;
   bool logarithmic_x = false;
+  bool logarithmic_y = false;  ///< values <= 0: a gap
 };
 
 /// SVG of every plot, in order, from one run of gnuplot.

@@ -22,15 +22,15 @@ std::string condition_in_words(const Identifiability& result) {
 }
 
 Plot singular_value_plot(const Identifiability& result) {
-  Plot plot{"Singular values of the scene's sensors", "number", "log10 of the value", {}, {}};
+  Plot plot{
+      "Singular values of the scene's sensors", "number", "singular value", {}, {}, false, true};
   Curve values{"singular values", {}, 1, true};
   for (const double value : result.singular_values) {
     plot.x.push_back(static_cast<double>(plot.x.size() + 1));
-    values.y.push_back(std::log10(value));
+    values.y.push_back(value);
   }
   plot.curves.push_back(std::move(values));
-  plot.curves.push_back(
-      {"rounding", std::vector<double>(plot.x.size(), std::log10(result.floor)), 0});
+  plot.curves.push_back({"rounding", std::vector<double>(plot.x.size(), result.floor), 0});
   return plot;
 }
 
@@ -50,9 +50,10 @@ Plot deviation_plot(const Survey& survey, Traction component) {
   Plot plot{std::string(component == Traction::normal ? "Normal" : "Tangential") +
                 " traction: standard deviation of a ripple's amplitude",
             "wavelength",
-            "log10 of deviation / traction",
+            "deviation / traction",
             {},
             {},
+            true,
             true};
   // Far above the traction nothing is left to see: a curve ends there.
   constexpr double top = 1e4;
@@ -67,16 +68,16 @@ Plot deviation_plot(const Survey& survey, Traction component) {
   for (const Resolution& resolution : survey.own.resolutions)
     if (shown(resolution)) plot.x.push_back(resolution.wavelength);
   for (const SensorChoice* choice : drawn(survey)) {
-    Curve line{in_words(*choice), {}, plot.curves.size() + 1};
+    Curve line{
+        in_words(*choice) + (choice == &survey.own ? " (now)" : ""), {}, plot.curves.size() + 1};
     for (const Resolution& resolution : choice->resolutions)
       if (shown(resolution)) {
         const double ratio = deviation(resolution, component) / survey.traction;
-        line.y.push_back(ratio <= top ? std::log10(ratio)
-                                      : std::numeric_limits<double>::quiet_NaN());
+        line.y.push_back(ratio <= top ? ratio : std::numeric_limits<double>::quiet_NaN());
       }
     plot.curves.push_back(std::move(line));
   }
-  plot.curves.push_back({"the traction itself", std::vector<double>(plot.x.size()), 0});
+  plot.curves.push_back({"the traction itself", std::vector<double>(plot.x.size(), 1.0), 0});
   return plot;
 }
 
