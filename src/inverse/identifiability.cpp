@@ -1,12 +1,12 @@
 #include "tactile_net/inverse/identifiability.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <sstream>
 
+#include "inverse/decompositions.hpp"
 #include "inverse/eigen.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 
@@ -69,9 +69,8 @@ NullMode named(const Eigen::VectorXd& mode, double singular_value, const Inverse
 }  // namespace
 
 Identifiability identifiability(const InverseProblem& problem) {
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(Eigen::MatrixXd(as_eigen(problem.kernel)),
-                                           Eigen::ComputeThinV);
-  const Eigen::VectorXd& s = svd.singularValues();
+  const Svd svd = singular_value_decomposition(Eigen::MatrixXd(as_eigen(problem.kernel)));
+  const Eigen::VectorXd& s = svd.values;
   Identifiability result{.singular_values = {s.begin(), s.end()}};
   const double largest = s(0);
   const double smallest = s(s.size() - 1);
@@ -82,7 +81,7 @@ Identifiability identifiability(const InverseProblem& problem) {
       problem.kernel_error);
   result.rank = static_cast<std::size_t>((s.array() > floor).count());
   for (Eigen::Index i = s.size(); i-- > static_cast<Eigen::Index>(result.rank);)
-    result.null_modes.push_back(named(svd.matrixV().col(i), s(i), problem));
+    result.null_modes.push_back(named(svd.v.col(i), s(i), problem));
   return result;
 }
 
@@ -108,13 +107,13 @@ std::vector<Resolution> resolutions(const SensorArray& array, const Material& ma
                 ? 0.0
                 : weight * pad_transform(all[c].quantity, load, material, all[c].depth, k);
       }
-    const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(a, Eigen::ComputeThinV);
+    const ComplexSvd svd = singular_value_decomposition(a);
     const auto deviation = [&](Eigen::Index u) {
       double variance = 0.0;
-      for (Eigen::Index i = 0; i < svd.singularValues().size(); ++i) {
-        const double part = std::norm(svd.matrixV()(u, i));
-        const double s = svd.singularValues()(i);
-        if (s > 1e-14 * svd.singularValues()(0))
+      for (Eigen::Index i = 0; i < svd.values.size(); ++i) {
+        const double part = std::norm(svd.v(u, i));
+        const double s = svd.values(i);
+        if (s > 1e-14 * svd.values(0))
           variance += part / (s * s);
         else if (part > 1e-20)
           return infinity;
