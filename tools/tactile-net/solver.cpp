@@ -119,7 +119,10 @@ class Frequencies final : public Solver {
       facts_.verdict = "cut_off";
       facts_.warnings.emplace_back(cut_off_warning);
     }
-    return inverse_.solve(readings, *facts_.alpha, tractions);
+    const Status status = inverse_.solve(readings, *facts_.alpha, tractions);
+    if (status == Status::ok)
+      facts_.error_bound = inverse_.forward_bound(readings, *facts_.alpha, tractions);
+    return status;
   }
   [[nodiscard]] std::size_t tractions() const override { return tractions_; }
 
@@ -175,6 +178,7 @@ class ConjugateGradients final : public Solver {
     const Status status = inverse_.solve(readings, tractions);
     const Convergence& convergence = inverse_.convergence();
     facts_.verdict = convergence.converged ? "ok" : "not_converged";
+    facts_.error_bound = convergence.bound;
     facts_.warnings.clear();
     if (!convergence.converged)
       facts_.warnings.push_back("conjugate gradients stopped after " +

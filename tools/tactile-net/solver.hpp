@@ -40,6 +40,8 @@ struct FrameFacts {
   std::optional<double> alpha{};  ///< empty: the method has none
   std::string verdict = "ok";
   std::optional<double> condition{};  ///< of the system; for dft the noise gain
+  std::optional<double>
+      error_bound{};  ///< of rounding, over the tractions' 2-norm, where it is cheap
   std::vector<std::string> warnings{};
   std::optional<ConstrainedSolution> constrained{};
 };
