@@ -112,7 +112,7 @@ MethodResult reconstruct(const Scene& scene, Method method, const Experiment& ex
       result.alpha_rule = scene.reconstruct.alpha ? "given" : name(scene.reconstruct.alpha_rule);
     result.verdict = facts.verdict;
     result.condition = facts.condition;
-    result.error_bound = facts.error_bound;
+    result.error_bound = solver->error_bound(simulation.readings, f);
     result.warnings = facts.warnings;
     result.constrained = facts.constrained;
     if (swept) {

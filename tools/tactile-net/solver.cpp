@@ -119,10 +119,11 @@ class Frequencies final : public Solver {
       facts_.verdict = "cut_off";
       facts_.warnings.emplace_back(cut_off_warning);
     }
-    const Status status = inverse_.solve(readings, *facts_.alpha, tractions);
-    if (status == Status::ok)
-      facts_.error_bound = inverse_.forward_bound(readings, *facts_.alpha, tractions);
-    return status;
+    return inverse_.solve(readings, *facts_.alpha, tractions);
+  }
+  [[nodiscard]] std::optional<double> error_bound(std::span<const double> readings,
+                                                  std::span<const double> tractions) override {
+    return inverse_.forward_bound(readings, *facts_.alpha, tractions);
   }
   [[nodiscard]] std::size_t tractions() const override { return tractions_; }
 
@@ -178,7 +179,6 @@ class ConjugateGradients final : public Solver {
     const Status status = inverse_.solve(readings, tractions);
     const Convergence& convergence = inverse_.convergence();
     facts_.verdict = convergence.converged ? "ok" : "not_converged";
-    facts_.error_bound = convergence.bound;
     facts_.warnings.clear();
     if (!convergence.converged)
       facts_.warnings.push_back("conjugate gradients stopped after " +
@@ -187,6 +187,10 @@ class ConjugateGradients final : public Solver {
     return status;
   }
   [[nodiscard]] std::size_t tractions() const override { return inverse_.tractions(); }
+  [[nodiscard]] std::optional<double> error_bound(std::span<const double>,
+                                                  std::span<const double>) override {
+    return inverse_.convergence().bound;
+  }
 
  private:
   FftTikhonov inverse_;
