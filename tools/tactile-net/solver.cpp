@@ -50,6 +50,10 @@ class Division final : public Solver {
     if (verdict == DftVerdict::cut_off) facts_.warnings.emplace_back(cut_off_warning);
     return inverse_.solve(readings, tractions);
   }
+  [[nodiscard]] std::optional<double> error_bound(std::span<const double> readings,
+                                                  std::span<const double>) override {
+    return inverse_.forward_bound(readings);
+  }
   [[nodiscard]] std::size_t tractions() const override { return count_; }
 
  private:
