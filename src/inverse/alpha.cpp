@@ -144,13 +144,11 @@ class Criteria {
     for (std::size_t i = 0; i < relative_.size(); ++i) {
       const double square = relative_[i] * relative_[i];
       const double power = frame_.beta[i] * frame_.beta[i];
-      const Number kept = square / (square + alpha);
       const Number lost = alpha / (square + alpha);
       const Number size = square / ((square + alpha) * (square + alpha)) * power;
       eta += size;
       rho += lost * lost * power;
       rate -= 4.0 * lost * size;
-      (void)kept;
     }
     const Number denominator = alpha * alpha * eta * eta + rho * rho;
     return 2.0 * eta * rho / rate *

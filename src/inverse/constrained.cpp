@@ -56,12 +56,12 @@ ConstrainedTikhonov::ConstrainedTikhonov(const InverseProblem& problem, double a
   Eigen::MatrixXd a = stacked(problem, alpha) * s.edges;
   s.norms = a.colwise().norm();
   a *= s.norms.cwiseInverse().asDiagonal();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(a);
+  const StackedQr qr(a);
+  (void)qr.condition();  // throws if rank deficient
   const Eigen::Index n = a.cols();
-  s.triangle = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  s.q = (qr.householderQ() * Eigen::MatrixXd::Identity(a.rows(), n))
+  s.triangle = qr.triangle();
+  s.q = qr.rotate_back(Eigen::MatrixXd::Identity(a.rows(), n))
             .topRows(static_cast<Eigen::Index>(problem.kernel.rows));
-  (void)StackedQr(s.triangle).condition();  // throws if rank deficient
   s.bounded.assign(static_cast<std::size_t>(n), true);
   if (!constraints.friction_limit)
     for (std::size_t i = 0; i < s.bounded.size(); ++i)

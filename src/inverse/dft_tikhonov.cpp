@@ -1,13 +1,15 @@
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
+#include "inverse/decompositions.hpp"
 #include "inverse/finite.hpp"
 #include "inverse/kernel_error.hpp"
 #include "sensing/real_fft.hpp"
@@ -142,11 +144,10 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
     Plan::Frequency frequency;
     frequency.root = std::hypot(1.0, wave);
     frequency.multiple = k == 0 || 2 * k == n ? 1.0 : 2.0;
-    const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(a[k] / frequency.root,
-                                                 Eigen::ComputeThinU | Eigen::ComputeThinV);
-    frequency.u = svd.matrixU();
-    frequency.v = svd.matrixV();
-    frequency.s = svd.singularValues();
+    ComplexSvd svd = singular_value_decomposition(Eigen::MatrixXcd(a[k] / frequency.root));
+    frequency.u = std::move(svd.u);
+    frequency.v = std::move(svd.v);
+    frequency.s = std::move(svd.values);
     plan.largest = std::max(plan.largest, frequency.s(0));
     plan.frequencies.push_back(std::move(frequency));
   }

@@ -1,13 +1,12 @@
 #include "tactile_net/inverse/identifiability.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <sstream>
 
+#include "inverse/decompositions.hpp"
 #include "inverse/eigen.hpp"
 
 namespace tactile_net {
@@ -89,6 +88,7 @@ std::string percent(double share) { return std::to_string(std::lround(100.0 * sh
 
 std::string in_words(const TractionMode& mode) {
   std::ostringstream text;
+  text.precision(3);
   if (mode.unknown)
     text << (*mode.unknown == Traction::normal ? "normal" : "tangential") << " traction";
   else
@@ -105,6 +105,20 @@ std::string in_words(const TractionMode& mode) {
     text << "wavelength " << *mode.wavelength;
   if (mode.unknown && mode.parity != Parity::neither)
     text << ", " << (mode.parity == Parity::even ? "even" : "odd") << " about the centre";
+  return text.str();
+}
+
+std::string in_words(const ModeSpace& space) {
+  std::ostringstream text;
+  text.precision(3);
+  text << space.modes.front().description;
+  if (space.dimension > 1) text << "; and " << space.dimension - 1 << " combinations more";
+  if (space.dimension > 1 && space.longest > 0.0) {
+    if (std::isinf(space.longest))
+      text << ", from constant ones to wavelength " << space.shortest;
+    else
+      text << ", of wavelengths " << space.longest << " to " << space.shortest;
+  }
   return text.str();
 }
 
@@ -138,15 +152,14 @@ ModeSpace Namer::name_space(const Eigen::Ref<const Eigen::MatrixXd>& basis) cons
   if (space.dimension == 0) return space;
   Eigen::MatrixXd left = spectrum(basis);
 
-  // The largest share of wavelength m that a combination of unit norm has: an eigenvalue.
+  // The largest share of wavelength m that a combination of unit norm has, and which it is.
   const auto purity = [&](Eigen::Index m) {
     const Eigen::MatrixXd rows = at(left, m);
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(rows * rows.transpose());
+    return singular_value_decomposition(Eigen::MatrixXd(rows * rows.transpose()));
   };
   for (std::size_t step = 0; step < std::min(space.dimension, most_modes); ++step) {
     std::vector<double> purities;
-    for (Eigen::Index m = 0; m <= count_; ++m)
-      purities.push_back(purity(m).eigenvalues().reverse()(0));
+    for (Eigen::Index m = 0; m <= count_; ++m) purities.push_back(purity(m).values(0));
     if (step == 0)
       for (Eigen::Index m = 0; m <= count_; ++m)
         if (purities[static_cast<std::size_t>(m)] >= 0.5) {
@@ -159,7 +172,7 @@ ModeSpace Namer::name_space(const Eigen::Ref<const Eigen::MatrixXd>& basis) cons
         std::find_if(purities.begin(), purities.end(), [&](double p) { return p >= most; }) -
         purities.begin();
     const Eigen::MatrixXd rows = at(left, m);
-    Eigen::VectorXd direction = rows.transpose() * purity(m).eigenvectors().rightCols<1>();
+    Eigen::VectorXd direction = rows.transpose() * purity(m).u.col(0);
     for (Eigen::Index row = 0; row < rows.rows(); ++row)
       if (rows.row(row).squaredNorm() >= most) {
         direction = rows.row(row).transpose();
@@ -169,15 +182,15 @@ ModeSpace Namer::name_space(const Eigen::Ref<const Eigen::MatrixXd>& basis) cons
     space.modes.push_back(name(basis * direction));
     left -= (left * direction).eval() * direction.transpose();
   }
+  space.description = in_words(space);
   return space;
 }
 
 }  // namespace
 
 Identifiability identifiability(const InverseProblem& problem) {
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(Eigen::MatrixXd(as_eigen(problem.kernel)),
-                                           Eigen::ComputeThinV);
-  const Eigen::VectorXd& s = svd.singularValues();
+  const Svd svd = singular_value_decomposition(Eigen::MatrixXd(as_eigen(problem.kernel)));
+  const Eigen::VectorXd& s = svd.values;
   const double largest = s(0);
   const double smallest = s(s.size() - 1);
   Identifiability result{.singular_values = {s.begin(), s.end()}};
@@ -193,9 +206,9 @@ Identifiability identifiability(const InverseProblem& problem) {
   result.rank = static_cast<std::size_t>(rank);
 
   const Namer namer(problem);
-  result.null_space = namer.name_space(svd.matrixV().rightCols(s.size() - rank));
-  result.nearly_null = namer.name_space(svd.matrixV().middleCols(safe, rank - safe));
-  result.weakest = namer.name(svd.matrixV().rightCols<1>());
+  result.null_space = namer.name_space(svd.v.rightCols(s.size() - rank));
+  result.nearly_null = namer.name_space(svd.v.middleCols(safe, rank - safe));
+  result.weakest = namer.name(svd.v.rightCols<1>());
   return result;
 }
 

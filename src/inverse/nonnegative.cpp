@@ -1,8 +1,9 @@
 #include "inverse/nonnegative.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "inverse/decompositions.hpp"
 
 namespace tactile_net {
 namespace {
@@ -51,7 +52,7 @@ class ActiveSet {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(a_.cols());
     if (columns.empty()) return z;
     const Eigen::MatrixXd part = a_(Eigen::all, columns);
-    z(columns) = part.householderQr().solve(d_);
+    z(columns) = least_squares(part, d_);
     return z;
   }
 

@@ -2,11 +2,9 @@
 /// Least squares of stacked matrices by QR, shared by `tikhonov` and `closed_form`. Private.
 #pragma once
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include <Eigen/Core>
 #include <cmath>
-#include <limits>
-#include <sstream>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -33,36 +31,29 @@ inline void check_alpha(double alpha) {
 /// QR of a tall matrix. Rows should be stacked largest first: Householder reflections are then
 /// stable row by row, however small alpha makes the lower ones.
 class StackedQr {
-  [[nodiscard]] auto triangle() const {
-    return qr_.matrixQR().topRows(unknowns()).triangularView<Eigen::Upper>();
-  }
-
  public:
-  explicit StackedQr(const Eigen::MatrixXd& stacked) : qr_(stacked) {}
+  explicit StackedQr(const Eigen::MatrixXd& stacked);
+  ~StackedQr();
+  StackedQr(const StackedQr&) = delete;
+  StackedQr& operator=(const StackedQr&) = delete;
 
-  [[nodiscard]] Eigen::Index unknowns() const { return qr_.cols(); }
+  [[nodiscard]] Eigen::Index unknowns() const noexcept;
 
   /// Q' x, of full length: the first `unknowns()` entries solve, the rest is the residual.
-  template <class Right>
-  [[nodiscard]] Eigen::MatrixXd rotate(const Right& right) const {
-    return qr_.householderQ().adjoint() * right;
-  }
+  [[nodiscard]] Eigen::MatrixXd rotate(const Eigen::MatrixXd& right) const;
 
   /// Q x for x of full length.
-  [[nodiscard]] Eigen::MatrixXd rotate_back(const Eigen::MatrixXd& x) const {
-    return qr_.householderQ() * x;
-  }
+  [[nodiscard]] Eigen::MatrixXd rotate_back(const Eigen::MatrixXd& x) const;
+
+  /// R.
+  [[nodiscard]] Eigen::MatrixXd triangle() const;
 
   /// The least-squares solution for a rotated right side.
-  [[nodiscard]] Eigen::MatrixXd solve_rotated(const Eigen::MatrixXd& rotated) const {
-    return triangle().solve(rotated.topRows(unknowns()));
-  }
+  [[nodiscard]] Eigen::MatrixXd solve_rotated(const Eigen::MatrixXd& rotated) const;
 
   /// 2-norm condition number.
   /// @throw std::domain_error  it exceeds what double precision can resolve
-  [[nodiscard]] double condition() const {
-    return checked_condition(Eigen::BDCSVD<Eigen::MatrixXd>(square()).singularValues());
-  }
+  [[nodiscard]] double condition() const;
 
   /// The first `rows` columns of the pseudo-inverse, and the condition number.
   ///
@@ -71,38 +62,11 @@ class StackedQr {
   /// orthogonal to it, and a product with readings loses kappa alone.
   ///
   /// @throw std::domain_error  as `condition`
-  [[nodiscard]] std::pair<Eigen::MatrixXd, double> pseudo_inverse(Eigen::Index rows) const {
-    const Eigen::BDCSVD<Eigen::MatrixXd> svd(square(), Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const double condition = checked_condition(svd.singularValues());
-    Eigen::MatrixXd u = Eigen::MatrixXd::Zero(qr_.rows(), unknowns());
-    u.topRows(unknowns()) = svd.matrixU();
-    u.applyOnTheLeft(qr_.householderQ());
-    return {svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal() *
-                u.topRows(rows).transpose(),
-            condition};
-  }
+  [[nodiscard]] std::pair<Eigen::MatrixXd, double> pseudo_inverse(Eigen::Index rows) const;
 
  private:
-  [[nodiscard]] Eigen::MatrixXd square() const {
-    Eigen::MatrixXd r = Eigen::MatrixXd::Zero(unknowns(), unknowns());
-    r.triangularView<Eigen::Upper>() = qr_.matrixQR().topRows(unknowns());
-    return r;
-  }
-
-  [[nodiscard]] double checked_condition(const Eigen::VectorXd& s) const {
-    const double limit =
-        1.0 / (std::numeric_limits<double>::epsilon() * static_cast<double>(qr_.rows()));
-    const double condition = s(0) / s(s.size() - 1);
-    if (!(condition < limit)) {
-      std::ostringstream text;
-      text << "rank deficient in double precision: condition number " << condition
-           << " of the stacked matrix, limit " << limit << "; raise alpha";
-      throw std::domain_error(text.str());
-    }
-    return condition;
-  }
-
-  Eigen::HouseholderQR<Eigen::MatrixXd> qr_;
+  struct Factors;
+  std::unique_ptr<const Factors> factors_;
 };
 
 /// M W: a pseudo-inverse of weighted rows, applied to readings that are not weighted yet.

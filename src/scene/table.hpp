@@ -31,9 +31,6 @@ class Table {
       std::string_view key, std::string_view hint,
       std::initializer_list<std::string_view> alternatives = {});
 
-  /// Says that a key is missing for which the value at `where` asks.
-  void missing(std::string_view key, Place where, std::string message, std::string_view hint);
-
   /// A key of the format that this version cannot simulate: a problem if it is there.
   void not_yet(std::string_view key, std::string_view instead);
 
@@ -56,6 +53,8 @@ class Table {
     std::string hint;
   };
 
+  /// Says that a key is missing for which the value at `where` asks.
+  void missing(std::string_view key, Place where, std::string message, std::string_view hint);
   [[nodiscard]] std::string path_of(std::string_view key) const;
   [[nodiscard]] bool is_known(std::string_view key) const noexcept;
   void report_unknown(const toml::key& key, const toml::node& node, std::string_view near);

@@ -1,36 +1,126 @@
+#include <cmath>
+
 #include "tests/catch.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
 
+namespace {
+
+std::string small(const std::string& reads, const std::string& material = "poisson_ratio = 0.3\n") {
+  return "[sensor]\ncount = 15\npitch = 1.0\ndepth = 1.0\nreads = [" + reads +
+         "]\n[material]\nyoungs_modulus = 1.0\n" + material;
+}
+
+std::string identified(const std::string& toml, std::vector<std::string> options = {}) {
+  const Folder folder;
+  options.insert(options.begin(), {"identify", folder.write("s.toml", toml)});
+  const ProcessResult result = tool(options);
+  CHECK(result.errors.empty());
+  CHECK(result.code == 0);
+  return result.output;
+}
+
+/// The number after the first `key` of the JSON.
+double number(const std::string& json, const std::string& key) {
+  const std::size_t at = json.find("\"" + key + "\": ");
+  REQUIRE(at != std::string::npos);
+  return std::stod(json.substr(at + key.size() + 4));
+}
+
+}  // namespace
+
 TEST_CASE("identify explains why two strains on 81 taxels are singular", "[cli]") {
   const ProcessResult result = tool({"identify", scene("two-strains.toml")});
   CHECK(result.code == 0);
-  CHECK_THAT(result.output, ContainsSubstring("invisible: tangential traction") &&
-                                ContainsSubstring("antisymmetric block of odd order") &&
-                                ContainsSubstring("shear_xy's kernel is even"));
+  for (const char* text :
+       {"Cannot tell: tangential traction, alternating from taxel to taxel (Nyquist)",
+        "every kernel of a tangential traction read here is odd", "a uniform tangential traction",
+        "81 taxels, an odd count", "Read shear_xy instead of strain", "rank 161"})
+    CHECK_THAT(result.output, ContainsSubstring(text));
 }
 
 TEST_CASE("identify finds nothing hidden from stress and shear", "[cli]") {
-  const ProcessResult result = tool({"identify", scene("dragged.toml")});
-  CHECK(result.code == 0);
-  CHECK_THAT(result.output, ContainsSubstring("Every traction can be told"));
+  const std::string text = identified(small("\"stress_x\", \"shear_xy\""));
+  CHECK_THAT(text, ContainsSubstring("Every combination of tractions shows in the readings"));
+  CHECK(text.find("Because") == std::string::npos);
+}
+
+TEST_CASE("each reason is given where it holds", "[cli]") {
+  const std::string strains = "\"strain_x\", \"strain_y\"";
+  CHECK_THAT(identified(small(strains, "poisson_ratio = 0.5\n")),
+             ContainsSubstring("strain_y is -strain_x at nu = 0.5") &&
+                 ContainsSubstring("a uniform normal traction (k = 0)"));
+  const std::string one = identified(small("\"shear_xy\""));
+  CHECK_THAT(one, ContainsSubstring("every kernel of a normal traction read here is odd") &&
+                      ContainsSubstring("Read s") && ContainsSubstring("One unknown is solved"));
+  std::string deep = small("\"stress_x\"");
+  deep.replace(deep.find("depth = 1.0"), 11, "depth = 30.0");
+  CHECK_THAT(identified(deep), ContainsSubstring("the pad smooths"));
+  CHECK_THAT(identified(small("\"stress_x\"") + "[dead_taxels]\nindices = [3]\n"),
+             ContainsSubstring("Dead taxels"));
+}
+
+TEST_CASE("a channel that a layer's base keeps from reading is not judged by its rounding",
+          "[cli]") {
+  // On a bonded base nothing strains along it, and at nu = 0.5 not across it either.
+  const std::string text = identified(
+      "[sensor]\ncount = 15\npitch = 1.0\ndepth = 2.0\nreads = [\"strain_x\"]\n"
+      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.5\n"
+      "layer = { thickness = 2.0, base = \"bonded\" }\n");
+  CHECK_THAT(text, ContainsSubstring("tell no normal ripple") && ContainsSubstring("15 modes"));
 }
 
 TEST_CASE("identify writes a report and JSON", "[cli]") {
   const Folder folder;
-  const ProcessResult result = tool({"identify", scene("two-strains.toml"), "--out", folder / "out",
-                                     "--json", "-", "--traction", "0.5"});
+  const std::string path = folder.write("s.toml", small("\"strain_x\", \"strain_y\""));
+  const ProcessResult result =
+      tool({"identify", path, "--out", folder / "out", "--json", "-", "--traction", "0.5"});
   CHECK(result.code == 0);
-  CHECK_THAT(result.output, ContainsSubstring("\"null_modes\"") &&
-                                ContainsSubstring("\"traction\": 0.5") &&
-                                ContainsSubstring("\"alternatives\""));
+  for (const char* key : {"\"tactile_net\"", "\"effects\"", "\"singular_values\"", "\"null_modes\"",
+                          "\"resolvable_wavelength\"", "\"deviation\"", "\"alternatives\""})
+    CHECK_THAT(result.output, ContainsSubstring(key));
+  CHECK(number(result.output, "traction") == 0.5);
+  CHECK(number(result.output, "rank") == 29.0);
+  CHECK(number(result.output, "rank_deficiency") == 1.0);
   CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("<svg"));
   CHECK(read_text(folder / "out/result.json") == result.output);
 }
 
+TEST_CASE("what identify tells does not depend on the units", "[cli][property]") {
+  const auto json = [](const std::string& length, const std::string& stress,
+                       const std::string& force) {
+    return identified(
+        "[sensor]\ncount = 14\npitch = 1.0" + length + "\ndepth = 1.5" + length +
+            "\nreads = [\"stress_x\", \"strain_x\"]\n[material]\nyoungs_modulus = 2.0" + stress +
+            "\npoisson_ratio = 0.3\n[[contact]]\nshape = \"cylinder\"\n" + "half_width = 3.0" +
+            length + "\nforce = 4.0" + force + "\n[noise]\nrms = { stress_x = 0.01" + stress +
+            ", strain_x = 0.002 }\n",
+        {"--json", "-"});
+  };
+  const std::string one = json("", "", "");
+  const std::string other = json("e-3", "e6", "e3");
+  CHECK_THAT(number(other, "traction"), WithinRel(1e6 * number(one, "traction"), 1e-12));
+  CHECK_THAT(number(other, "normal"), WithinRel(1e-3 * number(one, "normal"), 1e-12));
+  CHECK(number(other, "rank") == number(one, "rank"));
+  CHECK_THAT(number(other, "noise_gain"), WithinRel(1e6 * number(one, "noise_gain"), 1e-3));
+}
+
+TEST_CASE("more noise hides longer ripples", "[cli]") {
+  const auto shortest = [](const char* noise) {
+    return number(
+        identified(small("\"stress_x\", \"shear_xy\""), {"--json", "-", "--noise", noise}),
+        "normal");
+  };
+  CHECK(shortest("1e-4") < shortest("0.1"));
+}
+
 TEST_CASE("identify refuses what is no amplitude", "[cli]") {
-  const ProcessResult result = tool({"identify", scene("two-strains.toml"), "--traction", "-1"});
-  CHECK(result.code == 2);
-  CHECK_THAT(result.errors, ContainsSubstring("--traction"));
+  for (const char* option : {"--traction", "--noise"})
+    for (const char* value : {"-1", "0", "nan", "inf"}) {
+      CAPTURE(option, value);
+      const ProcessResult result = tool({"identify", scene("two-strains.toml"), option, value});
+      CHECK(result.code == 2);
+      CHECK_THAT(result.errors, ContainsSubstring(option));
+    }
 }

@@ -86,7 +86,7 @@ TEST_CASE("rules come near the best alpha on contacts nobody chose, or say that 
     const InverseProblem problem = make_problem(array_of(quantity), pad, {.smoothing_length = 1.0});
     const TikhonovFamily family(problem);
     RandomContacts contacts(array_of(quantity), pad, 11);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 60; ++i) {
       const RandomContact contact = contacts.next();
       const FilterFrame frame = family.analyse(contact.readings);
       const AlphaSweep sweep = sweep_alpha(frame, contact.noise);

@@ -185,9 +185,9 @@ TEST_CASE("a ripple's amplitude scatters as predicted", "[dft_tikhonov][resoluti
 
 TEST_CASE("conjugate gradients solve P f = b, boundaries included", "[fft_tikhonov]") {
   const double alpha = GENERATE(1e-6, 1e-3, 1.0);
-  const std::size_t n = GENERATE(as<std::size_t>{}, 2, 3, 20, 81, 101);
+  const std::size_t n = GENERATE(as<std::size_t>{}, 2, 3, 20, 81);
   const bool both = GENERATE(false, true);
-  const bool layered = GENERATE(false, true);
+  const bool layered = n == 20;
   const SensorArray array{
       n, 0.25, {1.0}, both ? std::vector{stress_x, shear_xy} : std::vector{strain_x}};
   Material material{1.0, 0.45};

@@ -9,6 +9,7 @@
 #include "frame_uncertainty.hpp"
 #include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
+#include "tactile_net/inverse/identifiability.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/sensing/spectral.hpp"
 #include "text.hpp"
@@ -69,13 +70,18 @@ void judge_errors(MethodResult& result, std::span<const double> f, const Scene& 
   const auto middle = uncertainty.deviation.begin() + static_cast<std::ptrdiff_t>(problem.count);
   result.normal.deviation.assign(uncertainty.deviation.begin(), middle);
   result.tangential.deviation.assign(middle, uncertainty.deviation.end());
-  if (!facts.constrained)
-    result.error_bound = forward_bound(problem, *facts.alpha, readings, f, *facts.condition);
+  result.error_bound = forward_bound(problem, *facts.alpha, readings, f, *facts.condition);
+  // Under a friction limit f = E z, and E has the condition number max(limit, 1 / limit).
+  if (const auto limit = scene.reconstruct.friction_limit; facts.constrained && limit)
+    *result.error_bound *= std::max(*limit, 1.0 / *limit);
   if (result.error_bound && *result.error_bound > 1e-3) {
     if (result.verdict == "ok") result.verdict = "ill_conditioned";
     result.warnings.push_back("rounding alone may have moved the answer by " +
                               brief(*result.error_bound) + " of its size; raise alpha");
   }
+  if (const ModeSpace hidden = identifiability(problem).null_space; hidden.dimension > 0)
+    result.warnings.push_back("no reading shows: " + hidden.description +
+                              "; decided by smoothing, not measured (see identify)");
   const std::string model = model_error_in_words(uncertainty.noise);
   if (!model.empty()) result.warnings.push_back(model);
 }
@@ -104,6 +110,7 @@ MethodResult reconstruct(const Scene& scene, Method method, const Experiment& ex
       result.alpha_rule = scene.reconstruct.alpha ? "given" : name(scene.reconstruct.alpha_rule);
     result.verdict = facts.verdict;
     result.condition = facts.condition;
+    result.error_bound = solver->error_bound(simulation.readings, f);
     result.warnings = facts.warnings;
     result.constrained = facts.constrained;
     if (swept) {

@@ -50,6 +50,10 @@ class Division final : public Solver {
     if (verdict == DftVerdict::cut_off) facts_.warnings.emplace_back(cut_off_warning);
     return inverse_.solve(readings, tractions);
   }
+  [[nodiscard]] std::optional<double> error_bound(std::span<const double> readings,
+                                                  std::span<const double>) override {
+    return inverse_.forward_bound(readings);
+  }
   [[nodiscard]] std::size_t tractions() const override { return count_; }
 
  private:
@@ -121,6 +125,10 @@ class Frequencies final : public Solver {
     }
     return inverse_.solve(readings, *facts_.alpha, tractions);
   }
+  [[nodiscard]] std::optional<double> error_bound(std::span<const double> readings,
+                                                  std::span<const double> tractions) override {
+    return inverse_.forward_bound(readings, *facts_.alpha, tractions);
+  }
   [[nodiscard]] std::size_t tractions() const override { return tractions_; }
 
  private:
@@ -183,6 +191,10 @@ class ConjugateGradients final : public Solver {
     return status;
   }
   [[nodiscard]] std::size_t tractions() const override { return inverse_.tractions(); }
+  [[nodiscard]] std::optional<double> error_bound(std::span<const double>,
+                                                  std::span<const double>) override {
+    return inverse_.convergence().bound;
+  }
 
  private:
   FftTikhonov inverse_;

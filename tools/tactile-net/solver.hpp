@@ -56,6 +56,13 @@ class Solver {
   /// How many tractions a frame has: count, or twice that.
   [[nodiscard]] virtual std::size_t tractions() const = 0;
 
+  /// How far rounding may have moved the last frame's tractions, over their 2-norm, where the
+  /// solver knows it without the problem's matrix.
+  [[nodiscard]] virtual std::optional<double> error_bound(std::span<const double> /*readings*/,
+                                                          std::span<const double> /*tractions*/) {
+    return std::nullopt;
+  }
+
   /// Of the last frame; before the first, what holds for all of them.
   [[nodiscard]] const FrameFacts& facts() const noexcept { return facts_; }
 

@@ -38,18 +38,6 @@ bool in_proportion(const SensorChoice& choice) {
   return choice.unknowns == 2 && begin < end && std::all_of(begin, end, hidden);
 }
 
-std::string in_words(const ModeSpace& space) {
-  std::string text = space.modes.front().description;
-  if (space.dimension > 1) {
-    text += "; and " + std::to_string(space.dimension - 1) + " combinations more";
-    if (space.longest > 0.0)
-      text += std::isinf(space.longest)
-                  ? ", from constant ones to wavelength " + brief(space.shortest)
-                  : ", of wavelengths " + brief(space.longest) + " to " + brief(space.shortest);
-  }
-  return text;
-}
-
 std::string told(const SensorChoice& choice) {
   const auto down_to = [](Traction traction, const std::optional<double>& wavelength) {
     return wavelength ? word(traction) + " ripples down to wavelength " + brief(*wavelength)
@@ -172,7 +160,7 @@ std::vector<std::string> verdict_in_words(const Survey& survey, const Scene& sce
   const Identifiability& own = survey.own.identifiability;
   std::vector<std::string> text;
   if (own.null_space.dimension > 0)
-    text.push_back("Cannot tell: " + in_words(own.null_space) + ".");
+    text.push_back("Cannot tell: " + own.null_space.description + ".");
   else
     text.push_back("Every combination of tractions shows in the readings; the weakest, " +
                    brief(own.condition) +

@@ -77,8 +77,7 @@ struct AlphaSweep {
 [[nodiscard]] AlphaSweep sweep_alpha(const FilterFrame& frame,
                                      std::optional<double> noise_rms = {});
 
-/// One rule, and the verdict the sweep gives it, at a fraction of the sweep's cost: the others are
-/// looked at on the 200 values only.
+/// One rule's choice from the sweep, at its cost: the verdict hears the other rules too.
 ///
 /// @throw std::invalid_argument  as `sweep_alpha`; rule is discrepancy and noise_rms is absent
 [[nodiscard]] AlphaChoice choose_alpha(const FilterFrame& frame, AlphaRule rule,

@@ -42,6 +42,7 @@ struct ModeSpace {
   /// infinite: a constant; 0: none is.
   double longest = 0.0;
   double shortest = 0.0;
+  std::string description{};  ///< of the first mode, and how many more; empty: dimension 0
 };
 
 /// The singular values of W K, and what they hide.
