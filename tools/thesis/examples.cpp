@@ -288,7 +288,7 @@ Chapter example_4_2() {
       "\n{0}\n\nWithout alpha this system is exactly singular on an odd number of sensors "
       "(`tactile-net identify scenes/two-strains.toml` says why): alpha decides what the readings "
       "do not. The thesis' remark that two depths serve at nu = 0.5 is right, but for the mean "
-      "tangential traction, which stays invisible.\n\n";
+      "tangential traction, which shows only where it stops.\n\n";
   return chapter;
 }
 
