@@ -1,5 +1,6 @@
 #include "tactile_net/inverse/alpha.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -111,6 +112,40 @@ TEST_CASE("rules come near the best alpha on contacts nobody chose, or say that 
   CHECK(percentile(ratios[2], 0.95) <= 1.35);  // discrepancy
   CHECK(percentile(ratios[4], 0.95) <= 1.35);  // ncp
   CHECK(percentile(caught, 1.0) <= 3.0);
+}
+
+TEST_CASE("gcv, rgcv and gml find the least of what they are defined by", "[alpha]") {
+  // From P itself, between the 200 values: a change of 1 % in alpha is worse on either side.
+  const Material pad{1.0, 0.45};
+  const InverseProblem problem =
+      make_problem({31, 0.5, {1.5}, {Quantity::stress_x}}, pad, {.smoothing_length = 1.0});
+  const std::vector<Contact> contacts = {RigidContact{.half_width = 2.5}};
+  std::vector<double> g =
+      sampled_readings({31, 0.5, {1.5}, {Quantity::stress_x}}, pad,
+                       sample(contacts, {31, 0.5, {1.5}, {Quantity::stress_x}}));
+  add_noise(g, 3e-3, 2, 0);
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::MatrixXd k = Eigen::Map<const RowMajor>(problem.kernel.values.data(), 31, 31);
+  const Eigen::Map<const Eigen::VectorXd> readings(g.data(), 31);
+  const auto criterion = [&](AlphaRule rule, double alpha) {
+    const Matrix p = normal_matrix(problem, alpha);
+    const Eigen::MatrixXd h =
+        k * Eigen::Map<const RowMajor>(p.values.data(), 31, 31).llt().solve(k.transpose());
+    const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(31, 31) - h;
+    if (rule == AlphaRule::gml)
+      return readings.dot(left * readings) / std::pow(left.determinant(), 1.0 / 31.0);
+    const double gcv = (left * readings).squaredNorm() / std::pow(left.trace(), 2);
+    return rule == AlphaRule::gcv ? gcv : gcv * (0.1 + 0.9 * (h * h).trace() / 31.0);
+  };
+  const FilterFrame frame = frame_of(problem, g);
+  for (const AlphaRule rule : {AlphaRule::rgcv, AlphaRule::gcv, AlphaRule::gml}) {
+    const auto [same_rule, alpha, verdict] = choose_alpha(frame, rule);
+    CAPTURE(name(rule), alpha);
+    if (rule != AlphaRule::gcv) REQUIRE(verdict != AlphaVerdict::border);
+    CHECK(criterion(rule, alpha) < criterion(rule, 1.01 * alpha));
+    if (verdict == AlphaVerdict::border) continue;  // gcv's least may lie further down
+    CHECK(criterion(rule, alpha) < criterion(rule, alpha / 1.01));
+  }
 }
 
 TEST_CASE("the answer is the same in any units", "[alpha][property]") {
