@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "inverse/stacked.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 
@@ -12,29 +14,30 @@ Reconstruction closed_form(const InverseProblem& problem, double alpha) {
   const auto unknowns = static_cast<Eigen::Index>(problem.unknowns);
   const double size = std::sqrt(alpha);
 
-  // f = G h + E c: G the cumulative sum times D of each block, E one column of ones per block.
-  Eigen::MatrixXd g = Eigen::MatrixXd::Zero(n, n);
+  // f = G h + E c: E one column of ones per block, G the cumulative sum times D. h is the slope
+  // between neighbours: the thesis' slope before the first one acts as c does and is left out.
+  const Eigen::Index slopes = n - unknowns;
+  Eigen::MatrixXd g = Eigen::MatrixXd::Zero(n, slopes);
   Eigen::MatrixXd e = Eigen::MatrixXd::Zero(n, unknowns);
   for (Eigen::Index u = 0; u < unknowns; ++u) {
-    g.block(u * block, u * block, block, block)
+    g.block(u * block + 1, u * (block - 1), block - 1, block - 1)
         .triangularView<Eigen::Lower>()
         .setConstant(problem.pitch);
     e.block(u * block, u, block, 1).setOnes();
   }
 
-  Eigen::MatrixXd of_h(m + 2 * n, n);
-  of_h << kernel * g, size * g, size * problem.smoothing_length * Eigen::MatrixXd::Identity(n, n);
-  Eigen::MatrixXd of_c(m + 2 * n, unknowns);
-  of_c << kernel * e, size * e, Eigen::MatrixXd::Zero(n, unknowns);
+  Eigen::MatrixXd of_h(m + n + slopes, slopes);
+  of_h << kernel * g, size * g,
+      size * problem.smoothing_length * Eigen::MatrixXd::Identity(slopes, slopes);
+  Eigen::MatrixXd of_c(of_h.rows(), unknowns);
+  of_c << kernel * e, size * e, Eigen::MatrixXd::Zero(slopes, unknowns);
 
   const StackedQr qr(of_h);
-  const auto [u, condition] = qr.pseudo_inverse(m);
-  // Without smoothing the first entry of h is a constant too, and c is redundant.
-  if (problem.smoothing_length == 0.0) return {unweighted(g * u, problem), condition};
-
+  const auto [u, condition_of_h] = qr.pseudo_inverse(m);
+  const double condition = std::max(condition_of_h, StackedQr(stacked(problem, alpha)).condition());
   Eigen::MatrixXd rotated = qr.rotate(of_c);
   const Eigen::MatrixXd v = qr.solve_rotated(rotated);
-  rotated.topRows(n).setZero();
+  rotated.topRows(slopes).setZero();
   const StackedQr residual(qr.rotate_back(rotated));  // r_v, orthogonal to the columns of h
   const Eigen::MatrixXd c = residual.pseudo_inverse(m).first;
   return {unweighted(g * (u - v * c) + e * c, problem), condition};

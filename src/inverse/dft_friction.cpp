@@ -11,7 +11,63 @@
 namespace tactile_net {
 namespace {
 
-constexpr double tolerated = 0.1;  // of f_v, outside the contact or antisymmetric
+constexpr double tolerated = 0.1;
+
+/// What a misfit of the antisymmetric readings says: `shape` is the part that neighbours share,
+/// which no white noise leaves, `doubt` three standard deviations of what it leaves there by
+/// chance; squares of 2-norms. `noise` is the readings' standard deviation.
+struct Misfit {
+  double shape = 0.0;
+  double doubt = 0.0;
+  double noise = 0.0;
+};
+
+Misfit examine(std::span<const double> misfit) {
+  const std::size_t half = misfit.size() / 2;  // the other half is its mirror image
+  double power = 0.0;
+  double steps = 0.0;
+  for (std::size_t i = 0; i < half; ++i) power += 2.0 * misfit[i] * misfit[i];
+  for (std::size_t i = 0; i + 1 < half; ++i) steps += std::pow(misfit[i + 1] - misfit[i], 2);
+  const double count = static_cast<double>(std::max<std::size_t>(half, 1));
+  return {std::max(power - steps, 0.0), 3.0 * steps / std::sqrt(count), std::sqrt(steps / count)};
+}
+
+/// `values` on a ring, blurred by a Gaussian of standard deviation `width` taxels: the DFT's
+/// amplification of noise, at most exp(k depth), is gone when `width` is the depth.
+std::vector<double> blurred(std::span<const double> values, double width) {
+  const std::size_t n = values.size();
+  std::vector<double> weights(n);
+  for (std::size_t lag = 0; lag < n; ++lag)
+    weights[lag] =
+        std::exp(-0.5 * std::pow(static_cast<double>(std::min(lag, n - lag)) / width, 2));
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  std::vector<double> result(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) result[i] += weights[(i + n - j) % n] / sum * values[j];
+  return result;
+}
+
+/// One contact that fills `width` taxels in the middle has its greatest traction, once blurred,
+/// near the middle (a Gaussian keeps what has one hump at one hump), and 97 % of its force within
+/// two standard deviations of its edges.
+bool fills(std::span<const double> blurred, std::size_t width, double spread) {
+  const std::size_t n = blurred.size();
+  const double middle = 0.5 * (blurred[(n - 1) / 2] + blurred[n / 2]);
+  if (middle < 0.5 * *std::max_element(blurred.begin(), blurred.end())) return false;
+  const double edge = 0.5 * static_cast<double>(width) + 2.0 * spread;
+  double outside = 0.0;
+  double all = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double distance = std::abs(static_cast<double>(i) - 0.5 * static_cast<double>(n - 1));
+    all += blurred[i];
+    if (distance > edge) outside += blurred[i];
+  }
+  return std::abs(outside) <= tolerated * all;
+}
+
+double square(std::span<const double> values) {
+  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
 
 }  // namespace
 
@@ -23,6 +79,8 @@ std::string_view name(FrictionVerdict verdict) noexcept {
       return "dft";
     case FrictionVerdict::not_one_contact:
       return "not_one_contact";
+    case FrictionVerdict::drag_in_noise:
+      return "drag_in_noise";
     case FrictionVerdict::no_contact:
       return "no_contact";
   }
@@ -33,6 +91,7 @@ DftFriction::DftFriction(const SensorArray& array, const Material& material, dou
                          double gain_limit)
     : division_(array, material, gain_limit),
       friction_(friction),
+      depth_(array.depths.front() / array.pitch),
       kernel_(sampled_kernel(channels(array).front(), Traction::tangential, material, array.count,
                              array.pitch)) {
   if (!std::isfinite(friction)) throw std::invalid_argument("friction must be finite");
@@ -87,23 +146,32 @@ FrictionSolution DftFriction::solve(std::span<const double> readings) {
   }
 
   std::vector<double> rest(readings.begin(), readings.end());
-  for (std::size_t i = 0; i < n; ++i) rest[i] -= best[i];
-  (void)division_.solve(rest, solution.normal);
-  const std::size_t first = (n - solution.width) / 2;
-  double size = 0.0;
-  double outside = 0.0;
-  double lopsided = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    const bool inside = i >= first && i < n - first;
-    if (inside) solution.tangential[i] = friction_ * force / static_cast<double>(solution.width);
-    size += std::abs(solution.normal[i]);
-    if (!inside) outside += std::abs(solution.normal[i]);
-    lopsided += 0.5 * std::abs(solution.normal[i] - solution.normal[n - 1 - i]);
+    rest[i] -= best[i];
+    odd[i] -= best[i];
   }
-  if (solution.dft != DftVerdict::ok)
-    solution.verdict = FrictionVerdict::dft;
-  else if (outside > tolerated * size || lopsided > tolerated * size)
+  const bool one =
+      fills(blurred(solution.normal, depth_), friction_ == 0.0 ? n : solution.width, depth_);
+  const Misfit misfit = examine(odd);
+  // The model is as uncertain as the normal force, which the readings' sum gives.
+  const double sum_of_readings = std::accumulate(even.begin(), even.end(), 0.0);
+  const double force_doubt =
+      3.0 * misfit.noise * std::sqrt(static_cast<double>(n)) / std::abs(sum_of_readings);
+  const double size = square(friction_ == 0.0 ? even : best);
+  const double allowed = tolerated * tolerated * size;
+  const bool contradicted =
+      misfit.shape > std::pow(tolerated + force_doubt, 2) * size + misfit.doubt;
+  if (contradicted || (!one && force_doubt <= tolerated))
     solution.verdict = FrictionVerdict::not_one_contact;
+  else if (misfit.shape + misfit.doubt > allowed || force_doubt > tolerated)
+    solution.verdict = FrictionVerdict::drag_in_noise;
+  else if (solution.dft != DftVerdict::ok)
+    solution.verdict = FrictionVerdict::dft;
+
+  (void)division_.solve(rest, solution.normal);
+  const double height = friction_ * force / static_cast<double>(solution.width);
+  std::fill_n(solution.tangential.begin() + static_cast<std::ptrdiff_t>((n - solution.width) / 2),
+              solution.width, height);
   return solution;
 }
 

@@ -204,9 +204,14 @@ double DftTikhonov::forward_bound(std::span<const double> readings, double alpha
   for (const double f : tractions) solution += (f / frame.scale) * (f / frame.scale);
   const double transforms = 3.0 * std::log2(static_cast<double>(plan_->fft.size()) + 2.0) *
                             std::numeric_limits<double>::epsilon();
+  // Readings and tractions near the smallest doubles lose digits to it.
+  const double underflow = std::numeric_limits<double>::denorm_min() / frame.scale *
+                           std::sqrt(static_cast<double>(readings.size() + tractions.size()));
+  const double lost = solution > 0.0 ? underflow / std::sqrt(solution) : 0.0;
   return wedin_bound(condition(alpha), std::hypot(plan_->largest, std::sqrt(alpha)),
                      std::sqrt(right), std::sqrt(residual), std::sqrt(solution),
-                     plan_->kernel_error / plan_->largest + transforms);
+                     plan_->kernel_error / plan_->largest + transforms + underflow) +
+         lost;
 }
 
 bool DftTikhonov::cut_off(std::span<const double> readings, double alpha) const noexcept {

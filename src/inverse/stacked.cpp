@@ -1,15 +1,36 @@
 #include "inverse/stacked.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <sstream>
+#include <vector>
 
 #include "inverse/decompositions.hpp"
 
 namespace tactile_net {
 
+namespace {
+
+/// Where each row goes: the largest first.
+Eigen::PermutationMatrix<Eigen::Dynamic> sorting(const Eigen::MatrixXd& rows) {
+  const Eigen::VectorXd sizes = rows.cwiseAbs().rowwise().maxCoeff();
+  std::vector<int> order(static_cast<std::size_t>(rows.rows()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return sizes(a) > sizes(b); });
+  Eigen::PermutationMatrix<Eigen::Dynamic> to(rows.rows());
+  for (std::size_t place = 0; place < order.size(); ++place)
+    to.indices()(order[place]) = static_cast<int>(place);
+  return to;
+}
+
+}  // namespace
+
 struct StackedQr::Factors : Eigen::HouseholderQR<Eigen::MatrixXd> {
-  using HouseholderQR::HouseholderQR;
+  explicit Factors(const Eigen::MatrixXd& stacked) : Factors(stacked, sorting(stacked)) {}
+  Factors(const Eigen::MatrixXd& stacked, Eigen::PermutationMatrix<Eigen::Dynamic> to)
+      : HouseholderQR(to * stacked), sorted(std::move(to)) {}
 
   [[nodiscard]] double checked_condition(const Eigen::VectorXd& s) const {
     const double limit =
@@ -23,6 +44,8 @@ struct StackedQr::Factors : Eigen::HouseholderQR<Eigen::MatrixXd> {
     }
     return condition;
   }
+
+  Eigen::PermutationMatrix<Eigen::Dynamic> sorted;
 };
 
 StackedQr::StackedQr(const Eigen::MatrixXd& stacked)
@@ -32,11 +55,11 @@ StackedQr::~StackedQr() = default;
 Eigen::Index StackedQr::unknowns() const noexcept { return factors_->cols(); }
 
 Eigen::MatrixXd StackedQr::rotate(const Eigen::MatrixXd& right) const {
-  return factors_->householderQ().adjoint() * right;
+  return factors_->householderQ().adjoint() * (factors_->sorted * right);
 }
 
 Eigen::MatrixXd StackedQr::rotate_back(const Eigen::MatrixXd& x) const {
-  return factors_->householderQ() * x;
+  return factors_->sorted.transpose() * (factors_->householderQ() * x).eval();
 }
 
 Eigen::MatrixXd StackedQr::triangle() const {

@@ -28,8 +28,8 @@ inline void check_alpha(double alpha) {
   return a;
 }
 
-/// QR of a tall matrix. Rows should be stacked largest first: Householder reflections are then
-/// stable row by row, however small alpha makes the lower ones.
+/// QR of a tall matrix, its rows taken largest first: Householder reflections are then stable row
+/// by row, however far apart alpha sets them (Cox and Higham 1998; Bjorck 1996, 4.4.2).
 class StackedQr {
  public:
   explicit StackedQr(const Eigen::MatrixXd& stacked);

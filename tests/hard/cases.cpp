@@ -129,7 +129,8 @@ std::vector<Case> cases() {
   add("readings times 1e150", {.scale = 1e150});
   add("readings times 1e-150, two unknowns",
       {.count = 21, .reads = stress_and_shear, .scale = 1e-150});
-  add("denormal readings", {.scale = 1e-310});
+  for (const double scale : {1e-310, 1e-318})
+    add("denormal readings, times " + number(scale), {.scale = scale});
   for (const double e : {1e-12, 1e12}) {
     add("E = " + number(e) + ", alpha in its unit",
         {.material = {e, 0.45}, .alpha = 1e-4 / (e * e)});
@@ -142,8 +143,14 @@ std::vector<Case> cases() {
   add("weights 1e8 apart",
       {.count = 21, .reads = {stress_x, strain_x}, .channel_rms = {1e4, 1e-4}});
   add("smoothing length 0", {.alpha = 1e-8, .smoothing_length = 0.0});
+  for (const double length : {1e-3, 1e-6, 1e-12}) {
+    add("smoothing length " + number(length), {.smoothing_length = length});
+    add("smoothing length " + number(length) + ", two unknowns",
+        {.count = 21, .reads = stress_and_shear, .smoothing_length = length});
+  }
   add("smoothing length 1e6 pitches", {.alpha = 1e-8, .smoothing_length = 5e5});
-  add("alpha 1e12", {.alpha = 1e12});
+  for (const double alpha : {1e12, 1e24}) add("alpha " + number(alpha), {.alpha = alpha});
+  add("alpha 1e+12, two unknowns", {.count = 21, .reads = stress_and_shear, .alpha = 1e12});
   return all;
 }
 

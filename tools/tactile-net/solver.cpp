@@ -81,7 +81,11 @@ class Sliding final : public Solver {
     if (solution.verdict == FrictionVerdict::not_one_contact)
       facts_.warnings.emplace_back(
           "these are not the readings of one contact in the array's middle, which contact_friction "
-          "takes for granted");
+          "and its size and sign take for granted");
+    if (solution.verdict == FrictionVerdict::drag_in_noise)
+      facts_.warnings.emplace_back(
+          "noise could hide a tenth of what contact_friction adds to the readings: the tangential "
+          "traction is assumed more than it is measured");
     std::copy(solution.normal.begin(), solution.normal.end(), tractions.begin());
     std::copy(solution.tangential.begin(), solution.tangential.end(),
               tractions.begin() + static_cast<std::ptrdiff_t>(count_));

@@ -13,6 +13,11 @@
 /// symmetric (3.16): the width w is the one whose c K2 * box comes nearest to the antisymmetric
 /// part of g. The thesis takes it from the support of the symmetric part's f_v instead, which
 /// noise, once amplified by the division, hides.
+///
+/// The verdict is drawn from the readings, and from f_v blurred to the depth, so that white noise
+/// does not decide it. What the pad blurs away it cannot tell: two contacts less than about three
+/// depths apart are answered as one, and a drag that follows f_v, on a contact no wider than the
+/// depth, as its mean.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +35,11 @@ namespace tactile_net {
 enum class FrictionVerdict {
   ok,
   dft,              ///< see `DftInverse::verdict`: noise_amplified, sign_change or cut_off
-  not_one_contact,  ///< more than a tenth of f_v lies outside the contact found, or is
-                    ///< antisymmetric
+  not_one_contact,  ///< the readings are not those of one contact in the middle that drags with mu:
+                    ///< their antisymmetric part is more than a tenth off, the normal traction has
+                    ///< a gap in the middle, or a tenth of the force lies beside the contact
+  drag_in_noise,    ///< nothing contradicts it, but noise could hide a tenth of the drag's readings
+                    ///< or make the normal force a tenth wrong
   no_contact,       ///< the normal force is not > 0
 };
 
@@ -63,6 +71,7 @@ class DftFriction {
  private:
   DftInverse division_;
   double friction_;
+  double depth_;  // in pitches
   std::vector<double>
       kernel_;  // K2 D, as `sampled_kernel`: what drags is where it is, not on a ring
 };

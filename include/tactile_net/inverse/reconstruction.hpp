@@ -49,7 +49,7 @@ class Reconstruction {
 /// @throw std::domain_error      the stacked matrix is rank deficient in double precision
 [[nodiscard]] Reconstruction tikhonov(const InverseProblem& problem, double alpha);
 
-/// One frame solved directly, without building M: as `tikhonov`, about three times cheaper.
+/// One frame solved directly, without building M: as `tikhonov`, cheaper for a single frame.
 ///
 /// @return f [Pa], unknowns x count values
 /// @throw as `tikhonov`; std::invalid_argument if readings have the wrong size or are not finite
@@ -57,11 +57,10 @@ class Reconstruction {
                                                  std::span<const double> readings);
 
 /// The closed form of thesis chapter 4 (4.14-4.15) with its errata corrected: f = G h + c with
-/// h = f', G the cumulative sum times D, c the constant that the thesis misprints.
-///
-/// Eliminating h by a QR of [W K G; sqrt(alpha) G; sqrt(alpha) l I] leaves c as the ratio
-/// c = r_v'r_u / r_v'r_v of two residuals: the corrected form of 4.15 with nothing squared. The
-/// minimiser is the same as `tikhonov`'s: the two agree to rounding, by different ways.
+/// h = f' between neighbours, G the cumulative sum times D, c the constant that the thesis
+/// misprints. Eliminating h by a QR of [W K G; sqrt(alpha) G; sqrt(alpha) l I] leaves c as the
+/// ratio c = r_v'r_u / r_v'r_v of two residuals: the corrected form of 4.15 with nothing squared.
+/// The minimiser is the same as `tikhonov`'s: the two agree to rounding, by different ways.
 ///
 /// @throw as `tikhonov`
 [[nodiscard]] Reconstruction closed_form(const InverseProblem& problem, double alpha);
