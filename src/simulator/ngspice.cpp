@@ -90,6 +90,20 @@ std::string complaints(const std::string& log) {
                        folder.path());
 }
 
+/// How a failure that ngspice reported itself is called.
+Cause cause_of(const ProcessResult& process) {
+  const std::string log = process.errors + process.output;
+  return log.find("imestep too small") != std::string::npos ? Cause::diverged : Cause::failed;
+}
+
+void check_finite(const RawFile& plot) {
+  for (const auto* parts : {&plot.values, &plot.imaginary})
+    for (std::size_t i = 0; i < parts->size(); ++i)
+      for (const double value : (*parts)[i])
+        if (!std::isfinite(value))
+          throw std::runtime_error(plot.names[i] + " is not a finite number");
+}
+
 void check_end(PrivateFolder& folder, const ProcessResult& process, const NgspiceOptions& options) {
   switch (process.end) {
     case End::exited:
@@ -115,44 +129,38 @@ void check_end(PrivateFolder& folder, const ProcessResult& process, const Ngspic
            process);
   }
   if (process.code != 0)
-    fail(folder, Cause::failed, "ngspice failed with exit status " + std::to_string(process.code),
-         process);
+    fail(folder, cause_of(process),
+         "ngspice failed with exit status " + std::to_string(process.code), process);
   if (!complaints(process.errors + process.output).empty())
-    fail(folder, Cause::failed, "ngspice found the circuit at fault, though it exited with 0",
+    fail(folder, cause_of(process), "ngspice found the circuit at fault, though it exited with 0",
          process);
 }
 
 }  // namespace
 
-OperatingPoint operating_point(const std::string& deck, std::span<const std::string> nodes,
-                               const NgspiceOptions& options) {
+Ngspice::Ngspice(NgspiceOptions options) : options_(std::move(options)) {}
+
+Simulation Ngspice::run(const std::string& deck) {
   PrivateFolder folder;
   write_file(folder.path() / "deck.cir", deck);
   // -n: no .spiceinit of the user's; the variable would turn the raw file into text.
   const ProcessResult process =
-      run_process({options.program, "-n", "-b", "-r", "result.raw", "deck.cir"},
+      run_process({options_.program, "-n", "-b", "-r", "result.raw", "deck.cir"},
                   {.folder = folder.path(),
                    .unset = {"SPICE_ASCIIRAWFILE", "SPICE_SCRIPTS", "SPICE_NO_DATASEG_CHECK"},
-                   .time_limit = options.time_limit,
-                   .output_limit = options.output_limit});
-  check_end(folder, process, options);
+                   .time_limit = options_.time_limit,
+                   .output_limit = options_.output_limit});
+  check_end(folder, process, options_);
 
-  OperatingPoint point{.voltages = {}, .seconds = process.seconds};
   try {
-    const RawFile raw = read_raw_file(folder.path() / "result.raw");
-    if (raw.plot != "Operating Point" || raw.points != 1)
-      throw std::runtime_error("result.raw holds " + std::to_string(raw.points) + " points of '" +
-                               raw.plot + "', not one operating point");
-    for (const std::string& node : nodes) {
-      point.voltages.push_back(raw.vector("v(" + node + ")").front());
-      if (!std::isfinite(point.voltages.back()))
-        throw std::runtime_error("the voltage of node " + node + " is not a finite number");
-    }
+    Simulation simulation{.plot = read_raw_file(folder.path() / "result.raw"),
+                          .seconds = process.seconds};
+    check_finite(simulation.plot);
+    return simulation;
   } catch (const std::exception& error) {
     fail(folder, Cause::bad_result,
          std::string("ngspice exited with 0 without a usable answer: ") + error.what(), process);
   }
-  return point;
 }
 
 }  // namespace tactile_net

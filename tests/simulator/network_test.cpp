@@ -40,7 +40,8 @@ Eigen::VectorXd relaxed(const Circuit& circuit) {
   write_deck(deck, circuit, {.title = "test"}, Answer::raw_file);
   std::vector<std::string> nodes;
   for (const Node node : circuit.outputs) nodes.push_back(circuit.nodes[node]);
-  const OperatingPoint point = operating_point(deck.str(), nodes);
+  Ngspice ngspice;
+  const OperatingPoint point = operating_point(ngspice, deck.str(), nodes);
   return Eigen::Map<const Eigen::VectorXd>(point.voltages.data(), std::ssize(point.voltages));
 }
 

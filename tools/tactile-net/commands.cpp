@@ -2,17 +2,19 @@
 
 namespace tactile_net::tool {
 
-void add_ngspice_options(CLI::App& command, NgspiceOptions& options, double& time_limit) {
-  command.add_option("--ngspice", options.program, "The simulator's program")
+void add_simulator_options(CLI::App& command, SimulatorChoice& choice) {
+  command.add_option("--ngspice", choice.ngspice.program, "The simulator's program")
       ->capture_default_str();
-  command.add_option("--time-limit", time_limit, "Longest run of ngspice [s]")
+  command.add_option("--time-limit", choice.time_limit, "Longest run of the simulator [s]")
       ->capture_default_str();
 }
 
-std::chrono::milliseconds checked_time_limit(double seconds) {
-  if (!(seconds > 0.0) || seconds > 86'400.0)
+std::unique_ptr<Simulator> make_simulator(const SimulatorChoice& choice) {
+  if (!(choice.time_limit > 0.0) || choice.time_limit > 86'400.0)
     throw CLI::ValidationError("--time-limit", "must be > 0 and at most 86400 s");
-  return std::chrono::milliseconds(static_cast<long>(1e3 * seconds) + 1);
+  NgspiceOptions options = choice.ngspice;
+  options.time_limit = std::chrono::milliseconds(static_cast<long>(1e3 * choice.time_limit) + 1);
+  return std::make_unique<Ngspice>(options);
 }
 
 Realization parse_realization(const std::string& name) {

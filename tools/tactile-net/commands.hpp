@@ -3,7 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <chrono>
+#include <memory>
 #include <string>
 
 #include "tactile_net/network/realization.hpp"
@@ -17,11 +17,17 @@ void add_relax(CLI::App& app);
 void add_solve(CLI::App& app);
 void add_identify(CLI::App& app);
 
-/// Adds --ngspice and --time-limit [s].
-void add_ngspice_options(CLI::App& command, NgspiceOptions& options, double& time_limit);
+/// Which simulator, and for how long.
+struct SimulatorChoice {
+  NgspiceOptions ngspice{};
+  double time_limit = 60.0;  ///< [s]
+};
 
-/// @throw CLI::ValidationError  not > 0 or longer than a day
-[[nodiscard]] std::chrono::milliseconds checked_time_limit(double seconds);
+/// Adds --ngspice and --time-limit.
+void add_simulator_options(CLI::App& command, SimulatorChoice& choice);
+
+/// @throw CLI::ValidationError  the time limit is not > 0 or longer than a day
+[[nodiscard]] std::unique_ptr<Simulator> make_simulator(const SimulatorChoice& choice);
 
 /// @throw CLI::ValidationError  no realisation of this version has that name
 [[nodiscard]] Realization parse_realization(const std::string& name);

@@ -129,7 +129,7 @@ MethodResult reconstruct(const Scene& scene, Method method, const Experiment& ex
   return result;
 }
 
-MethodResult by_network(const Scene& scene, const NgspiceOptions& ngspice, Experiment& experiment) {
+MethodResult by_network(const Scene& scene, Simulator& simulator, Experiment& experiment) {
   MethodResult result{.method = Method::network, .verdict = "failed"};
   try {
     const auto start = Clock::now();
@@ -141,7 +141,7 @@ MethodResult by_network(const Scene& scene, const NgspiceOptions& ngspice, Exper
     result.setup_seconds = since(start);
     result.alpha = alpha;
     result.alpha_rule = scene.reconstruct.alpha ? "given" : name(scene.reconstruct.alpha_rule);
-    const Relaxation relaxation = relax(plan, ngspice);
+    const Relaxation relaxation = relax(plan, simulator);
     result.frame_seconds = relaxation.ngspice_seconds;
     result.condition = relaxation.condition;
     measure(result, relaxation.tractions, scene, experiment.simulation.truth);
@@ -233,7 +233,7 @@ bool Experiment::succeeded() const noexcept {
                      [](const MethodResult& result) { return result.failure.empty(); });
 }
 
-Experiment run_experiment(const Scene& scene, const NgspiceOptions& ngspice, Progress& progress) {
+Experiment run_experiment(const Scene& scene, Simulator& simulator, Progress& progress) {
   progress.step("simulating the readings ...");
   Experiment experiment{.scene = scene,
                         .simulation = simulate(scene),
@@ -253,7 +253,7 @@ Experiment run_experiment(const Scene& scene, const NgspiceOptions& ngspice, Pro
   for (const Method method : methods) {
     progress.step(std::string(name(method)) + " ...");
     experiment.results.push_back(method == Method::network
-                                     ? by_network(scene, ngspice, experiment)
+                                     ? by_network(scene, simulator, experiment)
                                      : reconstruct(scene, method, experiment));
   }
   return experiment;

@@ -69,7 +69,7 @@ struct Experiment {
   [[nodiscard]] bool succeeded() const noexcept;
 };
 
-[[nodiscard]] Experiment run_experiment(const Scene& scene, const NgspiceOptions& ngspice,
+[[nodiscard]] Experiment run_experiment(const Scene& scene, Simulator& simulator,
                                         Progress& progress);
 
 }  // namespace tactile_net::tool

@@ -16,20 +16,19 @@ struct Options {
   std::string scene;
   std::string realization;
   std::string json;
-  NgspiceOptions ngspice;
-  double time_limit = 60.0;
+  SimulatorChoice simulator;
 };
 
 void run(Options& options) {
   Scene scene = read_scene(options.scene);
   if (!options.realization.empty())
     scene.network.realization = parse_realization(options.realization);
-  options.ngspice.time_limit = checked_time_limit(options.time_limit);
+  const std::unique_ptr<Simulator> simulator = make_simulator(options.simulator);
 
   Progress progress;
   const CircuitPlan plan = plan_circuit(scene, simulate(scene).readings);
   progress.step("ngspice ...");
-  const Relaxation relaxation = relax(plan, options.ngspice);
+  const Relaxation relaxation = relax(plan, *simulator);
   progress.clear();
   if (options.json != "-") print_relaxation(std::cout, relaxation);
   if (!options.json.empty()) {
@@ -53,7 +52,7 @@ void add_relax(CLI::App& app) {
   command->add_option("SCENE", options->scene, "Scene file (TOML)")->required();
   command->add_option("--realization", options->realization, "ideal or nic (default: the scene's)");
   command->add_option("--json", options->json, "Write the result as JSON (- = standard output)");
-  add_ngspice_options(*command, options->ngspice, options->time_limit);
+  add_simulator_options(*command, options->simulator);
   command->callback([options] { run(*options); });
 }
 

@@ -81,7 +81,7 @@ std::string deck_text(const CircuitPlan& plan, Answer answer) {
   return std::move(deck).str();
 }
 
-Relaxation relax(const CircuitPlan& plan, const NgspiceOptions& options) {
+Relaxation relax(const CircuitPlan& plan, Simulator& simulator) {
   Relaxation result{.realization = plan.realization,
                     .nodes = plan.direct.size(),
                     .elements = count_elements(plan.circuit)};
@@ -94,7 +94,7 @@ Relaxation relax(const CircuitPlan& plan, const NgspiceOptions& options) {
 
   std::vector<std::string> outputs;
   for (const Node node : plan.circuit.outputs) outputs.push_back(plan.circuit.nodes[node]);
-  OperatingPoint point = operating_point(deck_text(plan, Answer::raw_file), outputs, options);
+  OperatingPoint point = operating_point(simulator, deck_text(plan, Answer::raw_file), outputs);
   result.ngspice_seconds = point.seconds;
   result.voltages = std::move(point.voltages);
   for (const double voltage : result.voltages)

@@ -10,7 +10,7 @@
 #include "tactile_net/network/deck.hpp"
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/scene/scene.hpp"
-#include "tactile_net/simulator/ngspice.hpp"
+#include "tactile_net/simulator/simulator.hpp"
 
 namespace tactile_net::tool {
 
@@ -52,7 +52,7 @@ struct Relaxation {
   [[nodiscard]] bool resolved() const noexcept { return limit <= 1e-3; }
 };
 
-/// Runs ngspice. @throw SimulatorError
-[[nodiscard]] Relaxation relax(const CircuitPlan& plan, const NgspiceOptions& options);
+/// Runs the simulator. @throw SimulatorError
+[[nodiscard]] Relaxation relax(const CircuitPlan& plan, Simulator& simulator);
 
 }  // namespace tactile_net::tool

@@ -19,8 +19,7 @@ struct Options {
   std::string scene;
   std::string folder;
   std::string json;
-  NgspiceOptions ngspice;
-  double time_limit = 60.0;
+  SimulatorChoice simulator;
 };
 
 std::string readings_csv(const Experiment& experiment) {
@@ -56,12 +55,12 @@ void write_results(const Experiment& experiment, const OutputFolder& folder) {
 
 void run(Options& options) {
   const Scene scene = read_scene(options.scene);
-  options.ngspice.time_limit = checked_time_limit(options.time_limit);
+  const std::unique_ptr<Simulator> simulator = make_simulator(options.simulator);
   std::unique_ptr<OutputFolder> folder;
   if (!options.folder.empty()) folder = std::make_unique<OutputFolder>(options.folder);
 
   Progress progress;
-  const Experiment experiment = run_experiment(scene, options.ngspice, progress);
+  const Experiment experiment = run_experiment(scene, *simulator, progress);
   if (folder) {
     progress.step("drawing the report ...");
     write_results(experiment, *folder);
@@ -92,7 +91,7 @@ void add_run(CLI::App& app) {
   command->add_option("--out", options->folder,
                       "Folder for report.html, result.json, CSV files and the netlist");
   command->add_option("--json", options->json, "Write the result as JSON (- = standard output)");
-  add_ngspice_options(*command, options->ngspice, options->time_limit);
+  add_simulator_options(*command, options->simulator);
   command->callback([options] { run(*options); });
 }
 

@@ -1,0 +1,68 @@
+/// @file
+/// What can run a deck: one interface, whichever way ngspice is reached.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tactile_net/simulator/raw_file.hpp"
+
+namespace tactile_net {
+
+/// The simulator failed. The text says how, and where the deck and the log were kept.
+class SimulatorError : public std::runtime_error {
+ public:
+  enum class Cause {
+    not_installed,
+    timed_out,
+    too_much_output,
+    crashed,
+    diverged,  ///< a transient in which no time step is small enough: how ngspice says "unstable"
+    failed,
+    bad_result,
+  };
+  SimulatorError(Cause cause, const std::string& text, std::filesystem::path folder)
+      : std::runtime_error(text), cause_(cause), folder_(std::move(folder)) {}
+  [[nodiscard]] Cause cause() const noexcept { return cause_; }
+  /// Holds deck.cir and ngspice.log; empty if nothing was kept.
+  [[nodiscard]] const std::filesystem::path& folder() const noexcept { return folder_; }
+
+ private:
+  Cause cause_;
+  std::filesystem::path folder_;
+};
+
+/// What one deck gave: the plot of its one analysis, every value finite.
+struct Simulation {
+  RawFile plot;
+  double seconds = 0.0;  ///< wall time
+};
+
+class Simulator {
+ public:
+  virtual ~Simulator() = default;
+
+  /// Runs a deck with one analysis card (`.op`, `.ac` or `.tran`).
+  ///
+  /// @throw SimulatorError      as its causes
+  /// @throw std::runtime_error  no temporary folder can be made or written
+  [[nodiscard]] virtual Simulation run(const std::string& deck) = 0;
+};
+
+struct OperatingPoint {
+  std::vector<double> voltages{};  ///< [V], one per node asked for
+  double seconds = 0.0;            ///< wall time of the simulator
+};
+
+/// Runs a deck with an `.op` card and reads the voltages of `nodes`.
+///
+/// @throw SimulatorError  as `Simulator::run`; bad_result if the plot is another one or a node is
+///                        missing
+[[nodiscard]] OperatingPoint operating_point(Simulator& simulator, const std::string& deck,
+                                             std::span<const std::string> nodes);
+
+}  // namespace tactile_net
