@@ -1,6 +1,6 @@
 #include "tactile_net/network/deck.hpp"
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <set>
@@ -8,17 +8,11 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "network/number.hpp"
 #include "tactile_net/network/subcircuits.hpp"
 
 namespace tactile_net {
 namespace {
-
-/// Shortest decimal text that reads back as the same number, in any locale. No SPICE suffix: `M`
-/// is milli there, and `MEG` is mega.
-void append(std::string& out, double number) {
-  char buffer[32];
-  out.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
-}
 
 void check_line(const std::string& text) {
   if (text.find_first_of("\r\n") != std::string::npos)
@@ -26,92 +20,181 @@ void check_line(const std::string& text) {
 }
 
 /// Throws before anything is written.
-void check(const Circuit& circuit, const DeckHeader& header) {
+class Check {
+ public:
+  explicit Check(const Circuit& circuit) : circuit_(circuit) {
+    for (const Node node : circuit.outputs)
+      if (!exists(node)) throw std::invalid_argument("an output is not a node of the circuit");
+    for (const Resistor& r : circuit.resistors) {
+      two_terminals(r);
+      element(r.name,
+              std::isfinite(r.siemens) && r.siemens != 0.0 && std::isfinite(1.0 / r.siemens),
+              "its conductance must be finite, not 0, and have a finite resistance; choose "
+              "another scale");
+    }
+    for (const Capacitor& c : circuit.capacitors) {
+      two_terminals(c);
+      element(c.name, c.farad > 0.0 && std::isfinite(c.farad), "it must be > 0 and finite");
+    }
+    for (const Inductor& l : circuit.inductors) {
+      two_terminals(l);
+      element(l.name, l.henry > 0.0 && std::isfinite(l.henry), "it must be > 0 and finite");
+    }
+    for (const NShapedDevice& b : circuit.devices) {
+      two_terminals(b);
+      element(
+          b.name,
+          b.siemens > 0.0 && std::isfinite(b.siemens) && b.volts > 0.0 && std::isfinite(b.volts),
+          "its slope and its voltage must be > 0 and finite");
+    }
+    for (const CurrentSource& i : circuit.sources) {
+      unique(i.name);
+      element(i.name, exists(i.into) && std::isfinite(i.ampere),
+              "its node must exist and its current be finite");
+    }
+    for (const Instance& x : circuit.instances) {
+      unique(x.name);
+      const AmplifierModel* model = amplifier(circuit, x.subcircuit);
+      const std::size_t pins = model == nullptr                    ? subcircuit(x.subcircuit).pins
+                               : model->outputs == Outputs::single ? 3
+                                                                   : 4;
+      element(x.name,
+              x.pins.size() == pins && std::all_of(x.pins.begin(), x.pins.end(),
+                                                   [&](Node node) { return exists(node); }),
+              "its pins do not fit the sub-circuit");
+    }
+    if (!(circuit.divider > 0.0) || !std::isfinite(circuit.divider))
+      throw std::invalid_argument("a sub-circuit's resistors must be > 0 and finite");
+  }
+
+ private:
+  [[nodiscard]] bool exists(Node node) const { return node < circuit_.nodes.size(); }
+  static void element(const std::string& name, bool valid, const char* rule) {
+    if (!valid) throw std::invalid_argument("element " + name + ": " + rule);
+  }
+  void unique(const std::string& name) {
+    element(name, names_.insert(name).second, "the name stands twice");
+  }
+  void two_terminals(const auto& part) {
+    unique(part.name);
+    element(part.name, exists(part.from) && exists(part.to), "a node does not exist");
+  }
+
+  const Circuit& circuit_;
+  std::unordered_set<std::string_view> names_;
+};
+
+void check(const Analysis& analysis) {
+  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  if (const auto* ac = std::get_if<SingleFrequency>(&analysis); ac && !positive(ac->hertz))
+    throw std::invalid_argument("a frequency must be > 0 and finite");
+  if (const auto* tran = std::get_if<StepResponse>(&analysis);
+      tran && !(positive(tran->step) && positive(tran->stop) && tran->step < tran->stop))
+    throw std::invalid_argument("a transient needs 0 < step < stop");
+}
+
+void check(const Circuit& circuit, const DeckHeader& header, const Analysis& analysis) {
   check_line(header.title);
   for (const std::string& comment : header.comments) check_line(comment);
   if (!header.expected.empty() && header.expected.size() != circuit.outputs.size())
     throw std::invalid_argument("a deck needs one expected voltage per output");
-
-  std::unordered_set<std::string_view> names;
-  const auto check_element = [&](const std::string& name, bool valid, const char* rule) {
-    if (!valid) throw std::invalid_argument("element " + name + ": " + rule);
-    if (!names.insert(name).second)
-      throw std::invalid_argument("element " + name + ": the name stands twice");
-  };
-  const std::size_t nodes = circuit.nodes.size();
-  for (const Node node : circuit.outputs)
-    if (node >= nodes) throw std::invalid_argument("an output is not a node of the circuit");
-  names.reserve(circuit.resistors.size() + circuit.sources.size() + circuit.instances.size());
-  for (const Resistor& r : circuit.resistors) {
-    check_element(r.name, r.from < nodes && r.to < nodes, "a node does not exist");
-    if (!std::isfinite(r.siemens) || r.siemens == 0.0 || !std::isfinite(1.0 / r.siemens))
-      throw std::invalid_argument("element " + r.name +
-                                  ": its conductance must be finite, not 0, and have a finite "
-                                  "resistance; choose another scale");
-  }
-  for (const CurrentSource& i : circuit.sources)
-    check_element(i.name, i.into < nodes && std::isfinite(i.ampere),
-                  "its node must exist and its current be finite");
-  for (const Instance& x : circuit.instances) {
-    bool pins = x.pins.size() == subcircuit(x.subcircuit).pins;
-    for (const Node node : x.pins) pins = pins && node < nodes;
-    check_element(x.name, pins, "its pins do not fit the sub-circuit");
-  }
+  (void)Check(circuit);
+  check(analysis);
 }
 
+/// The sub-circuits that are used, the amplifiers in them included, each once.
 void append_subcircuits(std::string& deck, const Circuit& circuit) {
   std::set<std::string_view> used;
-  for (const Instance& instance : circuit.instances)
-    for (std::string_view name = instance.subcircuit; !name.empty() && used.insert(name).second;)
-      name = subcircuit(name).needs;
+  for (const Instance& instance : circuit.instances) used.insert(instance.subcircuit);
+  std::string library;
   for (const Subcircuit& one : subcircuits())
-    if (used.contains(one.name)) deck += one.text;
+    if (used.contains(one.name)) {
+      library += one.text;
+      used.insert("opamp");
+    }
+  for (const AmplifierModel& model : circuit.amplifiers)
+    if (used.contains(model.name)) deck += subcircuit_text(model);
+  deck += library;
 }
 
-void append_elements(std::string& deck, const Circuit& circuit) {
+std::string current_of(const NShapedDevice& b, const std::vector<std::string>& nodes) {
+  const std::string u = "V(" + nodes[b.from] + "," + nodes[b.to] + ")/" + deck_number(b.volts);
+  if (b.curve == Curve::cubic)
+    return deck_number(-b.siemens * b.volts) + "*(" + u + ")*(1-(" + u + ")^2)";
+  return deck_number(b.siemens * b.volts) + "*((2+" + u + ")*exp(-" + u + ")-2)";
+}
+
+void append_elements(std::string& deck, const Circuit& circuit, const Analysis& analysis) {
   const std::vector<std::string>& nodes = circuit.nodes;
-  for (const Resistor& r : circuit.resistors) {
-    deck += r.name + ' ' + nodes[r.from] + ' ' + nodes[r.to] + ' ';
-    append(deck, 1.0 / r.siemens);
-    deck += '\n';
-  }
+  const auto card = [&](const auto& part, const std::string& value) {
+    deck += part.name + ' ' + nodes[part.from] + ' ' + nodes[part.to] + ' ' + value + '\n';
+  };
+  for (const Resistor& r : circuit.resistors) card(r, deck_number(1.0 / r.siemens));
+  for (const Capacitor& c : circuit.capacitors) card(c, deck_number(c.farad));
+  for (const Inductor& l : circuit.inductors) card(l, deck_number(l.henry));
+  for (const NShapedDevice& b : circuit.devices) card(b, "I=" + current_of(b, nodes));
   for (const Instance& x : circuit.instances) {
     deck += x.name;
     for (const Node node : x.pins) deck += ' ' + nodes[node];
-    deck += ' ' + x.subcircuit + '\n';
-  }
-  for (const CurrentSource& i : circuit.sources) {  // SPICE: from the first node to the second
-    deck += i.name + " 0 " + nodes[i.into] + " DC ";
-    append(deck, i.ampere);
+    deck += ' ' + x.subcircuit;
+    if (circuit.divider != Circuit{}.divider && amplifier(circuit, x.subcircuit) == nullptr)
+      deck += " r=" + deck_number(circuit.divider);
     deck += '\n';
   }
+  for (const CurrentSource& i : circuit.sources) {  // SPICE: from the first node to the second
+    deck += i.name + " 0 " + nodes[i.into];
+    if (std::holds_alternative<DirectCurrent>(analysis))
+      deck += " DC " + deck_number(i.ampere);
+    else if (std::holds_alternative<SingleFrequency>(analysis))
+      deck += " AC " + deck_number(i.ampere) + " 90";
+    else
+      deck += " PWL(0 0 1e-12 " + deck_number(i.ampere) + ')';
+    deck += '\n';
+  }
+}
+
+/// The card of an analysis, with the options it needs.
+std::string card_of(const Analysis& analysis) {
+  if (const auto* ac = std::get_if<SingleFrequency>(&analysis)) {
+    const std::string hertz = deck_number(ac->hertz);
+    // Capacitors alone and loops of inductors have no operating point.
+    return ".options noopac\n.ac lin 1 " + hertz + ' ' + hertz + '\n';
+  }
+  if (const auto* tran = std::get_if<StepResponse>(&analysis)) {
+    const std::string step = deck_number(tran->step);
+    return ".options method=trap reltol=1e-5 chgtol=1e-18 abstol=1e-15 vntol=1e-9\n.tran " + step +
+           ' ' + deck_number(tran->stop) + " 0 " + step + '\n';
+  }
+  return ".op\n";
+}
+
+/// `*#` lines are commands to ngspice and comments to every other simulator. Without `quit 0` it
+/// would exit with 1 for want of a .print card. With numdgt=16 negative numbers get one digit too
+/// few to read back as the same double.
+std::string commands_for(const Circuit& circuit, const Analysis& analysis) {
+  std::string text = "*# set numdgt=17\n*# run\n";
+  const bool ac = std::holds_alternative<SingleFrequency>(analysis);
+  for (const Node node : circuit.outputs)
+    text += (ac ? "*# print real(v(" : "*# print v(") + circuit.nodes[node] + (ac ? "))\n" : ")\n");
+  return text + "*# quit 0\n";
 }
 
 }  // namespace
 
-void write_deck(std::ostream& out, const Circuit& circuit, const DeckHeader& header,
-                Answer answer) {
-  check(circuit, header);
+void write_deck(std::ostream& out, const Circuit& circuit, const DeckHeader& header, Answer answer,
+                const Analysis& analysis) {
+  check(circuit, header, analysis);
   std::string deck;
   deck.reserve(4096 + 48 * (circuit.resistors.size() + circuit.instances.size()));
   deck += "* " + header.title + '\n';  // line 1 is the title, whatever it holds
   for (const std::string& comment : header.comments) deck += "* " + comment + '\n';
-  for (std::size_t i = 0; i < header.expected.size(); ++i) {
-    deck += "* expect " + circuit.nodes[circuit.outputs[i]] + ' ';
-    append(deck, header.expected[i]);
-    deck += '\n';
-  }
+  for (std::size_t i = 0; i < header.expected.size(); ++i)
+    deck += "* expect " + circuit.nodes[circuit.outputs[i]] + ' ' +
+            deck_number(header.expected[i]) + '\n';
   append_subcircuits(deck, circuit);
-  append_elements(deck, circuit);
-  deck += ".op\n.end\n";
-  if (answer == Answer::printed) {
-    // `*#` lines are commands to ngspice and comments to every other simulator. Without `quit 0`
-    // it would exit with 1 for want of a .print card. With numdgt=16
-    // negative numbers get one digit too few to read back as the same double.
-    deck += "*# set numdgt=17\n*# op\n";
-    for (const Node node : circuit.outputs) deck += "*# print v(" + circuit.nodes[node] + ")\n";
-    deck += "*# quit 0\n";
-  }
+  append_elements(deck, circuit, analysis);
+  deck += card_of(analysis) + ".end\n";
+  if (answer == Answer::printed) deck += commands_for(circuit, analysis);
   out << deck;
 }
 

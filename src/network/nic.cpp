@@ -1,5 +1,4 @@
 #include "network/nodes.hpp"
-#include "tactile_net/network/realization.hpp"
 
 namespace tactile_net {
 namespace {
@@ -16,21 +15,14 @@ void add_negative_branch(Circuit& circuit, const Branch& branch, double siemens)
   circuit.resistors.push_back({"Rb" + name, b, out_b, siemens});
 }
 
-/// -G to ground.
-void add_negative_ground(Circuit& circuit, std::size_t index, double siemens) {
-  const std::string name = std::to_string(index);
-  const Node out = add_node(circuit, "g" + name);
-  circuit.instances.push_back({"Xg" + name, {circuit.outputs[index], out}, "grounded_nic"});
-  circuit.resistors.push_back({"Rg" + name, circuit.outputs[index], out, siemens});
-}
-
 }  // namespace
 
 Circuit nic(const ConductanceNetwork& network, std::span<const double> right_side,
-            const Scale& scale) {
-  Circuit circuit = driven_nodes(network, right_side, scale);
+            const RealizationOptions& options) {
+  Circuit circuit = driven_nodes(network, right_side, options);
+  circuit.amplifiers.push_back({"opamp", options.opamp, Outputs::single});
   for (const Branch& branch : network.branches) {
-    const double siemens = scale.siemens * branch.conductance;
+    const double siemens = options.scale.siemens * branch.conductance;
     if (siemens < 0.0)
       add_negative_branch(circuit, branch, -siemens);
     else
@@ -38,7 +30,7 @@ Circuit nic(const ConductanceNetwork& network, std::span<const double> right_sid
                                    circuit.outputs[branch.to], siemens});
   }
   for (std::size_t i = 0; i < network.nodes; ++i) {
-    const double siemens = scale.siemens * network.ground[i];
+    const double siemens = options.scale.siemens * network.ground[i];
     if (siemens < 0.0)
       add_negative_ground(circuit, i, -siemens);
     else if (siemens > 0.0)

@@ -1,36 +1,36 @@
 /// @file
-/// What every realisation begins with: one node and one source per unknown. Private.
+/// What realisations begin with: nodes, sources and kinds of amplifiers. Private.
 #pragma once
 
-#include <cmath>
 #include <span>
 #include <stdexcept>
 #include <string>
 
 #include "inverse/finite.hpp"
-#include "tactile_net/network/circuit.hpp"
-#include "tactile_net/network/conductances.hpp"
+#include "tactile_net/network/realization.hpp"
 
 namespace tactile_net {
 
-/// Nodes n0, n1, ... (indices 1, 2, ...) with the current sources I0, I1, ...
-/// @throw std::invalid_argument  sizes differ, a value is not finite, or the scale is not > 0
+/// Nodes n0, n1, ... (indices 1, 2, ...) with the current sources I0, I1, ... and the capacitances
+/// C0, C1, ... if there are any.
+/// @throw std::invalid_argument  sizes differ, a value is not finite, an option is out of range
 [[nodiscard]] inline Circuit driven_nodes(const ConductanceNetwork& network,
-                                          std::span<const double> right_side, const Scale& scale) {
+                                          std::span<const double> right_side,
+                                          const RealizationOptions& options) {
   if (right_side.size() != network.nodes || network.ground.size() != network.nodes)
     throw std::invalid_argument("the network needs one current and one ground value per node");
   if (!all_finite(right_side)) throw std::invalid_argument("the currents must be finite");
-  if (!(scale.siemens > 0.0) || !std::isfinite(scale.siemens))
-    throw std::invalid_argument("siemens must be > 0 and finite");
-  if (!(scale.volts > 0.0) || !std::isfinite(scale.volts))
-    throw std::invalid_argument("volts must be > 0 and finite");
+  check(options);
 
   Circuit circuit;
+  circuit.divider = options.divider;
   for (std::size_t i = 0; i < network.nodes; ++i) {
     const std::string index = std::to_string(i);
     circuit.outputs.push_back(add_node(circuit, "n" + index));
-    circuit.sources.push_back(
-        {"I" + index, circuit.outputs[i], scale.siemens * scale.volts * right_side[i]});
+    circuit.sources.push_back({"I" + index, circuit.outputs[i],
+                               options.scale.siemens * options.scale.volts * right_side[i]});
+    if (options.node_capacitance)
+      circuit.capacitors.push_back({"C" + index, circuit.outputs[i], 0, *options.node_capacitance});
   }
   circuit.resistors.reserve(network.branches.size() + network.nodes);
   return circuit;
@@ -38,6 +38,59 @@ namespace tactile_net {
 
 [[nodiscard]] inline std::string branch_name(const Branch& branch) {
   return std::to_string(branch.from) + "_" + std::to_string(branch.to);
+}
+
+/// -G from a node to ground: a converter and a resistor 1/G.
+inline void add_negative_ground(Circuit& circuit, std::size_t index, double siemens) {
+  const std::string name = std::to_string(index);
+  const Node out = add_node(circuit, "g" + name);
+  circuit.instances.push_back({"Xg" + name, {circuit.outputs[index], out}, "grounded_nic"});
+  circuit.resistors.push_back({"Rg" + name, circuit.outputs[index], out, siemens});
+}
+
+/// An amplifier around a summing node, and where to take its output from with either sign.
+struct Signed {
+  Node summing = 0;
+  Node plus = 0;
+  Node minus = 0;  ///< -plus
+};
+
+/// Amplifier X<output> with its summing node; its inverse is a second output, or an inverter. The
+/// models "amplifier", or "opamp" and "main_opamp", must be in the circuit.
+[[nodiscard]] inline Signed add_amplifier(Circuit& circuit, const std::string& summing,
+                                          const std::string& output, const std::string& inverse,
+                                          const std::string& model, bool inverters) {
+  const Signed one{add_node(circuit, summing), add_node(circuit, output),
+                   add_node(circuit, inverse)};
+  if (inverters) {
+    circuit.instances.push_back({"X" + output, {0, one.summing, one.plus}, model});
+    circuit.instances.push_back({"X" + inverse, {one.plus, one.minus}, "inverter"});
+  } else {
+    circuit.instances.push_back({"X" + output, {0, one.summing, one.plus, one.minus}, model});
+  }
+  return one;
+}
+
+/// A conductance of either sign from an amplifier's output into a summing node.
+inline void add_signed(Circuit& circuit, std::string name, const Signed& from, Node summing,
+                       double siemens) {
+  if (siemens == 0.0) return;
+  circuit.resistors.push_back({std::move(name), siemens > 0.0 ? from.plus : from.minus, summing,
+                               siemens > 0.0 ? siemens : -siemens});
+}
+
+/// The kinds of amplifiers of `crossbar` and `least_squares`; returns the main ones' model.
+inline std::string add_models(Circuit& circuit, Realization realization,
+                              const RealizationOptions& options) {
+  const Outputs outputs = options.inverters ? Outputs::single : Outputs::complementary;
+  const std::string others = options.inverters ? "opamp" : "amplifier";
+  circuit.amplifiers.push_back({others, options.opamp, outputs});
+  const double ratio = options.main_bandwidth(realization);
+  if (ratio == 1.0 || !options.opamp.bandwidth) return others;
+  OpAmp main = options.opamp;
+  main.bandwidth = ratio * *main.bandwidth;
+  circuit.amplifiers.push_back({"main_" + others, main, outputs});
+  return "main_" + others;
 }
 
 }  // namespace tactile_net

@@ -1,21 +1,92 @@
 #include "tactile_net/network/realization.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "inverse/eigen.hpp"
+#include "inverse/stabiliser.hpp"
+
 namespace tactile_net {
 
 std::string_view name(Realization realization) noexcept {
-  return realization == Realization::nic ? "nic" : "ideal";
+  switch (realization) {
+    case Realization::ideal:
+      return "ideal";
+    case Realization::nic:
+      return "nic";
+    case Realization::rail:
+      return "rail";
+    case Realization::crossbar:
+      return "crossbar";
+    case Realization::least_squares:
+      return "least_squares";
+    case Realization::lc:
+      return "lc";
+    case Realization::ndr:
+      return "ndr";
+  }
+  return "";
 }
 
 std::optional<Realization> realization_named(std::string_view text) noexcept {
-  for (const Realization realization : {Realization::ideal, Realization::nic})
-    if (name(realization) == text) return realization;
-  return std::nullopt;
+  const auto found = std::find_if(realizations.begin(), realizations.end(),
+                                  [&](Realization one) { return name(one) == text; });
+  return found == realizations.end() ? std::nullopt : std::optional(*found);
 }
 
-Circuit realize(Realization realization, const ConductanceNetwork& network,
-                std::span<const double> right_side, const Scale& scale) {
-  return realization == Realization::nic ? nic(network, right_side, scale)
-                                         : ideal(network, right_side, scale);
+bool has_amplifiers(Realization realization) noexcept {
+  return realization == Realization::nic || realization == Realization::rail ||
+         realization == Realization::crossbar || realization == Realization::least_squares;
+}
+
+NetworkProblem network_problem(const InverseProblem& problem, double alpha,
+                               std::span<const double> readings) {
+  NetworkProblem result{.matrix = normal_matrix(problem, alpha),
+                        .right_side = normal_right_side(problem, readings),
+                        .kernel = problem.kernel,
+                        .stabiliser = {},
+                        .readings = {readings.begin(), readings.end()}};
+  const Eigen::MatrixXd l = stabiliser(problem);
+  result.stabiliser = from_eigen(alpha * (l.transpose() * l));
+  for (std::size_t i = 0; i < result.readings.size(); ++i) result.readings[i] *= problem.weights[i];
+  return result;
+}
+
+double RealizationOptions::main_bandwidth(Realization realization) const noexcept {
+  if (bandwidth_ratio) return *bandwidth_ratio;
+  if (!inverters) return 1.0;
+  return realization == Realization::crossbar ? 0.5 : 0.2 / residual_gain;
+}
+
+void check(const RealizationOptions& options) {
+  const auto positive = [](double value, const char* name) {
+    if (!(value > 0.0) || !std::isfinite(value))
+      throw std::invalid_argument(std::string(name) + " must be > 0 and finite");
+  };
+  positive(options.scale.siemens, "siemens");
+  positive(options.scale.volts, "volts");
+  positive(options.residual_gain, "residual_gain");
+  positive(options.bandwidth_ratio.value_or(1.0), "bandwidth_ratio");
+  positive(options.divider, "divider");
+  positive(options.node_capacitance.value_or(1.0), "a node's capacitance");
+  positive(options.frequency, "frequency");
+  positive(options.device_volts, "a device's volts");
+  check(options.opamp);
+}
+
+Circuit realize(Realization realization, const NetworkProblem& problem,
+                const RealizationOptions& options) {
+  if (realization == Realization::crossbar)
+    return crossbar(problem.matrix, problem.right_side, options);
+  if (realization == Realization::least_squares) return least_squares(problem, options);
+  const ConductanceNetwork network = conductances(problem.matrix);
+  const auto build = realization == Realization::nic    ? nic
+                     : realization == Realization::rail ? rail
+                     : realization == Realization::lc   ? lc
+                     : realization == Realization::ndr  ? ndr
+                                                        : ideal;
+  return build(network, problem.right_side, options);
 }
 
 }  // namespace tactile_net

@@ -50,12 +50,6 @@ void Table::missing(std::string_view key, Place where, std::string message, std:
   missing_.push_back({{key}, where, std::move(message), std::string{hint}});
 }
 
-void Table::not_yet(std::string_view key, std::string_view instead) {
-  const auto found = value(key);
-  on_offer_.pop_back();
-  if (found) found->problem("is not simulated by this version", std::string{instead});
-}
-
 void Table::not_here(std::string_view key, std::string_view why, std::string_view hint) {
   const auto found = value(key);
   on_offer_.pop_back();

@@ -31,9 +31,6 @@ class Table {
       std::string_view key, std::string_view hint,
       std::initializer_list<std::string_view> alternatives = {});
 
-  /// A key of the format that this version cannot simulate: a problem if it is there.
-  void not_yet(std::string_view key, std::string_view instead);
-
   /// A key of the format that has no place here: a problem if it is there.
   void not_here(std::string_view key, std::string_view why, std::string_view hint);
 

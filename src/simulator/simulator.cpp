@@ -9,9 +9,9 @@ OperatingPoint operating_point(Simulator& simulator, const std::string& deck,
   const auto refuse = [](const std::string& text) {
     throw SimulatorError(SimulatorError::Cause::bad_result, text, {});
   };
-  if (plot.plot != "Operating Point" || plot.points != 1)
+  if ((plot.plot != "Operating Point" && plot.plot != "AC Analysis") || plot.points != 1)
     refuse("the simulator gave " + std::to_string(plot.points) + " points of '" + plot.plot +
-           "', not one operating point");
+           "', not one operating point or frequency");
   OperatingPoint point{.voltages = {}, .seconds = simulation.seconds};
   try {
     for (const std::string& node : nodes)

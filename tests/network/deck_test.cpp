@@ -55,15 +55,16 @@ TEST_CASE("only comments to other simulators make ngspice print the answer", "[d
   const std::string plain = deck(divider());
   const std::string printed = deck(divider(), {.title = "t"}, Answer::printed);
   REQUIRE(printed.substr(0, plain.size()) == plain);
-  CHECK(printed.substr(plain.size()) == "*# set numdgt=17\n*# op\n*# print v(n0)\n*# quit 0\n");
+  CHECK(printed.substr(plain.size()) == "*# set numdgt=17\n*# run\n*# print v(n0)\n*# quit 0\n");
 }
 
 TEST_CASE("a nic brings its sub-circuits, each once, and its cards", "[deck]") {
   const std::vector<double> current{1.0, 0.0, 0.0};
-  const std::string text =
-      deck(nic(conductances({3, 3, {4, 1, -2, 1, 1, -2, -2, -2, 3}}), current, {.siemens = 1.0}));
+  const std::string text = deck(nic(conductances({3, 3, {4, 1, -2, 1, 1, -2, -2, -2, 3}}), current,
+                                    {.scale = {.siemens = 1.0}}));
   std::string expected = "* t\n";
-  for (const Subcircuit& one : subcircuits()) expected += one.text;
+  expected += subcircuit_text({.name = "opamp"});
+  for (const char* one : {"floating_nic", "grounded_nic"}) expected += subcircuit(one).text;
   expected +=
       "Ra0_1 n0 a0_1 1\n"
       "Rb0_1 n1 b0_1 1\n"

@@ -70,8 +70,8 @@ TEST_CASE("the smallest scene is complete: defaults are filled in", "[scene]") {
   CHECK(scene.reconstruct.smoothing_length == 1.5);
   CHECK(scene.reconstruct.noise_gain_limit == 1e8);
   CHECK(scene.network.realization == Realization::ideal);
-  CHECK(scene.network.scale.siemens == 1e-3);
-  CHECK(scene.network.scale.volts == 1.0);
+  CHECK(scene.network.parts.scale.siemens == 1e-3);
+  CHECK(scene.network.parts.scale.volts == 1.0);
 }
 
 TEST_CASE("every table of the format arrives in the scene", "[scene]") {
@@ -98,8 +98,8 @@ TEST_CASE("every table of the format arrives in the scene", "[scene]") {
   CHECK(scene.forward == ForwardModel::exact);
   CHECK(scene.reconstruct.methods == std::vector{Method::dft, Method::tikhonov});
   CHECK(scene.reconstruct.alpha == 1e-3);
-  CHECK(scene.network.scale.siemens == 2e-3);
-  CHECK(scene.network.scale.volts == 5.0);
+  CHECK(scene.network.parts.scale.siemens == 2e-3);
+  CHECK(scene.network.parts.scale.volts == 5.0);
 }
 
 TEST_CASE("one rms holds for every quantity, a table weights the rows", "[scene]") {

@@ -19,8 +19,10 @@ std::unique_ptr<Simulator> make_simulator(const SimulatorChoice& choice) {
 
 Realization parse_realization(const std::string& name) {
   if (const auto realization = realization_named(name)) return *realization;
-  throw CLI::ValidationError("--realization",
-                             "'" + name + "' is not built by this version: ideal or nic");
+  std::string names;
+  for (const Realization one : realizations)
+    names += (names.empty() ? "" : ", ") + std::string(tactile_net::name(one));
+  throw CLI::ValidationError("--realization", "'" + name + "' is none of " + names);
 }
 
 }  // namespace tactile_net::tool

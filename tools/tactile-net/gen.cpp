@@ -33,7 +33,9 @@ void add_gen(CLI::App& app) {
       "Write the scene's circuit as a SPICE deck; `ngspice -b FILE.cir` prints its voltages");
   command->add_option("SCENE", options->scene, "Scene file (TOML)")->required();
   command->add_option("-o,--output", options->output, "Deck (default: standard output)");
-  command->add_option("--realization", options->realization, "ideal or nic (default: the scene's)");
+  command->add_option(
+      "--realization", options->realization,
+      "One of ideal, nic, rail, crossbar, least_squares, lc, ndr (default: the scene's)");
   command->callback([options] { run(*options); });
 }
 

@@ -50,7 +50,9 @@ void add_relax(CLI::App& app) {
       "relax",
       "Run the scene's circuit in ngspice and compare it with the direct solve of P f = b");
   command->add_option("SCENE", options->scene, "Scene file (TOML)")->required();
-  command->add_option("--realization", options->realization, "ideal or nic (default: the scene's)");
+  command->add_option(
+      "--realization", options->realization,
+      "One of ideal, nic, rail, crossbar, least_squares, lc, ndr (default: the scene's)");
   command->add_option("--json", options->json, "Write the result as JSON (- = standard output)");
   add_simulator_options(*command, options->simulator);
   command->callback([options] { run(*options); });

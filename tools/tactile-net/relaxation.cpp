@@ -63,14 +63,15 @@ CircuitPlan plan_circuit(const Scene& scene, std::span<const double> readings) {
 
 CircuitPlan plan_circuit(const Scene& scene, std::span<const double> readings, double alpha) {
   const InverseProblem problem = problem_of(scene);
+  NetworkProblem network = network_problem(problem, alpha, readings);
   CircuitPlan plan{.realization = scene.network.realization,
-                   .scale = scene.network.scale,
-                   .matrix = normal_matrix(problem, alpha),
+                   .scale = scene.network.parts.scale,
+                   .matrix = {},
                    .circuit = {},
                    .header = {},
                    .direct = tikhonov_solve(problem, alpha, readings)};
-  plan.circuit = realize(plan.realization, conductances(plan.matrix),
-                         normal_right_side(problem, readings), plan.scale);
+  plan.circuit = realize(plan.realization, network, scene.network.parts);
+  plan.matrix = std::move(network.matrix);
   plan.header = header_of(scene, plan, alpha);
   return plan;
 }

@@ -1,10 +1,13 @@
 /// @file
-/// A circuit as plain data: what a realisation builds and the deck writer prints.
+/// A circuit as plain data: what a realisation builds, the deck writer prints, and the certificate
+/// takes its equations from.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
+
+#include "tactile_net/network/opamp.hpp"
 
 namespace tactile_net {
 
@@ -18,13 +21,42 @@ struct Resistor {
   double siemens = 0.0;  ///< not 0; negative: a negative resistor
 };
 
+struct Capacitor {
+  std::string name{};  ///< begins with C
+  Node from = 0;
+  Node to = 0;
+  double farad = 0.0;  ///< > 0
+};
+
+struct Inductor {
+  std::string name{};  ///< begins with L
+  Node from = 0;
+  Node to = 0;
+  double henry = 0.0;  ///< > 0
+};
+
 struct CurrentSource {
   std::string name{};  ///< begins with I
   Node into = 0;       ///< the current flows from ground into this node
   double ampere = 0.0;
 };
 
-/// One use of a sub-circuit from `subcircuits.hpp`.
+/// A two-terminal device with an N-shaped characteristic, of slope -siemens at 0 V and no steeper
+/// anywhere.
+enum class Curve {
+  cubic,         ///< i = -g v (1 - (v/V)^2)
+  tunnel_diode,  ///< i = g V ((2 + u) exp(-u) - 2), u = v/V: i = I u exp(1 - u) biased at u = 2
+};
+struct NShapedDevice {
+  std::string name{};  ///< begins with B
+  Node from = 0;
+  Node to = 0;
+  double siemens = 0.0;  ///< g, > 0
+  double volts = 1.0;    ///< V, > 0
+  Curve curve = Curve::cubic;
+};
+
+/// One use of a sub-circuit from `subcircuits.hpp` or of an amplifier model of this circuit.
 struct Instance {
   std::string name{};  ///< begins with X
   std::vector<Node> pins{};
@@ -35,24 +67,40 @@ struct Circuit {
   std::vector<std::string> nodes{"0"};  ///< names; nodes[0] is ground
   std::vector<Node> outputs{};          ///< whose voltages are the answer, in order
   std::vector<Resistor> resistors{};
+  std::vector<Capacitor> capacitors{};
+  std::vector<Inductor> inductors{};
+  std::vector<NShapedDevice> devices{};
   std::vector<CurrentSource> sources{};
   std::vector<Instance> instances{};
+  /// Kinds of amplifiers; the one named "opamp" is what the library's sub-circuits are made of.
+  std::vector<AmplifierModel> amplifiers{};
+  double divider = 1e4;  ///< the resistors inside the library's sub-circuits [ohm], > 0
 };
 
 /// Adds a node and returns its index.
 Node add_node(Circuit& circuit, std::string name);
 
+/// The model of that name, or nullptr.
+[[nodiscard]] const AmplifierModel* amplifier(const Circuit& circuit, std::string_view name);
+
+/// The same circuit without sub-circuits of the library: their resistors and amplifiers stand in it
+/// under names such as "R1.Xf0_1". What is left as an instance is an amplifier.
+///
+/// @throw std::invalid_argument  an instance names no sub-circuit, or has the wrong number of pins
+[[nodiscard]] Circuit flattened(const Circuit& circuit);
+
 /// What the circuit is made of, sub-circuits' contents included.
 struct ElementCounts {
   std::size_t resistors = 0;           ///< all, negative ones included
   std::size_t negative_resistors = 0;  ///< ideal ones, of negative value
-  std::size_t opamps = 0;
+  std::size_t opamps = 0;              ///< one with complementary outputs counts as one
   std::size_t inductors = 0;
   std::size_t capacitors = 0;
+  std::size_t devices = 0;  ///< N-shaped
   std::size_t sources = 0;
 };
 
-/// @throw std::invalid_argument  an instance names an unknown sub-circuit
+/// @throw std::invalid_argument  as `flattened`
 [[nodiscard]] ElementCounts count_elements(const Circuit& circuit);
 
 /// How the numbers of P f = b become physical: conductance = siemens * P_ij, node voltage =

@@ -4,6 +4,7 @@
 
 #include <iosfwd>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "tactile_net/network/circuit.hpp"
@@ -22,17 +23,36 @@ enum class Answer {
   printed,   ///< ngspice prints each output with all digits: plain `ngspice -b`
 };
 
+/// The operating point: `.op`.
+struct DirectCurrent {};
+
+/// One frequency: `.ac`. Every source has its ampere as magnitude, at 90 degrees; the answer is the
+/// real part.
+struct SingleFrequency {
+  double hertz = 0.0;  ///< > 0
+};
+
+/// From rest, every source steps from 0 at t = 0: `.tran`, trapezoidal. From the DC solution an
+/// unstable circuit would stay there; an implicit method that damps would hide its growth.
+struct StepResponse {
+  double step = 0.0;  ///< longest time step [s], > 0
+  double stop = 0.0;  ///< [s], > step
+};
+
+using Analysis = std::variant<DirectCurrent, SingleFrequency, StepResponse>;
+
 /// Writes the deck: title, comments, expected answer (`* expect n0 1.25e-3`), sub-circuits, one
-/// card per element in the circuit's order, `.op`, `.end`.
+/// card per element in the circuit's order, the analysis, `.end`.
 ///
 /// Pure SPICE: `Answer::printed` adds only lines that begin with `*#`, commands to ngspice and
-/// comments to every other simulator. Numbers are the shortest text that reads back as the same
-/// double: six digits would cost 4e-3 in the answer at alpha = 1e-6. The caller flushes and checks
-/// the stream.
+/// comments to every other simulator; it prints an operating point or the real parts of a single
+/// frequency. Numbers are the shortest text that reads back as the same double: six digits would
+/// cost 4e-3 in the answer at alpha = 1e-6. The caller flushes and checks the stream.
 ///
 /// @throw std::invalid_argument  an element is not finite, a conductance is 0, a node or
-///                               sub-circuit does not exist, or the header has a line break; the
-///                               stream is then untouched
-void write_deck(std::ostream& out, const Circuit& circuit, const DeckHeader& header, Answer answer);
+///                               sub-circuit does not exist, the header has a line break, or an
+///                               analysis is out of range; the stream is then untouched
+void write_deck(std::ostream& out, const Circuit& circuit, const DeckHeader& header, Answer answer,
+                const Analysis& analysis = DirectCurrent{});
 
 }  // namespace tactile_net

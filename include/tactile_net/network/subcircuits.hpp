@@ -8,13 +8,11 @@
 
 namespace tactile_net {
 
+/// Resistors of one value {r}, and amplifiers of the model "opamp".
 struct Subcircuit {
-  std::string_view name;      ///< as in its .subckt line
-  std::string_view text;      ///< the whole file `circuits/<name>.lib`, ends with a newline
-  std::size_t pins = 0;       ///< of its .subckt line
-  std::size_t opamps = 0;     ///< inside, nested sub-circuits included
-  std::size_t resistors = 0;  ///< inside, nested sub-circuits included
-  std::string_view needs;     ///< name of the sub-circuit it instantiates, or empty
+  std::string_view name;  ///< as in its .subckt line
+  std::string_view text;  ///< the whole file `circuits/<name>.lib`, ends with a newline
+  std::size_t pins = 0;   ///< of its .subckt line
 };
 
 /// Every sub-circuit, sorted by name.

@@ -16,6 +16,7 @@
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/network/circuit.hpp"
 #include "tactile_net/network/realization.hpp"
+#include "tactile_net/network/tolerance.hpp"
 #include "tactile_net/sensing/array.hpp"
 #include "tactile_net/sensing/effects.hpp"
 
@@ -50,7 +51,9 @@ struct ReconstructOptions {
 
 struct NetworkOptions {
   Realization realization = Realization::ideal;
-  Scale scale;
+  RealizationOptions parts{};                   ///< scale, op-amps, parasitics
+  std::optional<ToleranceOptions> tolerance{};  ///< absent: every component has its exact value
+  std::optional<double> settling_accuracy{};    ///< absent: only the operating point
 };
 
 struct Scene {

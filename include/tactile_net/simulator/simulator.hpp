@@ -58,7 +58,8 @@ struct OperatingPoint {
   double seconds = 0.0;            ///< wall time of the simulator
 };
 
-/// Runs a deck with an `.op` card and reads the voltages of `nodes`.
+/// Runs a deck with an `.op` card, or an `.ac` card of one frequency, and reads the voltages of
+/// `nodes`, of complex ones the real parts.
 ///
 /// @throw SimulatorError  as `Simulator::run`; bad_result if the plot is another one or a node is
 ///                        missing

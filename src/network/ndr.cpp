@@ -1,0 +1,23 @@
+#include "network/nodes.hpp"
+
+namespace tactile_net {
+
+Circuit ndr(const ConductanceNetwork& network, std::span<const double> right_side,
+            const RealizationOptions& options) {
+  Circuit circuit = driven_nodes(network, right_side, options);
+  const auto add = [&](const std::string& name, Node from, Node to, double siemens) {
+    if (siemens > 0.0)
+      circuit.resistors.push_back({"R" + name, from, to, siemens});
+    else if (siemens < 0.0)
+      circuit.devices.push_back(
+          {"B" + name, from, to, -siemens, options.device_volts, options.curve});
+  };
+  for (const Branch& branch : network.branches)
+    add(branch_name(branch), circuit.outputs[branch.from], circuit.outputs[branch.to],
+        options.scale.siemens * branch.conductance);
+  for (std::size_t i = 0; i < network.nodes; ++i)
+    add("g" + std::to_string(i), circuit.outputs[i], 0, options.scale.siemens * network.ground[i]);
+  return circuit;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,38 @@
+/// @file
+/// Networks of sensor arrays that several tests share.
+#pragma once
+
+#include <vector>
+
+#include "tactile_net/elasticity/contact.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/network/realization.hpp"
+#include "tactile_net/sensing/sampled.hpp"
+#include "tactile_net/sensing/traction_field.hpp"
+
+namespace tactile_net {
+
+/// An array under a cylinder, dragged if two unknowns are solved, and its direct solution.
+struct ArrayNetwork {
+  NetworkProblem problem;
+  std::vector<double> direct;
+};
+
+inline ArrayNetwork array_network(std::size_t count, double alpha, std::size_t unknowns = 1,
+                                  const std::optional<Layer>& layer = {}) {
+  using enum Quantity;
+  const SensorArray array{count,
+                          count > 30 ? 0.25 : 0.5,
+                          {1.5},
+                          unknowns == 2 ? std::vector{stress_x, shear_xy} : std::vector{strain_x}};
+  const Material pad{1.0, 0.45, layer};
+  RigidContact contact{.half_width = 2.0};
+  if (unknowns == 2) contact.friction = 0.4;
+  const std::vector<double> g =
+      sampled_readings(array, pad, sample(std::vector<Contact>{contact}, array));
+  const InverseProblem inverse =
+      make_problem(array, pad, {.unknowns = unknowns, .smoothing_length = 1.0});
+  return {network_problem(inverse, alpha, g), tikhonov_solve(inverse, alpha, g)};
+}
+
+}  // namespace tactile_net
