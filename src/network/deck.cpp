@@ -124,6 +124,15 @@ std::string current_of(const NShapedDevice& b, const std::vector<std::string>& n
   return deck_number(b.siemens * b.volts) + "*((2+" + u + ")*exp(-" + u + ")-2)";
 }
 
+std::string step_of(double ampere, const StepResponse& response) {
+  const std::string end = deck_number(ampere);
+  if (!(response.overdrive_until > 0.0)) return "PWL(0 0 1e-12 " + end + ')';
+  const std::string until = deck_number(response.overdrive_until);
+  const std::string more = deck_number(response.overdrive * ampere);
+  return "PWL(0 0 1e-12 " + more + ' ' + until + ' ' + more + ' ' +
+         deck_number(1.001 * response.overdrive_until) + ' ' + end + ')';
+}
+
 void append_elements(std::string& deck, const Circuit& circuit, const Analysis& analysis) {
   const std::vector<std::string>& nodes = circuit.nodes;
   const auto card = [&](const auto& part, const std::string& value) {
@@ -148,13 +157,20 @@ void append_elements(std::string& deck, const Circuit& circuit, const Analysis& 
     else if (std::holds_alternative<SingleFrequency>(analysis))
       deck += " AC " + deck_number(i.ampere) + " 90";
     else
-      deck += " PWL(0 0 1e-12 " + deck_number(i.ampere) + ')';
+      deck += ' ' + step_of(i.ampere, std::get<StepResponse>(analysis));
     deck += '\n';
   }
 }
 
+/// Keeps the outputs alone: every node at every step would take hundreds of megabytes.
+std::string saved(const Circuit& circuit) {
+  std::string text;
+  for (const Node node : circuit.outputs) text += ".save v(" + circuit.nodes[node] + ")\n";
+  return text;
+}
+
 /// The card of an analysis, with the options it needs.
-std::string card_of(const Analysis& analysis) {
+std::string card_of(const Circuit& circuit, const Analysis& analysis) {
   if (const auto* ac = std::get_if<SingleFrequency>(&analysis)) {
     const std::string hertz = deck_number(ac->hertz);
     // Capacitors alone and loops of inductors have no operating point.
@@ -163,7 +179,7 @@ std::string card_of(const Analysis& analysis) {
   if (const auto* tran = std::get_if<StepResponse>(&analysis)) {
     const std::string step = deck_number(tran->step);
     return ".options method=trap reltol=1e-5 chgtol=1e-18 abstol=1e-15 vntol=1e-9\n.tran " + step +
-           ' ' + deck_number(tran->stop) + " 0 " + step + '\n';
+           ' ' + deck_number(tran->stop) + " 0 " + step + '\n' + saved(circuit);
   }
   return ".op\n";
 }
@@ -193,7 +209,7 @@ void write_deck(std::ostream& out, const Circuit& circuit, const DeckHeader& hea
             deck_number(header.expected[i]) + '\n';
   append_subcircuits(deck, circuit);
   append_elements(deck, circuit, analysis);
-  deck += card_of(analysis) + ".end\n";
+  deck += card_of(circuit, analysis) + ".end\n";
   if (answer == Answer::printed) deck += commands_for(circuit, analysis);
   out << deck;
 }

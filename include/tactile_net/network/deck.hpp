@@ -37,6 +37,10 @@ struct SingleFrequency {
 struct StepResponse {
   double step = 0.0;  ///< longest time step [s], > 0
   double stop = 0.0;  ///< [s], > step
+  /// Until `overdrive_until` [s] the sources are `overdrive` times as large: to see whether
+  /// amplifiers that reach their rails come back.
+  double overdrive = 1.0;
+  double overdrive_until = 0.0;
 };
 
 using Analysis = std::variant<DirectCurrent, SingleFrequency, StepResponse>;

@@ -1,21 +1,75 @@
 /// @file
-/// Components are not what is printed on them: their errors and standard values.
+/// Components are not what is printed on them: what their errors and standard values do to the
+/// answer, by linear algebra.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tactile_net/network/circuit.hpp"
+#include "tactile_net/network/reduction.hpp"
 
 namespace tactile_net {
 
 /// Preferred values of resistors (IEC 60063): 12, 24, ... a decade.
 enum class Series { e12 = 12, e24 = 24, e48 = 48, e96 = 96, e192 = 192 };
 
+/// The value of the series nearest to `ohm` > 0, in ratio.
+[[nodiscard]] double nearest_in(Series series, double ohm);
+
 struct ToleranceOptions {
   std::optional<double> relative{};  ///< uniform within +-relative, 0 < relative < 1
   std::optional<Series> series{};    ///< rounded to the nearest value of the series, first
-  std::size_t trials = 1000;         ///< >= 1
+  std::size_t trials = 1000;         ///< >= 1; one suffices where nothing is drawn
   std::uint64_t seed = 1;
 };
+
+/// The conductances of one trial [S], as `Reduction::siemens`: a function of seed, trial and the
+/// component's place alone.
+[[nodiscard]] std::vector<double> drawn(const Reduction& reduction, const ToleranceOptions& options,
+                                        std::size_t trial);
+
+/// The circuit of one trial, without sub-circuits: to be replayed in a simulator.
+[[nodiscard]] Circuit perturbed(const Circuit& circuit, std::span<const double> siemens);
+
+struct Trial {
+  bool stable = false;
+  double error = 0.0;              ///< |v - v_nominal|_2 / |v_nominal|_2, stable or not
+  std::vector<double> voltages{};  ///< of the outputs [V]
+};
+
+/// Solves one draw. Stable: every eigenvalue of T^-1 S has a positive real part, T the nodes'
+/// capacitances (equal) and the amplifiers' row conductances; a positive definite symmetric part of
+/// S proves it, for any T. Amplifiers inside converters and inverters are taken for fast.
+[[nodiscard]] Trial try_out(const Reduction& reduction, std::span<const double> siemens);
+
+struct Contribution {
+  std::string component{};
+  double share = 0.0;  ///< of the squared error that first order predicts
+};
+
+struct ToleranceResult {
+  std::size_t trials = 0;
+  std::size_t stable = 0;
+  std::size_t accurate = 0;  ///< stable, and the error within the accuracy asked for
+  double median = 0.0;       ///< of the errors; unstable trials count as infinite
+  double p95 = 0.0;
+  double predicted = 0.0;  ///< root mean square of the error, to first order in the tolerances
+  std::vector<Contribution> worst{};  ///< the five that count most, to first order
+
+  [[nodiscard]] double yield() const noexcept {
+    return static_cast<double>(accurate) / static_cast<double>(trials);
+  }
+};
+
+/// @param accuracy  largest relative error that counts as accurate, > 0
+/// @throw std::invalid_argument  an option is out of range
+/// @throw std::domain_error      the nominal network has no unique answer
+[[nodiscard]] ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options,
+                                       double accuracy);
 
 }  // namespace tactile_net

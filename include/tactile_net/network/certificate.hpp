@@ -1,0 +1,71 @@
+/// @file
+/// What can be said of a circuit before it is built: whether it settles, how fast, what errors of
+/// its components it bears, and what it asks of its amplifiers.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactile_net/network/realization.hpp"
+
+namespace tactile_net {
+
+enum class Stability {
+  stable,        ///< every pole lies in the left half plane, or a theorem says so
+  unstable,      ///< a pole lies in the right half plane
+  not_definite,  ///< P is not positive definite: no circuit for it settles
+  lossless,      ///< capacitors and inductors alone: it rings for ever
+  not_modelled,  ///< op-amps without a bandwidth: only theorems, whose conditions are not known
+};
+
+[[nodiscard]] std::string_view name(Stability stability) noexcept;
+
+/// The theorem on a realisation (proofs: docs/circuits.md).
+struct Theorem {
+  std::string_view name{};       ///< "T5"
+  std::string_view statement{};  ///< one sentence
+  bool holds = false;            ///< its conditions are met here
+  std::string condition{};       ///< which one is not; empty if it holds
+};
+
+/// What the linear state space of the circuit says.
+struct Dynamics {
+  std::size_t states = 0;
+  double slowest = 0.0;  ///< largest real part of a pole [1/s]
+  double damping = 1.0;  ///< least -Re/|s| of the poles; 1: no ringing; < 0: growth
+  std::optional<double> settling_seconds{};  ///< absent: it does not settle
+  std::vector<double> mode{};  ///< unstable: the growing mode in the outputs, 2-norm 1
+};
+
+struct Certificate {
+  Realization realization = Realization::ideal;
+  double smallest_eigenvalue = 0.0;  ///< of P
+  double condition = 0.0;            ///< of P; infinite if it is not positive definite
+  Stability stability = Stability::not_modelled;
+  Theorem theorem{};
+  /// Every error of conductances up to this, relative, leaves the network stable: proven by the
+  /// symmetric part of its equations, for any bandwidths. Absent: nothing can be proven.
+  std::optional<double> tolerance_margin{};
+  std::optional<Dynamics> dynamics{};  ///< absent: op-amps without bandwidth, or too many states
+  double accuracy = 1e-3;              ///< that settling is measured to
+  ElementCounts elements{};
+  double least_ohm = 0.0;        ///< smallest resistor [ohm], in size; 0: there is none
+  double greatest_ohm = 0.0;     ///< largest resistor
+  double largest_voltage = 0.0;  ///< at any node, ideal amplifiers' outputs included [V]
+  double power = 0.0;            ///< heat in the resistors, ideal amplifiers' supply aside [W]
+  std::vector<std::string> warnings{};  ///< rules that are broken, and what to do
+};
+
+/// More states than this are not decomposed: their poles would take minutes.
+inline constexpr std::size_t most_states = 1500;
+
+/// @param accuracy  settled: within this of the end, relative to its 2-norm, 0 < accuracy < 1
+/// @throw std::invalid_argument  options or accuracy out of range
+/// @throw std::domain_error      the network has no unique answer
+[[nodiscard]] Certificate certify(Realization realization, const NetworkProblem& problem,
+                                  const RealizationOptions& options, double accuracy = 1e-3);
+
+}  // namespace tactile_net

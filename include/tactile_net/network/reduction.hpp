@@ -1,0 +1,103 @@
+/// @file
+/// A network's own equations: what is left of Kirchhoff's laws when its amplifiers are ideal.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tactile_net/inverse/matrix.hpp"
+#include "tactile_net/network/circuit.hpp"
+
+namespace tactile_net {
+
+/// T z' = -S z + h, in volts and siemens: one row per node that nothing drives (z its voltage, T
+/// its capacitance) and one per amplifier with a summing node (z its output, T the row's total
+/// conductance over 2 pi bandwidth). Inverters and converters are taken for ideal.
+struct Equations {
+  Matrix matrix{};                   ///< S [S], square, in general not symmetric
+  std::vector<double> right_side{};  ///< h [A]
+  std::vector<double> total{};       ///< conductance at each row's node [S]
+};
+
+/// Makes those equations again and again for other values of the same circuit's resistors, as a
+/// tolerance analysis does: O(resistors + rows^2) each.
+class Reduction {
+ public:
+  /// The circuit is copied in parts; it need not outlive the object.
+  ///
+  /// @throw std::invalid_argument  the circuit has parts that are no resistors, sources, capacitors
+  ///                               to ground, converters, inverters, or amplifiers with '+'
+  ///                               grounded
+  explicit Reduction(const Circuit& circuit);
+
+  /// Unknowns: the circuit's outputs in their order, then the others.
+  [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
+  [[nodiscard]] std::size_t outputs() const noexcept { return outputs_; }
+
+  /// Every resistor, those inside sub-circuits after the circuit's own: "R0_1", "R1.Xf0_1", ...
+  [[nodiscard]] std::span<const std::string> resistors() const noexcept { return names_; }
+  /// Their nominal conductances [S], in the same order.
+  [[nodiscard]] std::span<const double> siemens() const noexcept { return siemens_; }
+
+  /// @param siemens  one value per resistor, as `siemens()`
+  /// @param equations  overwritten; its storage is used again
+  void assemble(std::span<const double> siemens, Equations& equations) const;
+
+  /// With the nominal values.
+  [[nodiscard]] Equations equations() const;
+
+  /// How far each entry of S may move when every conductance is within a factor 1 +- error of its
+  /// nominal value, for small errors: `bound(i, j) * error`.
+  [[nodiscard]] Matrix sensitivity_bound() const;
+
+  /// Whether row i is an amplifier's: its unknown is the output.
+  [[nodiscard]] bool is_amplifier(std::size_t row) const { return amplifier_rows_[row]; }
+
+  /// d(S z - h)/d(log g) of every resistor, in the order of `resistors()`: each a row of `rows()`
+  /// currents [A]. Through -S^-1 they are what relative errors of components do to z.
+  [[nodiscard]] Matrix sensitivities(std::span<const double> unknowns) const;
+
+  /// What the parts carry, given the unknowns z.
+  struct Load {
+    double largest_voltage = 0.0;  ///< of any node, amplifiers' outputs included [V]
+    double power = 0.0;            ///< turned to heat by the resistors [W]; negative ones deliver
+  };
+  [[nodiscard]] Load load(std::span<const double> unknowns) const;
+
+ private:
+  /// v = a z[i] + b z[j]; `none` for an absent term.
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  struct Voltage {
+    std::size_t i = none, j = none;
+    double a = 0.0, b = 0.0;
+  };
+  /// A node whose voltage an inverter or a converter makes from others':
+  /// v = (1 if follows + g[down] / g[up]) z[i] - g[down] / g[up] z[j], see the constructor.
+  struct Derived {
+    Node node = 0;
+    std::size_t i = none, j = none;
+    std::size_t up = 0, down = 0;  // resistors: v grows with g[down] / g[up]
+    bool inverts = false;
+  };
+  struct Part {
+    std::size_t from_row = none, to_row = none;  // rows of its ends, if they have one
+    Node from = 0, to = 0;
+  };
+
+  [[nodiscard]] std::vector<Voltage> voltages(std::span<const double> siemens) const;
+
+  std::size_t rows_ = 0;
+  std::size_t outputs_ = 0;
+  std::vector<bool> amplifier_rows_;
+  std::vector<Voltage> fixed_;  // of every node, ideal parts
+  std::vector<Derived> derived_;
+  std::vector<Part> parts_;  // of the circuit's own resistors, and inverters' inputs after them
+  std::vector<std::size_t> part_resistor_;
+  std::vector<std::string> names_;
+  std::vector<double> siemens_;
+  std::vector<double> sources_;  // current into each row
+};
+
+}  // namespace tactile_net

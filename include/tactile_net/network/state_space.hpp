@@ -1,0 +1,53 @@
+/// @file
+/// A circuit over time, while its amplifiers are linear.
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tactile_net/inverse/matrix.hpp"
+#include "tactile_net/network/circuit.hpp"
+
+namespace tactile_net {
+
+/// x' = A x + b, v = C x + d: node voltages with capacitance and the amplifiers' poles as states,
+/// everything else eliminated. Assembled from the parts that the deck is written from, inputs'
+/// polarity and sub-circuits' insides included.
+struct StateSpace {
+  Matrix dynamics{};             ///< A [1/s], square
+  std::vector<double> drive{};   ///< b [V/s]
+  Matrix output{};               ///< C, one row per output of the circuit
+  std::vector<double> direct{};  ///< d [V]
+
+  [[nodiscard]] std::size_t states() const noexcept { return drive.size(); }
+};
+
+/// How many states a circuit has: to know what its analysis costs before it is done.
+[[nodiscard]] std::size_t count_states(const Circuit& circuit);
+
+/// @throw std::invalid_argument  a part has no place in it: an amplifier without bandwidth, an
+///                               inductor, an N-shaped device (its slope at 0 V is taken), a
+///                               capacitor not to ground
+/// @throw std::domain_error      nodes without capacitance have no unique voltage
+[[nodiscard]] StateSpace state_space(const Circuit& circuit);
+
+/// Every eigenvalue of A, the one of largest real part first. O(states^3), 25 states^3 or so.
+[[nodiscard]] std::vector<std::complex<double>> poles(const StateSpace& system);
+
+/// Real eigenvalue problem's vector of the pole with the largest real part, in the outputs: how the
+/// circuit grows if it is unstable. 2-norm 1; the real part of a complex mode.
+[[nodiscard]] std::vector<double> slowest_mode(const StateSpace& system);
+
+/// The outputs at rest, C A^-1 (-b) + d [V].
+[[nodiscard]] std::vector<double> steady_state(const StateSpace& system);
+
+/// From rest at t = 0: when |v - v_end|_2 <= accuracy |v_end|_2 for good [s], to a thousandth of
+/// itself, by the exact solution on a grid of time. `slowest` is the largest real part of the
+/// poles. Nothing if that is not negative.
+[[nodiscard]] std::optional<double> settling_time(const StateSpace& system, double accuracy,
+                                                  double slowest);
+
+}  // namespace tactile_net

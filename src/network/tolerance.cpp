@@ -1,0 +1,186 @@
+#include "tactile_net/network/tolerance.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "inverse/eigen.hpp"
+
+namespace tactile_net {
+namespace {
+
+/// Steele, Lea and Flood 2014 (SplitMix64): one independent number per counter.
+std::uint64_t mixed(std::uint64_t x) noexcept {
+  x += 0x9e3779b97f4a7c15ULL;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+/// Uniform in -1 ... 1.
+double uniform(std::uint64_t seed, std::uint64_t trial, std::uint64_t place) noexcept {
+  const std::uint64_t bits = mixed(mixed(mixed(seed) ^ trial) ^ place);
+  return std::ldexp(static_cast<double>(bits >> 11), -52) - 1.0;
+}
+
+/// Three digits up to E24's two, as the standard rounds them.
+double preferred(int place, int series) {
+  const double exact = std::pow(10.0, static_cast<double>(place) / series);
+  if (series > 24) {
+    const double rounded = std::round(100.0 * exact) / 100.0;
+    return rounded == 9.19 ? 9.20 : rounded;  // E192's one exception
+  }
+  // E24 was fixed before the formula: these differ from it.
+  constexpr double e24[] = {1.0, 1.1, 1.2, 1.3, 1.5, 1.6, 1.8, 2.0, 2.2, 2.4, 2.7, 3.0,
+                            3.3, 3.6, 3.9, 4.3, 4.7, 5.1, 5.6, 6.2, 6.8, 7.5, 8.2, 9.1};
+  return e24[place * (24 / series)];
+}
+
+void check(const ToleranceOptions& options) {
+  if (options.relative && !(*options.relative > 0.0 && *options.relative < 1.0))
+    throw std::invalid_argument("a tolerance must be > 0 and < 1");
+  if (!options.relative && !options.series)
+    throw std::invalid_argument("a tolerance needs relative errors or a series");
+  if (options.trials == 0) throw std::invalid_argument("a tolerance needs at least one trial");
+}
+
+bool is_stable(const Reduction& reduction, const Equations& equations) {
+  const auto s = as_eigen(equations.matrix);
+  const Eigen::MatrixXd symmetric = 0.5 * (s + s.transpose());
+  if (Eigen::LLT<Eigen::MatrixXd>(symmetric).info() == Eigen::Success) return true;
+  // An odd number of real eigenvalues on the wrong side shows in the determinant's sign.
+  if (Eigen::PartialPivLU<Eigen::MatrixXd>(s).determinant() < 0.0) return false;
+  Eigen::VectorXd inverse(s.rows());
+  for (Eigen::Index i = 0; i < s.rows(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    inverse(i) = reduction.is_amplifier(row) ? 1.0 / equations.total[row] : 1.0;
+  }
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(inverse.asDiagonal() * s, false);
+  return solver.eigenvalues().real().minCoeff() > 0.0;
+}
+
+Eigen::VectorXd outputs_of(const Reduction& reduction, const Equations& equations) {
+  const Eigen::VectorXd z = Eigen::PartialPivLU<Eigen::MatrixXd>(as_eigen(equations.matrix))
+                                .solve(as_eigen(std::span(equations.right_side)));
+  return z.head(static_cast<Eigen::Index>(reduction.outputs()));
+}
+
+double quantile(std::vector<double> values, double q) {
+  const auto place = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1) + 0.5);
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+/// The first-order part of a result.
+void predict(const Reduction& reduction, const ToleranceOptions& options, const Equations& nominal,
+             ToleranceResult& result) {
+  const auto s = as_eigen(nominal.matrix);
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(s);
+  const Eigen::VectorXd z = lu.solve(as_eigen(std::span(nominal.right_side)));
+  const auto n = static_cast<Eigen::Index>(reduction.outputs());
+  // Rows of the inverse that lead to the outputs: |dv|^2 = u' (rows' rows) u.
+  const Eigen::MatrixXd rows = lu.inverse().topRows(n);
+  const Eigen::MatrixXd gram = rows.transpose() * rows;
+  const Matrix sensitivities =
+      reduction.sensitivities({z.data(), static_cast<std::size_t>(z.size())});
+  const auto u = as_eigen(sensitivities);
+  Eigen::VectorXd squares = (u * gram).cwiseProduct(u).rowwise().sum();
+  // Variance of a uniform error; of rounding too, within half a step of the series.
+  double variance = options.relative ? *options.relative * *options.relative / 3.0 : 0.0;
+  if (options.series) {
+    const double half = std::log(10.0) / (2.0 * static_cast<double>(*options.series));
+    variance += half * half / 3.0;
+  }
+  squares *= variance / z.head(n).squaredNorm();
+  const double sum = squares.sum();
+  result.predicted = std::sqrt(sum);
+
+  std::vector<std::size_t> order(reduction.resistors().size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::size_t most = std::min<std::size_t>(5, order.size());
+  const auto share = [&](std::size_t r) { return squares(static_cast<Eigen::Index>(r)) / sum; };
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(most), order.end(),
+                    [&](std::size_t a, std::size_t b) { return share(a) > share(b); });
+  for (std::size_t k = 0; k < most; ++k)
+    result.worst.push_back({reduction.resistors()[order[k]], share(order[k])});
+}
+
+}  // namespace
+
+double nearest_in(Series series, double ohm) {
+  if (!(ohm > 0.0) || !std::isfinite(ohm))
+    throw std::invalid_argument("a resistor must be > 0 and finite");
+  const int count = static_cast<int>(series);
+  const int near = static_cast<int>(std::lround(count * std::log10(ohm)));
+  double best = 0.0;
+  for (int place = near - 2; place <= near + 2; ++place) {  // E24 strays a place from its formula
+    const int decade = place >= 0 ? place / count : -((count - 1 - place) / count);
+    const double value = preferred(place - decade * count, count) * std::pow(10.0, decade);
+    if (best == 0.0 || std::abs(std::log(value / ohm)) < std::abs(std::log(best / ohm)))
+      best = value;
+  }
+  return best;
+}
+
+std::vector<double> drawn(const Reduction& reduction, const ToleranceOptions& options,
+                          std::size_t trial) {
+  std::vector<double> siemens(reduction.siemens().begin(), reduction.siemens().end());
+  for (std::size_t r = 0; r < siemens.size(); ++r) {
+    if (options.series)
+      siemens[r] =
+          std::copysign(1.0 / nearest_in(*options.series, 1.0 / std::abs(siemens[r])), siemens[r]);
+    if (options.relative) siemens[r] /= 1.0 + *options.relative * uniform(options.seed, trial, r);
+  }
+  return siemens;
+}
+
+Circuit perturbed(const Circuit& circuit, std::span<const double> siemens) {
+  Circuit flat = flattened(circuit);
+  if (siemens.size() != flat.resistors.size())
+    throw std::invalid_argument("the circuit has another number of resistors");
+  for (std::size_t r = 0; r < siemens.size(); ++r) flat.resistors[r].siemens = siemens[r];
+  return flat;
+}
+
+Trial try_out(const Reduction& reduction, std::span<const double> siemens) {
+  const Eigen::VectorXd nominal = outputs_of(reduction, reduction.equations());
+  Equations equations;
+  reduction.assemble(siemens, equations);
+  const Eigen::VectorXd v = outputs_of(reduction, equations);
+  return {
+      is_stable(reduction, equations), (v - nominal).norm() / nominal.norm(), {v.begin(), v.end()}};
+}
+
+ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options,
+                         double accuracy) {
+  check(options);
+  if (!(accuracy > 0.0)) throw std::invalid_argument("the accuracy must be > 0");
+  const Equations nominal = reduction.equations();
+  const Eigen::VectorXd v = outputs_of(reduction, nominal);
+  if (!v.allFinite()) throw std::domain_error("the network has no unique answer");
+
+  ToleranceResult result{.trials = options.relative ? options.trials : 1};
+  std::vector<double> errors;
+  Equations equations;
+  for (std::size_t trial = 0; trial < result.trials; ++trial) {
+    reduction.assemble(drawn(reduction, options, trial), equations);
+    if (!is_stable(reduction, equations)) {
+      errors.push_back(std::numeric_limits<double>::infinity());
+      continue;
+    }
+    ++result.stable;
+    errors.push_back((outputs_of(reduction, equations) - v).norm() / v.norm());
+    if (errors.back() <= accuracy) ++result.accurate;
+  }
+  result.median = quantile(errors, 0.5);
+  result.p95 = quantile(errors, 0.95);
+  predict(reduction, options, nominal, result);
+  return result;
+}
+
+}  // namespace tactile_net
