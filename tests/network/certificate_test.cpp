@@ -1,0 +1,123 @@
+#include "tactile_net/network/certificate.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/catch.hpp"
+#include "tests/network/problems.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+const OpAmp one_pole{.gain = 1e6, .bandwidth = 1e7};
+
+NetworkProblem indefinite() {
+  NetworkProblem problem = array_network(11, 1e-3).problem;
+  const double shift = smallest_eigenvalue(problem.matrix) + 1e-4;
+  for (std::size_t i = 0; i < 11; ++i) problem.matrix(i, i) -= shift;
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("a definite P is certified by the theorem of its realisation", "[certificate]") {
+  const ArrayNetwork network = array_network(21, 1e-3);
+  for (const Realization one :
+       {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares}) {
+    CAPTURE(name(one));
+    const Certificate c = certify(one, network.problem, {.opamp = one_pole});
+    CHECK(c.stability == Stability::stable);
+    CHECK(c.theorem.holds);
+    CHECK(c.theorem.condition.empty());
+    REQUIRE(c.dynamics);
+    CHECK(c.dynamics->slowest < 0.0);
+    CHECK(c.dynamics->settling_seconds.value() > 0.0);
+    CHECK(c.tolerance_margin.value() > 0.0);
+    CHECK(c.warnings.empty());
+    CHECK(c.power > 0.0);
+    CHECK(c.largest_voltage > 0.3);
+  }
+}
+
+TEST_CASE("no realisation of an indefinite P is certified", "[certificate]") {
+  const NetworkProblem problem = indefinite();
+  for (const Realization one :
+       {Realization::ideal, Realization::nic, Realization::rail, Realization::crossbar}) {
+    CAPTURE(name(one));
+    const Certificate c = certify(one, problem, {.opamp = one_pole, .node_capacitance = 1e-11});
+    CHECK(c.stability == Stability::not_definite);
+    CHECK_FALSE(c.theorem.holds);
+    CHECK(c.theorem.condition == "P is not positive definite");
+    CHECK_FALSE(c.tolerance_margin);
+    CHECK(std::isinf(c.condition));
+    REQUIRE(c.dynamics);
+    CHECK(c.dynamics->slowest > 0.0);
+    CHECK_FALSE(c.dynamics->settling_seconds);
+    CHECK(c.dynamics->mode.size() == 11);
+  }
+}
+
+TEST_CASE("rules that are broken are said, with what to do", "[certificate]") {
+  const ArrayNetwork network = array_network(21, 1e-3);
+  const auto warning = [&](Realization one, const RealizationOptions& options) {
+    const Certificate c = certify(one, network.problem, options);
+    std::string text;
+    for (const std::string& line : c.warnings) text += line + '\n';
+    return text;
+  };
+  OpAmp with_rail = one_pole;
+  with_rail.rail = 2.0;
+  CHECK_THAT(warning(Realization::crossbar, {.scale = {.volts = 10.0}, .opamp = with_rail}),
+             ContainsSubstring("the rail is 2 V: lower volts to"));
+  OpAmp with_input = one_pole;
+  with_input.input_capacitance = 1e-11;
+  CHECK_THAT(warning(Realization::nic, {.opamp = with_input}),
+             ContainsSubstring("divider = 796 at most"));
+  CHECK(warning(Realization::nic, {.opamp = with_input, .divider = 700.0}).empty());
+  CHECK_THAT(warning(Realization::least_squares, {.opamp = with_input}),
+             ContainsSubstring("siemens = ") && ContainsSubstring("residual_gain = "));
+}
+
+TEST_CASE("what the certificate proposes against capacitance settles", "[certificate]") {
+  const ArrayNetwork network = array_network(21, 1e-6);
+  OpAmp opamp = one_pole;
+  opamp.input_capacitance = 1e-12;
+  RealizationOptions options{.opamp = opamp, .residual_gain = 100.0};
+  const Certificate bad = certify(Realization::least_squares, network.problem, options);
+  CHECK(bad.stability == Stability::unstable);
+  CHECK_FALSE(bad.theorem.holds);
+  REQUIRE(bad.warnings.size() == 1);
+  const std::size_t at = bad.warnings[0].find("siemens = ") + 10;
+  options.scale.siemens = std::stod(bad.warnings[0].substr(at));
+  CHECK(certify(Realization::least_squares, network.problem, options).stability ==
+        Stability::stable);
+}
+
+TEST_CASE("conditions of theorems are checked one by one", "[certificate]") {
+  const ArrayNetwork network = array_network(5, 1e-3);
+  const auto condition = [&](Realization one, const RealizationOptions& options) {
+    return certify(one, network.problem, options).theorem.condition;
+  };
+  OpAmp two_poles = one_pole;
+  two_poles.second_pole = 2e7;
+  CHECK(condition(Realization::nic, {.opamp = two_poles}).empty());
+  CHECK(condition(Realization::crossbar, {.opamp = two_poles}) == "a second pole");
+  CHECK_THAT(condition(Realization::crossbar,
+                       {.opamp = one_pole, .inverters = true, .bandwidth_ratio = 1.0}),
+             ContainsSubstring("1 times the inverters' bandwidth"));
+  CHECK_THAT(condition(Realization::least_squares,
+                       {.opamp = one_pole, .inverters = true, .bandwidth_ratio = 1.0}),
+             ContainsSubstring("0.2/rho = 0.02"));
+}
+
+TEST_CASE("without a bandwidth theorems speak, and what is lossless never settles",
+          "[certificate]") {
+  const ArrayNetwork network = array_network(5, 1e-3);
+  const Certificate c = certify(Realization::crossbar, network.problem, {});
+  CHECK_FALSE(c.dynamics);
+  CHECK(c.stability == Stability::stable);
+  CHECK(certify(Realization::lc, network.problem, {}).stability == Stability::lossless);
+  CHECK(certify(Realization::ndr, network.problem, {}).stability == Stability::stable);
+  CHECK_THROWS_AS(certify(Realization::nic, network.problem, {}, 1.0), std::invalid_argument);
+}

@@ -1,0 +1,104 @@
+#include "tactile_net/network/tolerance.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "tactile_net/network/certificate.hpp"
+#include "tests/catch.hpp"
+#include "tests/network/problems.hpp"
+
+using namespace tactile_net;
+
+TEST_CASE("preferred values are the standard's", "[tolerance]") {
+  CHECK(nearest_in(Series::e12, 1e3) == 1e3);
+  CHECK_THAT(nearest_in(Series::e12, 4.2e4), WithinRel(3.9e4, 1e-12));
+  CHECK_THAT(nearest_in(Series::e24, 4.2e4), WithinRel(4.3e4, 1e-12));
+  CHECK_THAT(nearest_in(Series::e24, 2.9), WithinRel(3.0, 1e-12));  // not 10^(11/24)'s 2.87
+  CHECK_THAT(nearest_in(Series::e48, 1e-3), WithinRel(1e-3, 1e-12));
+  CHECK_THAT(nearest_in(Series::e96, 4.7), WithinRel(4.75, 1e-12));
+  CHECK_THAT(nearest_in(Series::e192, 919.0), WithinRel(920.0, 1e-12));
+  CHECK_THAT(nearest_in(Series::e96, 9.9e5), WithinRel(1e6, 1e-12));
+  CHECK_THROWS_AS(nearest_in(Series::e96, 0.0), std::invalid_argument);
+}
+
+TEST_CASE("no value is further from its preferred one than half a step", "[tolerance][property]") {
+  for (const Series series : {Series::e48, Series::e96, Series::e192})
+    for (double ohm = 0.013; ohm < 1e7; ohm *= 1.0173) {
+      const double half = std::pow(10.0, 0.5 / static_cast<double>(series));
+      const double ratio = nearest_in(series, ohm) / ohm;
+      CHECK(std::max(ratio, 1.0 / ratio) <= half * 1.005);  // values have three digits
+    }
+}
+
+TEST_CASE("first order predicts the errors of small tolerances", "[tolerance][property]") {
+  const ArrayNetwork network = array_network(11, 1e-3);
+  for (const Realization one : {Realization::ideal, Realization::nic, Realization::rail,
+                                Realization::crossbar, Realization::least_squares}) {
+    CAPTURE(name(one));
+    const Reduction reduction(realize(one, network.problem));
+    const ToleranceOptions options{.relative = 1e-4, .trials = 400};
+    double square = 0.0;
+    for (std::size_t trial = 0; trial < options.trials; ++trial)
+      square += std::pow(try_out(reduction, drawn(reduction, options, trial)).error, 2);
+    const ToleranceResult result = tolerate(reduction, options, 0.01);
+    CHECK_THAT(std::sqrt(square / 400.0), WithinRel(result.predicted, 0.1));
+    CHECK(result.stable == 400);
+    CHECK(result.yield() == 1.0);
+    REQUIRE(result.worst.size() == 5);
+    CHECK(result.worst[0].share >= result.worst[1].share);
+    CHECK(result.worst[0].share < 1.0);
+  }
+}
+
+TEST_CASE("draws depend on seed and trial alone", "[tolerance]") {
+  const Reduction reduction(realize(Realization::crossbar, array_network(5, 1e-3).problem));
+  const ToleranceOptions options{.relative = 0.01, .trials = 50, .seed = 7};
+  CHECK(drawn(reduction, options, 3) == drawn(reduction, options, 3));
+  CHECK(drawn(reduction, options, 3) != drawn(reduction, options, 4));
+  ToleranceOptions other = options;
+  other.seed = 8;
+  CHECK(drawn(reduction, options, 3) != drawn(reduction, other, 3));
+  const std::vector<double> siemens = drawn(reduction, options, 0);
+  for (std::size_t r = 0; r < siemens.size(); ++r)
+    CHECK(std::abs(reduction.siemens()[r] / siemens[r] - 1.0) <= 0.01);
+  CHECK(tolerate(reduction, options, 0.01).median == tolerate(reduction, options, 0.01).median);
+}
+
+TEST_CASE("nothing within the margin unsettles a network", "[tolerance][property]") {
+  for (const double alpha : {1e-3, 1e-5}) {
+    const ArrayNetwork network = array_network(11, alpha);
+    for (const Realization one :
+         {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares}) {
+      CAPTURE(alpha, name(one));
+      const double margin = certify(one, network.problem, {}).tolerance_margin.value();
+      CHECK(margin > 0.0);
+      const Reduction reduction(realize(one, network.problem));
+      const ToleranceOptions within{.relative = margin, .trials = 100};
+      CHECK(tolerate(reduction, within, 1.0).stable == 100);
+      if (one == Realization::least_squares) continue;
+      const ToleranceOptions beyond{.relative = std::min(0.5, 300.0 * margin), .trials = 100};
+      CHECK(tolerate(reduction, beyond, 1.0).stable < 100);  // it is not far from the truth
+    }
+  }
+}
+
+TEST_CASE("least squares bears errors that unsettle the others", "[tolerance]") {
+  const ArrayNetwork network = array_network(41, 1e-5);
+  const ToleranceOptions options{.relative = 0.01, .trials = 40};
+  const auto of = [&](Realization one) {
+    return tolerate(Reduction(realize(one, network.problem)), options, 0.05);
+  };
+  CHECK(of(Realization::nic).stable < 5);
+  const ToleranceResult best = of(Realization::least_squares);
+  CHECK(best.stable == 40);
+  CHECK(best.median < 0.02);
+}
+
+TEST_CASE("a tolerance without sense is refused", "[tolerance]") {
+  const Reduction reduction(realize(Realization::crossbar, array_network(5, 1e-3).problem));
+  CHECK_THROWS_AS(tolerate(reduction, {}, 0.1), std::invalid_argument);
+  CHECK_THROWS_AS(tolerate(reduction, {.relative = 1.0}, 0.1), std::invalid_argument);
+  CHECK_THROWS_AS(tolerate(reduction, {.relative = 0.1, .trials = 0}, 0.1), std::invalid_argument);
+  CHECK_THROWS_AS(tolerate(reduction, {.relative = 0.1}, 0.0), std::invalid_argument);
+}
