@@ -14,7 +14,8 @@
 #include <cstring>
 #include <string_view>
 #include <system_error>
-#include <utility>
+
+#include "simulator/descriptor.hpp"
 
 extern char** environ;
 
@@ -23,44 +24,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using End = ProcessResult::End;
-
-[[noreturn]] void fail(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
-
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) noexcept : number_(number) {}
-  ~Descriptor() { reset(); }
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  void reset() noexcept {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-  [[nodiscard]] int get() const noexcept { return number_; }
-  [[nodiscard]] bool open() const noexcept { return number_ >= 0; }
-
- private:
-  int number_;
-};
-
-struct Channel {
-  Descriptor ours;
-  Descriptor theirs;
-};
-
-/// Close-on-exec, so that no other child inherits it; a socket, because MSG_NOSIGNAL spares the
-/// caller a SIGPIPE when the child does not read its input.
-Channel channel() {
-  std::array<int, 2> ends{};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail("socketpair");
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
-}
 
 void set_limit(int resource, rlim_t value) noexcept {
   const rlimit limit{value, value};
@@ -134,7 +97,7 @@ End converse(pid_t child, Descriptor& input, Descriptor& output, Descriptor& err
                                     pollfd{errors.get(), POLLIN, 0}};
     const int ready = ::poll(polled.data(), polled.size(),
                              static_cast<int>(std::min<long long>(left, heartbeat_ms)));
-    if (ready < 0 && errno != EINTR) fail("poll");
+    if (ready < 0 && errno != EINTR) fail_with_errno("poll");
     if (ready == 0) {
       // A grandchild may hold the streams open after the child's end: do not wait for it.
       siginfo_t state{};
@@ -158,7 +121,7 @@ bool reap(pid_t child, Clock::time_point deadline, int& status) {
   for (;;) {
     const pid_t ended = ::waitpid(child, &status, WNOHANG);
     if (ended == child) return true;
-    if (ended < 0 && errno != EINTR) fail("waitpid");
+    if (ended < 0 && errno != EINTR) fail_with_errno("waitpid");
     if (Clock::now() >= deadline) return false;
     ::usleep(500);
   }
@@ -169,10 +132,10 @@ bool reap(pid_t child, Clock::time_point deadline, int& status) {
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
   const auto start = Clock::now();
   const auto deadline = start + options.time_limit;
-  Channel input = channel();
-  Channel output = channel();
-  Channel errors = channel();
-  Channel report = channel();
+  Channel input = channel(SOCK_STREAM);
+  Channel output = channel(SOCK_STREAM);
+  Channel errors = channel(SOCK_STREAM);
+  Channel report = channel(SOCK_STREAM);
 
   std::vector<char*> arguments;
   for (const std::string& argument : command)
@@ -181,7 +144,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   const std::vector<char*> environment = environment_without(options.unset);
 
   const pid_t child = ::fork();
-  if (child < 0) fail("fork");
+  if (child < 0) fail_with_errno("fork");
   if (child == 0)
     become(arguments, environment, options,
            {input.theirs.get(), output.theirs.get(), errors.theirs.get()}, report.theirs.get());
@@ -213,7 +176,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   if (!started) {
     if (reason != ENOENT && reason != EACCES && reason != ENOTDIR) {
       errno = reason;
-      fail(command.front().c_str());
+      fail_with_errno(command.front().c_str());
     }
     result.end = End::not_found;
     result.code = reason;

@@ -110,6 +110,9 @@ void read_values(Cursor& cursor, RawFile& raw, bool complex, bool binary) {
         raw.imaginary[v][point] = next(text.substr(comma + 1));
     }
   }
+  // `ngspice -r` leaves what its memory held in the place of the frequency's imaginary part.
+  for (std::size_t v = 0; complex && v < variables; ++v)
+    if (raw.names[v] == "frequency") raw.imaginary[v].assign(raw.points, 0.0);
 }
 
 }  // namespace

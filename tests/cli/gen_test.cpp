@@ -32,6 +32,14 @@ TEST_CASE("relax compares the circuit with the direct solve", "[cli][spice]") {
              StartsWith("{") && ContainsSubstring("\"difference_to_direct\""));
 }
 
+TEST_CASE("ngspice as a library agrees too, or tells how to get it", "[cli]") {
+  const ProcessResult result = tool({"relax", scene("nic.toml"), "--simulator", "library"});
+  if (result.code == 0)
+    CHECK_THAT(result.output, ContainsSubstring("(agrees"));
+  else
+    CHECK_THAT(result.errors, ContainsSubstring("install libngspice0-dev"));
+}
+
 TEST_CASE("a deck goes to standard output by default", "[cli]") {
   CHECK_THAT(tool({"gen", scene("nic.toml")}).output,
              StartsWith("* tactile-net ") && ContainsSubstring("realization nic"));

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "tests/catch.hpp"
+#include "tests/simulator/failure.hpp"
 
 using namespace tactile_net;
 namespace fs = std::filesystem;
@@ -14,28 +15,10 @@ using Cause = SimulatorError::Cause;
 
 namespace {
 
-const std::array<std::string, 1> node_a{"a"};
-
-/// Runs the deck, expects a failure and returns it; the folder it kept is removed.
-struct Failure {
-  Cause cause;
-  std::string text;
-  bool kept_deck;
-  bool kept_log;
-};
 Failure failure(const std::string& deck, const NgspiceOptions& options = {},
                 std::span<const std::string> nodes = node_a) {
-  try {
-    Ngspice ngspice(options);
-    (void)operating_point(ngspice, deck, nodes);
-  } catch (const SimulatorError& error) {
-    const Failure result{error.cause(), error.what(), fs::exists(error.folder() / "deck.cir"),
-                         fs::exists(error.folder() / "ngspice.log")};
-    if (!error.folder().empty()) fs::remove_all(error.folder());
-    return result;
-  }
-  FAIL("no failure was reported");
-  return {};
+  Ngspice ngspice(options);
+  return failure(ngspice, deck, nodes);
 }
 
 /// A simulator that fails in a way of our choice: a shell script, removed at the end.
@@ -51,17 +34,6 @@ class FakeSimulator {
  private:
   fs::path path_ = fs::temp_directory_path() / ("tactile-net-fake-" + std::to_string(::getpid()));
 };
-
-void check_kept(const Failure& result, Cause cause, const char* text) {
-  CHECK(result.cause == cause);
-  CHECK_THAT(result.text, ContainsSubstring(text));
-  CHECK_THAT(result.text, ContainsSubstring("deck.cir"));
-  CHECK(result.kept_deck);
-  CHECK(result.kept_log);
-}
-
-constexpr const char* good =
-    "* good\nR1 a 0 1000\nR2 a b 1000\nR3 b 0 2000\nI1 0 a DC 4e-3\n.op\n.end\n";
 
 }  // namespace
 
@@ -80,15 +52,19 @@ TEST_CASE("a network solved by hand comes back, and no folder stays", "[spice]")
 }
 
 TEST_CASE("what ngspice fails at with exit status 0 is a failure", "[spice]") {
-  check_kept(failure("* singular\nR1 a 0 1k\nR2 a 0 -1k\nI1 0 a 1m\n.op\n.end\n"), Cause::failed,
-             "singular matrix");
-  check_kept(failure("* floating\nR1 a b 1k\nI1 0 a 1m\n.op\n.end\n"), Cause::failed,
-             "singular matrix");
-  check_kept(failure("* no value\nR1 a 0\nI1 0 a 1m\n.op\n.end\n"), Cause::failed, "resistance");
+  check_kept(failure(singular), Cause::failed, "singular matrix");
+  check_kept(failure(floating), Cause::failed, "singular matrix");
+  check_kept(failure(no_value), Cause::failed, "resistance");
 }
 
 TEST_CASE("a deck that ngspice cannot parse is a failure", "[spice]") {
-  check_kept(failure("* bad\nQ1 a\nR1 a 0 1\n.op\n.end\n"), Cause::failed, "exit status 1");
+  check_kept(failure(no_element), Cause::failed, "exit status 1");
+}
+
+TEST_CASE("only a transient diverges", "[spice]") {
+  check_kept(failure(explosive), Cause::diverged, "imestep too small");
+  // The operating point's last try is a transient too.
+  check_kept(failure(voltage_loop), Cause::failed, "singular matrix");
 }
 
 TEST_CASE("a node that the deck does not have is named", "[spice]") {

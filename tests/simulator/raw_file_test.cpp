@@ -57,6 +57,16 @@ TEST_CASE("binary complex values are read in pairs", "[raw_file]") {
   CHECK(raw.imaginary[1][0] == 4.0);
 }
 
+TEST_CASE("a frequency's imaginary part is 0, whatever the file holds", "[raw_file]") {
+  std::string content = header("complex", "1", "Binary") + bytes<4>({1.0, 2.0, 3.0, 4.0});
+  content.replace(content.find("V(N0)\tvoltage"), 13, "frequency\tfrequency\tgrid=3");
+  const File file(content);
+  const RawFile raw = read_raw_file(file.path());
+  CHECK(raw.vector("frequency")[0] == 1.0);
+  CHECK(raw.imaginary[0][0] == 0.0);
+  CHECK(raw.imaginary[1][0] == 4.0);
+}
+
 TEST_CASE("the text form is read too", "[raw_file]") {
   const File file(header("real", "1", "Values") + "0\t1.5\n\t-2.5e-3\n");
   const RawFile raw = read_raw_file(file.path());

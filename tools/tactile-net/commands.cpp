@@ -3,7 +3,14 @@
 namespace tactile_net::tool {
 
 void add_simulator_options(CLI::App& command, SimulatorChoice& choice) {
-  command.add_option("--ngspice", choice.ngspice.program, "The simulator's program")
+  command
+      .add_option("--simulator", choice.kind,
+                  "How to run ngspice: process starts the program for each circuit; library loads "
+                  "ngspice once, in a process of its own, which is faster for small circuits")
+      ->capture_default_str();
+  command
+      .add_option("--ngspice", choice.ngspice.program,
+                  "The simulator's program, for --simulator process")
       ->capture_default_str();
   command.add_option("--time-limit", choice.time_limit, "Longest run of the simulator [s]")
       ->capture_default_str();
@@ -12,8 +19,19 @@ void add_simulator_options(CLI::App& command, SimulatorChoice& choice) {
 std::unique_ptr<Simulator> make_simulator(const SimulatorChoice& choice) {
   if (!(choice.time_limit > 0.0) || choice.time_limit > 86'400.0)
     throw CLI::ValidationError("--time-limit", "must be > 0 and at most 86400 s");
+  const std::chrono::milliseconds time_limit(static_cast<long>(1e3 * choice.time_limit) + 1);
+  if (choice.kind == "library") {
+    if (choice.ngspice.program != NgspiceOptions{}.program)
+      throw CLI::ValidationError("--ngspice", "names a program: only for --simulator process");
+    if (auto simulator = make_library_simulator(time_limit)) return simulator;
+    throw CLI::ValidationError("--simulator",
+                               "this tactile-net was built without ngspice's library: install "
+                               "libngspice0-dev, then configure and build again");
+  }
+  if (choice.kind != "process")
+    throw CLI::ValidationError("--simulator", "'" + choice.kind + "' is none: process or library");
   NgspiceOptions options = choice.ngspice;
-  options.time_limit = std::chrono::milliseconds(static_cast<long>(1e3 * choice.time_limit) + 1);
+  options.time_limit = time_limit;
   return std::make_unique<Ngspice>(options);
 }
 

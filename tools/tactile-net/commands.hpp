@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -19,15 +20,23 @@ void add_identify(CLI::App& app);
 
 /// Which simulator, and for how long.
 struct SimulatorChoice {
+  std::string kind = "process";  ///< or "library"
   NgspiceOptions ngspice{};
   double time_limit = 60.0;  ///< [s]
 };
 
-/// Adds --ngspice and --time-limit.
+/// Adds --simulator, --ngspice and --time-limit.
 void add_simulator_options(CLI::App& command, SimulatorChoice& choice);
 
-/// @throw CLI::ValidationError  the time limit is not > 0 or longer than a day
+/// @throw CLI::ValidationError  there is no such simulator, or it is not in this build; a program
+/// is
+///                              named for the library; the time limit is not > 0 or longer than a
+///                              day
 [[nodiscard]] std::unique_ptr<Simulator> make_simulator(const SimulatorChoice& choice);
+
+/// ngspice's library, or nothing where this build has none (`no_library_simulator.cpp`).
+[[nodiscard]] std::unique_ptr<Simulator> make_library_simulator(
+    std::chrono::milliseconds time_limit);
 
 /// @throw CLI::ValidationError  no realisation of this version has that name
 [[nodiscard]] Realization parse_realization(const std::string& name);

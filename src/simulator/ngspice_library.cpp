@@ -1,0 +1,120 @@
+#include "tactile_net/simulator/ngspice_library.hpp"
+
+#include <poll.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "simulator/descriptor.hpp"
+#include "simulator/judgement.hpp"
+#include "simulator/ngspice_worker.hpp"
+#include "simulator/private_folder.hpp"
+
+namespace tactile_net {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using End = ProcessResult::End;
+
+/// Waits for a message or the other side's end; false if neither has come by the deadline.
+bool readable(const Descriptor& socket, Clock::time_point deadline) {
+  for (;;) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0) return false;
+    pollfd polled{socket.get(), POLLIN, 0};
+    const int ready = ::poll(&polled, 1, static_cast<int>(std::min<long long>(left, INT_MAX)));
+    if (ready > 0) return true;
+    if (ready < 0 && errno != EINTR) fail_with_errno("poll");
+  }
+}
+
+std::string read_log(const std::filesystem::path& folder) {
+  std::ifstream file(folder / "ngspice.log", std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+/// The parent's side of the worker, which ends with it.
+class NgspiceLibrary::Worker {
+ public:
+  explicit Worker(std::size_t output_limit) {
+    Channel pair = channel(SOCK_SEQPACKET);
+    const pid_t self = ::getpid();
+    id_ = ::fork();
+    if (id_ < 0) fail_with_errno("fork");
+    if (id_ == 0) serve_decks(pair.theirs.get(), self, output_limit);
+    socket_ = std::move(pair.ours);
+  }
+  ~Worker() { (void)stop(); }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  /// Runs deck.cir in the folder. After another end than `exited` with code 0 there is no worker.
+  ProcessResult run(const std::filesystem::path& folder, std::chrono::milliseconds time_limit) {
+    const auto start = Clock::now();
+    const std::string request = folder.string();
+    // If there is nobody to receive it, there will be no reply either.
+    (void)::send(socket_.get(), request.data(), request.size(), MSG_NOSIGNAL);
+    ProcessResult result;
+    WorkerReply reply;
+    if (!readable(socket_, start + time_limit)) {
+      result.end = End::timed_out;
+      (void)stop();
+    } else if (::recv(socket_.get(), &reply, sizeof reply, 0) ==
+               static_cast<ssize_t>(sizeof reply)) {
+      result.end = reply.end;
+      result.code = reply.code;
+    } else {
+      const int status = stop();
+      result.end = WIFSIGNALED(status) ? End::signalled : End::exited;
+      result.code = WIFSIGNALED(status) ? WTERMSIG(status) : std::max(1, WEXITSTATUS(status));
+    }
+    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    result.output = read_log(folder);
+    return result;
+  }
+  [[nodiscard]] pid_t id() const noexcept { return id_; }
+
+ private:
+  /// The status it ended with; killed if it has not ended.
+  int stop() noexcept {
+    int status = 0;
+    if (id_ <= 0) return status;
+    ::kill(id_, SIGKILL);
+    while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+    }
+    id_ = 0;
+    return status;
+  }
+
+  Descriptor socket_;
+  pid_t id_ = 0;
+};
+
+NgspiceLibrary::NgspiceLibrary(NgspiceLibraryOptions options) : options_(options) {}
+
+NgspiceLibrary::~NgspiceLibrary() = default;
+
+Simulation NgspiceLibrary::run(const std::string& deck) {
+  PrivateFolder folder;
+  write_file(folder.path() / "deck.cir", deck);
+  if (worker_ == nullptr) worker_ = std::make_unique<Worker>(options_.output_limit);
+  try {
+    return judge(folder, worker_->run(folder.path(), options_.time_limit), options_.time_limit,
+                 options_.output_limit);
+  } catch (...) {
+    worker_.reset();
+    throw;
+  }
+}
+
+int NgspiceLibrary::worker() const noexcept { return worker_ == nullptr ? 0 : worker_->id(); }
+
+}  // namespace tactile_net

@@ -1,0 +1,10 @@
+#include "commands.hpp"
+#include "tactile_net/simulator/ngspice_library.hpp"
+
+namespace tactile_net::tool {
+
+std::unique_ptr<Simulator> make_library_simulator(std::chrono::milliseconds time_limit) {
+  return std::make_unique<NgspiceLibrary>(NgspiceLibraryOptions{.time_limit = time_limit});
+}
+
+}  // namespace tactile_net::tool
