@@ -207,6 +207,7 @@ void write_deck(std::ostream& out, const Circuit& circuit, const DeckHeader& hea
   for (std::size_t i = 0; i < header.expected.size(); ++i)
     deck += "* expect " + circuit.nodes[circuit.outputs[i]] + ' ' +
             deck_number(header.expected[i]) + '\n';
+  if (header.within) deck += "* within " + deck_number(*header.within) + '\n';
   append_subcircuits(deck, circuit);
   append_elements(deck, circuit, analysis);
   deck += card_of(circuit, analysis) + ".end\n";

@@ -46,6 +46,7 @@ void check(const ToleranceOptions& options) {
     throw std::invalid_argument("a tolerance must be > 0 and < 1");
   if (!options.relative && !options.series)
     throw std::invalid_argument("a tolerance needs relative errors or a series");
+  if (!(options.accuracy > 0.0)) throw std::invalid_argument("the accuracy must be > 0");
   if (options.trials == 0) throw std::invalid_argument("a tolerance needs at least one trial");
 }
 
@@ -156,10 +157,8 @@ Trial try_out(const Reduction& reduction, std::span<const double> siemens) {
       is_stable(reduction, equations), (v - nominal).norm() / nominal.norm(), {v.begin(), v.end()}};
 }
 
-ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options,
-                         double accuracy) {
+ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options) {
   check(options);
-  if (!(accuracy > 0.0)) throw std::invalid_argument("the accuracy must be > 0");
   const Equations nominal = reduction.equations();
   const Eigen::VectorXd v = outputs_of(reduction, nominal);
   if (!v.allFinite()) throw std::domain_error("the network has no unique answer");
@@ -175,7 +174,7 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
     }
     ++result.stable;
     errors.push_back((outputs_of(reduction, equations) - v).norm() / v.norm());
-    if (errors.back() <= accuracy) ++result.accurate;
+    if (errors.back() <= options.accuracy) ++result.accurate;
   }
   result.median = quantile(errors, 0.5);
   result.p95 = quantile(errors, 0.95);

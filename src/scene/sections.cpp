@@ -394,6 +394,8 @@ ToleranceOptions read_tolerance(Table table) {
     if (const auto index = value->one_of("series", names)) tolerance.series = series[*index];
   if (const auto trials = table.value("trials"))
     tolerance.trials = static_cast<std::size_t>(trials->integer(1, 1'000'000).value_or(1000));
+  if (const auto accuracy = table.value("accuracy"))
+    tolerance.accuracy = accuracy->number(below_one).value_or(tolerance.accuracy);
   if (const auto seed = table.value("seed"))
     tolerance.seed = static_cast<std::uint64_t>(seed->integer(0, INT64_MAX).value_or(1));
   table.finish();

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace tactile_net {
 namespace {
@@ -76,6 +78,8 @@ std::string_view name(Judgement judgement) noexcept {
       return "grows";
     case Judgement::unsettled:
       return "unsettled";
+    case Judgement::unfinished:
+      return "unfinished";
   }
   return "";
 }
@@ -159,15 +163,21 @@ Judged judge(Simulator& simulator, const Circuit& circuit, const Certificate& ce
     }
     const double horizon = dynamics.slowest < 0.0
                                ? 2.0 * dynamics.settling_seconds.value_or(20.0 / -dynamics.slowest)
-                               : 20.0 / std::max(dynamics.slowest, 1e-300);
+                               : 12.0 / std::max(dynamics.slowest, 1e-300);
     const Waveforms waveforms = run({.step = horizon / 4000.0, .stop = horizon});
     if (!bounded(waveforms)) return grown(waveforms);
     judged.end_error = distance(at(waveforms, waveforms.time.size() - 1), end) / size;
     judged.settling_seconds = settling_time(waveforms, end, certificate.accuracy);
     judged.judgement = judged.settling_seconds ? Judgement::settles : Judgement::unsettled;
   } catch (const SimulatorError& error) {
-    if (error.cause() != SimulatorError::Cause::diverged) throw;
-    judged.judgement = Judgement::grows;
+    if (error.cause() == SimulatorError::Cause::diverged)
+      judged.judgement = Judgement::grows;
+    else if (error.cause() == SimulatorError::Cause::timed_out)
+      judged.judgement = Judgement::unfinished;
+    else
+      throw;
+    std::error_code ignored;  // the deck and the log are in the verdict
+    std::filesystem::remove_all(error.folder(), ignored);
   }
   return judged;
 }

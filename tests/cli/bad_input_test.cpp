@@ -20,7 +20,8 @@ TEST_CASE("wrong usage is told with what was meant", "[cli]") {
   check({"rnu"}, 2, "did you mean 'run'?");
   check({"run"}, 2, "SCENE is required");
   check({"run", scene("nic.toml"), "--no-such-option"}, 2, "--no-such-option");
-  check({"gen", scene("nic.toml"), "--realization", "crossbar"}, 2, "not built by this version");
+  check({"gen", scene("nic.toml"), "--realization", "crossbars"}, 2,
+        "'crossbars' is none of ideal, nic");
   check({"solve", scene("nic.toml"), "--readings", "-", "--method", "network"}, 2,
         "does not solve frames");
   check({"solve", scene("nic.toml"), "--readings", "no-such.csv"}, 2, "cannot be opened");

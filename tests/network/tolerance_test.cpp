@@ -41,7 +41,7 @@ TEST_CASE("first order predicts the errors of small tolerances", "[tolerance][pr
     double square = 0.0;
     for (std::size_t trial = 0; trial < options.trials; ++trial)
       square += std::pow(try_out(reduction, drawn(reduction, options, trial)).error, 2);
-    const ToleranceResult result = tolerate(reduction, options, 0.01);
+    const ToleranceResult result = tolerate(reduction, options);
     CHECK_THAT(std::sqrt(square / 400.0), WithinRel(result.predicted, 0.1));
     CHECK(result.stable == 400);
     CHECK(result.yield() == 1.0);
@@ -62,7 +62,7 @@ TEST_CASE("draws depend on seed and trial alone", "[tolerance]") {
   const std::vector<double> siemens = drawn(reduction, options, 0);
   for (std::size_t r = 0; r < siemens.size(); ++r)
     CHECK(std::abs(reduction.siemens()[r] / siemens[r] - 1.0) <= 0.01);
-  CHECK(tolerate(reduction, options, 0.01).median == tolerate(reduction, options, 0.01).median);
+  CHECK(tolerate(reduction, options).median == tolerate(reduction, options).median);
 }
 
 TEST_CASE("nothing within the margin unsettles a network", "[tolerance][property]") {
@@ -75,10 +75,10 @@ TEST_CASE("nothing within the margin unsettles a network", "[tolerance][property
       CHECK(margin > 0.0);
       const Reduction reduction(realize(one, network.problem));
       const ToleranceOptions within{.relative = margin, .trials = 100};
-      CHECK(tolerate(reduction, within, 1.0).stable == 100);
+      CHECK(tolerate(reduction, within).stable == 100);
       if (one == Realization::least_squares) continue;
       const ToleranceOptions beyond{.relative = std::min(0.5, 300.0 * margin), .trials = 100};
-      CHECK(tolerate(reduction, beyond, 1.0).stable < 100);  // it is not far from the truth
+      CHECK(tolerate(reduction, beyond).stable < 100);  // it is not far from the truth
     }
   }
 }
@@ -87,7 +87,7 @@ TEST_CASE("least squares bears errors that unsettle the others", "[tolerance]") 
   const ArrayNetwork network = array_network(41, 1e-5);
   const ToleranceOptions options{.relative = 0.01, .trials = 40};
   const auto of = [&](Realization one) {
-    return tolerate(Reduction(realize(one, network.problem)), options, 0.05);
+    return tolerate(Reduction(realize(one, network.problem)), options);
   };
   CHECK(of(Realization::nic).stable < 5);
   const ToleranceResult best = of(Realization::least_squares);
@@ -97,8 +97,8 @@ TEST_CASE("least squares bears errors that unsettle the others", "[tolerance]") 
 
 TEST_CASE("a tolerance without sense is refused", "[tolerance]") {
   const Reduction reduction(realize(Realization::crossbar, array_network(5, 1e-3).problem));
-  CHECK_THROWS_AS(tolerate(reduction, {}, 0.1), std::invalid_argument);
-  CHECK_THROWS_AS(tolerate(reduction, {.relative = 1.0}, 0.1), std::invalid_argument);
-  CHECK_THROWS_AS(tolerate(reduction, {.relative = 0.1, .trials = 0}, 0.1), std::invalid_argument);
-  CHECK_THROWS_AS(tolerate(reduction, {.relative = 0.1}, 0.0), std::invalid_argument);
+  CHECK_THROWS_AS(tolerate(reduction, {}), std::invalid_argument);
+  CHECK_THROWS_AS(tolerate(reduction, {.relative = 1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(tolerate(reduction, {.relative = 0.1, .trials = 0}), std::invalid_argument);
+  CHECK_THROWS_AS(tolerate(reduction, {.relative = 0.1, .accuracy = 0.0}), std::invalid_argument);
 }

@@ -20,7 +20,8 @@ struct Network {
 inline Network make_network(Realization realization, std::size_t n, unsigned seed,
                             Answer answer = Answer::raw_file) {
   const std::vector<double> b(n, 0.25);
-  const Circuit circuit = realize(realization, conductances(random_definite(n, seed)), b, {});
+  const Circuit circuit =
+      realize(realization, {.matrix = random_definite(n, seed), .right_side = b}, {});
   std::ostringstream deck;
   write_deck(deck, circuit, {.title = "network"}, answer);
   Network network{deck.str(), {}};

@@ -102,7 +102,8 @@ TEST_CASE("a network solved by hand comes back, and no folder stays", "[spice]")
 TEST_CASE("library and program give the same bits", "[spice]") {
   NgspiceLibrary library;
   Ngspice program;
-  for (const Realization realization : {Realization::ideal, Realization::nic})
+  for (const Realization realization :
+       {Realization::ideal, Realization::nic, Realization::rail, Realization::crossbar})
     for (const std::size_t n : {2U, 5U, 12U}) {
       CAPTURE(name(realization), n);
       const Network network = make_network(realization, n, 3);

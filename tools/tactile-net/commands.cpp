@@ -1,5 +1,7 @@
 #include "commands.hpp"
 
+#include <cmath>
+
 namespace tactile_net::tool {
 
 void add_simulator_options(CLI::App& command, SimulatorChoice& choice) {
@@ -35,12 +37,33 @@ std::unique_ptr<Simulator> make_simulator(const SimulatorChoice& choice) {
   return std::make_unique<Ngspice>(options);
 }
 
-Realization parse_realization(const std::string& name) {
-  if (const auto realization = realization_named(name)) return *realization;
-  std::string names;
-  for (const Realization one : realizations)
-    names += (names.empty() ? "" : ", ") + std::string(tactile_net::name(one));
-  throw CLI::ValidationError("--realization", "'" + name + "' is none of " + names);
+void add_network_options(CLI::App& command, NetworkChoice& choice) {
+  command.add_option("--realization", choice.realization,
+                     "Build the circuit as ideal, nic, rail, crossbar, least_squares, lc or ndr "
+                     "(default: the scene's)");
+  command.add_option("--bandwidth", choice.bandwidth,
+                     "Gain-bandwidth product of the op-amps [Hz]; asks for the settling time too");
+}
+
+void apply(const NetworkChoice& choice, Scene& scene) {
+  if (!choice.realization.empty()) {
+    const auto realization = realization_named(choice.realization);
+    if (!realization) {
+      std::string names;
+      for (const Realization one : realizations)
+        names += (names.empty() ? "" : ", ") + std::string(name(one));
+      throw CLI::ValidationError("--realization",
+                                 "'" + choice.realization + "' is none of " + names);
+    }
+    scene.network.realization = *realization;
+  }
+  if (choice.bandwidth == 0.0) return;
+  if (!(choice.bandwidth > 0.0) || !std::isfinite(choice.bandwidth))
+    throw CLI::ValidationError("--bandwidth", "must be > 0 and finite");
+  OpAmp& opamp = scene.network.parts.opamp;
+  opamp.gain = opamp.dc_gain();
+  opamp.bandwidth = choice.bandwidth;
+  if (!scene.network.settling_accuracy) scene.network.settling_accuracy = 1e-3;
 }
 
 }  // namespace tactile_net::tool

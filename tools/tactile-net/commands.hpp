@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "tactile_net/network/realization.hpp"
+#include "tactile_net/scene/scene.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
 
 namespace tactile_net::tool {
@@ -17,6 +17,7 @@ void add_gen(CLI::App& app);
 void add_relax(CLI::App& app);
 void add_solve(CLI::App& app);
 void add_identify(CLI::App& app);
+void add_certify(CLI::App& app);
 
 /// Which simulator, and for how long.
 struct SimulatorChoice {
@@ -38,7 +39,16 @@ void add_simulator_options(CLI::App& command, SimulatorChoice& choice);
 [[nodiscard]] std::unique_ptr<Simulator> make_library_simulator(
     std::chrono::milliseconds time_limit);
 
-/// @throw CLI::ValidationError  no realisation of this version has that name
-[[nodiscard]] Realization parse_realization(const std::string& name);
+/// What the command line says of the circuit, over the scene.
+struct NetworkChoice {
+  std::string realization{};
+  double bandwidth = 0.0;  ///< of the op-amps [Hz]; 0: the scene's
+};
+
+/// Adds --realization and --bandwidth.
+void add_network_options(CLI::App& command, NetworkChoice& choice);
+
+/// @throw CLI::ValidationError  no realisation has that name, or the bandwidth is not > 0
+void apply(const NetworkChoice& choice, Scene& scene);
 
 }  // namespace tactile_net::tool

@@ -129,7 +129,8 @@ MethodResult reconstruct(const Scene& scene, Method method, const Experiment& ex
   return result;
 }
 
-MethodResult by_network(const Scene& scene, Simulator& simulator, Experiment& experiment) {
+MethodResult by_network(const Scene& scene, Simulator& simulator, Experiment& experiment,
+                        Progress& progress) {
   MethodResult result{.method = Method::network, .verdict = "failed"};
   try {
     const auto start = Clock::now();
@@ -141,24 +142,20 @@ MethodResult by_network(const Scene& scene, Simulator& simulator, Experiment& ex
     result.setup_seconds = since(start);
     result.alpha = alpha;
     result.alpha_rule = scene.reconstruct.alpha ? "given" : name(scene.reconstruct.alpha_rule);
-    const Relaxation relaxation = relax(plan, simulator);
+    const Relaxation relaxation = relax(plan, simulator, progress);
     result.frame_seconds = relaxation.ngspice_seconds;
     result.condition = relaxation.condition;
     measure(result, relaxation.tractions, scene, experiment.simulation.truth);
     experiment.relaxation = relaxation;
-    if (!relaxation.stable)
-      result.failure = "P is not positive definite: the circuit would not settle";
-    else if (!relaxation.agrees())
-      result.failure = "the circuit differs from the direct solve by " +
-                       brief(relaxation.difference) + ", more than rounding explains (" +
-                       brief(relaxation.limit) + ")";
-    else
-      result.verdict = relaxation.resolved() ? "ok" : "ill_conditioned";
+    result.failure = relaxation.failure();
+    if (result.failure.empty()) result.verdict = relaxation.resolved() ? "ok" : "ill_conditioned";
+    for (const std::string& warning : relaxation.warnings) result.warnings.push_back(warning);
     if (relaxation.stable && !relaxation.resolved())
       result.warnings.push_back("P has condition number " + brief(relaxation.condition) +
                                 ": rounding alone may change the voltages by " +
                                 brief(relaxation.limit) + "; raise alpha");
-    if (relaxation.stable) result.error_bound = relaxation.limit;
+    if (relaxation.stable)
+      result.error_bound = relaxation.limit + 1.2 * relaxation.predicted.value_or(0.0);
     if (constraints_of(scene))
       result.warnings.emplace_back("the constraints bind the method tikhonov alone");
   } catch (const SimulatorError& error) {
@@ -253,7 +250,7 @@ Experiment run_experiment(const Scene& scene, Simulator& simulator, Progress& pr
   for (const Method method : methods) {
     progress.step(std::string(name(method)) + " ...");
     experiment.results.push_back(method == Method::network
-                                     ? by_network(scene, simulator, experiment)
+                                     ? by_network(scene, simulator, experiment, progress)
                                      : reconstruct(scene, method, experiment));
   }
   return experiment;

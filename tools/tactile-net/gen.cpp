@@ -11,16 +11,14 @@ namespace {
 struct Options {
   std::string scene;
   std::string output;
-  std::string realization;
+  NetworkChoice network;
 };
 
 void run(const Options& options) {
   Scene scene = read_scene(options.scene);
-  if (!options.realization.empty())
-    scene.network.realization = parse_realization(options.realization);
+  apply(options.network, scene);
   OutputFile output(options.output);
-  const CircuitPlan plan = plan_circuit(scene, simulate(scene).readings);
-  write_deck(output.stream(), plan.circuit, plan.header, Answer::printed);
+  output.stream() << deck_text(plan_circuit(scene, simulate(scene).readings), Answer::printed);
   output.commit();
 }
 
@@ -33,9 +31,7 @@ void add_gen(CLI::App& app) {
       "Write the scene's circuit as a SPICE deck; `ngspice -b FILE.cir` prints its voltages");
   command->add_option("SCENE", options->scene, "Scene file (TOML)")->required();
   command->add_option("-o,--output", options->output, "Deck (default: standard output)");
-  command->add_option(
-      "--realization", options->realization,
-      "One of ideal, nic, rail, crossbar, least_squares, lc, ndr (default: the scene's)");
+  add_network_options(*command, options->network);
   command->callback([options] { run(*options); });
 }
 

@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   tactile_net::tool::add_run(app);
   tactile_net::tool::add_gen(app);
   tactile_net::tool::add_relax(app);
+  tactile_net::tool::add_certify(app);
   tactile_net::tool::add_solve(app);
   tactile_net::tool::add_identify(app);
   try {

@@ -1,6 +1,7 @@
 #include "relaxation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -8,6 +9,8 @@
 #include "solver.hpp"
 #include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/network/reduction.hpp"
+#include "tactile_net/network/state_space.hpp"
 #include "text.hpp"
 
 namespace tactile_net::tool {
@@ -15,11 +18,12 @@ namespace {
 
 DeckHeader header_of(const Scene& scene, const CircuitPlan& plan, double alpha) {
   const double first = position(scene.sensor, 0);
-  const std::string volts = exact(plan.scale.volts);
+  const Scale& scale = plan.options.parts.scale;
+  const std::string volts = exact(scale.volts);
   const bool two = unknowns(scene) == 2;
   DeckHeader header{
       .title = "tactile-net " TACTILE_NET_VERSION ": " + scene.file + ", realization " +
-               std::string(name(plan.realization)),
+               std::string(name(plan.options.realization)),
       .comments =
           {two ? "Solves P f = b for the tractions f on the surface above a tactile array: the "
                  "normal "
@@ -30,14 +34,14 @@ DeckHeader header_of(const Scene& scene, const CircuitPlan& plan, double alpha) 
            "Sensor: " + sensor_in_words(scene) + ".", "Material: " + material_in_words(scene) + ".",
            "alpha = " + exact(alpha) + ", l = " + exact(scene.reconstruct.smoothing_length) +
                ", D = " + exact(scene.sensor.pitch) + ".",
-           "Scale: " + exact(plan.scale.siemens) + " S per unit of P, " + volts +
+           "Scale: " + exact(scale.siemens) + " S per unit of P, " + volts +
                " V per unit of f: f_i = v(n_i) / " + volts + ".",
            "Node n_i stands for the taxel at y = " + exact(first) + " + " +
                exact(scene.sensor.pitch) +
                (two ? " (i modulo " + std::to_string(scene.sensor.count) + ")." : " i."),
            "Expected below: the direct solve of P f = b, in volts."},
       .expected = plan.direct};
-  for (double& value : header.expected) value *= plan.scale.volts;
+  for (double& value : header.expected) value *= scale.volts;
   return header;
 }
 
@@ -52,6 +56,88 @@ double row_sum_norm(const Matrix& matrix) {
   return largest;
 }
 
+/// Every relaxation but `lc`'s is an operating point.
+Analysis analysis_of(const NetworkOptions& options) {
+  if (options.realization == Realization::lc) return SingleFrequency{options.parts.frequency};
+  return DirectCurrent{};
+}
+
+std::vector<std::string> output_names(const Circuit& circuit) {
+  std::vector<std::string> names;
+  for (const Node node : circuit.outputs) names.push_back(circuit.nodes[node]);
+  return names;
+}
+
+/// |v - f| / |f|; 0 if both are zero, infinite if only f is.
+double difference_to(std::span<const double> answer, std::span<const double> direct) {
+  const double difference = relative_l2_error(answer, direct);
+  if (!std::isnan(difference)) return difference;
+  const bool zero = std::all_of(answer.begin(), answer.end(), [](double v) { return v == 0.0; });
+  return zero ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+/// What finite gain and offset do to the answer, from the linear equations of the same parts.
+std::optional<double> predicted_difference(const CircuitPlan& plan) {
+  const OpAmp& opamp = plan.options.parts.opamp;
+  if (opamp.is_nullor() || !has_amplifiers(plan.options.realization)) return std::nullopt;
+  Circuit circuit = plan.circuit;
+  for (AmplifierModel& model : circuit.amplifiers)  // at rest only gain and offset count
+    model.opamp = {.gain = model.opamp.dc_gain(),
+                   .bandwidth = model.opamp.bandwidth.value_or(1e6),
+                   .offset = model.opamp.offset};
+  circuit.capacitors.clear();
+  if (count_states(circuit) > most_states) return std::nullopt;
+  std::vector<double> v = steady_state(state_space(circuit));
+  for (double& value : v) value /= plan.options.parts.scale.volts;
+  return difference_to(v, plan.direct);
+}
+
+/// What may stand between the circuit's answer and the direct solve.
+struct Explained {
+  double limit = 0.0;                 // by rounding, or by the devices' curves
+  std::optional<double> predicted{};  // by the op-amps' gain and offset
+};
+
+Explained explained(const CircuitPlan& plan, double condition) {
+  // Rounding of P's entries and of the simulator's elimination, both multiplied by the condition;
+  // amplifiers make it eliminate more.
+  const bool alone = plan.options.realization == Realization::ideal;
+  Explained result{
+      .limit = (alone ? 1e-11 : 1e-10) + 100.0 * std::numeric_limits<double>::epsilon() * condition,
+      .predicted = predicted_difference(plan)};
+  if (plan.options.realization == Realization::ndr) {
+    double largest = 0.0;  // between two nodes there may be twice that
+    for (const double f : plan.direct) largest = std::max(largest, std::abs(f));
+    result.limit += std::pow(
+        2.0 * largest * plan.options.parts.scale.volts / plan.options.parts.device_volts, 2);
+  }
+  return result;
+}
+
+double condition_bound(const Matrix& matrix, double smallest) {
+  return smallest > 0.0 ? row_sum_norm(matrix) / smallest : std::numeric_limits<double>::infinity();
+}
+
+/// Draws replayed in the simulator, with ideal amplifiers as the equations have them.
+void replay(const CircuitPlan& plan, const Reduction& reduction, Simulator& simulator,
+            ToleranceStudy& study) {
+  Circuit circuit = plan.circuit;
+  for (AmplifierModel& model : circuit.amplifiers) model.opamp = {};
+  circuit.capacitors.clear();
+  const std::size_t most = std::min<std::size_t>(3, study.result.trials);
+  for (; study.replayed < most; ++study.replayed) {
+    // Draws from all over the study, not its first ones.
+    const std::size_t trial = study.replayed * (study.result.trials / most);
+    const std::vector<double> siemens = drawn(reduction, study.options, trial);
+    const Trial expected = try_out(reduction, siemens);
+    std::ostringstream deck;
+    write_deck(deck, perturbed(circuit, siemens), {.title = "one draw of components"},
+               Answer::raw_file);
+    const OperatingPoint point = operating_point(simulator, deck.str(), output_names(circuit));
+    study.difference = std::max(study.difference, difference_to(point.voltages, expected.voltages));
+  }
+}
+
 }  // namespace
 
 CircuitPlan plan_circuit(const Scene& scene, std::span<const double> readings) {
@@ -63,50 +149,156 @@ CircuitPlan plan_circuit(const Scene& scene, std::span<const double> readings) {
 
 CircuitPlan plan_circuit(const Scene& scene, std::span<const double> readings, double alpha) {
   const InverseProblem problem = problem_of(scene);
-  NetworkProblem network = network_problem(problem, alpha, readings);
-  CircuitPlan plan{.realization = scene.network.realization,
-                   .scale = scene.network.parts.scale,
-                   .matrix = {},
+  CircuitPlan plan{.options = scene.network,
+                   .problem = network_problem(problem, alpha, readings),
                    .circuit = {},
                    .header = {},
                    .direct = tikhonov_solve(problem, alpha, readings)};
-  plan.circuit = realize(plan.realization, network, scene.network.parts);
-  plan.matrix = std::move(network.matrix);
+  plan.circuit = realize(plan.options.realization, plan.problem, plan.options.parts);
   plan.header = header_of(scene, plan, alpha);
   return plan;
 }
 
 std::string deck_text(const CircuitPlan& plan, Answer answer) {
   std::ostringstream deck;
-  write_deck(deck, plan.circuit, plan.header, answer);
+  DeckHeader header = plan.header;
+  if (answer == Answer::printed) {
+    const Matrix& matrix = plan.problem.matrix;
+    const Explained difference =
+        explained(plan, condition_bound(matrix, smallest_eigenvalue(matrix)));
+    header.within = difference.limit + 1.2 * difference.predicted.value_or(0.0);
+  }
+  write_deck(deck, plan.circuit, header, answer, analysis_of(plan.options));
   return std::move(deck).str();
 }
 
-Relaxation relax(const CircuitPlan& plan, Simulator& simulator) {
-  Relaxation result{.realization = plan.realization,
+Certificate certify(const CircuitPlan& plan) {
+  return tactile_net::certify(plan.options.realization, plan.problem, plan.options.parts,
+                              plan.options.settling_accuracy.value_or(1e-3));
+}
+
+ToleranceResult tolerate(const CircuitPlan& plan) {
+  return tactile_net::tolerate(Reduction(plan.circuit), *plan.options.tolerance);
+}
+
+bool Relaxation::agrees() const noexcept {
+  return std::abs(difference - predicted.value_or(0.0)) <= limit + 0.2 * predicted.value_or(0.0);
+}
+
+bool Relaxation::judged_as_certified() const noexcept {
+  if (!judged || !certificate || !certificate->dynamics) return true;
+  if (judged->judgement == Judgement::unfinished) return true;
+  const bool stable_by_certificate = certificate->dynamics->slowest < 0.0;
+  return (judged->judgement == Judgement::settles) == stable_by_certificate;
+}
+
+std::string Relaxation::failure() const {
+  if (!agrees())
+    return "the circuit differs from the direct solve by " + brief(difference) + ", more than " +
+           (predicted ? "its op-amps (" + brief(*predicted) + ") and " : "") +
+           "rounding explain (" + brief(limit) + ")";
+  if (!judged_as_certified())
+    return std::string("the certificate says ") +
+           (certificate->dynamics->slowest < 0.0 ? "stable" : "unstable") +
+           ", the simulator's transient " + std::string(name(judged->judgement));
+  if (smallest_eigenvalue <= 0.0) return "P is not positive definite: the circuit would not settle";
+  if (!stable)
+    return "the circuit is unstable: its slowest pole is at " +
+           brief(certificate->dynamics->slowest) + " 1/s";
+  if (tolerance && !(tolerance->difference <= 1e-6))
+    return "draws of components differ in the simulator by " + brief(tolerance->difference);
+  return {};
+}
+
+Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progress) {
+  const NetworkOptions& options = plan.options;
+  const Matrix& matrix = plan.problem.matrix;
+  Relaxation result{.realization = options.realization,
                     .nodes = plan.direct.size(),
                     .elements = count_elements(plan.circuit)};
-  result.smallest_eigenvalue = smallest_eigenvalue(plan.matrix);
+  result.smallest_eigenvalue = smallest_eigenvalue(matrix);
   result.stable = result.smallest_eigenvalue > 0.0;
-  result.condition = result.stable ? row_sum_norm(plan.matrix) / result.smallest_eigenvalue
-                                   : std::numeric_limits<double>::infinity();
-  // Rounding of P's entries and of the simulator's elimination, both multiplied by the condition.
-  result.limit = 1e-11 + 100.0 * std::numeric_limits<double>::epsilon() * result.condition;
+  result.condition = condition_bound(matrix, result.smallest_eigenvalue);
+  const Explained difference = explained(plan, result.condition);
+  result.limit = difference.limit;
+  result.predicted = difference.predicted;
 
-  std::vector<std::string> outputs;
-  for (const Node node : plan.circuit.outputs) outputs.push_back(plan.circuit.nodes[node]);
-  OperatingPoint point = operating_point(simulator, deck_text(plan, Answer::raw_file), outputs);
+  progress.step("ngspice: operating point ...");
+  const OperatingPoint point =
+      operating_point(simulator, deck_text(plan, Answer::raw_file), output_names(plan.circuit));
   result.ngspice_seconds = point.seconds;
-  result.voltages = std::move(point.voltages);
+  result.voltages = point.voltages;
   for (const double voltage : result.voltages)
-    result.tractions.push_back(voltage / plan.scale.volts);
+    result.tractions.push_back(voltage / options.parts.scale.volts);
+  result.difference = difference_to(result.tractions, plan.direct);
 
-  result.difference = relative_l2_error(result.tractions, plan.direct);
-  if (std::isnan(result.difference))  // no load: the answer is zero, or wrong
-    result.difference = std::all_of(result.voltages.begin(), result.voltages.end(),
-                                    [](double v) { return v == 0.0; })
-                            ? 0.0
-                            : std::numeric_limits<double>::infinity();
+  const bool real_parts = !options.parts.opamp.is_nullor() || options.parts.node_capacitance;
+  if (real_parts || options.tolerance || options.settling_accuracy) {
+    progress.step("certifying ...");
+    result.certificate = certify(plan);
+    result.warnings = result.certificate->warnings;
+    if (result.certificate->dynamics) result.stable = result.certificate->dynamics->slowest < 0.0;
+  }
+  if (options.settling_accuracy && result.certificate->dynamics) {
+    progress.step("ngspice: transient of " + std::to_string(result.certificate->dynamics->states) +
+                  " states ...");
+    result.judged = judge(simulator, plan.circuit, *result.certificate, result.voltages);
+  } else if (options.settling_accuracy) {
+    result.warnings.emplace_back(
+        "settling is asked for, and nothing here takes a time that is modelled: give the op-amps "
+        "a bandwidth, opamp = { bandwidth = 10e6 }, or the nodes a capacitance, parasitic = { node "
+        "= 1e-11 }");
+  }
+  if (options.tolerance) {
+    if (options.realization == Realization::lc || options.realization == Realization::ndr) {
+      result.warnings.emplace_back("tolerances are studied for networks of resistors and op-amps");
+    } else {
+      progress.step("drawing components ...");
+      const Reduction reduction(plan.circuit);
+      result.tolerance = ToleranceStudy{.options = *options.tolerance, .result = tolerate(plan)};
+      replay(plan, reduction, simulator, *result.tolerance);
+    }
+  }
+  return result;
+}
+
+Recommendation recommend(const CircuitPlan& plan) {
+  ToleranceOptions options = plan.options.tolerance.value_or(ToleranceOptions{.relative = 0.01});
+  options.trials = std::min<std::size_t>(options.trials, 200);
+  Recommendation result;
+  for (const Realization one :
+       {Realization::crossbar, Realization::rail, Realization::least_squares, Realization::nic}) {
+    RealizationOptions parts = plan.options.parts;
+    parts.inverters = false;
+    const Circuit circuit = realize(one, plan.problem, parts);
+    result.candidates.push_back({.realization = one,
+                                 .opamps = count_elements(circuit).opamps,
+                                 .tolerance = tactile_net::tolerate(Reduction(circuit), options)});
+  }
+  std::stable_sort(result.candidates.begin(), result.candidates.end(),
+                   [](const auto& a, const auto& b) { return a.opamps < b.opamps; });
+  const std::string parts_in_words = options.relative
+                                         ? "parts of " + brief(100.0 * *options.relative) + " %"
+                                         : "parts of the series";
+  const std::string accuracy = brief(100.0 * options.accuracy) + " %";
+  const auto good = std::find_if(result.candidates.begin(), result.candidates.end(),
+                                 [](const auto& c) { return c.tolerance.yield() >= 0.95; });
+  if (good != result.candidates.end()) {
+    result.text = "With " + parts_in_words + " and an accuracy of " + accuracy + ": " +
+                  std::string(name(good->realization)) + ", the fewest amplifiers (" +
+                  std::to_string(good->opamps) + ") of those that reach it in 95 of 100 builds.";
+    return result;
+  }
+  const auto best = std::min_element(
+      result.candidates.begin(), result.candidates.end(),
+      [](const auto& a, const auto& b) { return a.tolerance.p95 < b.tolerance.p95; });
+  result.text = "With " + parts_in_words + " no realisation is within " + accuracy +
+                " in 95 of 100 builds; " + std::string(name(best->realization)) +
+                " comes nearest (95 of 100 within " + brief(100.0 * best->tolerance.p95) + " %).";
+  if (options.relative && std::isfinite(best->tolerance.p95))
+    result.text += " It would take parts of about " +
+                   brief(100.0 * *options.relative * options.accuracy / best->tolerance.p95) +
+                   " %, or a larger alpha.";
   return result;
 }
 

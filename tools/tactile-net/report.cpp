@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "html.hpp"
+#include "network_words.hpp"
 #include "plot.hpp"
 #include "table.hpp"
 #include "text.hpp"
@@ -97,16 +98,8 @@ std::string network_section(const Relaxation& relaxation) {
                           std::to_string(relaxation.nodes) + " nodes, " +
                           elements_in_words(relaxation.elements) +
                           ". Its deck is network.cir beside this file: ngspice -b network.cir.") +
-         element("p",
-                 "ngspice's node voltages differ from the direct solve of P f = b by " +
-                     brief(relaxation.difference) + " in the 2-norm (rounding explains up to " +
-                     brief(relaxation.limit) +
-                     "). Smallest eigenvalue of P: " + brief(relaxation.smallest_eigenvalue) +
-                     (relaxation.stable
-                          ? ": positive, so the circuit settles with any capacitance at its nodes."
-                          : ": not positive, so the circuit would not settle.") +
-                     " ngspice took " + duration(relaxation.ngspice_seconds) + ".",
-                 relaxation.agrees() && relaxation.stable ? "" : "bad");
+         html_list(in_words(relaxation)) +
+         (relaxation.failure().empty() ? "" : element("p", relaxation.failure(), "bad"));
 }
 
 }  // namespace

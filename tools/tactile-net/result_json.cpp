@@ -1,5 +1,7 @@
 #include "result_json.hpp"
 
+#include <cmath>
+
 #include "scene_json.hpp"
 
 namespace tactile_net::tool {
@@ -84,24 +86,94 @@ Json alpha_sweep(const AlphaSweep& sweep) {
   return json;
 }
 
+Json elements_of(const ElementCounts& elements) {
+  return {{"resistors", elements.resistors},   {"negative_resistors", elements.negative_resistors},
+          {"opamps", elements.opamps},         {"inductors", elements.inductors},
+          {"capacitors", elements.capacitors}, {"devices", elements.devices},
+          {"sources", elements.sources}};
+}
+
+/// Null for what is infinite: unstable, or not definite.
+Json finite_or_null(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
+
+Json certificate(const Certificate& c) {
+  Json json = {{"realization", name(c.realization)},
+               {"stability", name(c.stability)},
+               {"theorem",
+                {{"name", c.theorem.name},
+                 {"statement", c.theorem.statement},
+                 {"holds", c.theorem.holds},
+                 {"condition", c.theorem.condition}}},
+               {"lambda_min", c.smallest_eigenvalue},
+               {"condition", finite_or_null(c.condition)},
+               {"tolerance_margin", number_or_null(c.tolerance_margin)},
+               {"elements", elements_of(c.elements)},
+               {"ohm", {c.least_ohm, c.greatest_ohm}},
+               {"largest_voltage", c.largest_voltage},
+               {"power", c.power},
+               {"dynamics", nullptr},
+               {"warnings", c.warnings}};
+  if (c.dynamics)
+    json["dynamics"] = {{"states", c.dynamics->states},
+                        {"slowest_pole", c.dynamics->slowest},
+                        {"damping", c.dynamics->damping},
+                        {"accuracy", c.accuracy},
+                        {"settling_seconds", number_or_null(c.dynamics->settling_seconds)},
+                        {"growing_mode", list_or_null(c.dynamics->mode)}};
+  return json;
+}
+
+Json tolerance_json(const ToleranceResult& result) {
+  Json worst = Json::array();
+  for (const Contribution& one : result.worst)
+    worst.push_back({{"component", one.component}, {"share", one.share}});
+  return {{"trials", result.trials},
+          {"stable", result.stable},
+          {"accurate", result.accurate},
+          {"yield", result.yield()},
+          {"median_error", finite_or_null(result.median)},
+          {"p95_error", finite_or_null(result.p95)},
+          {"predicted_error", result.predicted},
+          {"worst_components", worst}};
+}
+
+Json judged_json(const Judged& judged) {
+  return {{"judgement", name(judged.judgement)},
+          {"settling_seconds", number_or_null(judged.settling_seconds)},
+          {"growth", judged.growth},
+          {"growing_mode", list_or_null(judged.mode)},
+          {"end_error", judged.end_error},
+          {"simulated_seconds", judged.simulated},
+          {"ngspice_seconds", judged.seconds}};
+}
+
 Json network(const Relaxation& relaxation) {
-  const ElementCounts& elements = relaxation.elements;
-  return {{"realization", name(relaxation.realization)},
-          {"nodes", relaxation.nodes},
-          {"elements",
-           {{"resistors", elements.resistors},
-            {"negative_resistors", elements.negative_resistors},
-            {"opamps", elements.opamps},
-            {"inductors", elements.inductors},
-            {"capacitors", elements.capacitors},
-            {"sources", elements.sources}}},
-          {"voltages", relaxation.voltages},
-          {"difference_to_direct", relaxation.difference},
-          {"difference_limit", relaxation.limit},
-          {"lambda_min", relaxation.smallest_eigenvalue},
-          {"stable", relaxation.stable},
-          {"settling_seconds", nullptr},
-          {"ngspice_seconds", relaxation.ngspice_seconds}};
+  Json json = {{"realization", name(relaxation.realization)},
+               {"nodes", relaxation.nodes},
+               {"elements", elements_of(relaxation.elements)},
+               {"voltages", relaxation.voltages},
+               {"difference_to_direct", relaxation.difference},
+               {"difference_limit", relaxation.limit},
+               {"difference_predicted", number_or_null(relaxation.predicted)},
+               {"lambda_min", relaxation.smallest_eigenvalue},
+               {"stable", relaxation.stable},
+               {"settling_seconds", nullptr},
+               {"ngspice_seconds", relaxation.ngspice_seconds},
+               {"certificate", nullptr},
+               {"transient", nullptr},
+               {"tolerance", nullptr},
+               {"warnings", relaxation.warnings}};
+  if (relaxation.certificate) json["certificate"] = certificate(*relaxation.certificate);
+  if (relaxation.judged) {
+    json["settling_seconds"] = number_or_null(relaxation.judged->settling_seconds);
+    json["transient"] = judged_json(*relaxation.judged);
+  }
+  if (relaxation.tolerance) {
+    json["tolerance"] = tolerance_json(relaxation.tolerance->result);
+    json["tolerance"]["replayed"] = relaxation.tolerance->replayed;
+    json["tolerance"]["replay_difference"] = relaxation.tolerance->difference;
+  }
+  return json;
 }
 
 }  // namespace
@@ -133,6 +205,36 @@ std::string experiment_json(const Experiment& experiment) {
 std::string relaxation_json(const Scene& scene, const Relaxation& relaxation) {
   Json json = scene_json(scene);
   json["network"] = network(relaxation);
+  return json.dump(1) + '\n';
+}
+
+std::string certificate_json(const Scene& scene, const Certificate& c,
+                             const std::optional<ToleranceResult>& tolerance,
+                             const Recommendation& recommendation) {
+  Json json = scene_json(scene);
+  json["certificate"] = certificate(c);
+  json["tolerance"] = tolerance ? tolerance_json(*tolerance) : Json(nullptr);
+  Json candidates = Json::array();
+  for (const auto& one : recommendation.candidates) {
+    Json row = tolerance_json(one.tolerance);
+    row["realization"] = name(one.realization);
+    row["opamps"] = one.opamps;
+    candidates.push_back(row);
+  }
+  json["recommendation"] = {{"text", recommendation.text}, {"candidates", candidates}};
+  return json.dump(1) + '\n';
+}
+
+std::string deck_answer_json(const std::string& file, const DeckAnswer& answer) {
+  Json nodes = Json::array();
+  for (const NodeAnswer& one : answer.nodes)
+    nodes.push_back({{"node", one.node}, {"expected", one.expected}, {"found", one.found}});
+  const Json json = {{"tactile_net", TACTILE_NET_VERSION},
+                     {"deck", file},
+                     {"nodes", nodes},
+                     {"difference", finite_or_null(answer.difference)},
+                     {"within", answer.within},
+                     {"ngspice_seconds", answer.ngspice_seconds}};
   return json.dump(1) + '\n';
 }
 

@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <ostream>
 
+#include "network_words.hpp"
 #include "text.hpp"
 
 namespace tactile_net::tool {
@@ -80,25 +81,41 @@ std::string resultant_in_words(const UncertainResultant& resultant) {
   return text;
 }
 
-std::string elements_in_words(const ElementCounts& elements) {
-  return std::to_string(elements.resistors) + " resistors (" +
-         std::to_string(elements.negative_resistors) + " negative), " +
-         std::to_string(elements.opamps) + " op-amps, " + std::to_string(elements.sources) +
-         " sources";
-}
-
 void print_relaxation(std::ostream& out, const Relaxation& relaxation) {
   out << "network: " << name(relaxation.realization) << ", " << relaxation.nodes << " nodes, "
-      << elements_in_words(relaxation.elements) << '\n'
-      << "  ngspice against the direct solve of P f = b: " << brief(relaxation.difference)
-      << (!relaxation.agrees()    ? " (DIFFERS"
-          : relaxation.resolved() ? " (agrees"
-                                  : " (NOT RESOLVED")
-      << "; rounding explains " << brief(relaxation.limit) << ")\n"
-      << "  smallest eigenvalue of P: " << brief(relaxation.smallest_eigenvalue)
-      << (relaxation.stable ? " > 0: settles with capacitance at its nodes\n"
-                            : ": NOT positive definite, would not settle\n")
-      << "  ngspice took " << duration(relaxation.ngspice_seconds) << '\n';
+      << elements_in_words(relaxation.elements) << '\n';
+  for (const std::string& line : in_words(relaxation)) out << "  " << line << '\n';
+}
+
+void print_certificate(std::ostream& out, const Certificate& certificate,
+                       const std::optional<ToleranceResult>& tolerance,
+                       const ToleranceOptions& options, const Recommendation& recommendation) {
+  std::string indent;
+  for (const std::string& line : in_words(certificate)) {
+    out << indent << line << '\n';
+    indent = "  ";
+  }
+  if (tolerance)
+    for (const std::string& line : in_words(options, *tolerance)) out << "  " << line << '\n';
+  out << '\n';
+  print_cells(out, cells(recommendation));
+  out << recommendation.text << '\n';
+}
+
+void print_deck_answer(std::ostream& out, const std::string& file, const DeckAnswer& answer) {
+  out << file << ": " << answer.nodes.size()
+      << " nodes; ngspice against the header's voltages: " << brief(answer.difference)
+      << (answer.difference <= answer.within ? " (agrees)" : " (DIFFERS)") << '\n';
+  if (answer.difference <= answer.within) return;
+  std::vector<NodeAnswer> worst = answer.nodes;
+  const auto off = [](const NodeAnswer& one) { return std::abs(one.found - one.expected); };
+  std::stable_sort(worst.begin(), worst.end(),
+                   [&](const auto& a, const auto& b) { return off(a) > off(b); });
+  worst.resize(std::min<std::size_t>(worst.size(), 5));
+  std::vector<std::vector<std::string>> rows = {{"node", "expected", "found"}};
+  for (const NodeAnswer& one : worst)
+    rows.push_back({one.node, exact(one.expected), exact(one.found)});
+  print_cells(out, rows);
 }
 
 void print_experiment(std::ostream& out, const Experiment& experiment) {

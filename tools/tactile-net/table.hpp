@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "deck_file.hpp"
 #include "experiment.hpp"
 
 namespace tactile_net::tool {
@@ -25,10 +26,12 @@ void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>&
 /// "normal force 1.02 +- 0.003, centre 0.1 +- 0.01": one standard deviation.
 [[nodiscard]] std::string resultant_in_words(const UncertainResultant& resultant);
 
-/// "3321 resistors (539 negative), 0 op-amps, 81 sources"
-[[nodiscard]] std::string elements_in_words(const ElementCounts& elements);
-
 void print_experiment(std::ostream& out, const Experiment& experiment);
 void print_relaxation(std::ostream& out, const Relaxation& relaxation);
+void print_certificate(std::ostream& out, const Certificate& certificate,
+                       const std::optional<ToleranceResult>& tolerance,
+                       const ToleranceOptions& options, const Recommendation& recommendation);
+/// With the five nodes that are furthest off, if the difference is more than is allowed.
+void print_deck_answer(std::ostream& out, const std::string& file, const DeckAnswer& answer);
 
 }  // namespace tactile_net::tool

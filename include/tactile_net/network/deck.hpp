@@ -3,6 +3,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,6 +16,7 @@ struct DeckHeader {
   std::string title{};                  ///< line 1, one line
   std::vector<std::string> comments{};  ///< what the deck solves and its scale; one line each
   std::vector<double> expected{};       ///< voltage of each output [V]; empty: not known
+  std::optional<double> within{};       ///< how far they may be off, in the 2-norm, over their own
 };
 
 /// Who prints the answer.
@@ -45,7 +47,8 @@ struct StepResponse {
 
 using Analysis = std::variant<DirectCurrent, SingleFrequency, StepResponse>;
 
-/// Writes the deck: title, comments, expected answer (`* expect n0 1.25e-3`), sub-circuits, one
+/// Writes the deck: title, comments, expected answer (`* expect n0 1.25e-3`,
+/// `* within 1e-9`), sub-circuits, one
 /// card per element in the circuit's order, the analysis, `.end`.
 ///
 /// Pure SPICE: `Answer::printed` adds only lines that begin with `*#`, commands to ngspice and

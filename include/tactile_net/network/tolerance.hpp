@@ -26,6 +26,7 @@ struct ToleranceOptions {
   std::optional<Series> series{};    ///< rounded to the nearest value of the series, first
   std::size_t trials = 1000;         ///< >= 1; one suffices where nothing is drawn
   std::uint64_t seed = 1;
+  double accuracy = 0.05;  ///< largest relative error of an answer that counts as accurate, > 0
 };
 
 /// The conductances of one trial [S], as `Reduction::siemens`: a function of seed, trial and the
@@ -66,10 +67,8 @@ struct ToleranceResult {
   }
 };
 
-/// @param accuracy  largest relative error that counts as accurate, > 0
 /// @throw std::invalid_argument  an option is out of range
 /// @throw std::domain_error      the nominal network has no unique answer
-[[nodiscard]] ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options,
-                                       double accuracy);
+[[nodiscard]] ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options);
 
 }  // namespace tactile_net

@@ -29,8 +29,9 @@ struct Waveforms {
 
 enum class Judgement {
   settles,
-  grows,      ///< the answer leaves every bound
-  unsettled,  ///< bounded, and not at its end within the time simulated
+  grows,       ///< the answer leaves every bound
+  unsettled,   ///< bounded, and not at its end within the time simulated
+  unfinished,  ///< the simulator's limit on wall time came first: not judged
 };
 
 [[nodiscard]] std::string_view name(Judgement judgement) noexcept;
@@ -46,7 +47,7 @@ struct Judged {
 };
 
 /// From rest, in two runs: 20/W with steps of 0.02/bandwidth, where fast modes show; then as long
-/// as the certificate says it takes to settle, twice over, or to grow a millionfold.
+/// as the certificate says it takes to settle, twice over, or to grow a hundred thousand times.
 ///
 /// What would deceive is avoided: starting from the DC solution (an unstable circuit stays there),
 /// a damping integration method (it hides growth), steps beyond the fast modes from the beginning.

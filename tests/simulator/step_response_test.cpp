@@ -1,0 +1,202 @@
+// ngspice over time: what settles, what grows, and what would deceive.
+#include "tactile_net/simulator/step_response.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/network/state_space.hpp"
+#include "tactile_net/simulator/ngspice.hpp"
+#include "tests/catch.hpp"
+#include "tests/network/networks.hpp"
+#include "tests/network/problems.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+const OpAmp one_pole{.gain = 1e6, .bandwidth = 1e7};
+const double w = 2.0 * std::numbers::pi * 1e7;
+
+/// '+' and '-' of every op-amp exchanged.
+Circuit swapped(const Circuit& circuit) {
+  Circuit flat = flattened(circuit);
+  for (Instance& x : flat.instances) std::swap(x.pins[0], x.pins[1]);
+  return flat;
+}
+
+std::vector<double> at_rest(const Circuit& circuit) {
+  std::ostringstream deck;
+  write_deck(deck, circuit, {.title = "test"}, Answer::raw_file);
+  std::vector<std::string> nodes;
+  for (const Node node : circuit.outputs) nodes.push_back(circuit.nodes[node]);
+  Ngspice ngspice;
+  return operating_point(ngspice, deck.str(), nodes).voltages;
+}
+
+/// A certificate's dynamics, for circuits that no realisation makes.
+Certificate certified(const Circuit& circuit) {
+  const StateSpace system = state_space(circuit);
+  Certificate certificate;
+  certificate.dynamics = Dynamics{.states = system.states(), .slowest = poles(system)[0].real()};
+  certificate.dynamics->settling_seconds =
+      settling_time(system, certificate.accuracy, certificate.dynamics->slowest);
+  if (certificate.dynamics->slowest > 0.0) certificate.dynamics->mode = slowest_mode(system);
+  return certificate;
+}
+
+double overlap(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return std::abs(sum);
+}
+
+}  // namespace
+
+TEST_CASE("a capacitor charges as the exponential does", "[spice][step_response]") {
+  Circuit circuit;
+  const Node a = add_node(circuit, "n0");
+  circuit.outputs = {a};
+  circuit.resistors = {{"R0", a, 0, 1e-3}};
+  circuit.capacitors = {{"C0", a, 0, 1e-9}};
+  circuit.sources = {{"I0", a, 2e-3}};
+  Ngspice ngspice;
+  const Waveforms waveforms = step_response(ngspice, circuit, {.step = 1e-8, .stop = 1e-5});
+  for (std::size_t k = 0; k < waveforms.time.size(); k += 50)
+    CHECK_THAT(waveforms.voltages[0][k],
+               WithinAbs(2.0 * (1.0 - std::exp(-waveforms.time[k] / 1e-6)), 1e-4));
+  CHECK_THAT(settling_time(waveforms, std::vector{2.0}, 1e-3).value(),
+             WithinRel(std::log(1e3) * 1e-6, 1e-2));
+  CHECK_FALSE(settling_time(waveforms, std::vector{3.0}, 1e-3));
+}
+
+TEST_CASE("ngspice settles in the certificate's time", "[spice][step_response]") {
+  for (const double alpha : {1e-3, 1e-5}) {
+    const ArrayNetwork network = array_network(21, alpha);
+    for (const Realization one :
+         {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares}) {
+      const RealizationOptions options{.opamp = one_pole, .node_capacitance = 1e-11};
+      const Certificate certificate = certify(one, network.problem, options);
+      const Circuit circuit = realize(one, network.problem, options);
+      Ngspice ngspice;
+      const Judged judged = judge(ngspice, circuit, certificate, at_rest(circuit));
+      CAPTURE(alpha, name(one));
+      REQUIRE(judged.judgement == Judgement::settles);
+      CHECK_THAT(*judged.settling_seconds,
+                 WithinRel(*certificate.dynamics->settling_seconds, 0.02));
+      CHECK(judged.end_error < 1e-3);
+    }
+  }
+}
+
+TEST_CASE("converters with swapped inputs agree at rest, and grow", "[spice][step_response]") {
+  const ArrayNetwork network = array_network(5, 1e-3);
+  const RealizationOptions options{.opamp = one_pole};
+  for (const Realization one : {Realization::nic, Realization::rail}) {
+    CAPTURE(name(one));
+    const Circuit wrong = swapped(realize(one, network.problem, options));
+    const std::vector<double> v = at_rest(wrong);
+    CHECK(relative_l2_error(v, network.direct) < 2e-5);  // .op is blind
+    const Certificate certificate = certified(wrong);
+    CHECK(certificate.dynamics->slowest > 0.0);
+    Ngspice ngspice;
+    const Judged judged = judge(ngspice, wrong, certificate, v);
+    CHECK(judged.judgement == Judgement::grows);
+    if (judged.growth > 0.0)
+      CHECK_THAT(judged.growth, WithinRel(certificate.dynamics->slowest, 0.05));
+  }
+}
+
+TEST_CASE("an indefinite P grows in its own mode", "[spice][step_response]") {
+  Matrix p = random_definite(6, 3);
+  const double shift = smallest_eigenvalue(p) + 0.05;
+  for (std::size_t i = 0; i < 6; ++i) p(i, i) -= shift;
+  const NetworkProblem problem{.matrix = p, .right_side = std::vector<double>(6, 1.0)};
+  for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar}) {
+    const RealizationOptions options{.opamp = one_pole, .node_capacitance = 1e-12};
+    const Certificate certificate = certify(one, problem, options);
+    const Circuit circuit = realize(one, problem, options);
+    Ngspice ngspice;
+    const Judged judged = judge(ngspice, circuit, certificate, at_rest(circuit));
+    CAPTURE(name(one));
+    REQUIRE(judged.judgement == Judgement::grows);
+    CHECK_THAT(judged.growth, WithinRel(certificate.dynamics->slowest, 0.05));
+    CHECK(overlap(judged.mode, certificate.dynamics->mode) > 0.99);
+  }
+}
+
+TEST_CASE("what deceives: the DC solution as a start, and a method that damps",
+          "[spice][step_response]") {
+  const ArrayNetwork network = array_network(5, 1e-3);
+  const Circuit wrong = swapped(realize(Realization::rail, network.problem, {.opamp = one_pole}));
+  std::ostringstream deck;
+  write_deck(deck, wrong, {.title = "test"}, Answer::raw_file,
+             StepResponse{.step = 1e-8, .stop = 2e-6});
+  Ngspice ngspice;
+  const auto last = [&](const std::string& text) {
+    const Simulation simulation = ngspice.run(text);
+    std::vector<double> v;
+    for (const Node node : wrong.outputs)
+      v.push_back(simulation.plot.vector("v(" + wrong.nodes[node] + ")").back());
+    return relative_l2_error(v, network.direct);
+  };
+  const std::string step = deck.str();
+  CHECK(last(step) > 1e3);
+
+  // Sources that are on from the beginning: it stays on the unstable solution for a while.
+  std::string on = step;
+  for (std::size_t at = on.find("PWL(0 0 1e-12 "); at != std::string::npos;
+       at = on.find("PWL(0 0 1e-12 ")) {
+    const std::size_t end = on.find(')', at);
+    on.replace(at, end + 1 - at, "DC " + on.substr(at + 14, end - at - 14));
+  }
+  std::string brief = on;
+  brief.replace(brief.find(".tran 1e-08 2e-06 0 1e-08"), 25, ".tran 1e-9 1e-7 0 1e-9");
+  CHECK(last(brief) < 1e-3);
+
+  // Gear with long steps: the growth of 1e7 1/s is damped away.
+  std::string gear = on;
+  gear.replace(gear.find("method=trap"), 11, "method=gear");
+  gear.replace(gear.find(".tran 1e-08 2e-06 0 1e-08"), 25, ".tran 1e-6 1e-4 0 1e-6");
+  CHECK(last(gear) < 1e-3);
+}
+
+TEST_CASE("overdriven amplifiers at their rails come back", "[spice][step_response]") {
+  const ArrayNetwork network = array_network(5, 1e-3);
+  OpAmp clamped = one_pole;
+  clamped.rail = 12.0;
+  for (const Realization one :
+       {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares}) {
+    const Circuit circuit =
+        realize(one, network.problem,
+                {.scale = {.volts = 10.0}, .opamp = clamped, .node_capacitance = 1e-11});
+    const std::vector<double> end = at_rest(circuit);
+    Ngspice ngspice;
+    const Waveforms waveforms = step_response(
+        ngspice, circuit, {.step = 2e-8, .stop = 8e-5, .overdrive = 50.0, .overdrive_until = 2e-5});
+    CAPTURE(name(one));
+    double highest = 0.0;
+    for (const double v : waveforms.voltages[2]) highest = std::max(highest, std::abs(v));
+    CHECK(highest > 1.5 * std::abs(end[2]));
+    const auto settled = settling_time(waveforms, end, 1e-2);
+    REQUIRE(settled);
+    CHECK(*settled > 2e-5);
+  }
+}
+
+TEST_CASE("a node's capacitance and no amplifier settle as the ideal network does",
+          "[spice][step_response]") {
+  const ArrayNetwork network = array_network(21, 1e-3);
+  const RealizationOptions options{.node_capacitance = 1e-10};
+  for (const Realization one : {Realization::ideal, Realization::ndr}) {
+    const Certificate certificate = certify(one, network.problem, options);
+    const Circuit circuit = realize(one, network.problem, options);
+    Ngspice ngspice;
+    const Judged judged = judge(ngspice, circuit, certificate, at_rest(circuit));
+    CAPTURE(name(one));
+    CHECK(judged.judgement == Judgement::settles);
+    // design: 2.995e-5 s, N-shaped devices behave as their slope
+    CHECK_THAT(judged.settling_seconds.value(), WithinRel(2.98e-5, 0.02));
+  }
+}
