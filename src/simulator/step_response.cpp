@@ -163,7 +163,7 @@ Judged judge(Simulator& simulator, const Circuit& circuit, const Certificate& ce
     }
     const double horizon = dynamics.slowest < 0.0
                                ? 2.0 * dynamics.settling_seconds.value_or(20.0 / -dynamics.slowest)
-                               : 12.0 / std::max(dynamics.slowest, 1e-300);
+                               : 20.0 / std::max(dynamics.slowest, 1e-300);
     const Waveforms waveforms = run({.step = horizon / 4000.0, .stop = horizon});
     if (!bounded(waveforms)) return grown(waveforms);
     judged.end_error = distance(at(waveforms, waveforms.time.size() - 1), end) / size;

@@ -19,10 +19,11 @@ namespace {
 const OpAmp one_pole{.gain = 1e6, .bandwidth = 1e7};
 const double w = 2.0 * std::numbers::pi * 1e7;
 
-/// '+' and '-' of every op-amp exchanged.
+/// '+' and '-' of every converter's op-amps exchanged.
 Circuit swapped(const Circuit& circuit) {
   Circuit flat = flattened(circuit);
-  for (Instance& x : flat.instances) std::swap(x.pins[0], x.pins[1]);
+  for (Instance& x : flat.instances)
+    if (x.name.find(".Xr") == std::string::npos) std::swap(x.pins[0], x.pins[1]);
   return flat;
 }
 
@@ -103,8 +104,9 @@ TEST_CASE("converters with swapped inputs agree at rest, and grow", "[spice][ste
     Ngspice ngspice;
     const Judged judged = judge(ngspice, wrong, certificate, v);
     CHECK(judged.judgement == Judgement::grows);
-    if (judged.growth > 0.0)
-      CHECK_THAT(judged.growth, WithinRel(certificate.dynamics->slowest, 0.05));
+    // The fastest modes are inside the converters; the outputs grow with slower ones.
+    CHECK(judged.growth <= 1.05 * certificate.dynamics->slowest);
+    CHECK(judged.growth >= 0.5 * certificate.dynamics->slowest);
   }
 }
 
@@ -158,7 +160,7 @@ TEST_CASE("what deceives: the DC solution as a start, and a method that damps",
   // Gear with long steps: the growth of 1e7 1/s is damped away.
   std::string gear = on;
   gear.replace(gear.find("method=trap"), 11, "method=gear");
-  gear.replace(gear.find(".tran 1e-08 2e-06 0 1e-08"), 25, ".tran 1e-6 1e-4 0 1e-6");
+  gear.replace(gear.find(".tran 1e-08 2e-06 0 1e-08"), 25, ".tran 1e-6 3e-5 0 1e-6");
   CHECK(last(gear) < 1e-3);
 }
 

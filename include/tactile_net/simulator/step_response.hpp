@@ -47,7 +47,7 @@ struct Judged {
 };
 
 /// From rest, in two runs: 20/W with steps of 0.02/bandwidth, where fast modes show; then as long
-/// as the certificate says it takes to settle, twice over, or to grow a hundred thousand times.
+/// as the certificate says it takes to settle, twice over, or for twenty times its growth.
 ///
 /// What would deceive is avoided: starting from the DC solution (an unstable circuit stays there),
 /// a damping integration method (it hides growth), steps beyond the fast modes from the beginning.
