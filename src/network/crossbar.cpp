@@ -28,7 +28,7 @@ Circuit crossbar(const Matrix& matrix, std::span<const double> right_side,
       add_signed(circuit, "R" + row + "_" + std::to_string(j), nodes[j], nodes[i].summing,
                  siemens * matrix(i, j));
     circuit.sources.push_back(
-        {"I" + row, nodes[i].summing, -siemens * options.scale.volts * right_side[i]});
+        {"I" + row, nodes[i].summing, 0.0 - siemens * options.scale.volts * right_side[i]});
   }
   return circuit;
 }

@@ -48,7 +48,8 @@ Circuit least_squares(const NetworkProblem& problem, const RealizationOptions& o
     }
     circuit.resistors.push_back({"Re" + row, e[i].plus, e[i].summing, siemens / rho});
     circuit.sources.push_back(
-        {"I" + row, e[i].summing, -siemens * options.scale.volts * (problem.readings[i] / scale)});
+        {"I" + row, e[i].summing,
+         0.0 - siemens * options.scale.volts * (problem.readings[i] / scale)});
   }
   for (std::size_t i = 0; i < k.columns; ++i)
     for (std::size_t j = 0; j < k.columns; ++j)

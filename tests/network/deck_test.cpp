@@ -82,6 +82,179 @@ TEST_CASE("a nic brings its sub-circuits, each once, and its cards", "[deck]") {
   CHECK(text == expected);
 }
 
+TEST_CASE("every other realisation of three nodes, to the letter", "[deck]") {
+  NetworkProblem three;
+  three.matrix = {3, 3, {4, 1, -2, 1, 1, -2, -2, -2, 3}};
+  three.right_side = {1, 0, -2};
+  three.kernel = {2, 3, {1, 0, -2, 0, 2, 0}};
+  three.stabiliser = {3, 3, {2, -1, 0, -1, 3, -1, 0, -1, 2}};
+  three.readings = {1, -2};
+  const auto cards = [&](Realization one, bool inverters) {
+    const RealizationOptions options{.scale = {.siemens = 1.0},
+                                     .inverters = inverters,
+                                     .residual_gain = 2.0,
+                                     .divider = 4.0,
+                                     .frequency = 1.0};
+    std::ostringstream out;
+    write_deck(out, realize(one, three, options), {.title = "t"}, Answer::raw_file,
+               one == Realization::lc ? Analysis{SingleFrequency{1.0}} : Analysis{DirectCurrent{}});
+    const std::string text = out.str();
+    const std::size_t last = text.rfind(".ends");
+    return last == std::string::npos ? text.substr(4) : text.substr(text.find('\n', last) + 1);
+  };
+  CHECK(cards(Realization::rail, false) ==
+        "Ra0_1 n0 r1 1\n"
+        "Rb0_1 n1 r0 1\n"
+        "R0_2 n0 n2 0.5\n"
+        "R1_2 n1 n2 0.5\n"
+        "Rg0 n0 0 1.3333333333333333\n"
+        "Rg1 n1 g1 0.4444444444444444\n"
+        "Rg2 n2 g2 1\n"
+        "Xr0 n0 r0 inverter r=4\n"
+        "Xr1 n1 r1 inverter r=4\n"
+        "Xg1 n1 g1 grounded_nic r=4\n"
+        "Xg2 n2 g2 grounded_nic r=4\n"
+        "I0 0 n0 DC 1\n"
+        "I1 0 n1 DC 0\n"
+        "I2 0 n2 DC -2\n"
+        ".op\n"
+        ".end\n");
+  CHECK(cards(Realization::crossbar, false) ==
+        "R0_0 n0 s0 0.25\n"
+        "R0_1 n1 s0 1\n"
+        "R0_2 r2 s0 0.5\n"
+        "R1_0 n0 s1 1\n"
+        "R1_1 n1 s1 1\n"
+        "R1_2 r2 s1 0.5\n"
+        "R2_0 r0 s2 0.5\n"
+        "R2_1 r1 s2 0.5\n"
+        "R2_2 n2 s2 0.3333333333333333\n"
+        "Xn0 0 s0 n0 r0 amplifier\n"
+        "Xn1 0 s1 n1 r1 amplifier\n"
+        "Xn2 0 s2 n2 r2 amplifier\n"
+        "I0 0 s0 DC -1\n"
+        "I1 0 s1 DC 0\n"
+        "I2 0 s2 DC 2\n"
+        ".op\n"
+        ".end\n");
+  CHECK(cards(Realization::crossbar, true) ==
+        "R0_0 n0 s0 0.25\n"
+        "R0_1 n1 s0 1\n"
+        "R0_2 r2 s0 0.5\n"
+        "R1_0 n0 s1 1\n"
+        "R1_1 n1 s1 1\n"
+        "R1_2 r2 s1 0.5\n"
+        "R2_0 r0 s2 0.5\n"
+        "R2_1 r1 s2 0.5\n"
+        "R2_2 n2 s2 0.3333333333333333\n"
+        "Xn0 0 s0 n0 opamp\n"
+        "Xr0 n0 r0 inverter r=4\n"
+        "Xn1 0 s1 n1 opamp\n"
+        "Xr1 n1 r1 inverter r=4\n"
+        "Xn2 0 s2 n2 opamp\n"
+        "Xr2 n2 r2 inverter r=4\n"
+        "I0 0 s0 DC -1\n"
+        "I1 0 s1 DC 0\n"
+        "I2 0 s2 DC 2\n"
+        ".op\n"
+        ".end\n");
+  CHECK(cards(Realization::least_squares, false) ==
+        "Rk0_0 n0 t0 0.5\n"
+        "Rt0_0 q0 s0 0.5\n"
+        "Rk0_2 r2 t0 0.25\n"
+        "Rt0_2 e0 s2 0.25\n"
+        "Re0 e0 t0 0.5\n"
+        "Rk1_1 n1 t1 0.25\n"
+        "Rt1_1 q1 s1 0.25\n"
+        "Re1 e1 t1 0.5\n"
+        "Rs0_0 n0 s0 0.25\n"
+        "Rs0_1 r1 s0 0.5\n"
+        "Rs1_0 r0 s1 0.5\n"
+        "Rs1_1 n1 s1 0.16666666666666666\n"
+        "Rs1_2 r2 s1 0.5\n"
+        "Rs2_1 r1 s2 0.5\n"
+        "Rs2_2 n2 s2 0.25\n"
+        "Xn0 0 s0 n0 r0 amplifier\n"
+        "Xn1 0 s1 n1 r1 amplifier\n"
+        "Xn2 0 s2 n2 r2 amplifier\n"
+        "Xe0 0 t0 e0 q0 amplifier\n"
+        "Xe1 0 t1 e1 q1 amplifier\n"
+        "I0 0 t0 DC -2\n"
+        "I1 0 t1 DC 4\n"
+        ".op\n"
+        ".end\n");
+  CHECK(cards(Realization::lc, false) ==
+        "C0_2 n0 n2 0.3183098861837907\n"
+        "C1_2 n1 n2 0.3183098861837907\n"
+        "Cg0 n0 0 0.477464829275686\n"
+        "L0_1 n0 n1 0.15915494309189535\n"
+        "Lg2 n2 0 0.15915494309189535\n"
+        "I0 0 n0 AC 1 90\n"
+        "I1 0 n1 AC 0 90\n"
+        "I2 0 n2 AC -2 90\n"
+        ".options noopac\n"
+        ".ac lin 1 1 1\n"
+        ".end\n");
+  CHECK(cards(Realization::ndr, false) ==
+        "R0_2 n0 n2 0.5\n"
+        "R1_2 n1 n2 0.5\n"
+        "Rg0 n0 0 0.3333333333333333\n"
+        "B0_1 n0 n1 I=100*((2+V(n0,n1)/100)*exp(-V(n0,n1)/100)-2)\n"
+        "Bg2 n2 0 I=100*((2+V(n2,0)/100)*exp(-V(n2,0)/100)-2)\n"
+        "I0 0 n0 DC 1\n"
+        "I1 0 n1 DC 0\n"
+        "I2 0 n2 DC -2\n"
+        ".op\n"
+        ".end\n");
+}
+
+TEST_CASE("a step response's deck holds the step, its time and the outputs alone", "[deck]") {
+  Circuit circuit = divider();
+  circuit.capacitors = {{"C0", circuit.outputs[0], 0, 1e-9}};
+  std::ostringstream out;
+  write_deck(out, circuit, {.title = "t"}, Answer::raw_file,
+             StepResponse{.step = 1e-8, .stop = 1e-5});
+  CHECK(out.str() ==
+        "* t\n"
+        "R0 n0 0 1000\n"
+        "R1 n0 0 -4000\n"
+        "C0 n0 0 1e-09\n"
+        "I0 0 n0 PWL(0 0 1e-12 0.0015)\n"
+        ".options method=trap reltol=1e-5 chgtol=1e-18 abstol=1e-15 vntol=1e-9\n"
+        ".tran 1e-08 1e-05 0 1e-08\n"
+        ".save v(n0)\n"
+        ".end\n");
+  CHECK_THROWS_AS(write_deck(out, circuit, {.title = "t"}, Answer::raw_file,
+                             StepResponse{.step = 1e-5, .stop = 1e-5}),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(write_deck(out, circuit, {.title = "t"}, Answer::raw_file, SingleFrequency{0.0}),
+                  std::invalid_argument);
+}
+
+TEST_CASE("an op-amp's sub-circuit holds what is asked for, and nothing else", "[opamp]") {
+  const auto text = [](const OpAmp& opamp, Outputs outputs = Outputs::single) {
+    const std::string all = subcircuit_text({"opamp", opamp, outputs});
+    return all.substr(all.find(".subckt"));
+  };
+  CHECK(text({}) == ".subckt opamp p n out\nVn p n 0\nH1 out 0 Vn 1e21\n.ends opamp\n");
+  CHECK(text({.gain = 1e5}) == ".subckt opamp p n out\nE1 out 0 p n 100000\n.ends opamp\n");
+  CHECK(text({.gain = 1e5, .offset = 1e-3}) ==
+        ".subckt opamp p n out\nVo q p 0.001\nE1 out 0 q n 100000\n.ends opamp\n");
+  CHECK_THAT(text({.gain = 1e5, .bandwidth = 1e6}),
+             ContainsSubstring("Ca x 0 1.5915494309189535e-10\nE1 out 0 x 0 1\n") &&
+                 !ContainsSubstring("Gb") && !ContainsSubstring("D"));
+  CHECK_THAT(text({.gain = 1e5, .bandwidth = 1e6, .second_pole = 1e6}),
+             ContainsSubstring("Cb y 0 1.5915494309189535e-10\nE1 out 0 y 0 1\n"));
+  CHECK_THAT(text({.gain = 1e5, .rail = 12.0}),
+             ContainsSubstring("Vh h 0 11.4\n") && !ContainsSubstring("Ca "));
+  CHECK_THAT(text({.gain = 1e5, .input_capacitance = 1e-12}), ContainsSubstring("Cn n 0 1e-12\n"));
+  CHECK_THAT(text({}, Outputs::complementary),
+             StartsWith(".subckt opamp p n out inv\n") && ContainsSubstring("E2 inv 0 0 out 1\n"));
+  CHECK_THROWS_AS(text({.gain = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(text({.second_pole = 1e6}), std::invalid_argument);
+  CHECK_THROWS_AS(text({.rail = 0.5}), std::invalid_argument);
+}
+
 TEST_CASE("every number reads back as the same double", "[deck][property]") {
   std::mt19937_64 generator(3);
   for (int trial = 0; trial < 1000; ++trial) {
