@@ -242,7 +242,11 @@ Certificate certify(Realization realization, const NetworkProblem& problem,
     const Reduction::Load load = reduction.load({z.data(), static_cast<std::size_t>(z.size())});
     c.largest_voltage = load.largest_voltage;
     c.power = load.power;
-    c.tolerance_margin = margin_of(reduction, equations);
+    if (c.theorem.holds) c.tolerance_margin = margin_of(reduction, equations);
+    c.margin_for_any_bandwidth =
+        c.tolerance_margin &&
+        std::all_of(circuit.instances.begin(), circuit.instances.end(),
+                    [&](const Instance& x) { return amplifier(circuit, x.subcircuit) != nullptr; });
     add_warnings(c, circuit, options, &equations, &reduction);
   }
 

@@ -2,12 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "inverse/eigen.hpp"
 #include "inverse/stabiliser.hpp"
 
 namespace tactile_net {
+
+namespace {
+
+/// Entries below the rounding of their row's and column's diagonal are zero: they say nothing, and
+/// would be resistors beyond any other.
+void drop_rounding(Matrix& p) {
+  for (std::size_t i = 0; i < p.rows; ++i)
+    for (std::size_t j = 0; j < p.columns; ++j)
+      if (i != j && std::abs(p(i, j)) <=
+                        0.5 * std::numeric_limits<double>::epsilon() * std::sqrt(p(i, i) * p(j, j)))
+        p(i, j) = 0.0;
+}
+
+}  // namespace
 
 std::string_view name(Realization realization) noexcept {
   switch (realization) {
@@ -47,6 +62,7 @@ NetworkProblem network_problem(const InverseProblem& problem, double alpha,
                         .kernel = problem.kernel,
                         .stabiliser = {},
                         .readings = {readings.begin(), readings.end()}};
+  drop_rounding(result.matrix);
   const Eigen::MatrixXd l = stabiliser(problem);
   result.stabiliser = from_eigen(alpha * (l.transpose() * l));
   for (std::size_t i = 0; i < result.readings.size(); ++i) result.readings[i] *= problem.weights[i];

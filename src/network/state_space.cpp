@@ -2,11 +2,14 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <unsupported/Eigen/MatrixFunctions>
+#include <utility>
 
 #include "inverse/eigen.hpp"
 
@@ -208,6 +211,52 @@ std::vector<double> steady_state(const StateSpace& system) {
   const Eigen::VectorXd x = -a.partialPivLu().solve(as_eigen(std::span(system.drive)));
   const Eigen::VectorXd v = as_eigen(system.output) * x + as_eigen(std::span(system.direct));
   return {v.begin(), v.end()};
+}
+
+std::vector<double> operating_voltages(const Circuit& circuit) {
+  const Circuit flat = flattened(circuit);
+  if (!flat.inductors.empty()) throw std::invalid_argument("an inductor has no place here");
+  const auto count = static_cast<Eigen::Index>(flat.nodes.size()) - 1;
+  std::vector<bool> driven(flat.nodes.size());
+  for (const Instance& x : flat.instances)
+    for (std::size_t pin = 2; pin < x.pins.size(); ++pin) driven[x.pins[pin]] = true;
+
+  // One row per node but ground: Kirchhoff's law, or the amplifier's over its gain.
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
+  const auto add = [&](Node row, Node column, double value) {
+    if (row != 0 && column != 0) entries.emplace_back(index(row) - 1, index(column) - 1, value);
+  };
+  const auto conductance = [&](Node from, Node to, double siemens) {
+    for (const auto& [here, there] : {std::pair(from, to), std::pair(to, from)}) {
+      if (driven[here]) continue;
+      add(here, here, siemens);
+      add(here, there, -siemens);
+    }
+  };
+  for (const Resistor& r : flat.resistors) conductance(r.from, r.to, r.siemens);
+  for (const NShapedDevice& b : flat.devices) conductance(b.from, b.to, -b.siemens);
+  for (const CurrentSource& i : flat.sources)
+    if (i.into != 0 && !driven[i.into]) right(index(i.into) - 1) += i.ampere;
+  for (const Instance& x : flat.instances) {
+    const OpAmp& opamp = amplifier(flat, x.subcircuit)->opamp;
+    add(x.pins[2], x.pins[2], 1.0 / opamp.dc_gain());
+    add(x.pins[2], x.pins[0], -1.0);
+    add(x.pins[2], x.pins[1], 1.0);
+    right(index(x.pins[2]) - 1) = opamp.offset.value_or(0.0);
+    if (x.pins.size() > 3) {
+      add(x.pins[3], x.pins[3], 1.0);
+      add(x.pins[3], x.pins[2], 1.0);
+    }
+  }
+  Eigen::SparseMatrix<double> a(count, count);
+  a.setFromTriplets(entries.begin(), entries.end());
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(a);
+  if (lu.info() != Eigen::Success) throw std::domain_error("the circuit has no operating point");
+  const Eigen::VectorXd v = lu.solve(right);
+  std::vector<double> outputs;
+  for (const Node node : flat.outputs) outputs.push_back(v(index(node) - 1));
+  return outputs;
 }
 
 std::optional<double> settling_time(const StateSpace& system, double accuracy, double slowest) {

@@ -55,7 +55,9 @@ bool is_stable(const Reduction& reduction, const Equations& equations) {
   const Eigen::MatrixXd symmetric = 0.5 * (s + s.transpose());
   if (Eigen::LLT<Eigen::MatrixXd>(symmetric).info() == Eigen::Success) return true;
   // An odd number of real eigenvalues on the wrong side shows in the determinant's sign.
-  if (Eigen::PartialPivLU<Eigen::MatrixXd>(s).determinant() < 0.0) return false;
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(s);
+  const auto negative = (lu.matrixLU().diagonal().array() < 0.0).count();
+  if ((negative % 2 == 1) != (lu.permutationP().determinant() < 0)) return false;
   Eigen::VectorXd inverse(s.rows());
   for (Eigen::Index i = 0; i < s.rows(); ++i) {
     const auto row = static_cast<std::size_t>(i);

@@ -164,7 +164,14 @@ Judged judge(Simulator& simulator, const Circuit& circuit, const Certificate& ce
     const double horizon = dynamics.slowest < 0.0
                                ? 2.0 * dynamics.settling_seconds.value_or(20.0 / -dynamics.slowest)
                                : 20.0 / std::max(dynamics.slowest, 1e-300);
-    const Waveforms waveforms = run({.step = horizon / 4000.0, .stop = horizon});
+    // A decay is straight in its logarithm; ringing needs its periods resolved.
+    double step = horizon / 800.0;
+    if (dynamics.damping < 0.9) {
+      step = horizon / 4000.0;
+      if (const double fast = fastest_bandwidth(circuit); fast > 0.0)
+        step = std::max(std::min(step, 0.02 / fast), horizon / 20000.0);
+    }
+    const Waveforms waveforms = run({.step = step, .stop = horizon});
     if (!bounded(waveforms)) return grown(waveforms);
     judged.end_error = distance(at(waveforms, waveforms.time.size() - 1), end) / size;
     judged.settling_seconds = settling_time(waveforms, end, certificate.accuracy);

@@ -237,9 +237,9 @@ TEST_CASE("an op-amp's sub-circuit holds what is asked for, and nothing else", "
     return all.substr(all.find(".subckt"));
   };
   CHECK(text({}) == ".subckt opamp p n out\nVn p n 0\nH1 out 0 Vn 1e21\n.ends opamp\n");
-  CHECK(text({.gain = 1e5}) == ".subckt opamp p n out\nE1 out 0 p n 100000\n.ends opamp\n");
+  CHECK(text({.gain = 1e5}) == ".subckt opamp p n out\nE1 out 0 p n 1e+05\n.ends opamp\n");
   CHECK(text({.gain = 1e5, .offset = 1e-3}) ==
-        ".subckt opamp p n out\nVo q p 0.001\nE1 out 0 q n 100000\n.ends opamp\n");
+        ".subckt opamp p n out\nVo q p 0.001\nE1 out 0 q n 1e+05\n.ends opamp\n");
   CHECK_THAT(text({.gain = 1e5, .bandwidth = 1e6}),
              ContainsSubstring("Ca x 0 1.5915494309189535e-10\nE1 out 0 x 0 1\n") &&
                  !ContainsSubstring("Gb") && !ContainsSubstring("D"));

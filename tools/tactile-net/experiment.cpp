@@ -155,7 +155,8 @@ MethodResult by_network(const Scene& scene, Simulator& simulator, Experiment& ex
                                 ": rounding alone may change the voltages by " +
                                 brief(relaxation.limit) + "; raise alpha");
     if (relaxation.stable)
-      result.error_bound = relaxation.limit + 1.2 * relaxation.predicted.value_or(0.0);
+      result.error_bound =
+          relaxation.limit + relaxation.curves + 1.2 * relaxation.predicted.value_or(0.0);
     if (constraints_of(scene))
       result.warnings.emplace_back("the constraints bind the method tikhonov alone");
   } catch (const SimulatorError& error) {

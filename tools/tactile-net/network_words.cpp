@@ -106,7 +106,8 @@ std::vector<std::string> in_words(const Certificate& c) {
   if (c.dynamics) lines.push_back(dynamics_in_words(c));
   if (c.tolerance_margin)
     lines.push_back("stable for every error of components up to " + percent(*c.tolerance_margin) +
-                    ", whatever the bandwidths");
+                    (c.margin_for_any_bandwidth ? ", whatever the bandwidths"
+                                                : ", if the op-amps are fast against the network"));
   std::string parts = elements_in_words(c.elements);
   if (c.greatest_ohm > 0.0)
     parts += "; resistors from " + brief(c.least_ohm) + " to " + brief(c.greatest_ohm) + " ohm";
@@ -147,14 +148,18 @@ std::vector<std::string> in_words(const Relaxation& relaxation) {
                   (relaxation.predicted
                        ? "; the op-amps' gain and offset explain " + brief(*relaxation.predicted)
                        : "") +
-                  "; " + (relaxation.elements.devices > 0 ? "devices" : "rounding") +
-                  " explains up to " + brief(relaxation.limit) + ")");
+                  (relaxation.curves > 0.0
+                       ? "; the devices' curves explain up to " + brief(relaxation.curves)
+                       : "") +
+                  "; rounding explains up to " + brief(relaxation.limit) + ")");
   if (relaxation.certificate) {
     for (const std::string& line : in_words(*relaxation.certificate)) lines.push_back(line);
   } else {
+    const std::string settles = relaxation.realization == Realization::lc
+                                    ? " > 0; lossless: it rings for ever, and never settles"
+                                    : " > 0: settles with capacitance at its nodes";
     lines.push_back("smallest eigenvalue of P: " + brief(relaxation.smallest_eigenvalue) +
-                    (relaxation.stable ? " > 0: settles with capacitance at its nodes"
-                                       : ": NOT positive definite, would not settle"));
+                    (relaxation.stable ? settles : ": NOT positive definite, would not settle"));
   }
   if (relaxation.judged) lines.push_back(judged_in_words(relaxation));
   if (relaxation.tolerance) {

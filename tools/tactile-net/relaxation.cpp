@@ -62,6 +62,13 @@ Analysis analysis_of(const NetworkOptions& options) {
   return DirectCurrent{};
 }
 
+/// Whether something in the circuit has a time of its own that is modelled.
+bool takes_time(const NetworkOptions& options) {
+  return has_amplifiers(options.realization)
+             ? options.parts.opamp.bandwidth.has_value()
+             : options.realization != Realization::lc && options.parts.node_capacitance.has_value();
+}
+
 std::vector<std::string> output_names(const Circuit& circuit) {
   std::vector<std::string> names;
   for (const Node node : circuit.outputs) names.push_back(circuit.nodes[node]);
@@ -80,21 +87,15 @@ double difference_to(std::span<const double> answer, std::span<const double> dir
 std::optional<double> predicted_difference(const CircuitPlan& plan) {
   const OpAmp& opamp = plan.options.parts.opamp;
   if (opamp.is_nullor() || !has_amplifiers(plan.options.realization)) return std::nullopt;
-  Circuit circuit = plan.circuit;
-  for (AmplifierModel& model : circuit.amplifiers)  // at rest only gain and offset count
-    model.opamp = {.gain = model.opamp.dc_gain(),
-                   .bandwidth = model.opamp.bandwidth.value_or(1e6),
-                   .offset = model.opamp.offset};
-  circuit.capacitors.clear();
-  if (count_states(circuit) > most_states) return std::nullopt;
-  std::vector<double> v = steady_state(state_space(circuit));
+  std::vector<double> v = operating_voltages(plan.circuit);
   for (double& value : v) value /= plan.options.parts.scale.volts;
   return difference_to(v, plan.direct);
 }
 
 /// What may stand between the circuit's answer and the direct solve.
 struct Explained {
-  double limit = 0.0;                 // by rounding, or by the devices' curves
+  double limit = 0.0;                 // by rounding
+  double curves = 0.0;                // by the devices' curves
   std::optional<double> predicted{};  // by the op-amps' gain and offset
 };
 
@@ -108,7 +109,7 @@ Explained explained(const CircuitPlan& plan, double condition) {
   if (plan.options.realization == Realization::ndr) {
     double largest = 0.0;  // between two nodes there may be twice that
     for (const double f : plan.direct) largest = std::max(largest, std::abs(f));
-    result.limit += std::pow(
+    result.curves = std::pow(
         2.0 * largest * plan.options.parts.scale.volts / plan.options.parts.device_volts, 2);
   }
   return result;
@@ -166,7 +167,7 @@ std::string deck_text(const CircuitPlan& plan, Answer answer) {
     const Matrix& matrix = plan.problem.matrix;
     const Explained difference =
         explained(plan, condition_bound(matrix, smallest_eigenvalue(matrix)));
-    header.within = difference.limit + 1.2 * difference.predicted.value_or(0.0);
+    header.within = difference.limit + difference.curves + 1.2 * difference.predicted.value_or(0.0);
   }
   write_deck(deck, plan.circuit, header, answer, analysis_of(plan.options));
   return std::move(deck).str();
@@ -182,7 +183,8 @@ ToleranceResult tolerate(const CircuitPlan& plan) {
 }
 
 bool Relaxation::agrees() const noexcept {
-  return std::abs(difference - predicted.value_or(0.0)) <= limit + 0.2 * predicted.value_or(0.0);
+  return std::abs(difference - predicted.value_or(0.0)) <=
+         limit + curves + 0.2 * predicted.value_or(0.0);
 }
 
 bool Relaxation::judged_as_certified() const noexcept {
@@ -196,7 +198,8 @@ std::string Relaxation::failure() const {
   if (!agrees())
     return "the circuit differs from the direct solve by " + brief(difference) + ", more than " +
            (predicted ? "its op-amps (" + brief(*predicted) + ") and " : "") +
-           "rounding explain (" + brief(limit) + ")";
+           (curves > 0.0 ? "its devices (" + brief(curves) + ") and " : "") + "rounding explain (" +
+           brief(limit) + ")";
   if (!judged_as_certified())
     return std::string("the certificate says ") +
            (certificate->dynamics->slowest < 0.0 ? "stable" : "unstable") +
@@ -221,6 +224,7 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
   result.condition = condition_bound(matrix, result.smallest_eigenvalue);
   const Explained difference = explained(plan, result.condition);
   result.limit = difference.limit;
+  result.curves = difference.curves;
   result.predicted = difference.predicted;
 
   progress.step("ngspice: operating point ...");
@@ -243,7 +247,7 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
     progress.step("ngspice: transient of " + std::to_string(result.certificate->dynamics->states) +
                   " states ...");
     result.judged = judge(simulator, plan.circuit, *result.certificate, result.voltages);
-  } else if (options.settling_accuracy) {
+  } else if (options.settling_accuracy && !takes_time(options)) {
     result.warnings.emplace_back(
         "settling is asked for, and nothing here takes a time that is modelled: give the op-amps "
         "a bandwidth, opamp = { bandwidth = 10e6 }, or the nodes a capacitance, parasitic = { node "

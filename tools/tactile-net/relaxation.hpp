@@ -53,7 +53,8 @@ struct Relaxation {
   std::vector<double> voltages{};     ///< [V]
   std::vector<double> tractions{};    ///< voltages / volts [Pa]
   double difference = 0.0;            ///< |v - f|_2 / |f|_2
-  double limit = 0.0;                 ///< largest difference that rounding, or a device, explains
+  double limit = 0.0;                 ///< largest difference that rounding explains
+  double curves = 0.0;                ///< largest that the devices' curves explain
   std::optional<double> predicted{};  ///< the difference that the op-amps' gain and offset make
   double smallest_eigenvalue = 0.0;   ///< of P
   double condition =

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -17,6 +18,7 @@ namespace {
 
 struct Options {
   std::string scene;
+  NetworkChoice network;
   std::string folder;
   std::string json;
   SimulatorChoice simulator;
@@ -54,7 +56,12 @@ void write_results(const Experiment& experiment, const OutputFolder& folder) {
 }
 
 void run(Options& options) {
-  const Scene scene = read_scene(options.scene);
+  Scene scene = read_scene(options.scene);
+  apply(options.network, scene);
+  auto& methods = scene.reconstruct.methods;  // who names a circuit wants to see it
+  if ((!options.network.realization.empty() || options.network.bandwidth != 0.0) &&
+      std::find(methods.begin(), methods.end(), Method::network) == methods.end())
+    methods.push_back(Method::network);
   const std::unique_ptr<Simulator> simulator = make_simulator(options.simulator);
   std::unique_ptr<OutputFolder> folder;
   if (!options.folder.empty()) folder = std::make_unique<OutputFolder>(options.folder);
@@ -91,6 +98,7 @@ void add_run(CLI::App& app) {
   command->add_option("--out", options->folder,
                       "Folder for report.html, result.json, CSV files and the netlist");
   command->add_option("--json", options->json, "Write the result as JSON (- = standard output)");
+  add_network_options(*command, options->network);
   add_simulator_options(*command, options->simulator);
   command->callback([options] { run(*options); });
 }

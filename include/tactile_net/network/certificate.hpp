@@ -46,9 +46,13 @@ struct Certificate {
   double condition = 0.0;            ///< of P; infinite if it is not positive definite
   Stability stability = Stability::not_modelled;
   Theorem theorem{};
-  /// Every error of conductances up to this, relative, leaves the network stable: proven by the
-  /// symmetric part of its equations, for any bandwidths. Absent: nothing can be proven.
+  /// Every error of resistors up to this, relative, leaves the network stable: proven by the
+  /// symmetric part of its equations. Absent: nothing can be proven, or the theorem's conditions
+  /// are not met.
   std::optional<double> tolerance_margin{};
+  /// The equations are the circuit's own, so the margin holds for any bandwidths; false where
+  /// converters or inverters are taken for fast.
+  bool margin_for_any_bandwidth = false;
   std::optional<Dynamics> dynamics{};  ///< absent: op-amps without bandwidth, or too many states
   double accuracy = 1e-3;              ///< that settling is measured to
   ElementCounts elements{};

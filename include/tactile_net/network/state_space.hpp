@@ -44,6 +44,13 @@ struct StateSpace {
 /// The outputs at rest, C A^-1 (-b) + d [V].
 [[nodiscard]] std::vector<double> steady_state(const StateSpace& system);
 
+/// The outputs at rest with amplifiers of finite gain (1e6 where a model gives none) and their
+/// offsets [V], by a sparse elimination: for circuits of any size, and without bandwidths.
+///
+/// @throw std::invalid_argument  the circuit has an inductor
+/// @throw std::domain_error      it has no unique operating point
+[[nodiscard]] std::vector<double> operating_voltages(const Circuit& circuit);
+
 /// From rest at t = 0: when |v - v_end|_2 <= accuracy |v_end|_2 for good [s], to a thousandth of
 /// itself, by the exact solution on a grid of time. `slowest` is the largest real part of the
 /// poles. Nothing if that is not negative.

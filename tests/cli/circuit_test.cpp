@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <sstream>
+
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+const std::string small_circuit =
+    "[sensor]\ncount = 7\npitch = 0.5\ndepth = 1.5\nreads = [\"strain_x\"]\n"
+    "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+    "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\nforce = 1.0\n"
+    "[reconstruct]\nmethods = [\"network\"]\nalpha = 1e-3\nsmoothing_length = 1.0\n[network]\n";
+
+constexpr const char* all[] = {"ideal", "nic", "rail", "crossbar", "least_squares", "lc", "ndr"};
+
+}  // namespace
+
+TEST_CASE("every realisation is generated, runs in plain ngspice and is relaxed from its deck",
+          "[cli][spice]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_circuit);
+  for (const std::string realization : all) {
+    CAPTURE(realization);
+    const std::string deck = folder / (realization + ".cir");
+    REQUIRE(tool({"gen", path, "--realization", realization, "-o", deck}).code == 0);
+    const ProcessResult plain = run_process({"ngspice", "-b", deck});
+    CHECK(plain.code == 0);
+    CHECK_THAT(plain.output, ContainsSubstring("v(n6)") && !ContainsSubstring("rror"));
+    const ProcessResult relaxed = tool({"relax", deck});
+    CHECK(relaxed.code == 0);
+    CHECK_THAT(relaxed.output, ContainsSubstring("7 nodes") && ContainsSubstring("(agrees)"));
+  }
+}
+
+TEST_CASE("with a bandwidth the transient stands beside the certificate", "[cli][spice]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_circuit);
+  for (const std::string realization : {"nic", "rail", "crossbar", "least_squares"}) {
+    CAPTURE(realization);
+    const ProcessResult result =
+        tool({"run", path, "--realization", realization, "--bandwidth", "1e6"});
+    CHECK(result.code == 0);
+    CHECK_THAT(result.output, ContainsSubstring("(agrees; the op-amps' gain and offset explain") &&
+                                  ContainsSubstring("ngspice's transient settles in") &&
+                                  ContainsSubstring("the certificate says"));
+  }
+}
+
+TEST_CASE("an edited deck is compared with what its header states", "[cli][spice]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_circuit);
+  const std::string deck = folder / "x.cir";
+  REQUIRE(tool({"gen", path, "-o", deck}).code == 0);
+  std::string text = read_text(deck);
+  const std::size_t at = text.find("\nR0_1 ");
+  const std::size_t end = text.find('\n', at + 1);
+  text.replace(at, end - at, "\nR0_1 n0 n1 1e4\r");
+  const std::string edited = folder.write("edited.CIR", text);
+  const ProcessResult result = tool({"relax", edited});
+  CHECK(result.code == 1);
+  CHECK_THAT(result.output, ContainsSubstring("(DIFFERS)") && ContainsSubstring("expected"));
+  CHECK(tool({"relax", edited, "--tolerance", "10"}).code == 0);
+  CHECK_THAT(tool({"relax", edited, "--json", "-"}).output, ContainsSubstring("\"expected\""));
+
+  CHECK_THAT(tool({"relax", folder.write("empty.cir", "")}).errors,
+             ContainsSubstring("states no voltage to compare with"));
+  CHECK_THAT(tool({"relax", folder.write("bad.cir", "t\n* expect n0 two\n")}).errors,
+             ContainsSubstring("bad.cir:2:1") && ContainsSubstring("does not end with a number"));
+  CHECK_THAT(tool({"relax", folder / "none.cir"}).errors, ContainsSubstring("cannot be opened"));
+  CHECK(tool({"relax", deck, "--realization", "nic"}).code == 2);
+}
+
+TEST_CASE("certify says what is stable, what is not, and what to choose", "[cli]") {
+  const Folder folder;
+  const ProcessResult good = tool({"certify", scene("circuits/crossbar.toml")});
+  CHECK(good.code == 0);
+  CHECK_THAT(good.output,
+             ContainsSubstring("crossbar: stable") && ContainsSubstring("theorem T5") &&
+                 ContainsSubstring("settles within 0.001 in") && ContainsSubstring("realisation") &&
+                 ContainsSubstring("With parts of 1 %"));
+  const std::string ringing = folder.write(
+      "s.toml", small_circuit +
+                    "realization = \"nic\"\nopamp = { bandwidth = 10e6 }\nparasitic = { node = "
+                    "1e-11, input = 1e-11 }\n");
+  const ProcessResult bad = tool({"certify", ringing});
+  CHECK(bad.code == 1);
+  CHECK_THAT(bad.output, ContainsSubstring("UNSTABLE") &&
+                             ContainsSubstring("does NOT apply here: capacitance") &&
+                             ContainsSubstring("divider = 796 at most"));
+  CHECK_THAT(bad.errors, ContainsSubstring("the circuit is not stable"));
+  const std::string json = tool({"certify", scene("circuits/crossbar.toml"), "--json", "-"}).output;
+  CHECK_THAT(json, StartsWith("{") && ContainsSubstring("\"tolerance_margin\"") &&
+                       ContainsSubstring("\"recommendation\"") && !ContainsSubstring("nan"));
+  CHECK(tool({"certify", scene("circuits/crossbar.toml"), "--json", "-"}).output == json);
+}
+
+TEST_CASE("an unstable circuit is called so by ngspice too", "[cli][spice]") {
+  const Folder folder;
+  const std::string ringing = folder.write(
+      "s.toml", small_circuit +
+                    "realization = \"nic\"\nopamp = { bandwidth = 10e6 }\nparasitic = { node = "
+                    "1e-11, input = 1e-11 }\nsettling = { accuracy = 1e-3 }\n");
+  const ProcessResult result = tool({"relax", ringing});
+  CHECK(result.code == 1);
+  CHECK_THAT(result.output, ContainsSubstring("transient GROWS at"));
+  CHECK_THAT(result.errors, ContainsSubstring("the circuit is unstable"));
+}
+
+TEST_CASE("settling that nothing models is said, not invented", "[cli][spice]") {
+  const Folder folder;
+  const std::string path =
+      folder.write("s.toml", small_circuit + "settling = { accuracy = 1e-3 }\n");
+  CHECK_THAT(tool({"relax", path}).output,
+             ContainsSubstring("nothing here takes a time that is modelled"));
+  CHECK(tool({"relax", path, "--bandwidth", "-1"}).code == 2);
+}

@@ -1,0 +1,266 @@
+// Writes docs/circuits.md, its numbers from this library and ngspice, and circuits/opamp_*.lib.
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <utility>
+
+#include "tactile_net/network/opamp.hpp"
+#include "tools/circuits/numbers.hpp"
+
+namespace {
+
+using namespace tactile_net;
+using namespace tactile_net::circuits;
+
+constexpr const char* introduction =
+    R"(# The circuits
+
+Node voltages that solve `P f = b`: seven ways to build the network, what is proven of each, and what ngspice says of it.
+Written by `tactile-net-circuits .` (target `tactile_net_circuits`); no number in a table is typed in. The array of every table:
+21 taxels, pitch 0.5, strain_x at depth 1.5, a cylinder of half width 2, E = 1, nu = 0.45, l = 1, 1 mS and 1 V per unit.
+
+Read the tables so:
+
+- *agreement*: ngspice's answer with ideal parts (op-amps as nullors) against the direct solve, relative in the 2-norm.
+- *slowest pole*, *settles*: with op-amps of gain 1e6 and a gain-bandwidth product of 10 MHz (10 pF at the nodes where there are
+  no op-amps); to 1e-3 of the end, from rest. First what the linear state space says, then ngspice's transient.
+- *proven margin*: every error of resistors up to this leaves the network stable; whatever the bandwidths for `ideal` and for complementary
+  outputs, otherwise as long as converters and inverters are fast against the network.
+- *median error, 1 % parts*, *stable builds*: over 1000 draws of every resistor, dividers included, by linear algebra.
+
+## Which one
+
+At alpha = 1e-3:
+
+)";
+
+constexpr const char* choice =
+    R"(
+- To check that the network solves the problem: `ideal`.
+- With parts of 1 % and alpha of 1e-3 or more: `crossbar` with complementary outputs. The fewest amplifiers, no rule on their bandwidths.
+- With small alpha, or parts that are not exact: `least_squares`. P is never formed, so nothing that squares the condition number
+  is built from resistors. It takes the readings themselves. Its price is the capacitance rule below.
+- `nic` is the thesis' own proposal; `rail` does it with O(N) op-amps and is the most sensitive of all. `lc` and `ndr` are its
+  two other ones.
+- `tactile-net certify SCENE.toml` says which, for the scene's own alpha and tolerances.
+
+## How stability is known
+
+`.op` and `.ac` are blind: a network that grows has an operating point like any other. What is certain:
+
+**The state space.** From the very parts that the deck is written from (sub-circuits' insides and the polarity of every input
+included) the library assembles `x' = A x + b` and decomposes it: poles, the growing mode, settling time.
+
+**The reduced equations.** With fast converters and inverters every network is `T z' = -S z + h`: z the node voltages, or the amplifiers'
+outputs; T > 0 diagonal, the nodes' capacitances or the rows' conductances over 2 pi bandwidth. If the symmetric part of S is
+positive definite, `V = z' T z / 2` falls: `dV/dt = -z' S z < 0` about the fixed point. That is the *proven margin*: component errors
+move S by at most E eps, and sym S stays positive definite while eps times the largest eigenvalue of D^-1/2 E D^-1/2 is below 1, D the least
+eigenvalue of each diagonal block of sym S (outputs; residuals), which are coupled by a skew block.
+
+**ngspice's transient**, with three precautions: sources step from zero (from its DC solution an unstable circuit stays there for a while),
+trapezoidal integration (Gear's damps what grows), first steps of 0.02/bandwidth. An unstable circuit is reported with its growth
+and its mode beside the certificate's.
+
+## ideal
+
+![The network of conductances](circuits/ideal.svg)
+
+A resistor `1/(-P_ij)` between nodes i and j, negative where P_ij > 0; one of the row sum to ground; a current b_i. Kirchhoff's
+law at node i is row i of P f = b.
+
+**T0.** With capacitance C at its nodes, `C v' = -P v + b`: settles if and only if P is positive definite. *Proof:* C^1/2 v turns
+it into a symmetric system with C^-1/2 P C^-1/2, of P's inertia (Sylvester).
+
+)";
+
+constexpr const char* nic_text =
+    R"(## nic
+
+![A floating and a grounded negative impedance converter](circuits/nic.svg)
+
+One converter of two op-amps for every negative branch, one op-amp for every negative row sum. The '+' inputs belong at the network's
+nodes: with inputs swapped the operating point is the same, and every converter grows at the op-amps' full bandwidth.
+
+**T1.** Stable for any node capacitance, any bandwidths and any second poles if and only if P is positive definite; with one pole
+no mode rings. *Proof:* let o be the converters' outputs. A floating one has '-' inputs at (2 o_a + o_b)/3 and (o_a + 2 o_b)/3, a grounded
+one at o/2, so with y = (v, o) and each op-amp's equation times its G
+
+    diag(C, G/W) y' = -S y + (b, 0),   S = [M, -B; -B', G T],   T = [2 1; 1 2]/3 or 1/2.
+
+S is symmetric, G T is positive definite, and the Schur complement M - B (G T)^-1 B' is P, since T^-1 = [2 -1; -1 2] or 2. So S > 0
+if and only if P > 0, and diag(C, G/W) >= 0 does the rest. Finite gain adds G/A to S's diagonal. Second poles make
+`M2 y'' + M1 y' + S y` of it with M2, M1 >= 0: an eigenvector y gives a quadratic with real coefficients that are not negative. Q.E.D.
+
+Not covered: capacitance c at the inverting inputs. Keep r <= 1/(2 W c) in the dividers.
+
+)";
+
+constexpr const char* rail_text =
+    R"(## rail
+
+![An inverter and a grounded converter at each node](circuits/rail.svg)
+
+An inverter per node offers -v_j: a positive P_ij is a resistor from n_i to r_j and one from n_j to r_i. What that leaves
+to ground, the inverter's input taken off, is negative for most nodes: one grounded converter each. Two op-amps a node, and
+errors of large conductances that almost cancel.
+
+**T2.** Op-amps of equal bandwidth: stable for any node capacitance if and only if P is positive definite. *Proof:* inverter and converter
+answer as q = 1/(1 + 2 s/W). The nodes' law is C s v + K v + q E v = b with K + E = P; K, what is tied to nodes and ground directly, is
+diagonally dominant, hence positive definite. Times 1/q: (2C/W) s^2 + (C + 2K/W) s + P = 0, three symmetric matrices of which the first
+two are not negative. Unequal bandwidths are not covered: an example at x/÷10 was unstable.
+
+)";
+
+constexpr const char* crossbar_text =
+    R"(## crossbar
+
+![The crossbar with complementary outputs](circuits/crossbar.svg)
+
+Amplifier i holds its summing node at 0 V, where the row's currents P_ij f_j meet -b_i. Complementary outputs offer f_j with either sign.
+
+**T5.** Stable if and only if P is positive definite, whatever the bandwidths W_i and the capacitances C_i at the summing nodes.
+*Proof:* D s = P v - b with D the rows' total conductance, and v' = -W s: (C/W) v'' + (D/W) v' + P v = b. All three are symmetric, the
+first two positive: a real quadratic with positive coefficients for every eigenvector.
+
+)";
+
+constexpr const char* crossbar_inverters_text =
+    R"(### With inverters
+
+![The crossbar with inverters](circuits/crossbar-inverters.svg)
+
+Single-ended op-amps and an inverter per node (`inverters = true`).
+
+**T3.** Main op-amps of at most half the inverters' bandwidth (k <= 1/2, the default): stable if P is positive definite, for any capacitance at
+the main summing nodes. *Proof:* with P = P+ - N, N >= 0 what comes from the inverters, q = 1/(1 + 2 s/W) and k in units of W:
+(C s + D) s (1 + 2 s/W)/(k W) + P+ (1 + 2 s/W) - N = 0. For an eigenvector let c, d, p+, n, p be the forms of C/k, D/k, P+, N, P. The cubic
+(2c/W^2) s^3 + (c/W + 2d/W^2) s^2 + (d + 2 p+)/W s + p has only roots in the left half plane if d + 2p+ > 0 and (c + 2d/W)(d + 2p+) > 2 c p
+(Routh). Rows of |P| sum to at most D, so p+ >= -D's form and n >= -D's form; with k <= 1/2, d >= 2 D's form: d + 2p+ >= 0, and
+c (d + 2p+) >= 2 c (p+ - n) because d + 2n >= 0. The term 2d/W makes it strict.
+
+)";
+
+constexpr const char* least_squares_text =
+    R"(## least_squares
+
+![Two crossbars around K and its transpose](circuits/least_squares.svg)
+
+Residual amplifiers hold e = -rho (K f - g), main amplifiers K'e = rho R f with R = alpha (l^2/D^2 Q + I): the fixed point is
+(K'K + R) f = K'g. The currents are the readings; b is never computed. Conductances are K over its largest column norm, so the answer
+does not depend on K's unit.
+
+**T6.** With complementary outputs: stable for every rho and every bandwidth. *Proof:*
+(D_f/W_f) f' = K'e - rho R f and (D_e/W_e) e' = -(K f - g) - e/rho. About the fixed point V = (f' D_f/W_f f + e' D_e/W_e e)/2 falls:
+dV/dt = -rho f'R f - |e|^2/rho < 0, because the coupling cancels: e'K f comes with either sign.
+
+rho buys speed at small alpha: the slowest pole grows with it, until the residual amplifiers themselves are the slowest.
+Capacitance c at the summing nodes adds inertia to a skew coupling, which no theorem bears: stable while k rho^2 c W/D is
+below about 5 (k: the main amplifiers' bandwidth over the others', D: conductance of a residual row). The certificate checks it and
+proposes a larger conductance scale or a smaller rho.
+
+)";
+
+constexpr const char* least_squares_inverters_text =
+    R"(### With inverters
+
+**T4.** Stable if the main op-amps are slow enough. How slow is not proven; k = 0.2/rho, the default, was enough in every case tried. It gives away
+what rho would gain.
+
+)";
+
+constexpr const char* lc_text =
+    R"(## lc
+
+![Capacitors and inductors](circuits/lc.svg)
+
+At one frequency w a capacitor g/w is a conductance jg and an inductor 1/(w|g|) one of -j|g|: with currents of 90 degrees the node voltages are
+real, and are f. Passive, so never unstable; lossless, so it never settles either. In ngspice it needs `.options noopac`: at direct
+current it has no operating point. An inductor's Q of 100 already costs some per cent; read the in-phase part.
+
+)";
+
+constexpr const char* ndr_text =
+    R"(## ndr
+
+![Devices of negative differential resistance](circuits/ndr.svg)
+
+Every negative conductance is a device with an N-shaped curve of slope -g at 0 V: a cubic, or a tunnel diode biased at its steepest point. There
+the curve has no quadratic term, and no slope below -g anywhere.
+
+**Convexity.** The network's potential, the sum of the integrals of each branch's current over its voltage, has a second derivative of at least
+P everywhere: strictly convex if P > 0. One operating point, approached from everywhere with capacitance at the nodes.
+
+The error grows as the square of node voltages over the device's own (`device_volts`):
+
+)";
+
+constexpr const char* ending =
+    R"(## The sub-circuits
+
+`circuits/*.lib`, each with its pin order in its first lines; `floating_nic`, `grounded_nic` and `inverter` need a sub-circuit
+`opamp`, which any one of `opamp_*.lib` provides; `crossbar` and `least_squares` use `amplifier`, of `amplifier_*.lib`. In KiCad: give the
+symbol the field Sim.Library (the file) and Sim.Name, and include the op-amp's file on the sheet. A deck of `tactile-net gen` carries
+all it needs.
+
+| file | holds |
+|---|---|
+| `*_nullor.lib` | the ideal amplifier, for operating points |
+| `*_gain.lib` | gain 1e6 |
+| `*_one_pole.lib` | gain 1e6, gain-bandwidth product 10 MHz |
+| `*_two_poles.lib` | a second pole at 20 MHz |
+| `*_clamped.lib` | one pole, output within 12 V: diodes at the core, which converge where a tanh fails, and do not wind up |
+)";
+
+/// To a temporary name, then renamed.
+void write(const std::filesystem::path& target, const std::string& text) {
+  std::filesystem::path partial = target;
+  partial += ".partial";
+  std::ofstream file(partial, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error(partial.string() + " could not be written");
+  std::filesystem::rename(partial, target);
+}
+
+void write_amplifiers(const std::filesystem::path& folder) {
+  const std::pair<const char*, OpAmp> models[] = {
+      {"nullor", {}},
+      {"gain", {.gain = 1e6}},
+      {"one_pole", {.gain = 1e6, .bandwidth = 10e6}},
+      {"two_poles", {.gain = 1e6, .bandwidth = 10e6, .second_pole = 20e6}},
+      {"clamped", {.gain = 1e6, .bandwidth = 10e6, .rail = 12.0}}};
+  for (const auto& [step, opamp] : models) {
+    write(folder / ("opamp_" + std::string(step) + ".lib"),
+          subcircuit_text({"opamp", opamp, Outputs::single}));
+    write(folder / ("amplifier_" + std::string(step) + ".lib"),
+          subcircuit_text({"amplifier", opamp, Outputs::complementary}));
+  }
+}
+
+std::string page() {
+  return introduction + comparison(1e-3) + "At alpha = 1e-5:\n\n" + comparison(1e-5) + choice +
+         table(Realization::ideal) + nic_text + table(Realization::nic) + rail_text +
+         table(Realization::rail) + crossbar_text + table(Realization::crossbar) +
+         crossbar_inverters_text + table(Realization::crossbar, true) + least_squares_text +
+         table(Realization::least_squares) + least_squares_inverters_text +
+         table(Realization::least_squares, true) + lc_text + table(Realization::lc) + ndr_text +
+         devices() + table(Realization::ndr) + ending;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: tactile-net-circuits FOLDER   (with docs/ and circuits/ in it)\n";
+    return 2;
+  }
+  try {
+    const std::filesystem::path folder = argv[1];
+    write_amplifiers(folder / "circuits");
+    write(folder / "docs" / "circuits.md", page());
+  } catch (const std::exception& error) {
+    std::cerr << "tactile-net-circuits: error: " << error.what() << '\n';
+    return 1;
+  }
+}

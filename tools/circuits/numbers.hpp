@@ -1,0 +1,20 @@
+/// @file
+/// What docs/circuits.md says in numbers: each from a run.
+#pragma once
+
+#include <string>
+
+#include "tactile_net/network/realization.hpp"
+
+namespace tactile_net::circuits {
+
+/// A table of one realisation at several alphas: agreement, settling, tolerance.
+[[nodiscard]] std::string table(Realization realization, bool inverters = false);
+
+/// Every realisation at one alpha: what to choose.
+[[nodiscard]] std::string comparison(double alpha);
+
+/// Errors of N-shaped devices over their voltage.
+[[nodiscard]] std::string devices();
+
+}  // namespace tactile_net::circuits
