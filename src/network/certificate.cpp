@@ -66,9 +66,8 @@ Theorem theorem_of(Realization realization, const RealizationOptions& options, b
       t = options.inverters
               ? Theorem{"T4",
                         "Main op-amps slow enough: stable. How slow is not proven; 0.2/rho of "
-                        "the others' bandwidth was enough in every case tried.",
-                        true,
-                        {}}
+                        "the others' bandwidth is a rule of thumb.",
+                        false, "how slow is enough is not proven"}
               : Theorem{"T6",
                         "Complementary outputs: stable for every gain rho and any bandwidths.",
                         true,
@@ -100,10 +99,6 @@ Theorem theorem_of(Realization realization, const RealizationOptions& options, b
   const double ratio = options.main_bandwidth(realization);
   if (options.inverters && realization == Realization::crossbar && ratio > 0.5)
     fails("main op-amps of " + brief(ratio) + " times the inverters' bandwidth");
-  if (options.inverters && realization == Realization::least_squares &&
-      ratio > 0.2 / options.residual_gain)
-    fails("main op-amps of " + brief(ratio) +
-          " times the others' bandwidth, over 0.2/rho = " + brief(0.2 / options.residual_gain));
   return t;
 }
 
@@ -122,7 +117,10 @@ std::optional<double> margin_of(const Reduction& reduction, const Equations& equ
   Eigen::VectorXd d(s.rows());
   d.head(n).setConstant(least(symmetric.topLeftCorner(n, n)));
   if (rest > 0) d.tail(rest).setConstant(least(symmetric.bottomRightCorner(rest, rest)));
-  if (!(d.minCoeff() > 0.0)) return std::nullopt;
+  // What rounding may have made of the least eigenvalue proves nothing.
+  const double rounding =
+      static_cast<double>(s.rows()) * std::numeric_limits<double>::epsilon() * symmetric.norm();
+  if (!(d.head(n).minCoeff() > rounding) || !(d.minCoeff() > 0.0)) return std::nullopt;
   const Matrix entries = reduction.sensitivity_bound();
   const auto b = as_eigen(entries);
   const Eigen::VectorXd root = d.cwiseSqrt().cwiseInverse();
@@ -131,8 +129,8 @@ std::optional<double> margin_of(const Reduction& reduction, const Equations& equ
       1.0 / Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(bound, Eigen::EigenvaluesOnly)
                 .eigenvalues()(s.rows() - 1);
   // An entry is at most g up / down, whose errors make (1 + e) / (1 - e)^2 - 1 <= 3 e / (1 - e)^2.
-  // 3 e is in the bound: e / (1 - e)^2 <= x.
-  return x > 0.0 ? std::optional(1.0 + (1.0 - std::sqrt(1.0 + 4.0 * x)) / (2.0 * x)) : std::nullopt;
+  // 3 e is in the bound: e / (1 - e)^2 <= x, solved without a difference of large numbers.
+  return 2.0 * x / (1.0 + 2.0 * x + std::sqrt(1.0 + 4.0 * x));
 }
 
 Dynamics dynamics_of(const Circuit& circuit, double accuracy) {
@@ -146,16 +144,23 @@ Dynamics dynamics_of(const Circuit& circuit, double accuracy) {
     dynamics.settling_seconds = settling_time(system, accuracy, dynamics.slowest);
   else
     dynamics.mode = slowest_mode(system);
+  dynamics.rings = all.front().imag() != 0.0;
   return dynamics;
 }
 
 void add_warnings(Certificate& c, const Circuit& circuit, const RealizationOptions& options,
                   const Equations* equations, const Reduction* reduction) {
   const OpAmp& o = options.opamp;
-  if (o.rail && c.largest_voltage > *o.rail)
-    c.warnings.push_back("a node would reach " + brief(c.largest_voltage) + " V, the rail is " +
-                         brief(*o.rail) + " V: lower volts to " +
-                         brief(0.8 * *o.rail / c.largest_voltage * options.scale.volts));
+  const double reach = o.rail ? *o.rail - 0.6 : 0.0;  // where the clamp's diodes begin to conduct
+  if (o.rail && c.largest_voltage > reach)
+    c.warnings.push_back("a node would reach " + brief(c.largest_voltage) +
+                         " V, op-amps clamp from " + brief(reach) + " V (rail - 0.6 V): volts = " +
+                         brief(0.8 * reach / c.largest_voltage * options.scale.volts));
+  if (options.node_capacitance &&
+      (c.realization == Realization::crossbar || c.realization == Realization::least_squares))
+    c.warnings.emplace_back(
+        "parasitic.node has no effect: the nodes are the amplifiers' outputs; parasitic.input is "
+        "what loads their summing nodes");
   const bool dividers =
       std::any_of(circuit.instances.begin(), circuit.instances.end(),
                   [&](const Instance& x) { return amplifier(circuit, x.subcircuit) == nullptr; });
@@ -164,7 +169,7 @@ void add_warnings(Certificate& c, const Circuit& circuit, const RealizationOptio
     if (options.divider > limit)
       c.warnings.push_back("resistors of " + brief(options.divider) +
                            " ohm at inverting inputs ring with their capacitance: divider = " +
-                           brief(limit) + " at most, 1/(2 W C)");
+                           brief(0.99 * limit) + " at most, 1/(2 W C)");
   }
   if (c.realization == Realization::least_squares && !options.inverters && o.input_capacitance &&
       o.bandwidth && equations != nullptr) {
@@ -179,8 +184,17 @@ void add_warnings(Certificate& c, const Circuit& circuit, const RealizationOptio
       c.warnings.push_back(
           "capacitance at the summing nodes counts (k rho^2 C W/D = " + brief(number) +
           ", to be well below 5): siemens = " + brief(options.scale.siemens * number) +
-          " or more, or residual_gain = " + brief(options.residual_gain / std::sqrt(number)));
+          " or more, or a smaller residual_gain");
   }
+  if (c.least_ohm > 0.0 && (c.greatest_ohm > 1e9 || c.least_ohm < 1.0))
+    c.warnings.push_back(
+        "resistors from " + brief(c.least_ohm) + " to " + brief(c.greatest_ohm) +
+        " ohm cannot be bought: siemens = " +
+        brief(options.scale.siemens * std::sqrt(c.least_ohm) * std::sqrt(c.greatest_ohm) / 1e5) +
+        " would centre them at 100 kilo-ohm");
+  if (c.largest_voltage > 100.0 || (c.largest_voltage > 0.0 && c.largest_voltage < 1e-4))
+    c.warnings.push_back("the largest voltage is " + brief(c.largest_voltage) + " V: volts = " +
+                         brief(options.scale.volts / c.largest_voltage) + " would make it 1 V");
   if (c.least_ohm > 0.0 && c.greatest_ohm > 1e15 * c.least_ohm)
     c.warnings.push_back("resistors from " + brief(c.least_ohm) + " to " + brief(c.greatest_ohm) +
                          " ohm: further apart than a simulator's digits");
@@ -215,9 +229,13 @@ Certificate certify(Realization realization, const NetworkProblem& problem,
                                           .eigenvalues();
   c.smallest_eigenvalue = eigenvalues(0);
   const double largest = eigenvalues(eigenvalues.size() - 1);
-  const bool definite = c.smallest_eigenvalue > 0.0;
-  c.condition =
-      definite ? largest / c.smallest_eigenvalue : std::numeric_limits<double>::infinity();
+  // Below the rounding of P's entries either sign means nothing. least_squares never forms P.
+  const double rounding =
+      static_cast<double>(eigenvalues.size()) * std::numeric_limits<double>::epsilon() * largest;
+  const bool definite =
+      c.smallest_eigenvalue > rounding || realization == Realization::least_squares;
+  c.condition = c.smallest_eigenvalue > rounding ? largest / c.smallest_eigenvalue
+                                                 : std::numeric_limits<double>::infinity();
   c.theorem = theorem_of(realization, options, definite);
   c.elements = count_elements(circuit);
 
@@ -244,7 +262,7 @@ Certificate certify(Realization realization, const NetworkProblem& problem,
     c.power = load.power;
     if (c.theorem.holds) c.tolerance_margin = margin_of(reduction, equations);
     c.margin_for_any_bandwidth =
-        c.tolerance_margin &&
+        c.tolerance_margin && !options.opamp.second_pole && !options.opamp.input_capacitance &&
         std::all_of(circuit.instances.begin(), circuit.instances.end(),
                     [&](const Instance& x) { return amplifier(circuit, x.subcircuit) != nullptr; });
     add_warnings(c, circuit, options, &equations, &reduction);
@@ -252,13 +270,14 @@ Certificate certify(Realization realization, const NetworkProblem& problem,
 
   const bool dynamic = has_amplifiers(realization) ? options.opamp.bandwidth.has_value()
                                                    : options.node_capacitance.has_value();
-  if (dynamic && count_states(circuit) <= most_states) {
+  const std::size_t states = dynamic ? count_states(circuit) : 0;
+  if (states > 0 && states <= most_states) {
     c.dynamics = dynamics_of(circuit, accuracy);
     c.stability = c.dynamics->slowest < 0.0 ? Stability::stable : Stability::unstable;
-    if (c.stability == Stability::unstable && !definite) c.stability = Stability::not_definite;
+    if (!definite) c.stability = Stability::not_definite;
     return c;
   }
-  if (dynamic)
+  if (states > 0)
     c.warnings.push_back("more than " + std::to_string(most_states) +
                          " states: poles and settling time are left out");
   if (!definite)

@@ -124,13 +124,24 @@ std::string current_of(const NShapedDevice& b, const std::vector<std::string>& n
   return deck_number(b.siemens * b.volts) + "*((2+" + u + ")*exp(-" + u + ")-2)";
 }
 
-std::string step_of(double ampere, const StepResponse& response) {
+/// The step of source number `place`; its edge takes a millionth of the time.
+std::string step_of(double ampere, const StepResponse& response, std::size_t place) {
+  const double edge = response.stop / 1e6;
+  double first = ampere;
+  double until = 0.0;
+  if (response.overdrive_until > 0.0) {
+    first = response.overdrive * ampere;
+    until = response.overdrive_until;
+  } else if (response.kick > 0.0) {
+    first = ampere * (1.0 + response.kick * std::cos(1.0 + 2.4 * static_cast<double>(place)));
+    until = response.stop / 1e3;
+  }
   const std::string end = deck_number(ampere);
-  if (!(response.overdrive_until > 0.0)) return "PWL(0 0 1e-12 " + end + ')';
-  const std::string until = deck_number(response.overdrive_until);
-  const std::string more = deck_number(response.overdrive * ampere);
-  return "PWL(0 0 1e-12 " + more + ' ' + until + ' ' + more + ' ' +
-         deck_number(1.001 * response.overdrive_until) + ' ' + end + ')';
+  std::string text = "PWL(0 0 " + deck_number(edge) + ' ' + deck_number(first);
+  if (until > 0.0)
+    text += ' ' + deck_number(until) + ' ' + deck_number(first) + ' ' + deck_number(until + edge) +
+            ' ' + end;
+  return text + ')';
 }
 
 void append_elements(std::string& deck, const Circuit& circuit, const Analysis& analysis) {
@@ -157,7 +168,8 @@ void append_elements(std::string& deck, const Circuit& circuit, const Analysis& 
     else if (std::holds_alternative<SingleFrequency>(analysis))
       deck += " AC " + deck_number(i.ampere) + " 90";
     else
-      deck += ' ' + step_of(i.ampere, std::get<StepResponse>(analysis));
+      deck += ' ' + step_of(i.ampere, std::get<StepResponse>(analysis),
+                            static_cast<std::size_t>(&i - circuit.sources.data()));
     deck += '\n';
   }
 }

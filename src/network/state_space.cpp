@@ -127,6 +127,13 @@ StateSpace state_space(const Circuit& circuit) {
   Eigen::MatrixXd e = Eigen::MatrixXd::Zero(index(others), index(states));
   Eigen::VectorXd constant = Eigen::VectorXd::Zero(index(others));
   if (others > 0) {
+    // In units of each node's own conductance, so that no scale decides what is singular.
+    const Eigen::VectorXd units =
+        of_others.rightCols(index(others)).rowwise().lpNorm<Eigen::Infinity>().cwiseInverse();
+    if (!units.allFinite())
+      throw std::domain_error("nodes without capacitance have no unique voltage");
+    of_others = units.asDiagonal() * of_others;
+    into_others = units.cwiseProduct(into_others);
     const Eigen::PartialPivLU<Eigen::MatrixXd> lu(of_others.rightCols(index(others)));
     if (!(lu.rcond() > 1e-15))
       throw std::domain_error("nodes without capacitance have no unique voltage");

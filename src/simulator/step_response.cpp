@@ -134,6 +134,7 @@ Judged judge(Simulator& simulator, const Circuit& circuit, const Certificate& ce
   const Dynamics& dynamics = *certificate.dynamics;
   const double size = norm(end);
   Judged judged;
+  if (size == 0.0) throw std::invalid_argument("without a load there is nothing to settle to");
   const auto bounded = [&](const Waveforms& waveforms) {
     return norm(at(waveforms, waveforms.time.size() - 1)) <= 1e3 * size;
   };
@@ -152,18 +153,20 @@ Judged judge(Simulator& simulator, const Circuit& circuit, const Certificate& ce
     return waveforms;
   };
 
+  // A kick shows modes that a symmetric load leaves asleep, and would change a settling time.
+  const double kick = dynamics.slowest < 0.0 ? 0.0 : 0.1;
   try {
     const double slow = slowest_bandwidth(circuit);
     if (std::isfinite(slow)) {
       const double step = 0.02 / fastest_bandwidth(circuit);
       const double stop =
           std::clamp(20.0 / (2.0 * std::numbers::pi * slow), 20.0 * step, 1e5 * step);
-      const Waveforms early = run({.step = step, .stop = stop});
+      const Waveforms early = run({.step = step, .stop = stop, .kick = kick});
       if (!bounded(early)) return grown(early);
     }
-    const double horizon = dynamics.slowest < 0.0
-                               ? 2.0 * dynamics.settling_seconds.value_or(20.0 / -dynamics.slowest)
-                               : 20.0 / std::max(dynamics.slowest, 1e-300);
+    double horizon = 25.0 / std::max(std::abs(dynamics.slowest), 1e-300);
+    if (dynamics.slowest < 0.0 && dynamics.settling_seconds.value_or(0.0) > 0.0)
+      horizon = 2.0 * *dynamics.settling_seconds;
     // A decay is straight in its logarithm; ringing needs its periods resolved.
     double step = horizon / 800.0;
     if (dynamics.damping < 0.9) {
@@ -171,7 +174,7 @@ Judged judge(Simulator& simulator, const Circuit& circuit, const Certificate& ce
       if (const double fast = fastest_bandwidth(circuit); fast > 0.0)
         step = std::max(std::min(step, 0.02 / fast), horizon / 20000.0);
     }
-    const Waveforms waveforms = run({.step = step, .stop = horizon});
+    const Waveforms waveforms = run({.step = step, .stop = horizon, .kick = kick});
     if (!bounded(waveforms)) return grown(waveforms);
     judged.end_error = distance(at(waveforms, waveforms.time.size() - 1), end) / size;
     judged.settling_seconds = settling_time(waveforms, end, certificate.accuracy);

@@ -89,7 +89,7 @@ TEST_CASE("certify says what is stable, what is not, and what to choose", "[cli]
   CHECK(bad.code == 1);
   CHECK_THAT(bad.output, ContainsSubstring("UNSTABLE") &&
                              ContainsSubstring("does NOT apply here: capacitance") &&
-                             ContainsSubstring("divider = 796 at most"));
+                             ContainsSubstring("divider = 788 at most"));
   CHECK_THAT(bad.errors, ContainsSubstring("the circuit is not stable"));
   const std::string json = tool({"certify", scene("circuits/crossbar.toml"), "--json", "-"}).output;
   CHECK_THAT(json, StartsWith("{") && ContainsSubstring("\"tolerance_margin\"") &&

@@ -219,7 +219,7 @@ TEST_CASE("a step response's deck holds the step, its time and the outputs alone
         "R0 n0 0 1000\n"
         "R1 n0 0 -4000\n"
         "C0 n0 0 1e-09\n"
-        "I0 0 n0 PWL(0 0 1e-12 0.0015)\n"
+        "I0 0 n0 PWL(0 0 1.0000000000000001e-11 0.0015)\n"
         ".options method=trap reltol=1e-5 chgtol=1e-18 abstol=1e-15 vntol=1e-9\n"
         ".tran 1e-08 1e-05 0 1e-08\n"
         ".save v(n0)\n"

@@ -37,6 +37,7 @@ struct Dynamics {
   double slowest = 0.0;  ///< largest real part of a pole [1/s]
   double damping = 1.0;  ///< least -Re/|s| of the poles; 1: no ringing; < 0: growth
   std::optional<double> settling_seconds{};  ///< absent: it does not settle
+  bool rings = false;                        ///< the slowest pole is one of a complex pair
   std::vector<double> mode{};  ///< unstable: the growing mode in the outputs, 2-norm 1
 };
 

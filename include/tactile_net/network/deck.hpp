@@ -43,6 +43,9 @@ struct StepResponse {
   /// amplifiers that reach their rails come back.
   double overdrive = 1.0;
   double overdrive_until = 0.0;
+  /// For the first thousandth of the time each source is off by up to this, relative, each by
+  /// another share: so that a symmetric load wakes every mode.
+  double kick = 0.0;
 };
 
 using Analysis = std::variant<DirectCurrent, SingleFrequency, StepResponse>;
