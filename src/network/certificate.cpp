@@ -250,7 +250,12 @@ Certificate certify(Realization realization, const NetworkProblem& problem,
     c.stability = !definite                        ? Stability::not_definite
                   : realization == Realization::lc ? Stability::lossless
                                                    : Stability::stable;
-    if (realization == Realization::lc) return c;
+    if (realization == Realization::lc) {
+      if (options.node_capacitance)
+        c.warnings.emplace_back(
+            "parasitic.node is left out: at one frequency it is part of each node's capacitor");
+      return c;
+    }
   } else {
     const Reduction reduction(circuit);
     const Equations equations = reduction.equations();

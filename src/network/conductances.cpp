@@ -1,5 +1,6 @@
 #include "tactile_net/network/conductances.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <stdexcept>
@@ -56,6 +57,15 @@ double smallest_eigenvalue(const Matrix& matrix) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(as_eigen(matrix),
                                                               Eigen::EigenvaluesOnly);
   return solver.eigenvalues()(0);
+}
+
+std::vector<double> solve_symmetric(const Matrix& matrix, const std::vector<double>& right_side) {
+  check_square(matrix);
+  if (right_side.size() != matrix.rows)
+    throw std::invalid_argument("the right side must have one value per row of P");
+  const Eigen::VectorXd x =
+      Eigen::LDLT<Eigen::MatrixXd>(as_eigen(matrix)).solve(as_eigen(std::span(right_side)));
+  return {x.begin(), x.end()};
 }
 
 }  // namespace tactile_net

@@ -163,6 +163,7 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
   check(options);
   const Equations nominal = reduction.equations();
   const Eigen::VectorXd v = outputs_of(reduction, nominal);
+  if (v.norm() == 0.0) throw std::domain_error("without a load there is no answer to err from");
   if (!v.allFinite()) throw std::domain_error("the network has no unique answer");
 
   ToleranceResult result{.trials = options.relative ? options.trials : 1};

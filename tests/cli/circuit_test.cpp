@@ -73,6 +73,50 @@ TEST_CASE("an edited deck is compared with what its header states", "[cli][spice
   CHECK(tool({"relax", deck, "--realization", "nic"}).code == 2);
 }
 
+TEST_CASE("a deck from a stranger runs no commands", "[cli][spice]") {
+  const Folder folder;
+  const std::string mark = folder / "ran";
+  const std::string resistor = "T\n* EXPECT A 1\nr1 a 0 1k\ni1 0 a 1m\n";
+  for (const std::string& command :
+       {" .CONTROL\n shell touch " + mark + "\n .endc\n", "\t*# shell touch " + mark + "\n"}) {
+    const std::string deck = folder.write("s.cir", resistor + command + ".op\n.end\n");
+    CHECK(tool({"relax", deck}).code == 0);
+    CHECK_FALSE(std::filesystem::exists(mark));
+  }
+  CHECK_THAT(tool({"relax", folder.write("w.cir", resistor + "* within -1\n.op\n.end\n")}).errors,
+             ContainsSubstring("must be >= 0"));
+  std::filesystem::create_directory(folder / "d.cir");
+  CHECK_THAT(tool({"relax", folder / "d.cir"}).errors, ContainsSubstring("is a folder"));
+  CHECK_THAT(tool({"gen", folder / "s.cir"}).errors, ContainsSubstring("is a deck"));
+}
+
+TEST_CASE("devices driven far beyond their curve give no answer", "[cli][spice]") {
+  const Folder folder;
+  const std::string path =
+      folder.write("s.toml", small_circuit + "realization = \"ndr\"\ndevice_volts = 0.05\n");
+  const ProcessResult result = tool({"relax", path});
+  CHECK(result.code == 1);
+  CHECK_THAT(result.errors, ContainsSubstring("too large for the devices"));
+}
+
+TEST_CASE("without a load nothing is divided by it", "[cli][spice]") {
+  const Folder folder;
+  std::string text = small_circuit;
+  text.erase(text.find("[[contact]]"), text.find("[reconstruct]") - text.find("[[contact]]"));
+  const std::string path = folder.write(
+      "s.toml", text +
+                    "realization = \"crossbar\"\nopamp = { bandwidth = 1e6, offset = 1e-4 }\n"
+                    "settling = { accuracy = 1e-3 }\ntolerance = { relative = 0.01 }\n");
+  const ProcessResult result = tool({"relax", path});
+  CHECK(result.code == 0);
+  CHECK_THAT(result.output, ContainsSubstring("there is no load") && !ContainsSubstring("nan") &&
+                                !ContainsSubstring("inf"));
+  CHECK_THAT(tool({"certify", path}).output, ContainsSubstring("There is no load"));
+  const std::string deck = folder / "s.cir";
+  CHECK(tool({"gen", path, "-o", deck}).code == 0);
+  CHECK(tool({"relax", deck}).code == 0);
+}
+
 TEST_CASE("certify says what is stable, what is not, and what to choose", "[cli]") {
   const Folder folder;
   const ProcessResult good = tool({"certify", scene("circuits/crossbar.toml")});
@@ -115,5 +159,6 @@ TEST_CASE("settling that nothing models is said, not invented", "[cli][spice]") 
       folder.write("s.toml", small_circuit + "settling = { accuracy = 1e-3 }\n");
   CHECK_THAT(tool({"relax", path}).output,
              ContainsSubstring("nothing here takes a time that is modelled"));
-  CHECK(tool({"relax", path, "--bandwidth", "-1"}).code == 2);
+  for (const char* bandwidth : {"-1", "0", "inf", "nan"})
+    CHECK(tool({"relax", path, "--bandwidth", bandwidth}).code == 2);
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -19,6 +20,7 @@ struct Options {
 };
 
 void run(const Options& options) {
+  refuse_deck(options.scene);
   Scene scene = read_scene(options.scene);
   apply(options.network, scene);
   Progress progress;
@@ -27,12 +29,18 @@ void run(const Options& options) {
   const Certificate certificate = certify(plan);
   std::optional<ToleranceResult> tolerance;
   const Realization one = plan.options.realization;
-  if (plan.options.tolerance && one != Realization::lc && one != Realization::ndr) {
+  const bool loaded =
+      std::any_of(plan.direct.begin(), plan.direct.end(), [](double f) { return f != 0.0; });
+  if (loaded && plan.options.tolerance && one != Realization::lc && one != Realization::ndr) {
     progress.step("drawing components ...");
     tolerance = tolerate(plan);
   }
   progress.step("comparing realisations ...");
-  const Recommendation recommendation = recommend(plan);
+  Recommendation recommendation;
+  if (loaded)
+    recommendation = recommend(plan);
+  else
+    recommendation.text = "There is no load: nothing for errors of components to change.";
   progress.clear();
   if (options.json != "-")
     print_certificate(std::cout, certificate, tolerance,

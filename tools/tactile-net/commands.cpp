@@ -57,9 +57,9 @@ void apply(const NetworkChoice& choice, Scene& scene) {
     }
     scene.network.realization = *realization;
   }
-  if (choice.bandwidth == 0.0) return;
-  if (!(choice.bandwidth > 0.0) || !std::isfinite(choice.bandwidth))
-    throw CLI::ValidationError("--bandwidth", "must be > 0 and finite");
+  if (!choice.bandwidth) return;
+  if (!(*choice.bandwidth >= 1e-3 && *choice.bandwidth <= 1e15))
+    throw CLI::ValidationError("--bandwidth", "must be from 1e-3 to 1e15 Hz");
   OpAmp& opamp = scene.network.parts.opamp;
   opamp.gain = opamp.dc_gain();
   opamp.bandwidth = choice.bandwidth;

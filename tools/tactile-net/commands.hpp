@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "tactile_net/scene/scene.hpp"
@@ -42,7 +43,7 @@ void add_simulator_options(CLI::App& command, SimulatorChoice& choice);
 /// What the command line says of the circuit, over the scene.
 struct NetworkChoice {
   std::string realization{};
-  double bandwidth = 0.0;  ///< of the op-amps [Hz]; 0: the scene's
+  std::optional<double> bandwidth{};  ///< of the op-amps [Hz]; absent: the scene's
 };
 
 /// Adds --realization and --bandwidth.

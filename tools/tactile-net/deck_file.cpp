@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -33,7 +34,14 @@ bool is_deck(const std::string& path) {
                      [&](const char* ending) { return name.ends_with(ending); });
 }
 
+void refuse_deck(const std::string& path) {
+  if (is_deck(path))
+    refuse(path, 0, "is a deck; this command takes a scene (TOML)",
+           "tactile-net relax takes decks too");
+}
+
 DeckAnswer relax_deck(const std::string& path, Simulator& simulator) {
+  if (std::filesystem::is_directory(path)) refuse(path, 0, "is a folder, not a deck", {});
   std::ifstream file(path);
   if (!file) refuse(path, 0, "cannot be opened", {});
   DeckAnswer answer;
@@ -43,26 +51,33 @@ DeckAnswer relax_deck(const std::string& path, Simulator& simulator) {
   for (std::string line; std::getline(file, line);) {
     ++number;
     if (line.ends_with('\r')) line.pop_back();
-    const std::string word = lower(line.substr(0, line.find_first_of(" \t")));
-    if (word == ".control") control = true;
-    if (!control && !line.starts_with("*#")) deck += line + '\n';
-    if (word == ".endc") control = false;
-    const auto number_in = [&](const std::string& text, const char* example) {
-      double value = 0.0;
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-      if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-        refuse(path, number, "'" + line + "' does not end with a number", example);
-      return value;
+    // Simulators look past leading blanks and at no letter's case: so must what is left out here.
+    const std::size_t begin = line.find_first_not_of(" \t");
+    const std::string text = begin == std::string::npos ? "" : lower(line.substr(begin));
+    if (text.starts_with(".control")) control = true;
+    if (!control && !text.starts_with("*#")) deck += line + '\n';
+    if (text.starts_with(".endc")) control = false;
+    if (!text.starts_with('*')) continue;
+    const auto number_in = [&](const std::string& value, const char* example) {
+      double result = 0.0;
+      const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), result);
+      if (error != std::errc{} || end != value.data() + value.size() || !std::isfinite(result))
+        refuse(path, number, "'" + line.substr(0, 80) + "' does not end with a number", example);
+      return result;
     };
-    std::istringstream words(line.size() > 9 ? line.substr(9) : std::string());
-    std::string node;
+    std::istringstream words(text.substr(1));
+    std::string key;
     std::string value;
-    if (line.starts_with("* expect ")) {
-      words >> node >> value;
-      answer.nodes.push_back({node, number_in(value, "* expect n0 1.25e-3"), 0.0});
-    } else if (line.starts_with("* within ")) {
+    words >> key;
+    if (key == "expect") {
+      NodeAnswer one;
+      words >> one.node >> value;
+      one.expected = number_in(value, "* expect n0 1.25e-3");
+      answer.nodes.push_back(one);
+    } else if (key == "within") {
       words >> value;
       answer.within = number_in(value, "* within 1e-9");
+      if (answer.within < 0.0) refuse(path, number, "a difference allowed must be >= 0", {});
     }
   }
   if (answer.nodes.empty())
@@ -72,7 +87,7 @@ DeckAnswer relax_deck(const std::string& path, Simulator& simulator) {
   std::vector<std::string> names;
   std::vector<double> expected;
   for (const NodeAnswer& one : answer.nodes) {
-    names.push_back(lower(one.node));
+    names.push_back(one.node);
     expected.push_back(one.expected);
   }
   const OperatingPoint point = operating_point(simulator, deck, names);

@@ -26,6 +26,9 @@ struct DeckAnswer {
 /// Whether a command's SCENE is a deck: its name ends with .cir, .sp, .spice or .net.
 [[nodiscard]] bool is_deck(const std::string& path);
 
+/// @throw InputError  the name is a deck's, where a scene is asked for
+void refuse_deck(const std::string& path);
+
 /// Runs the deck's own analysis, `.op` or one frequency of `.ac`, and reads the nodes that its
 /// header expects. Commands to ngspice (`*#` lines, `.control` sections) are left out.
 ///

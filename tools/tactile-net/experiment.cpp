@@ -148,7 +148,10 @@ MethodResult by_network(const Scene& scene, Simulator& simulator, Experiment& ex
     measure(result, relaxation.tractions, scene, experiment.simulation.truth);
     experiment.relaxation = relaxation;
     result.failure = relaxation.failure();
-    if (result.failure.empty()) result.verdict = relaxation.resolved() ? "ok" : "ill_conditioned";
+    if (result.failure.empty())
+      result.verdict = !relaxation.resolved()         ? "ill_conditioned"
+                       : relaxation.difference > 0.01 ? "inaccurate"
+                                                      : "ok";
     for (const std::string& warning : relaxation.warnings) result.warnings.push_back(warning);
     if (relaxation.stable && !relaxation.resolved())
       result.warnings.push_back("P has condition number " + brief(relaxation.condition) +

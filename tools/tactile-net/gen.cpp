@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "deck_file.hpp"
 #include "experiment.hpp"
 #include "output.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -15,6 +16,7 @@ struct Options {
 };
 
 void run(const Options& options) {
+  refuse_deck(options.scene);
   Scene scene = read_scene(options.scene);
   apply(options.network, scene);
   OutputFile output(options.output);

@@ -58,7 +58,8 @@ std::string judged_in_words(const Relaxation& relaxation) {
     if (j.growth > 0.0) text += " at " + brief(j.growth) + " 1/s";
     if (dynamics->slowest > 0.0)
       text += ", the certificate's pole is at " + brief(dynamics->slowest) + " 1/s";
-    if (j.mode.size() == dynamics->mode.size() && !j.mode.empty()) {
+    if (dynamics->rings) text += " (a ringing pair)";
+    if (!dynamics->rings && j.mode.size() == dynamics->mode.size() && !j.mode.empty()) {
       double overlap = 0.0;
       std::size_t largest = 0;
       for (std::size_t i = 0; i < j.mode.size(); ++i) {
@@ -80,17 +81,17 @@ std::string judged_in_words(const Relaxation& relaxation) {
 std::string elements_in_words(const ElementCounts& elements) {
   std::vector<std::string> parts;
   const auto add = [&](std::size_t count, const std::string& kind) {
-    if (count > 0) parts.push_back(std::to_string(count) + ' ' + kind);
+    if (count > 1) parts.push_back(std::to_string(count) + ' ' + kind + 's');
+    if (count == 1) parts.push_back("1 " + kind);
   };
-  add(elements.resistors,
-      elements.negative_resistors > 0
-          ? "resistors (" + std::to_string(elements.negative_resistors) + " negative)"
-          : "resistors");
-  add(elements.opamps, "op-amps");
-  add(elements.capacitors, "capacitors");
-  add(elements.inductors, "inductors");
-  add(elements.devices, "N-shaped devices");
-  add(elements.sources, "sources");
+  add(elements.resistors, "resistor");
+  if (elements.negative_resistors > 0)
+    parts.back() += " (" + std::to_string(elements.negative_resistors) + " negative)";
+  add(elements.opamps, "op-amp");
+  add(elements.capacitors, "capacitor");
+  add(elements.inductors, "inductor");
+  add(elements.devices, "N-shaped device");
+  add(elements.sources, "source");
   return join(parts, ", ");
 }
 
@@ -113,8 +114,9 @@ std::vector<std::string> in_words(const Certificate& c) {
     parts += "; resistors from " + brief(c.least_ohm) + " to " + brief(c.greatest_ohm) + " ohm";
   lines.push_back(parts);
   if (c.largest_voltage > 0.0)
-    lines.push_back("largest voltage " + brief(c.largest_voltage) + " V; " + brief(1e3 * c.power) +
-                    " mW in the resistors");
+    lines.push_back("largest voltage at rest " + brief(c.largest_voltage) + " V; " +
+                    (c.power < 1.0 ? brief(1e3 * c.power) + " mW" : brief(c.power) + " W") +
+                    " in the resistors");
   for (const std::string& warning : c.warnings) lines.push_back("warning: " + warning);
   return lines;
 }
@@ -126,12 +128,13 @@ std::vector<std::string> in_words(const ToleranceOptions& options, const Toleran
     drawn = "values of the series E" + std::to_string(static_cast<int>(*options.series));
   if (options.relative)
     drawn += (drawn.empty() ? "parts within " : ", within ") + percent(*options.relative);
-  lines.push_back(
-      std::to_string(result.trials) + (result.trials == 1 ? " build of " : " builds of ") + drawn +
-      ": " + std::to_string(result.stable) + " stable, yield " + percent(result.yield()) +
-      " (within " + percent(options.accuracy) + " of the exact network); median " +
-      error_in_words(result.median) + ", 95 of 100 within " + error_in_words(result.p95) +
-      "; first order predicts " + percent(result.predicted));
+  lines.push_back(std::to_string(result.trials) +
+                  (result.trials == 1 ? " build of " : " builds of ") + drawn + ": " +
+                  std::to_string(result.stable) + " stable, yield " + percent(result.yield()) +
+                  " (within " + percent(options.accuracy) + " of the exact network); median " +
+                  error_in_words(result.median) + ", 95 of 100 " +
+                  (std::isfinite(result.p95) ? "within " : "") + error_in_words(result.p95) +
+                  "; first order predicts " + percent(result.predicted));
   std::vector<std::string> worst;
   for (const Contribution& one : result.worst)
     worst.push_back(one.component + " " + percent(one.share));

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -30,9 +31,11 @@ void write_json(const std::string& path, const std::string& text) {
 }
 
 void run_deck(const Options& options, Simulator& simulator) {
-  if (!options.network.realization.empty() || options.network.bandwidth != 0.0)
+  if (!options.network.realization.empty() || options.network.bandwidth)
     throw CLI::ValidationError("--realization, --bandwidth",
                                "a deck is what it is; these are for scenes");
+  if (options.tolerance && !(*options.tolerance >= 0.0 && std::isfinite(*options.tolerance)))
+    throw CLI::ValidationError("--tolerance", "must be >= 0 and finite");
   Progress progress;
   progress.step("ngspice ...");
   DeckAnswer answer = relax_deck(options.scene, simulator);
@@ -46,6 +49,10 @@ void run_deck(const Options& options, Simulator& simulator) {
 }
 
 void run_scene(const Options& options, Simulator& simulator) {
+  if (options.tolerance)
+    throw CLI::ValidationError("--tolerance",
+                               "is for decks; a scene's circuit is judged by what "
+                               "its parts explain");
   Scene scene = read_scene(options.scene);
   apply(options.network, scene);
   Progress progress;

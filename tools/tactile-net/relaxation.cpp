@@ -75,12 +75,42 @@ std::vector<std::string> output_names(const Circuit& circuit) {
   return names;
 }
 
-/// |v - f| / |f|; 0 if both are zero, infinite if only f is.
+double norm(std::span<const double> values) {
+  double sum = 0.0;
+  for (const double value : values) sum = std::hypot(sum, value);
+  return sum;
+}
+
+/// |v - f| / |f|; without a load |v| itself.
 double difference_to(std::span<const double> answer, std::span<const double> direct) {
   const double difference = relative_l2_error(answer, direct);
-  if (!std::isnan(difference)) return difference;
-  const bool zero = std::all_of(answer.begin(), answer.end(), [](double v) { return v == 0.0; });
-  return zero ? 0.0 : std::numeric_limits<double>::infinity();
+  return norm(direct) > 0.0 ? difference : norm(answer);
+}
+
+/// What the devices' curves do to the answer, to first order: P dv = -(their currents beyond
+/// -g v), and twice that for the orders left out.
+double bound_of_curves(const CircuitPlan& plan) {
+  const double volts = plan.options.parts.scale.volts;
+  const double own = plan.options.parts.device_volts;
+  const ConductanceNetwork network = conductances(plan.problem.matrix);
+  std::vector<double> extra(network.nodes);  // in units of P and f
+  const auto add = [&](std::size_t i, double g, double v) {
+    const double u = v * volts / own;
+    const double beyond =
+        plan.options.parts.curve == Curve::cubic ? u * u * u : (2.0 + u) * std::exp(-u) - 2.0 + u;
+    extra[i] += g * own / volts * beyond;
+  };
+  for (const Branch& branch : network.branches)
+    if (branch.conductance < 0.0) {
+      const double v = plan.direct[branch.from] - plan.direct[branch.to];
+      add(branch.from, -branch.conductance, v);
+      add(branch.to, branch.conductance, v);  // the same current, out of the other end
+    }
+  for (std::size_t i = 0; i < network.nodes; ++i)
+    if (network.ground[i] < 0.0) add(i, -network.ground[i], plan.direct[i]);
+  const std::vector<double> moved = solve_symmetric(plan.problem.matrix, extra);
+  const double size = norm(plan.direct);
+  return size > 0.0 ? 2.0 * norm(moved) / size : 0.0;
 }
 
 /// What finite gain and offset do to the answer, from the linear equations of the same parts.
@@ -106,12 +136,7 @@ Explained explained(const CircuitPlan& plan, double condition) {
   Explained result{
       .limit = (alone ? 1e-11 : 1e-10) + 100.0 * std::numeric_limits<double>::epsilon() * condition,
       .predicted = predicted_difference(plan)};
-  if (plan.options.realization == Realization::ndr) {
-    double largest = 0.0;  // between two nodes there may be twice that
-    for (const double f : plan.direct) largest = std::max(largest, std::abs(f));
-    result.curves = std::pow(
-        2.0 * largest * plan.options.parts.scale.volts / plan.options.parts.device_volts, 2);
-  }
+  if (plan.options.realization == Realization::ndr) result.curves = bound_of_curves(plan);
   return result;
 }
 
@@ -167,7 +192,9 @@ std::string deck_text(const CircuitPlan& plan, Answer answer) {
     const Matrix& matrix = plan.problem.matrix;
     const Explained difference =
         explained(plan, condition_bound(matrix, smallest_eigenvalue(matrix)));
-    header.within = difference.limit + difference.curves + 1.2 * difference.predicted.value_or(0.0);
+    const double within =
+        difference.limit + difference.curves + 1.2 * difference.predicted.value_or(0.0);
+    if (std::isfinite(within)) header.within = within;
   }
   write_deck(deck, plan.circuit, header, answer, analysis_of(plan.options));
   return std::move(deck).str();
@@ -195,6 +222,9 @@ bool Relaxation::judged_as_certified() const noexcept {
 }
 
 std::string Relaxation::failure() const {
+  if (curves > 0.5)
+    return "node voltages are too large for the devices, whose curves may change the answer by " +
+           brief(curves) + " of itself: raise device_volts, or lower volts";
   if (!agrees())
     return "the circuit differs from the direct solve by " + brief(difference) + ", more than " +
            (predicted ? "its op-amps (" + brief(*predicted) + ") and " : "") +
@@ -204,7 +234,9 @@ std::string Relaxation::failure() const {
     return std::string("the certificate says ") +
            (certificate->dynamics->slowest < 0.0 ? "stable" : "unstable") +
            ", the simulator's transient " + std::string(name(judged->judgement));
-  if (smallest_eigenvalue <= 0.0) return "P is not positive definite: the circuit would not settle";
+  const bool not_definite =
+      certificate ? certificate->stability == Stability::not_definite : smallest_eigenvalue <= 0.0;
+  if (not_definite) return "P is not positive definite: the circuit would not settle";
   if (!stable)
     return "the circuit is unstable: its slowest pole is at " +
            brief(certificate->dynamics->slowest) + " 1/s";
@@ -243,7 +275,18 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
     result.warnings = result.certificate->warnings;
     if (result.certificate->dynamics) result.stable = result.certificate->dynamics->slowest < 0.0;
   }
-  if (options.settling_accuracy && result.certificate->dynamics) {
+  const bool loaded = norm(plan.direct) > 0.0;
+  if (!loaded && (options.settling_accuracy || options.tolerance))
+    result.warnings.emplace_back(
+        "there is no load: nothing to settle to, and nothing for components to change");
+  if (result.difference > 0.01 && loaded)
+    result.warnings.push_back("the circuit's answer is " + brief(100.0 * result.difference) +
+                              " % off the direct solve: not accurate, though its parts explain it");
+  if (result.certificate && result.certificate->stability == Stability::unstable &&
+      options.tolerance)
+    result.warnings.emplace_back(
+        "draws of components are judged without the op-amps' dynamics, which are unstable here");
+  if (options.settling_accuracy && loaded && result.certificate->dynamics) {
     progress.step("ngspice: transient of " + std::to_string(result.certificate->dynamics->states) +
                   " states ...");
     result.judged = judge(simulator, plan.circuit, *result.certificate, result.voltages);
@@ -253,7 +296,7 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
         "a bandwidth, opamp = { bandwidth = 10e6 }, or the nodes a capacitance, parasitic = { node "
         "= 1e-11 }");
   }
-  if (options.tolerance) {
+  if (options.tolerance && loaded) {
     if (options.realization == Realization::lc || options.realization == Realization::ndr) {
       result.warnings.emplace_back("tolerances are studied for networks of resistors and op-amps");
     } else {
@@ -268,10 +311,15 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
 
 Recommendation recommend(const CircuitPlan& plan) {
   ToleranceOptions options = plan.options.tolerance.value_or(ToleranceOptions{.relative = 0.01});
-  options.trials = std::min<std::size_t>(options.trials, 200);
+  // Enough to tell 95 of 100; fewer where a trial of a large network takes its time.
+  const std::size_t nodes = plan.direct.size();
+  options.trials = std::min<std::size_t>(options.trials, nodes <= 60    ? 200
+                                                         : nodes <= 130 ? 60
+                                                                        : 20);
   Recommendation result;
   for (const Realization one :
        {Realization::crossbar, Realization::rail, Realization::least_squares, Realization::nic}) {
+    if (one == Realization::nic && nodes > 130) continue;  // tens of thousands of op-amps
     RealizationOptions parts = plan.options.parts;
     parts.inverters = false;
     const Circuit circuit = realize(one, plan.problem, parts);
@@ -297,8 +345,10 @@ Recommendation recommend(const CircuitPlan& plan) {
       result.candidates.begin(), result.candidates.end(),
       [](const auto& a, const auto& b) { return a.tolerance.p95 < b.tolerance.p95; });
   result.text = "With " + parts_in_words + " no realisation is within " + accuracy +
-                " in 95 of 100 builds; " + std::string(name(best->realization)) +
-                " comes nearest (95 of 100 within " + brief(100.0 * best->tolerance.p95) + " %).";
+                " in 95 of 100 builds; " + std::string(name(best->realization)) + " comes nearest" +
+                (std::isfinite(best->tolerance.p95)
+                     ? " (95 of 100 within " + brief(100.0 * best->tolerance.p95) + " %)."
+                     : ", and is not stable in 95 of 100 either.");
   if (options.relative && std::isfinite(best->tolerance.p95))
     result.text += " It would take parts of about " +
                    brief(100.0 * *options.relative * options.accuracy / best->tolerance.p95) +

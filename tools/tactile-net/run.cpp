@@ -59,7 +59,7 @@ void run(Options& options) {
   Scene scene = read_scene(options.scene);
   apply(options.network, scene);
   auto& methods = scene.reconstruct.methods;  // who names a circuit wants to see it
-  if ((!options.network.realization.empty() || options.network.bandwidth != 0.0) &&
+  if ((!options.network.realization.empty() || options.network.bandwidth) &&
       std::find(methods.begin(), methods.end(), Method::network) == methods.end())
     methods.push_back(Method::network);
   const std::unique_ptr<Simulator> simulator = make_simulator(options.simulator);

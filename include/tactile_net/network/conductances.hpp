@@ -35,4 +35,10 @@ struct ConductanceNetwork {
 /// @throw std::invalid_argument  the matrix is not square, empty or not finite
 [[nodiscard]] double smallest_eigenvalue(const Matrix& matrix);
 
+/// x of P x = b for a symmetric P. O(n^3).
+///
+/// @throw std::invalid_argument  sizes differ, P is not square, empty or not finite
+[[nodiscard]] std::vector<double> solve_symmetric(const Matrix& matrix,
+                                                  const std::vector<double>& right_side);
+
 }  // namespace tactile_net
