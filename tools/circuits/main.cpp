@@ -40,7 +40,8 @@ constexpr const char* choice =
 - To check that the network solves the problem: `ideal`.
 - With parts of 1 % and alpha of 1e-3 or more: `crossbar` with complementary outputs. The fewest amplifiers, no rule on their bandwidths.
 - With small alpha, or parts that are not exact: `least_squares`. P is never formed, so nothing that squares the condition number
-  is built from resistors. It takes the readings themselves. Its price is the capacitance rule below.
+  is built from resistors. It takes the readings themselves. Its price is the capacitance rule below. At large alpha what is left of its error comes
+  from the stabiliser's own resistors, whose differences cancel.
 - `nic` is the thesis' own proposal; `rail` does it with O(N) op-amps and is the most sensitive of all. `lc` and `ndr` are its
   two other ones.
 - `tactile-net certify SCENE.toml` says which, for the scene's own alpha and tolerances.
@@ -59,8 +60,11 @@ move S by at most E eps, and sym S stays positive definite while eps times the l
 eigenvalue of each diagonal block of sym S (outputs; residuals), which are coupled by a skew block.
 
 **ngspice's transient**, with three precautions: sources step from zero (from its DC solution an unstable circuit stays there for a while),
-trapezoidal integration (Gear's damps what grows), first steps of 0.02/bandwidth. An unstable circuit is reported with its growth
-and its mode beside the certificate's.
+trapezoidal integration (Gear's damps what grows), first steps of 0.02/bandwidth. Where the certificate says unstable the sources begin with a kick,
+each by another share: a symmetric load leaves antisymmetric modes asleep. An unstable circuit is reported with its growth and its mode beside the
+certificate's.
+
+**Yield** is counted on the reduced equations: op-amps fast against the network. Where the certificate's poles say otherwise, it says so beside it.
 
 ## ideal
 
@@ -164,8 +168,8 @@ proposes a larger conductance scale or a smaller rho.
 constexpr const char* least_squares_inverters_text =
     R"(### With inverters
 
-**T4.** Stable if the main op-amps are slow enough. How slow is not proven; k = 0.2/rho, the default, was enough in every case tried. It gives away
-what rho would gain.
+**T4.** Stable if the main op-amps are slow enough. How slow is not proven: k = 0.2/rho, the default, is a rule of thumb, and not enough for some arrays with
+deep sensors at alpha = 1e-7. So the certificate never says that it holds; with a bandwidth the poles do. It also gives away what rho would gain.
 
 )";
 

@@ -192,8 +192,8 @@ std::string deck_text(const CircuitPlan& plan, Answer answer) {
     const Matrix& matrix = plan.problem.matrix;
     const Explained difference =
         explained(plan, condition_bound(matrix, smallest_eigenvalue(matrix)));
-    const double within =
-        difference.limit + difference.curves + 1.2 * difference.predicted.value_or(0.0);
+    double within = difference.limit + difference.curves + 1.2 * difference.predicted.value_or(0.0);
+    if (norm(plan.direct) == 0.0) within *= plan.options.parts.scale.volts;
     if (std::isfinite(within)) header.within = within;
   }
   write_deck(deck, plan.circuit, header, answer, analysis_of(plan.options));
