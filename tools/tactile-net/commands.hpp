@@ -24,7 +24,7 @@ void add_certify(CLI::App& app);
 struct SimulatorChoice {
   std::string kind = "process";  ///< or "library"
   NgspiceOptions ngspice{};
-  double time_limit = 60.0;  ///< [s]
+  double time_limit = 300.0;  ///< [s], of one run
 };
 
 /// Adds --simulator, --ngspice and --time-limit.

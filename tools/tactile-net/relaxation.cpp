@@ -290,6 +290,13 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
     progress.step("ngspice: transient of " + std::to_string(result.certificate->dynamics->states) +
                   " states ...");
     result.judged = judge(simulator, plan.circuit, *result.certificate, result.voltages);
+    const auto& said = result.certificate->dynamics->settling_seconds;
+    const auto& seen = result.judged->settling_seconds;
+    if (said && seen && std::abs(*seen / *said - 1.0) > 0.02)
+      result.warnings.push_back(
+          "ngspice's settling time is " + brief(100.0 * (*seen / *said - 1.0)) +
+          " % off the certificate's, which is for linear parts that start from zero: offsets, "
+          "rails and curves are not in it");
   } else if (options.settling_accuracy && !takes_time(options)) {
     result.warnings.emplace_back(
         "settling is asked for, and nothing here takes a time that is modelled: give the op-amps "
