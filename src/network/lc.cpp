@@ -16,11 +16,7 @@ Circuit lc(const ConductanceNetwork& network, std::span<const double> right_side
     else if (siemens < 0.0)
       circuit.inductors.push_back({"L" + name, from, to, -1.0 / (w * siemens)});
   };
-  for (const Branch& branch : network.branches)
-    add(branch_name(branch), circuit.outputs[branch.from], circuit.outputs[branch.to],
-        options.scale.siemens * branch.conductance);
-  for (std::size_t i = 0; i < network.nodes; ++i)
-    add("g" + std::to_string(i), circuit.outputs[i], 0, options.scale.siemens * network.ground[i]);
+  each_conductance(network, circuit, options.scale.siemens, add);
   return circuit;
 }
 

@@ -12,11 +12,7 @@ Circuit ndr(const ConductanceNetwork& network, std::span<const double> right_sid
       circuit.devices.push_back(
           {"B" + name, from, to, -siemens, options.device_volts, options.curve});
   };
-  for (const Branch& branch : network.branches)
-    add(branch_name(branch), circuit.outputs[branch.from], circuit.outputs[branch.to],
-        options.scale.siemens * branch.conductance);
-  for (std::size_t i = 0; i < network.nodes; ++i)
-    add("g" + std::to_string(i), circuit.outputs[i], 0, options.scale.siemens * network.ground[i]);
+  each_conductance(network, circuit, options.scale.siemens, add);
   return circuit;
 }
 

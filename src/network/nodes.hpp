@@ -40,6 +40,18 @@ namespace tactile_net {
   return std::to_string(branch.from) + "_" + std::to_string(branch.to);
 }
 
+/// Calls `add(name, from, to, siemens)` for every branch and every ground conductance that is not
+/// zero: "0_1", ..., "g0", ...
+void each_conductance(const ConductanceNetwork& network, const Circuit& circuit, double siemens,
+                      const auto& add) {
+  for (const Branch& branch : network.branches)
+    add(branch_name(branch), circuit.outputs[branch.from], circuit.outputs[branch.to],
+        siemens * branch.conductance);
+  for (std::size_t i = 0; i < network.nodes; ++i)
+    if (network.ground[i] != 0.0)
+      add("g" + std::to_string(i), circuit.outputs[i], 0, siemens * network.ground[i]);
+}
+
 /// -G from a node to ground: a converter and a resistor 1/G.
 inline void add_negative_ground(Circuit& circuit, std::size_t index, double siemens) {
   const std::string name = std::to_string(index);

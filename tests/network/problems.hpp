@@ -2,6 +2,7 @@
 /// Networks of sensor arrays that several tests share.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "tactile_net/elasticity/contact.hpp"
@@ -33,6 +34,14 @@ inline ArrayNetwork array_network(std::size_t count, double alpha, std::size_t u
   const InverseProblem inverse =
       make_problem(array, pad, {.unknowns = unknowns, .smoothing_length = 1.0});
   return {network_problem(inverse, alpha, g), tikhonov_solve(inverse, alpha, g)};
+}
+
+/// '+' and '-' of every converter's op-amps exchanged.
+inline Circuit swapped(const Circuit& circuit) {
+  Circuit flat = flattened(circuit);
+  for (Instance& x : flat.instances)
+    if (x.name.find(".Xr") == std::string::npos) std::swap(x.pins[0], x.pins[1]);
+  return flat;
 }
 
 }  // namespace tactile_net

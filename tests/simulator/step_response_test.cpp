@@ -19,14 +19,6 @@ namespace {
 const OpAmp one_pole{.gain = 1e6, .bandwidth = 1e7};
 const double w = 2.0 * std::numbers::pi * 1e7;
 
-/// '+' and '-' of every converter's op-amps exchanged.
-Circuit swapped(const Circuit& circuit) {
-  Circuit flat = flattened(circuit);
-  for (Instance& x : flat.instances)
-    if (x.name.find(".Xr") == std::string::npos) std::swap(x.pins[0], x.pins[1]);
-  return flat;
-}
-
 std::vector<double> at_rest(const Circuit& circuit) {
   std::ostringstream deck;
   write_deck(deck, circuit, {.title = "test"}, Answer::raw_file);

@@ -1,12 +1,12 @@
 // Writes docs/circuits.md, its numbers from this library and ngspice, and circuits/opamp_*.lib.
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <utility>
 
 #include "tactile_net/network/opamp.hpp"
 #include "tools/circuits/numbers.hpp"
+#include "tools/write_file.hpp"
 
 namespace {
 
@@ -216,17 +216,6 @@ all it needs.
 | `*_clamped.lib` | one pole, output within 12 V: diodes at the core, which converge where a tanh fails, and do not wind up |
 )";
 
-/// To a temporary name, then renamed.
-void write(const std::filesystem::path& target, const std::string& text) {
-  std::filesystem::path partial = target;
-  partial += ".partial";
-  std::ofstream file(partial, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(partial.string() + " could not be written");
-  std::filesystem::rename(partial, target);
-}
-
 void write_amplifiers(const std::filesystem::path& folder) {
   const std::pair<const char*, OpAmp> models[] = {
       {"nullor", {}},
@@ -235,10 +224,10 @@ void write_amplifiers(const std::filesystem::path& folder) {
       {"two_poles", {.gain = 1e6, .bandwidth = 10e6, .second_pole = 20e6}},
       {"clamped", {.gain = 1e6, .bandwidth = 10e6, .rail = 12.0}}};
   for (const auto& [step, opamp] : models) {
-    write(folder / ("opamp_" + std::string(step) + ".lib"),
-          subcircuit_text({"opamp", opamp, Outputs::single}));
-    write(folder / ("amplifier_" + std::string(step) + ".lib"),
-          subcircuit_text({"amplifier", opamp, Outputs::complementary}));
+    tool::write_file(folder / ("opamp_" + std::string(step) + ".lib"),
+                     subcircuit_text({"opamp", opamp, Outputs::single}));
+    tool::write_file(folder / ("amplifier_" + std::string(step) + ".lib"),
+                     subcircuit_text({"amplifier", opamp, Outputs::complementary}));
   }
 }
 
@@ -262,7 +251,7 @@ int main(int argc, char** argv) {
   try {
     const std::filesystem::path folder = argv[1];
     write_amplifiers(folder / "circuits");
-    write(folder / "docs" / "circuits.md", page());
+    tool::write_file(folder / "docs" / "circuits.md", page());
   } catch (const std::exception& error) {
     std::cerr << "tactile-net-circuits: error: " << error.what() << '\n';
     return 1;

@@ -1,7 +1,5 @@
 // Writes docs/numerics.md: what every method makes of every hard case, beside 50 digits.
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "tests/hard/outcomes.hpp"
+#include "tools/write_file.hpp"
 
 namespace {
 
@@ -114,14 +113,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const std::filesystem::path target = argv[1];
-    std::filesystem::path partial = target;
-    partial += ".partial";
-    std::ofstream file(partial);
-    file << page();
-    file.close();
-    if (!file) throw std::runtime_error(partial.string() + " could not be written");
-    std::filesystem::rename(partial, target);
+    tactile_net::tool::write_file(argv[1], page());
   } catch (const std::exception& error) {
     std::cerr << "tactile-net-numerics: error: " << error.what() << '\n';
     return 1;

@@ -1,10 +1,10 @@
 // Writes thesis.md and its pictures into a folder: chapters 2 to 4 of the source, computed anew.
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
 #include "tools/thesis/chapter.hpp"
+#include "tools/write_file.hpp"
 
 namespace {
 
@@ -19,17 +19,6 @@ here is typed in, those of the thesis are. The scenes in `scenes/thesis` run the
 
 )";
 
-/// To a temporary name, then renamed.
-void write(const std::filesystem::path& target, const std::string& text) {
-  std::filesystem::path partial = target;
-  partial += ".partial";
-  std::ofstream file(partial, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(partial.string() + " could not be written");
-  std::filesystem::rename(partial, target);
-}
-
 std::string page(const std::filesystem::path& folder) {
   std::string text = introduction;
   for (const auto make :
@@ -39,7 +28,7 @@ std::string page(const std::filesystem::path& folder) {
         chapter.plots.empty() ? std::vector<std::string>{} : tactile_net::tool::draw(chapter.plots);
     std::string part = chapter.text;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-      write(folder / "thesis" / (chapter.names[i] + ".svg"), pictures[i]);
+      tactile_net::tool::write_file(folder / "thesis" / (chapter.names[i] + ".svg"), pictures[i]);
       const std::string mark = "{" + std::to_string(i) + "}";
       part.replace(part.find(mark), mark.size(),
                    "![" + chapter.plots[i].title + "](thesis/" + chapter.names[i] + ".svg)");
@@ -59,7 +48,7 @@ int main(int argc, char** argv) {
   try {
     const std::filesystem::path folder = argv[1];
     std::filesystem::create_directories(folder / "thesis");
-    write(folder / "thesis.md", page(folder));
+    tactile_net::tool::write_file(folder / "thesis.md", page(folder));
   } catch (const std::exception& error) {
     std::cerr << "tactile-net-thesis: error: " << error.what() << '\n';
     return 1;
