@@ -132,10 +132,10 @@ bool reap(pid_t child, Clock::time_point deadline, int& status) {
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
   const auto start = Clock::now();
   const auto deadline = start + options.time_limit;
-  Channel input = channel(SOCK_STREAM);
-  Channel output = channel(SOCK_STREAM);
-  Channel errors = channel(SOCK_STREAM);
-  Channel report = channel(SOCK_STREAM);
+  SocketPair input = socket_pair(SOCK_STREAM);
+  SocketPair output = socket_pair(SOCK_STREAM);
+  SocketPair errors = socket_pair(SOCK_STREAM);
+  SocketPair report = socket_pair(SOCK_STREAM);
 
   std::vector<char*> arguments;
   for (const std::string& argument : command)

@@ -37,7 +37,7 @@ class Descriptor {
   int number_;
 };
 
-struct Channel {
+struct SocketPair {
   Descriptor ours;
   Descriptor theirs;
 };
@@ -47,7 +47,7 @@ struct Channel {
 ///
 /// @param type  SOCK_STREAM, or SOCK_SEQPACKET, which keeps messages apart
 /// @throw std::system_error  the system gave none
-inline Channel channel(int type) {
+inline SocketPair socket_pair(int type) {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, type | SOCK_CLOEXEC, 0, ends.data()) != 0)
     fail_with_errno("socketpair");

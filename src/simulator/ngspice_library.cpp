@@ -45,7 +45,7 @@ std::string read_log(const std::filesystem::path& folder) {
 class NgspiceLibrary::Worker {
  public:
   explicit Worker(std::size_t output_limit) {
-    Channel pair = channel(SOCK_SEQPACKET);
+    SocketPair pair = socket_pair(SOCK_SEQPACKET);
     const pid_t self = ::getpid();
     id_ = ::fork();
     if (id_ < 0) fail_with_errno("fork");
