@@ -178,7 +178,7 @@ void monte_carlo(Floors& floors) {
     std::vector<std::string> decks;  // each with its own draw
     for (std::size_t trial = 0; trial < 16; ++trial)
       decks.push_back(bench::deck_of(perturbed(circuit, drawn(reduction, options, trial))));
-    const std::vector<std::string> nodes = bench::output_names(circuit);
+    const std::vector<std::string> nodes = output_names(circuit);
     const auto runs_of = [&](Simulator& simulator) {
       return [&, run = std::size_t{0}]() mutable {
         return bench::in_process(

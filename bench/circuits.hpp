@@ -86,12 +86,6 @@ inline tactile_net::Circuit scattered(const tactile_net::Circuit& circuit, bool 
   return flat;
 }
 
-inline std::vector<std::string> output_names(const tactile_net::Circuit& circuit) {
-  std::vector<std::string> names;
-  for (const tactile_net::Node node : circuit.outputs) names.push_back(circuit.nodes[node]);
-  return names;
-}
-
 inline std::string deck_of(const tactile_net::Circuit& circuit,
                            const tactile_net::Analysis& analysis = tactile_net::DirectCurrent{}) {
   std::ostringstream deck;

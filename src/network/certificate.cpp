@@ -149,7 +149,7 @@ Dynamics dynamics_of(const Circuit& circuit, double accuracy) {
 }
 
 void add_warnings(Certificate& c, const Circuit& circuit, const RealizationOptions& options,
-                  const Equations* equations, const Reduction* reduction) {
+                  const Equations& equations, const Reduction& reduction) {
   const OpAmp& o = options.opamp;
   const double reach = o.rail ? *o.rail - 0.6 : 0.0;  // where the clamp's diodes begin to conduct
   if (o.rail && c.largest_voltage > reach)
@@ -161,10 +161,7 @@ void add_warnings(Certificate& c, const Circuit& circuit, const RealizationOptio
     c.warnings.emplace_back(
         "parasitic.node has no effect: the nodes are the amplifiers' outputs; parasitic.input is "
         "what loads their summing nodes");
-  const bool dividers =
-      std::any_of(circuit.instances.begin(), circuit.instances.end(),
-                  [&](const Instance& x) { return amplifier(circuit, x.subcircuit) == nullptr; });
-  if (o.input_capacitance && o.bandwidth && dividers) {
+  if (o.input_capacitance && o.bandwidth && has_subcircuits(circuit)) {
     const double limit = 1.0 / (2.0 * radians(*o.bandwidth) * *o.input_capacitance);
     if (options.divider > limit)
       c.warnings.push_back("resistors of " + brief(options.divider) +
@@ -172,11 +169,11 @@ void add_warnings(Certificate& c, const Circuit& circuit, const RealizationOptio
                            brief(0.99 * limit) + " at most, 1/(2 W C)");
   }
   if (c.realization == Realization::least_squares && !options.inverters && o.input_capacitance &&
-      o.bandwidth && equations != nullptr) {
+      o.bandwidth) {
     // Measured: stable while k rho^2 C W / D < 5, D the residual rows' conductance.
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t row = reduction->outputs(); row < reduction->rows(); ++row)
-      least = std::min(least, equations->total[row]);
+    for (std::size_t row = reduction.outputs(); row < reduction.rows(); ++row)
+      least = std::min(least, equations.total[row]);
     const double k = options.main_bandwidth(c.realization);
     const double number = k * options.residual_gain * options.residual_gain * *o.input_capacitance *
                           radians(*o.bandwidth) / least;
@@ -266,16 +263,12 @@ Certificate certify(Realization realization, const NetworkProblem& problem,
     c.largest_voltage = load.largest_voltage;
     c.power = load.power;
     if (c.theorem.holds) c.tolerance_margin = margin_of(reduction, equations);
-    c.margin_for_any_bandwidth =
-        c.tolerance_margin && !options.opamp.second_pole && !options.opamp.input_capacitance &&
-        std::all_of(circuit.instances.begin(), circuit.instances.end(),
-                    [&](const Instance& x) { return amplifier(circuit, x.subcircuit) != nullptr; });
-    add_warnings(c, circuit, options, &equations, &reduction);
+    c.margin_for_any_bandwidth = c.tolerance_margin && !options.opamp.second_pole &&
+                                 !options.opamp.input_capacitance && !has_subcircuits(circuit);
+    add_warnings(c, circuit, options, equations, reduction);
   }
 
-  const bool dynamic = has_amplifiers(realization) ? options.opamp.bandwidth.has_value()
-                                                   : options.node_capacitance.has_value();
-  const std::size_t states = dynamic ? count_states(circuit) : 0;
+  const std::size_t states = takes_time(realization, options) ? count_states(circuit) : 0;
   if (states > 0 && states <= most_states) {
     c.dynamics = dynamics_of(circuit, accuracy);
     c.stability = c.dynamics->slowest < 0.0 ? Stability::stable : Stability::unstable;

@@ -47,6 +47,18 @@ Node add_node(Circuit& circuit, std::string name) {
   return circuit.nodes.size() - 1;
 }
 
+std::vector<std::string> output_names(const Circuit& circuit) {
+  std::vector<std::string> names;
+  for (const Node node : circuit.outputs) names.push_back(circuit.nodes[node]);
+  return names;
+}
+
+bool has_subcircuits(const Circuit& circuit) {
+  return std::any_of(circuit.instances.begin(), circuit.instances.end(), [&](const Instance& x) {
+    return amplifier(circuit, x.subcircuit) == nullptr;
+  });
+}
+
 const AmplifierModel* amplifier(const Circuit& circuit, std::string_view name) {
   const auto found = std::find_if(circuit.amplifiers.begin(), circuit.amplifiers.end(),
                                   [&](const AmplifierModel& model) { return model.name == name; });

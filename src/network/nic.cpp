@@ -29,13 +29,8 @@ Circuit nic(const ConductanceNetwork& network, std::span<const double> right_sid
       circuit.resistors.push_back({"R" + branch_name(branch), circuit.outputs[branch.from],
                                    circuit.outputs[branch.to], siemens});
   }
-  for (std::size_t i = 0; i < network.nodes; ++i) {
-    const double siemens = options.scale.siemens * network.ground[i];
-    if (siemens < 0.0)
-      add_negative_ground(circuit, i, -siemens);
-    else if (siemens > 0.0)
-      circuit.resistors.push_back({"Rg" + std::to_string(i), circuit.outputs[i], 0, siemens});
-  }
+  for (std::size_t i = 0; i < network.nodes; ++i)
+    add_ground(circuit, i, options.scale.siemens * network.ground[i]);
   return circuit;
 }
 

@@ -52,12 +52,17 @@ void each_conductance(const ConductanceNetwork& network, const Circuit& circuit,
       add("g" + std::to_string(i), circuit.outputs[i], 0, siemens * network.ground[i]);
 }
 
-/// -G from a node to ground: a converter and a resistor 1/G.
-inline void add_negative_ground(Circuit& circuit, std::size_t index, double siemens) {
+/// A conductance from a node to ground: a resistor, or a converter and one where it is negative.
+inline void add_ground(Circuit& circuit, std::size_t index, double siemens) {
   const std::string name = std::to_string(index);
-  const Node out = add_node(circuit, "g" + name);
-  circuit.instances.push_back({"Xg" + name, {circuit.outputs[index], out}, "grounded_nic"});
-  circuit.resistors.push_back({"Rg" + name, circuit.outputs[index], out, siemens});
+  const Node node = circuit.outputs[index];
+  if (siemens > 0.0) {
+    circuit.resistors.push_back({"Rg" + name, node, 0, siemens});
+  } else if (siemens < 0.0) {
+    const Node out = add_node(circuit, "g" + name);
+    circuit.instances.push_back({"Xg" + name, {node, out}, "grounded_nic"});
+    circuit.resistors.push_back({"Rg" + name, node, out, -siemens});
+  }
 }
 
 /// An amplifier around a summing node, and where to take its output from with either sign.

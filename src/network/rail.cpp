@@ -39,13 +39,8 @@ Circuit rail(const ConductanceNetwork& network, std::span<const double> right_si
           {"Rb" + name, b, rails[branch.from], -siemens * branch.conductance});
     }
   }
-  for (std::size_t i = 0; i < network.nodes; ++i) {
-    const double rest = siemens * ground[i] - (inverted[i] ? 1.0 / options.divider : 0.0);
-    if (rest < 0.0)
-      add_negative_ground(circuit, i, -rest);
-    else if (rest > 0.0)
-      circuit.resistors.push_back({"Rg" + std::to_string(i), circuit.outputs[i], 0, rest});
-  }
+  for (std::size_t i = 0; i < network.nodes; ++i)
+    add_ground(circuit, i, siemens * ground[i] - (inverted[i] ? 1.0 / options.divider : 0.0));
   return circuit;
 }
 

@@ -75,6 +75,11 @@ double RealizationOptions::main_bandwidth(Realization realization) const noexcep
   return realization == Realization::crossbar ? 0.5 : 0.2 / residual_gain;
 }
 
+bool takes_time(Realization realization, const RealizationOptions& options) noexcept {
+  if (has_amplifiers(realization)) return options.opamp.bandwidth.has_value();
+  return realization != Realization::lc && options.node_capacitance.has_value();
+}
+
 void check(const RealizationOptions& options) {
   const auto positive = [](double value, const char* name) {
     if (!(value > 0.0) || !std::isfinite(value))

@@ -130,15 +130,30 @@ double nearest_in(Series series, double ohm) {
   return best;
 }
 
+namespace {
+
+/// The conductances that are printed on the parts: nominal, or of the series.
+std::vector<double> printed(const Reduction& reduction, const ToleranceOptions& options) {
+  std::vector<double> siemens(reduction.siemens().begin(), reduction.siemens().end());
+  if (options.series)
+    for (double& value : siemens)
+      value = std::copysign(1.0 / nearest_in(*options.series, 1.0 / std::abs(value)), value);
+  return siemens;
+}
+
+/// One trial's errors on them.
+void spread(std::vector<double>& siemens, const ToleranceOptions& options, std::size_t trial) {
+  if (!options.relative) return;
+  for (std::size_t r = 0; r < siemens.size(); ++r)
+    siemens[r] /= 1.0 + *options.relative * uniform(options.seed, trial, r);
+}
+
+}  // namespace
+
 std::vector<double> drawn(const Reduction& reduction, const ToleranceOptions& options,
                           std::size_t trial) {
-  std::vector<double> siemens(reduction.siemens().begin(), reduction.siemens().end());
-  for (std::size_t r = 0; r < siemens.size(); ++r) {
-    if (options.series)
-      siemens[r] =
-          std::copysign(1.0 / nearest_in(*options.series, 1.0 / std::abs(siemens[r])), siemens[r]);
-    if (options.relative) siemens[r] /= 1.0 + *options.relative * uniform(options.seed, trial, r);
-  }
+  std::vector<double> siemens = printed(reduction, options);
+  spread(siemens, options, trial);
   return siemens;
 }
 
@@ -167,10 +182,14 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
   if (!v.allFinite()) throw std::domain_error("the network has no unique answer");
 
   ToleranceResult result{.trials = options.relative ? options.trials : 1};
+  const std::vector<double> parts = printed(reduction, options);
+  std::vector<double> siemens;
   std::vector<double> errors;
   Equations equations;
   for (std::size_t trial = 0; trial < result.trials; ++trial) {
-    reduction.assemble(drawn(reduction, options, trial), equations);
+    siemens = parts;
+    spread(siemens, options, trial);
+    reduction.assemble(siemens, equations);
     if (!is_stable(reduction, equations)) {
       errors.push_back(std::numeric_limits<double>::infinity());
       continue;

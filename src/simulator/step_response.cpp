@@ -9,14 +9,10 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "tactile_net/inverse/comparison.hpp"
+
 namespace tactile_net {
 namespace {
-
-double norm(std::span<const double> values) {
-  double sum = 0.0;
-  for (const double value : values) sum = std::hypot(sum, value);
-  return sum;
-}
 
 std::vector<double> at(const Waveforms& waveforms, std::size_t k) {
   std::vector<double> values;
@@ -27,7 +23,7 @@ std::vector<double> at(const Waveforms& waveforms, std::size_t k) {
 double distance(std::span<const double> a, std::span<const double> b) {
   std::vector<double> difference(a.begin(), a.end());
   for (std::size_t i = 0; i < b.size(); ++i) difference[i] -= b[i];
-  return norm(difference);
+  return l2_norm(difference);
 }
 
 double slowest_bandwidth(const Circuit& circuit) {
@@ -56,7 +52,7 @@ double growth_of(const Waveforms& waveforms) {
     double value = 0.0;
     double time = 0.0;
     for (std::size_t k = begin; k < end; ++k)
-      if (const double now = norm(at(waveforms, k)); now > value) {
+      if (const double now = l2_norm(at(waveforms, k)); now > value) {
         value = now;
         time = waveforms.time[k];
       }
@@ -110,7 +106,7 @@ Waveforms step_response(Simulator& simulator, const Circuit& circuit,
 
 std::optional<double> settling_time(const Waveforms& waveforms, std::span<const double> end,
                                     double accuracy) {
-  const double limit = accuracy * norm(end);
+  const double limit = accuracy * l2_norm(end);
   double before = std::numeric_limits<double>::infinity();
   std::optional<double> settled;
   for (std::size_t k = 0; k < waveforms.time.size(); ++k) {
@@ -132,17 +128,17 @@ Judged judge(Simulator& simulator, const Circuit& circuit, const Certificate& ce
              std::span<const double> end) {
   if (!certificate.dynamics) throw std::invalid_argument("the certificate has no dynamics");
   const Dynamics& dynamics = *certificate.dynamics;
-  const double size = norm(end);
+  const double size = l2_norm(end);
   Judged judged;
   if (size == 0.0) throw std::invalid_argument("without a load there is nothing to settle to");
   const auto bounded = [&](const Waveforms& waveforms) {
-    return norm(at(waveforms, waveforms.time.size() - 1)) <= 1e3 * size;
+    return l2_norm(at(waveforms, waveforms.time.size() - 1)) <= 1e3 * size;
   };
   const auto grown = [&](const Waveforms& waveforms) {
     judged.judgement = Judgement::grows;
     judged.growth = growth_of(waveforms);
     judged.mode = at(waveforms, waveforms.time.size() - 1);
-    const double length = norm(judged.mode);
+    const double length = l2_norm(judged.mode);
     for (double& value : judged.mode) value /= length;
     return judged;
   };

@@ -24,9 +24,7 @@ inline Network make_network(Realization realization, std::size_t n, unsigned see
       realize(realization, {.matrix = random_definite(n, seed), .right_side = b}, {});
   std::ostringstream deck;
   write_deck(deck, circuit, {.title = "network"}, answer);
-  Network network{deck.str(), {}};
-  for (const Node node : circuit.outputs) network.nodes.push_back(circuit.nodes[node]);
-  return network;
+  return {deck.str(), output_names(circuit)};
 }
 
 }  // namespace tactile_net

@@ -38,10 +38,8 @@ std::vector<double> plain(const Eigen::VectorXd& vector) { return {vector.begin(
 Eigen::VectorXd relaxed(const Circuit& circuit) {
   std::ostringstream deck;
   write_deck(deck, circuit, {.title = "test"}, Answer::raw_file);
-  std::vector<std::string> nodes;
-  for (const Node node : circuit.outputs) nodes.push_back(circuit.nodes[node]);
   Ngspice ngspice;
-  const OperatingPoint point = operating_point(ngspice, deck.str(), nodes);
+  const OperatingPoint point = operating_point(ngspice, deck.str(), output_names(circuit));
   return Eigen::Map<const Eigen::VectorXd>(point.voltages.data(), std::ssize(point.voltages));
 }
 

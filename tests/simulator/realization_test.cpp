@@ -15,10 +15,8 @@ namespace {
 std::vector<double> relaxed(const Circuit& circuit, const Analysis& analysis = DirectCurrent{}) {
   std::ostringstream deck;
   write_deck(deck, circuit, {.title = "test"}, Answer::raw_file, analysis);
-  std::vector<std::string> nodes;
-  for (const Node node : circuit.outputs) nodes.push_back(circuit.nodes[node]);
   Ngspice ngspice;
-  return operating_point(ngspice, deck.str(), nodes).voltages;
+  return operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
 }
 
 double difference(const Circuit& circuit, const ArrayNetwork& network,

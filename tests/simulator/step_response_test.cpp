@@ -22,10 +22,8 @@ const double w = 2.0 * std::numbers::pi * 1e7;
 std::vector<double> at_rest(const Circuit& circuit) {
   std::ostringstream deck;
   write_deck(deck, circuit, {.title = "test"}, Answer::raw_file);
-  std::vector<std::string> nodes;
-  for (const Node node : circuit.outputs) nodes.push_back(circuit.nodes[node]);
   Ngspice ngspice;
-  return operating_point(ngspice, deck.str(), nodes).voltages;
+  return operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
 }
 
 /// A certificate's dynamics, for circuits that no realisation makes.

@@ -43,10 +43,8 @@ Network network(double alpha) {
 std::vector<double> at_rest(const Circuit& circuit, const Analysis& analysis) {
   std::ostringstream deck;
   write_deck(deck, circuit, {.title = "numbers"}, Answer::raw_file, analysis);
-  std::vector<std::string> nodes;
-  for (const Node node : circuit.outputs) nodes.push_back(circuit.nodes[node]);
   Ngspice ngspice;
-  return operating_point(ngspice, deck.str(), nodes).voltages;
+  return operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
 }
 
 /// Agreement with ideal parts, certificate and transient with one-pole op-amps.

@@ -1,7 +1,6 @@
 #include "relaxation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -62,31 +61,6 @@ Analysis analysis_of(const NetworkOptions& options) {
   return DirectCurrent{};
 }
 
-/// Whether something in the circuit has a time of its own that is modelled.
-bool takes_time(const NetworkOptions& options) {
-  return has_amplifiers(options.realization)
-             ? options.parts.opamp.bandwidth.has_value()
-             : options.realization != Realization::lc && options.parts.node_capacitance.has_value();
-}
-
-std::vector<std::string> output_names(const Circuit& circuit) {
-  std::vector<std::string> names;
-  for (const Node node : circuit.outputs) names.push_back(circuit.nodes[node]);
-  return names;
-}
-
-double norm(std::span<const double> values) {
-  double sum = 0.0;
-  for (const double value : values) sum = std::hypot(sum, value);
-  return sum;
-}
-
-/// |v - f| / |f|; without a load |v| itself.
-double difference_to(std::span<const double> answer, std::span<const double> direct) {
-  const double difference = relative_l2_error(answer, direct);
-  return norm(direct) > 0.0 ? difference : norm(answer);
-}
-
 /// What the devices' curves do to the answer, to first order: P dv = -(their currents beyond
 /// -g v), and twice that for the orders left out.
 double bound_of_curves(const CircuitPlan& plan) {
@@ -109,8 +83,8 @@ double bound_of_curves(const CircuitPlan& plan) {
   for (std::size_t i = 0; i < network.nodes; ++i)
     if (network.ground[i] < 0.0) add(i, -network.ground[i], plan.direct[i]);
   const std::vector<double> moved = solve_symmetric(plan.problem.matrix, extra);
-  const double size = norm(plan.direct);
-  return size > 0.0 ? 2.0 * norm(moved) / size : 0.0;
+  const double size = l2_norm(plan.direct);
+  return size > 0.0 ? 2.0 * l2_norm(moved) / size : 0.0;
 }
 
 /// What finite gain and offset do to the answer, from the linear equations of the same parts.
@@ -119,7 +93,7 @@ std::optional<double> predicted_difference(const CircuitPlan& plan) {
   if (opamp.is_nullor() || !has_amplifiers(plan.options.realization)) return std::nullopt;
   std::vector<double> v = operating_voltages(plan.circuit);
   for (double& value : v) value /= plan.options.parts.scale.volts;
-  return difference_to(v, plan.direct);
+  return l2_difference(v, plan.direct);
 }
 
 /// What may stand between the circuit's answer and the direct solve.
@@ -160,7 +134,7 @@ void replay(const CircuitPlan& plan, const Reduction& reduction, Simulator& simu
     write_deck(deck, perturbed(circuit, siemens), {.title = "one draw of components"},
                Answer::raw_file);
     const OperatingPoint point = operating_point(simulator, deck.str(), output_names(circuit));
-    study.difference = std::max(study.difference, difference_to(point.voltages, expected.voltages));
+    study.difference = std::max(study.difference, l2_difference(point.voltages, expected.voltages));
   }
 }
 
@@ -193,7 +167,7 @@ std::string deck_text(const CircuitPlan& plan, Answer answer) {
     const Explained difference =
         explained(plan, condition_bound(matrix, smallest_eigenvalue(matrix)));
     double within = difference.limit + difference.curves + 1.2 * difference.predicted.value_or(0.0);
-    if (norm(plan.direct) == 0.0) within *= plan.options.parts.scale.volts;
+    if (l2_norm(plan.direct) == 0.0) within *= plan.options.parts.scale.volts;
     if (std::isfinite(within)) header.within = within;
   }
   write_deck(deck, plan.circuit, header, answer, analysis_of(plan.options));
@@ -266,7 +240,7 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
   result.voltages = point.voltages;
   for (const double voltage : result.voltages)
     result.tractions.push_back(voltage / options.parts.scale.volts);
-  result.difference = difference_to(result.tractions, plan.direct);
+  result.difference = l2_difference(result.tractions, plan.direct);
 
   const bool real_parts = !options.parts.opamp.is_nullor() || options.parts.node_capacitance;
   if (real_parts || options.tolerance || options.settling_accuracy) {
@@ -275,7 +249,7 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
     result.warnings = result.certificate->warnings;
     if (result.certificate->dynamics) result.stable = result.certificate->dynamics->slowest < 0.0;
   }
-  const bool loaded = norm(plan.direct) > 0.0;
+  const bool loaded = l2_norm(plan.direct) > 0.0;
   if (!loaded && (options.settling_accuracy || options.tolerance))
     result.warnings.emplace_back(
         "there is no load: nothing to settle to, and nothing for components to change");
@@ -297,7 +271,7 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
           "ngspice's settling time is " + brief(100.0 * (*seen / *said - 1.0)) +
           " % off the certificate's, which is for linear parts that start from zero: offsets, "
           "rails and curves are not in it");
-  } else if (options.settling_accuracy && !takes_time(options)) {
+  } else if (options.settling_accuracy && !takes_time(options.realization, options.parts)) {
     result.warnings.emplace_back(
         "settling is asked for, and nothing here takes a time that is modelled: give the op-amps "
         "a bandwidth, opamp = { bandwidth = 10e6 }, or the nodes a capacitance, parasitic = { node "
@@ -309,7 +283,9 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
     } else {
       progress.step("drawing components ...");
       const Reduction reduction(plan.circuit);
-      result.tolerance = ToleranceStudy{.options = *options.tolerance, .result = tolerate(plan)};
+      result.tolerance =
+          ToleranceStudy{.options = *options.tolerance,
+                         .result = tactile_net::tolerate(reduction, *options.tolerance)};
       replay(plan, reduction, simulator, *result.tolerance);
     }
   }

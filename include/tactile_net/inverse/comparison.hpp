@@ -37,6 +37,20 @@ namespace tactile_net {
   return std::sqrt(error / size);
 }
 
+/// |values|_2, free of overflow and underflow.
+[[nodiscard]] inline double l2_norm(std::span<const double> values) noexcept {
+  double norm = 0.0;
+  for (const double value : values) norm = std::hypot(norm, value);
+  return norm;
+}
+
+/// `relative_l2_error`; |f|_2 itself where the reference is zero.
+[[nodiscard]] inline double l2_difference(std::span<const double> f,
+                                          std::span<const double> reference) noexcept {
+  const double relative = relative_l2_error(f, reference);
+  return std::isnan(relative) && l2_norm(reference) == 0.0 ? l2_norm(f) : relative;
+}
+
 /// Force [N/m] of sampled tractions: pitch times their sum.
 [[nodiscard]] inline double sampled_force(std::span<const double> tractions,
                                           double pitch) noexcept {

@@ -80,6 +80,12 @@ struct Circuit {
 /// Adds a node and returns its index.
 Node add_node(Circuit& circuit, std::string name);
 
+/// Names of the outputs' nodes, in their order.
+[[nodiscard]] std::vector<std::string> output_names(const Circuit& circuit);
+
+/// Whether converters or inverters stand in it: sub-circuits of the library.
+[[nodiscard]] bool has_subcircuits(const Circuit& circuit);
+
 /// The model of that name, or nullptr.
 [[nodiscard]] const AmplifierModel* amplifier(const Circuit& circuit, std::string_view name);
 

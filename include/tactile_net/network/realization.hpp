@@ -66,6 +66,10 @@ struct RealizationOptions {
   [[nodiscard]] double main_bandwidth(Realization realization) const noexcept;
 };
 
+/// Whether something in the circuit has a time of its own that is modelled: op-amps with a
+/// bandwidth, or nodes with capacitance where there are none. `lc` is for one frequency.
+[[nodiscard]] bool takes_time(Realization realization, const RealizationOptions& options) noexcept;
+
 /// @throw std::invalid_argument  an option is out of range
 void check(const RealizationOptions& options);
 
