@@ -263,8 +263,9 @@ Certificate certify(Realization realization, const NetworkProblem& problem,
     c.largest_voltage = load.largest_voltage;
     c.power = load.power;
     if (c.theorem.holds) c.tolerance_margin = margin_of(reduction, equations);
-    c.margin_for_any_bandwidth = c.tolerance_margin && !options.opamp.second_pole &&
-                                 !options.opamp.input_capacitance && !has_subcircuits(circuit);
+    const bool one_pole = !options.opamp.second_pole && !options.opamp.input_capacitance;
+    c.margin_for_any_bandwidth = c.tolerance_margin && (!has_amplifiers(realization) ||
+                                                        (one_pole && !has_subcircuits(circuit)));
     add_warnings(c, circuit, options, equations, reduction);
   }
 

@@ -12,14 +12,14 @@ namespace tactile_net {
 
 namespace {
 
-/// Entries below the rounding of their row's and column's diagonal are zero: they say nothing, and
-/// would be resistors beyond any other.
-void drop_rounding(Matrix& p) {
-  for (std::size_t i = 0; i < p.rows; ++i)
-    for (std::size_t j = 0; j < p.columns; ++j)
-      if (i != j && std::abs(p(i, j)) <=
-                        0.5 * std::numeric_limits<double>::epsilon() * std::sqrt(p(i, i) * p(j, j)))
-        p(i, j) = 0.0;
+/// Entries below the rounding of the largest, or below what the matrix is known to, are zero: they
+/// say nothing, and would be resistors beyond any other.
+void drop_rounding(Matrix& matrix, double known_to) {
+  double largest = 0.0;
+  for (const double value : matrix.values) largest = std::max(largest, std::abs(value));
+  const double floor = std::max(0.5 * std::numeric_limits<double>::epsilon() * largest, known_to);
+  for (double& value : matrix.values)
+    if (std::abs(value) <= floor) value = 0.0;
 }
 
 }  // namespace
@@ -62,7 +62,9 @@ NetworkProblem network_problem(const InverseProblem& problem, double alpha,
                         .kernel = problem.kernel,
                         .stabiliser = {},
                         .readings = {readings.begin(), readings.end()}};
-  drop_rounding(result.matrix);
+  drop_rounding(result.matrix, 0.0);
+  const auto entries = static_cast<double>(problem.kernel.values.size());
+  drop_rounding(result.kernel, problem.kernel_error / std::sqrt(entries));
   const Eigen::MatrixXd l = stabiliser(problem);
   result.stabiliser = from_eigen(alpha * (l.transpose() * l));
   for (std::size_t i = 0; i < result.readings.size(); ++i) result.readings[i] *= problem.weights[i];

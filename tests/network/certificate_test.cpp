@@ -89,6 +89,17 @@ TEST_CASE("a network that needs no op-amp has no dynamics, and no crash", "[cert
   CHECK(c.stability == Stability::stable);
 }
 
+TEST_CASE("only amplifiers can be slow", "[certificate]") {
+  const ArrayNetwork network = array_network(11, 1e-3);
+  OpAmp two_poles = one_pole;
+  two_poles.second_pole = 2e7;
+  CHECK(
+      certify(Realization::ideal, network.problem, {.opamp = two_poles}).margin_for_any_bandwidth);
+  CHECK(certify(Realization::crossbar, network.problem, {}).margin_for_any_bandwidth);
+  CHECK_FALSE(
+      certify(Realization::nic, network.problem, {.opamp = one_pole}).margin_for_any_bandwidth);
+}
+
 TEST_CASE("an eigenvalue that rounding made proves nothing", "[certificate]") {
   for (const double alpha : {1e-6, 1e-9, 1e-12, 1e-18}) {
     CAPTURE(alpha);

@@ -1,5 +1,6 @@
 #include "tactile_net/network/realization.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -47,6 +48,27 @@ TEST_CASE("siemens and volts scale conductances and currents", "[realization]") 
 TEST_CASE("realisations are found by the names they have", "[realization]") {
   for (const Realization one : realizations) CHECK(realization_named(name(one)) == one);
   CHECK_FALSE(realization_named("nics"));
+}
+
+TEST_CASE("what is only rounding becomes no resistor", "[realization][property]") {
+  // On a slipping layer one quantity does not answer to every taxel; dead ones leave rows of zeros.
+  const SensorArray array{9, 0.3, {0.4, 1.1}, {Quantity::shear_xy}};
+  const Material pad{2.0, 0.3, Layer{1.1, Base::frictionless}};
+  const InverseProblem inverse =
+      make_problem(array, pad, {.unknowns = 2, .smoothing_length = 0.4, .dead_taxels = {0, 4}});
+  const std::vector<double> readings(18, 0.25);
+  const NetworkProblem problem = network_problem(inverse, 3e-4, readings);
+  for (const Realization one :
+       {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares}) {
+    CAPTURE(name(one));
+    double least = std::numeric_limits<double>::infinity();
+    double largest = 0.0;
+    for (const Resistor& r : realize(one, problem).resistors) {
+      least = std::min(least, r.siemens);
+      largest = std::max(largest, r.siemens);
+    }
+    CHECK(least > 1e-13 * largest);
+  }
 }
 
 TEST_CASE("currents and scales that make no circuit are refused", "[realization]") {
