@@ -1,0 +1,70 @@
+/// @file
+/// From the inverse problem to a controller's plan: which structure of the reconstruction matrix
+/// M = P^-1 K' W to use for a stated accuracy, and why.
+///
+/// The pad is a low-pass filter, so M is numerically of low rank; and a uniform array is mirror
+/// symmetric, so M falls into two halves (product_plan.hpp). Both together stream 3 to 40 times
+/// fewer bytes than M itself, and bytes are what a frame's time is made of. The rank comes from the
+/// singular values, never from a fixed number: a few too few leave an answer that is far off.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/realtime/estimator_plan.hpp"
+
+namespace tactile_net {
+
+struct PlannerOptions {
+  /// > 0. For every frame, with f = M g in double and r = W (g - K f) what it leaves unexplained,
+  ///
+  ///     |f_planned - f|_2 <= accuracy (|f|_2 + |M W^-1|_2 |r|_2):
+  ///
+  /// relative to the tractions, and to what an error of the readings as large as r can do to them.
+  double accuracy = 1e-7;
+  std::optional<Structure> structure{};  ///< absent: the cheapest that is accurate enough
+  std::optional<Precision> precision{};  ///< absent: likewise
+  bool diagnostics = true;  ///< residual, outliers, dead taxels at run time; costs a second product
+  bool all_candidates = false;  ///< try also what cannot be the cheapest
+  double noise_rms = 0.0;       ///< of a weighted reading, as far as known
+  std::optional<double> friction_coefficient{};
+  std::vector<ReadingRange> ranges{};  ///< one per channel, or none
+  std::string label{};
+};
+
+/// One way to compute the product.
+struct Candidate {
+  Structure structure = Structure::dense;
+  Precision precision = Precision::float64;
+  std::vector<std::size_t> ranks{};  ///< of the classes; empty if not of low rank
+  std::size_t bytes = 0;             ///< streamed per frame
+  double cost = 0.0;                 ///< bytes, and what each pass costs besides, in bytes
+  double error_bound = 0.0;          ///< proven, as `PlannerOptions::accuracy`
+  bool accurate = false;  ///< error_bound <= accuracy; the double dense product always is
+  bool chosen = false;
+};
+
+struct PlannedEstimator {
+  EstimatorPlan plan{};
+  std::vector<Candidate> candidates{};
+  double asymmetry = 0.0;  ///< how far M is from mirror symmetry, in the unit of the accuracy
+
+  /// The choice and what spoke against the others, a line each.
+  [[nodiscard]] std::string why() const;
+};
+
+/// O((m + n) n^2) for M, and one singular value decomposition of each class.
+///
+/// The bound holds for rounding too: sums of n terms in float err by at most n 2^-24 of the sum of
+/// their magnitudes (Higham 2002, 3.1). That is pessimistic by about sqrt(n), so float is chosen
+/// for coarse accuracies only, unless it is asked for.
+///
+/// @throw std::invalid_argument  alpha or accuracy is not > 0 and finite; parity is asked for, and
+///                               the array is not symmetric (dead taxels); `check(plan)` does
+/// @throw std::domain_error      as `tikhonov`
+[[nodiscard]] PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
+                                              const PlannerOptions& options = {});
+
+}  // namespace tactile_net

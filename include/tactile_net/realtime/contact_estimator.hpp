@@ -1,0 +1,116 @@
+/// @file
+/// The per-frame call of a controller: readings in, tractions and the contact's resultant out.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "tactile_net/realtime/estimator_plan.hpp"
+#include "tactile_net/realtime/frame_status.hpp"
+
+namespace tactile_net {
+
+/// One frame's answer. The caller owns it and the memory of its tractions.
+struct ContactEstimate {
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  std::span<double> tractions{};      ///< [Pa], `tractions()` values: normal, then tangential
+  double time = 0.0;                  ///< of the frame, as given to `update`
+  double normal_force = 0.0;          ///< F_v = D sum f_v [N/m]
+  double tangential_force = unknown;  ///< F_t = D sum f_t [N/m]; NaN with one unknown
+  double centre = unknown;            ///< sum y f_v / sum f_v [m]; NaN without contact
+  double angle = unknown;  ///< atan2(F_t, F_v) [rad]; NaN with one unknown or without contact
+  double friction_margin = unknown;  ///< mu F_v - |F_t| [N/m], < 0: slips; NaN if mu or F_t is not
+                                     ///< known
+  /// Root mean square of W (g - K f) over the live readings: what the tractions leave unexplained.
+  /// NaN without a prediction in the plan.
+  double residual_rms = unknown;
+  bool contact = false;         ///< F_v > 0: centre, angle and margin mean something
+  bool saturated = false;       ///< a live reading lies at or beyond its channel's range
+  std::ptrdiff_t outlier = -1;  ///< index of the reading least like the others; -1: none stands out
+};
+
+/// Which vector instructions the products use.
+enum class InstructionSet { baseline, avx2, avx512 };
+[[nodiscard]] std::string_view name(InstructionSet set) noexcept;
+/// The widest that this machine and its operating system run; asked of the processor, not of its
+/// maker.
+[[nodiscard]] InstructionSet widest_instruction_set() noexcept;
+
+/// Holds a plan, made ready, and the scratch of one thread.
+///
+/// The constructor does all that allocates, throws or is slow. `update` and the other `noexcept`
+/// members are for the control loop: no allocation, no lock, no system call, no exception, a fixed
+/// number of operations. One object a thread and patch; copies share the plan's matrices.
+class ContactEstimator {
+ public:
+  static constexpr std::size_t most_dead_taxels = 8;
+  /// Share of a dead reading's variance that must be left to the others: below, they cannot tell.
+  static constexpr double least_pivot = 1e-3;
+
+  /// O(size of the plan).
+  /// @param set  for tests and benchmarks; one that the machine lacks is replaced by the widest
+  /// @throw std::invalid_argument  `check(plan)` does
+  explicit ContactEstimator(const EstimatorPlan& plan,
+                            InstructionSet set = widest_instruction_set());
+  ContactEstimator(const ContactEstimator& other);
+  ContactEstimator(ContactEstimator&&) noexcept;
+  ContactEstimator& operator=(const ContactEstimator& other);
+  ContactEstimator& operator=(ContactEstimator&&) noexcept;
+  ~ContactEstimator();
+
+  /// One frame. Streams `streamed_bytes(plan.reconstruction)`, and those of the prediction if the
+  /// plan has one. Equal frames give equal bits on one instruction set; sums are taken in a fixed
+  /// order.
+  ///
+  /// @param readings  g, channels x count; those of dead taxels may be anything
+  /// @param estimate  untouched unless the status is `ok`; its tractions may be the same memory as
+  ///                  the readings
+  /// @param time      passed through
+  FrameStatus update(std::span<const double> readings, ContactEstimate& estimate,
+                     double time = 0.0) noexcept;
+
+  /// Recorded frames, one after the other: as `update` on each, and the same bits. The time of an
+  /// estimate stays as it is.
+  ///
+  /// @param readings  frames x channels x count
+  /// @return `ok` if every frame is; else the first other status, whose frame keeps its estimate
+  ///         while the ones after it are still computed; `wrong_size`: nothing was
+  FrameStatus update_batch(std::span<const double> readings,
+                           std::span<ContactEstimate> estimates) noexcept;
+
+  /// What the sensors read without contact; subtracted from every frame from now on. Zero at first.
+  /// @return not `ok`: the old baseline stays
+  FrameStatus set_baseline(std::span<const double> readings) noexcept;
+
+  /// From the next frame on, leaves a taxel out: all of its channels. The answer is the minimiser
+  /// without those rows, exactly (a row left out is a row that reads what the others predict of it:
+  /// Allen 1974, Cook and Weisberg 1982), to `accuracy` / `least_pivot` at worst.
+  /// O(readings) more per frame and dead reading.
+  ///
+  /// @return false, and nothing changes: the plan has no prediction, `taxel` is not < count, more
+  ///         than `most_dead_taxels`, or the others cannot predict it (make a new plan, without it)
+  bool set_dead(std::size_t taxel) noexcept;
+  /// All taxels that `set_dead` left out count again.
+  void revive() noexcept;
+
+  [[nodiscard]] std::size_t readings() const noexcept;
+  [[nodiscard]] std::size_t tractions() const noexcept;
+  /// As the plan that it was made of, without the matrices.
+  [[nodiscard]] std::string_view label() const noexcept;
+  [[nodiscard]] InstructionSet instruction_set() const noexcept;
+
+ private:
+  struct Ready;
+  struct Scratch;
+  void judge(ContactEstimate& estimate) noexcept;
+  void fill_dead() noexcept;
+
+  std::shared_ptr<const Ready> ready_;
+  std::unique_ptr<Scratch> scratch_;
+};
+
+}  // namespace tactile_net

@@ -1,0 +1,50 @@
+/// @file
+/// What a controller needs to turn readings into tractions and a contact's resultant: the result of
+/// all that may be slow, computed by `plan_estimator` (control/planner.hpp), as plain data.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tactile_net/realtime/product_plan.hpp"
+
+namespace tactile_net {
+
+/// Readings outside are saturated.
+struct ReadingRange {
+  double lowest = 0.0;
+  double highest = 0.0;
+};
+
+struct EstimatorPlan {
+  std::string label{};           ///< what it was made for, to be printed by a controller
+  std::size_t count = 0;         ///< taxels along y
+  std::size_t channels = 0;      ///< readings are channels x count
+  std::size_t unknowns = 1;      ///< 1: normal traction; 2: the tangential one too
+  double pitch = 0.0;            ///< [m]
+  double alpha = 0.0;            ///< of Tikhonov's functional
+  double accuracy = 0.0;         ///< that was asked for
+  double error_bound = 0.0;      ///< proven for the plan; of what, see control/planner.hpp
+  ProductPlan reconstruction{};  ///< readings -> tractions
+
+  /// readings -> what the tractions explain of them, K M; absent: no residual, no outliers, no dead
+  /// taxels at run time.
+  std::optional<ProductPlan> prediction{};
+  std::vector<double> weights{};    ///< one per reading, >= 0; 0: a taxel that the plan leaves out
+  std::vector<double> leverages{};  ///< diagonal of K M, one per reading; empty without prediction
+  double noise_rms = 0.0;           ///< of a weighted reading, as far as known; 0: not known
+  double outlier_limit = 6.0;       ///< studentised residual from which a reading is an outlier
+
+  std::optional<double> friction_coefficient{};  ///< of pad and object; absent: no friction margin
+  std::vector<ReadingRange> ranges{};            ///< one per channel; empty: none saturates
+
+  [[nodiscard]] std::size_t readings() const noexcept { return channels * count; }
+  [[nodiscard]] std::size_t tractions() const noexcept { return unknowns * count; }
+};
+
+/// @throw std::invalid_argument  a size does not fit, a value is out of its range or not finite
+void check(const EstimatorPlan& plan);
+
+}  // namespace tactile_net

@@ -1,0 +1,77 @@
+/// @file
+/// How y = A x is computed, as data: the structure of A that a planner found, and its factors.
+///
+/// Mirror symmetry. A vector is blocks of equal length (channels of an array, unknowns), each with
+/// a sign: +1 where mirroring the array mirrors the block, -1 where it mirrors and negates it
+/// (shear, tangential traction). With J for that mirroring, A is symmetric if J A J = A. Then the
+/// vectors with J x = x and those with J x = -x do not mix: in the basis of sums and differences
+/// (x_i +- x_{n-1-i}), the centre of an odd block standing alone among the sums, A falls into two
+/// blocks of half its size, class 0 (J x = x) and class 1. A class lists, block after block, the
+/// sums of a block with its own sign, the differences of one with the other sign.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace tactile_net {
+
+enum class Structure : std::uint8_t {
+  dense,            ///< one factor, A
+  low_rank,         ///< two factors: A = second x first
+  parity,           ///< one factor for each class
+  parity_low_rank,  ///< two factors for each class: those of class 0, then those of class 1
+};
+
+enum class Precision : std::uint8_t { float64, float32 };
+
+[[nodiscard]] std::string_view name(Structure structure) noexcept;
+[[nodiscard]] std::string_view name(Precision precision) noexcept;
+
+[[nodiscard]] constexpr bool has_parity(Structure structure) noexcept {
+  return structure == Structure::parity || structure == Structure::parity_low_rank;
+}
+[[nodiscard]] constexpr bool is_low_rank(Structure structure) noexcept {
+  return structure == Structure::low_rank || structure == Structure::parity_low_rank;
+}
+
+/// A matrix, row-major.
+struct Factor {
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  std::vector<double> values{};
+};
+
+struct ProductPlan {
+  Structure structure = Structure::dense;
+  /// float32: the factors hold numbers of at most 2^20 that a float holds exactly, and sums are
+  /// taken in float, of readings scaled to [-2, 2] by a power of two: no overflow in any unit.
+  Precision precision = Precision::float64;
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  std::vector<std::int8_t> row_signs{};     ///< of each block of y; needed for parity only
+  std::vector<std::int8_t> column_signs{};  ///< of each block of x
+  /// Applied in the order of `Structure`. With parity they take plain sums and differences of x and
+  /// give those of y: the scaling to an orthonormal basis is in them.
+  std::vector<Factor> factors{};
+  double scale = 1.0;  ///< A is the factors' product times this power of two
+};
+
+/// Sizes of class 0 and class 1 of a vector of `signs.size()` blocks, `size` values together.
+struct ClassSizes {
+  std::size_t even = 0;
+  std::size_t odd = 0;
+};
+[[nodiscard]] ClassSizes class_sizes(const std::vector<std::int8_t>& signs,
+                                     std::size_t size) noexcept;
+
+/// @throw std::invalid_argument  sizes do not fit, a value is not finite, or is no float of at most
+/// 2^20
+///                               where the precision is float32
+void check(const ProductPlan& plan);
+
+/// Bytes of factors that one product streams: what its time is made of beyond a few taxels.
+[[nodiscard]] std::size_t streamed_bytes(const ProductPlan& plan) noexcept;
+
+}  // namespace tactile_net

@@ -1,0 +1,135 @@
+#include "tactile_net/control/planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "control/product_planner.hpp"
+#include "inverse/eigen.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
+
+namespace tactile_net {
+namespace {
+
+/// Whether mirroring the array mirrors a channel (+1) or negates it too (-1), as its kernel for
+/// normal traction shows; a tangential traction turns round.
+Signs channel_signs(const InverseProblem& problem) {
+  const auto kernel = as_eigen(problem.kernel);
+  const auto n = static_cast<Eigen::Index>(problem.count);
+  Signs signs;
+  for (Eigen::Index row = 0; row < kernel.rows(); row += n) {
+    const Eigen::MatrixXd block = kernel.block(row, 0, n, n);
+    signs.push_back(block.cwiseProduct(block.reverse()).sum() >= 0.0 ? 1 : -1);
+  }
+  return signs;
+}
+
+/// J W K J = W K but for rounding: no dead taxels, or those of mirror images.
+bool is_symmetric(const Eigen::MatrixXd& kernel, const Signs& rows, const Signs& columns) {
+  return (kernel - mirrored(kernel, rows, columns)).norm() <= 1e-12 * kernel.norm();
+}
+
+/// The weight of each channel, on all of its readings: dead taxels have rows of zeros anyway.
+Eigen::VectorXd channel_weights(const InverseProblem& problem) {
+  const auto n = static_cast<Eigen::Index>(problem.count);
+  Eigen::VectorXd weights = as_eigen(std::span(problem.weights));
+  for (Eigen::Index row = 0; row < weights.size(); row += n) {
+    const double largest = weights.segment(row, n).maxCoeff();
+    weights.segment(row, n).setConstant(largest > 0.0 ? largest : 1.0);
+  }
+  return weights;
+}
+
+std::string text(const char* format, auto... values) {
+  char buffer[128];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+}  // namespace
+
+PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
+                                const PlannerOptions& options) {
+  if (!(options.accuracy > 0.0) || !std::isfinite(options.accuracy))
+    throw std::invalid_argument("accuracy must be > 0 and finite");
+
+  const Eigen::MatrixXd kernel = as_eigen(problem.kernel);  // W K
+  const Reconstruction inverse = tikhonov(problem, alpha);
+  const Eigen::VectorXd weights = channel_weights(problem);
+  const Eigen::VectorXd unweighted = weights.cwiseInverse();
+
+  ProductTask task;
+  task.matrix = as_eigen(inverse.transposed()).transpose() * unweighted.asDiagonal();  // M W^-1
+  task.row_factors = Eigen::VectorXd::Ones(task.matrix.rows());
+  task.column_factors = weights;
+  task.row_signs = problem.unknowns == 2 ? Signs{1, -1} : Signs{1};
+  task.column_signs = channel_signs(problem);
+  task.symmetric = is_symmetric(kernel, task.column_signs, task.row_signs);
+  task.explained = kernel;
+  task.accuracy = options.accuracy;
+  task.structure = options.structure;
+  task.precision = options.precision;
+  task.all_candidates = options.all_candidates;
+  PlannedProduct reconstruction = plan_product(task);
+
+  PlannedEstimator planned{.candidates = std::move(reconstruction.candidates),
+                           .asymmetry = reconstruction.asymmetry};
+  EstimatorPlan& plan = planned.plan;
+  plan.label = options.label;
+  plan.count = problem.count;
+  plan.channels = problem.kernel.rows / problem.count;
+  plan.unknowns = problem.unknowns;
+  plan.pitch = problem.pitch;
+  plan.alpha = alpha;
+  plan.accuracy = options.accuracy;
+  plan.reconstruction = std::move(reconstruction.plan);
+  for (const Candidate& candidate : planned.candidates)
+    if (candidate.chosen) plan.error_bound = candidate.error_bound;
+  plan.weights = problem.weights;
+  plan.noise_rms = options.noise_rms;
+  plan.friction_coefficient = options.friction_coefficient;
+  plan.ranges = options.ranges;
+
+  if (options.diagnostics) {
+    ProductTask prediction;
+    prediction.matrix = kernel * task.matrix;  // W K M W^-1, eigenvalues in [0, 1)
+    prediction.row_factors = unweighted;
+    prediction.column_factors = weights;
+    prediction.row_signs = task.column_signs;
+    prediction.column_signs = task.column_signs;
+    prediction.symmetric = task.symmetric;
+    prediction.accuracy = options.accuracy;
+    prediction.precision = Precision::float64;  // a residual is a small difference
+    plan.prediction = plan_product(prediction).plan;
+    constexpr double most = 1.0 - 1e-12;
+    for (Eigen::Index i = 0; i < prediction.matrix.rows(); ++i)
+      plan.leverages.push_back(std::clamp(prediction.matrix(i, i), 0.0, most));
+  }
+  check(plan);
+  return planned;
+}
+
+std::string PlannedEstimator::why() const {
+  std::string result =
+      text("accuracy %.2g asked for, %.2g proven; ", plan.accuracy, plan.error_bound);
+  result += text("mirror symmetric to %.1g\n", asymmetry);
+  for (const Candidate& candidate : candidates) {
+    std::string line(candidate.chosen ? "* " : "  ");
+    line += name(candidate.structure);
+    line += ' ';
+    line += name(candidate.precision);
+    if (!candidate.ranks.empty()) {
+      line += ", rank";
+      for (std::size_t i = 0; i < candidate.ranks.size(); ++i)
+        line += (i == 0 ? " " : " + ") + std::to_string(candidate.ranks[i]);
+    }
+    line += ": " + std::to_string(candidate.bytes) + " bytes a frame";
+    line += text(", error <= %.1g", candidate.error_bound);
+    if (!candidate.accurate) line += " (not accurate enough)";
+    result += line + '\n';
+  }
+  return result;
+}
+
+}  // namespace tactile_net

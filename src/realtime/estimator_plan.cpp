@@ -1,0 +1,60 @@
+#include "tactile_net/realtime/estimator_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace tactile_net {
+namespace {
+
+void require(bool holds, const char* rule) {
+  if (!holds) throw std::invalid_argument(std::string("estimator plan: ") + rule);
+}
+
+bool positive(double value) { return value > 0.0 && std::isfinite(value); }
+bool not_negative(double value) { return value >= 0.0 && std::isfinite(value); }
+
+}  // namespace
+
+void check(const EstimatorPlan& plan) {
+  constexpr std::size_t most = std::size_t{1} << 31;  // taxels are counted in 32 bits
+  require(plan.count >= 2 && plan.count < most, "count must be >= 2");
+  require(plan.channels >= 1 && plan.channels < most / plan.count, "channels must be >= 1");
+  require(plan.unknowns == 1 || plan.unknowns == 2, "unknowns must be 1 or 2");
+  require(positive(plan.pitch), "pitch must be > 0");
+  require(positive(plan.alpha), "alpha must be > 0");
+  require(not_negative(plan.accuracy) && not_negative(plan.error_bound),
+          "accuracy and error bound must be >= 0");
+  require(not_negative(plan.noise_rms), "noise_rms must be >= 0");
+  require(positive(plan.outlier_limit), "outlier_limit must be > 0");
+  require(!plan.friction_coefficient || not_negative(*plan.friction_coefficient),
+          "friction coefficient must be >= 0");
+  require(plan.reconstruction.rows == plan.tractions() &&
+              plan.reconstruction.columns == plan.readings(),
+          "the reconstruction is not of tractions x readings");
+  check(plan.reconstruction);
+  require(plan.weights.size() == plan.readings() &&
+              std::all_of(plan.weights.begin(), plan.weights.end(), not_negative) &&
+              std::any_of(plan.weights.begin(), plan.weights.end(), positive),
+          "weights need one value >= 0 per reading, not all of them 0");
+  if (plan.prediction) {
+    require(plan.prediction->rows == plan.readings() &&
+                plan.prediction->columns == plan.readings() &&
+                plan.prediction->precision == Precision::float64,
+            "the prediction is not of readings x readings in float64");
+    check(*plan.prediction);
+    require(plan.leverages.size() == plan.readings() &&
+                std::all_of(plan.leverages.begin(), plan.leverages.end(),
+                            [](double h) { return not_negative(h) && h < 1.0; }),
+            "a prediction needs one leverage in [0, 1) per reading");
+  }
+  require(plan.ranges.empty() || plan.ranges.size() == plan.channels,
+          "ranges need one entry per channel, or none");
+  for (const ReadingRange& range : plan.ranges)
+    require(
+        std::isfinite(range.lowest) && std::isfinite(range.highest) && range.lowest < range.highest,
+        "a range needs lowest < highest");
+}
+
+}  // namespace tactile_net

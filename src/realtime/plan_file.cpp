@@ -1,0 +1,247 @@
+#include "tactile_net/realtime/plan_file.hpp"
+
+#include <array>
+#include <bit>
+#include <string>
+#include <string_view>
+
+namespace tactile_net {
+namespace {
+
+constexpr std::string_view magic = "TNETPLAN";
+constexpr std::size_t header_size = 8 + 4 + 8;
+constexpr std::size_t checksum_size = 8;
+
+/// CRC-64/XZ: reflected ECMA-182, all ones before and after. Finds every burst of up to 64 bits.
+std::uint64_t checksum(std::span<const std::byte> bytes) {
+  static const auto table = [] {
+    std::array<std::uint64_t, 256> entries{};
+    for (std::uint64_t i = 0; i < entries.size(); ++i) {
+      std::uint64_t value = i;
+      for (int bit = 0; bit < 8; ++bit)
+        value = (value >> 1) ^ ((value & 1) != 0 ? 0xC96C5795D7870F42U : 0U);
+      entries[i] = value;
+    }
+    return entries;
+  }();
+  std::uint64_t sum = ~std::uint64_t{0};
+  for (const std::byte byte : bytes)
+    sum = (sum >> 8) ^ table[(sum ^ std::to_integer<std::uint64_t>(byte)) & 0xFF];
+  return ~sum;
+}
+
+class Writer {
+ public:
+  template <class Integer>
+  void integer(Integer value) {
+    for (std::size_t i = 0; i < sizeof(Integer); ++i)
+      bytes_.push_back(static_cast<std::byte>(static_cast<std::uint64_t>(value) >> (8 * i)));
+  }
+  void size(std::size_t value) { integer<std::uint64_t>(value); }
+  void number(double value) { integer(std::bit_cast<std::uint64_t>(value)); }
+  void text(std::string_view value) {
+    for (const char letter : value) bytes_.push_back(static_cast<std::byte>(letter));
+  }
+  void numbers(const std::vector<double>& values) {
+    size(values.size());
+    for (const double value : values) number(value);
+  }
+  void signs(const std::vector<std::int8_t>& values) {
+    size(values.size());
+    for (const std::int8_t value : values) integer(static_cast<std::uint8_t>(value));
+  }
+  void product(const ProductPlan& plan) {
+    integer(static_cast<std::uint8_t>(plan.structure));
+    integer(static_cast<std::uint8_t>(plan.precision));
+    size(plan.rows);
+    size(plan.columns);
+    number(plan.scale);
+    signs(plan.row_signs);
+    signs(plan.column_signs);
+    size(plan.factors.size());
+    for (const Factor& factor : plan.factors) {
+      size(factor.rows);
+      size(factor.columns);
+      for (const double value : factor.values)
+        if (plan.precision == Precision::float64)
+          number(value);
+        else
+          integer(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+    }
+  }
+  [[nodiscard]] std::vector<std::byte>& bytes() noexcept { return bytes_; }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+/// Never reads beyond the end, never reserves more than what is left can hold.
+class Reader {
+ public:
+  explicit Reader(std::span<const std::byte> bytes) : rest_(bytes) {}
+
+  template <class Integer>
+  Integer integer() {
+    std::uint64_t value = 0;
+    const auto bytes = take(sizeof(Integer));
+    for (std::size_t i = 0; i < sizeof(Integer); ++i)
+      value |= std::to_integer<std::uint64_t>(bytes[i]) << (8 * i);
+    return static_cast<Integer>(value);
+  }
+  double number() { return std::bit_cast<double>(integer<std::uint64_t>()); }
+  bool flag() { return integer<std::uint8_t>() != 0; }
+  std::size_t length(std::size_t item_size) {
+    const auto value = integer<std::uint64_t>();
+    if (value > rest_.size() / item_size) fail();
+    return static_cast<std::size_t>(value);
+  }
+  std::size_t size() { return static_cast<std::size_t>(integer<std::uint64_t>()); }
+  std::string text() {
+    std::string value;
+    for (const std::byte byte : take(length(1))) value += static_cast<char>(byte);
+    return value;
+  }
+  std::vector<double> numbers() {
+    std::vector<double> values(length(sizeof(double)));
+    for (double& value : values) value = number();
+    return values;
+  }
+  std::vector<std::int8_t> signs() {
+    std::vector<std::int8_t> values(length(1));
+    for (std::int8_t& value : values) value = static_cast<std::int8_t>(integer<std::uint8_t>());
+    return values;
+  }
+  ProductPlan product() {
+    ProductPlan plan;
+    plan.structure = static_cast<Structure>(integer<std::uint8_t>());
+    plan.precision = static_cast<Precision>(integer<std::uint8_t>());
+    plan.rows = size();
+    plan.columns = size();
+    plan.scale = number();
+    plan.row_signs = signs();
+    plan.column_signs = signs();
+    const std::size_t bytes = plan.precision == Precision::float64 ? 8 : 4;
+    plan.factors.resize(length(2 * sizeof(std::uint64_t)));
+    for (Factor& factor : plan.factors) {
+      factor.rows = size();
+      factor.columns = size();
+      if (factor.columns != 0 && factor.rows > rest_.size() / bytes / factor.columns) fail();
+      factor.values.resize(factor.rows * factor.columns);
+      for (double& value : factor.values)
+        value = bytes == 8 ? number()
+                           : static_cast<double>(std::bit_cast<float>(integer<std::uint32_t>()));
+    }
+    return plan;
+  }
+  [[nodiscard]] bool at_end() const noexcept { return rest_.empty(); }
+
+ private:
+  [[noreturn]] static void fail() {
+    throw std::runtime_error("the plan's sizes contradict its length");
+  }
+  std::span<const std::byte> take(std::size_t count) {
+    if (count > rest_.size()) fail();
+    const auto taken = rest_.first(count);
+    rest_ = rest_.subspan(count);
+    return taken;
+  }
+
+  std::span<const std::byte> rest_;
+};
+
+EstimatorPlan read_payload(std::span<const std::byte> payload) {
+  Reader in(payload);
+  EstimatorPlan plan;
+  plan.label = in.text();
+  plan.count = in.size();
+  plan.channels = in.size();
+  plan.unknowns = in.size();
+  plan.pitch = in.number();
+  plan.alpha = in.number();
+  plan.accuracy = in.number();
+  plan.error_bound = in.number();
+  plan.reconstruction = in.product();
+  if (in.flag()) plan.prediction = in.product();
+  plan.weights = in.numbers();
+  plan.leverages = in.numbers();
+  plan.noise_rms = in.number();
+  plan.outlier_limit = in.number();
+  if (in.flag()) plan.friction_coefficient = in.number();
+  plan.ranges.resize(in.length(2 * sizeof(double)));
+  for (ReadingRange& range : plan.ranges) {
+    range.lowest = in.number();
+    range.highest = in.number();
+  }
+  if (!in.at_end()) throw std::runtime_error("the plan goes on after its end");
+  check(plan);
+  return plan;
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
+  check(plan);
+  Writer payload;
+  payload.size(plan.label.size());
+  payload.text(plan.label);
+  payload.size(plan.count);
+  payload.size(plan.channels);
+  payload.size(plan.unknowns);
+  payload.number(plan.pitch);
+  payload.number(plan.alpha);
+  payload.number(plan.accuracy);
+  payload.number(plan.error_bound);
+  payload.product(plan.reconstruction);
+  payload.integer<std::uint8_t>(plan.prediction.has_value());
+  if (plan.prediction) payload.product(*plan.prediction);
+  payload.numbers(plan.weights);
+  payload.numbers(plan.leverages);
+  payload.number(plan.noise_rms);
+  payload.number(plan.outlier_limit);
+  payload.integer<std::uint8_t>(plan.friction_coefficient.has_value());
+  if (plan.friction_coefficient) payload.number(*plan.friction_coefficient);
+  payload.size(plan.ranges.size());
+  for (const ReadingRange& range : plan.ranges) {
+    payload.number(range.lowest);
+    payload.number(range.highest);
+  }
+
+  Writer file;
+  file.text(magic);
+  file.integer(plan_version);
+  file.size(payload.bytes().size());
+  std::vector<std::byte>& bytes = file.bytes();
+  bytes.insert(bytes.end(), payload.bytes().begin(), payload.bytes().end());
+  file.integer(checksum(bytes));
+  return std::move(bytes);
+}
+
+EstimatorPlan decode_plan(std::span<const std::byte> bytes) {
+  for (std::size_t i = 0; i < magic.size(); ++i)
+    if (i >= bytes.size() || bytes[i] != static_cast<std::byte>(magic[i]))
+      throw std::runtime_error("this is no plan: it does not begin with " + std::string(magic));
+  if (bytes.size() < header_size + checksum_size)
+    throw std::runtime_error("the plan is truncated: " + std::to_string(bytes.size()) + " bytes");
+  Reader header(bytes.subspan(magic.size()));
+  const auto version = header.integer<std::uint32_t>();
+  if (version != plan_version)
+    throw std::runtime_error("the plan has version " + std::to_string(version) +
+                             ", this library reads version " + std::to_string(plan_version) +
+                             ": make it anew");
+  const auto length = header.integer<std::uint64_t>();
+  const std::size_t held = bytes.size() - header_size - checksum_size;
+  if (length != held)
+    throw std::runtime_error(
+        "the plan is " + std::string(length > held ? "truncated" : "too long") + ": " +
+        std::to_string(length) + " bytes announced, " + std::to_string(held) + " there");
+  const auto content = bytes.first(header_size + held);
+  if (Reader(bytes.last(checksum_size)).integer<std::uint64_t>() != checksum(content))
+    throw std::runtime_error("the plan is corrupted: its checksum does not match");
+  try {
+    return read_payload(content.subspan(header_size));
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(error.what());
+  }
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,98 @@
+#include "tactile_net/realtime/product_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace tactile_net {
+namespace {
+
+void require(bool holds, const char* rule) {
+  if (!holds) throw std::invalid_argument(std::string("product plan: ") + rule);
+}
+
+void check_signs(const std::vector<std::int8_t>& signs, std::size_t size) {
+  require(!signs.empty() && size % signs.size() == 0,
+          "parity needs the signs of blocks of equal length");
+  require(std::all_of(signs.begin(), signs.end(), [](int sign) { return sign == 1 || sign == -1; }),
+          "a block's sign must be 1 or -1");
+}
+
+void check_values(const Factor& factor, Precision precision) {
+  require(factor.rows > 0 && factor.columns > 0 &&
+              factor.values.size() / factor.columns == factor.rows &&
+              factor.values.size() % factor.columns == 0,
+          "a factor needs rows x columns values, at least one");
+  for (const double value : factor.values) {
+    require(std::isfinite(value), "a factor is not finite");
+    if (precision == Precision::float32)
+      require(std::abs(value) <= 0x1p20 && static_cast<double>(static_cast<float>(value)) == value,
+              "a factor of precision float32 needs floats of at most 2^20");
+  }
+}
+
+}  // namespace
+
+std::string_view name(Structure structure) noexcept {
+  switch (structure) {
+    case Structure::dense:
+      return "dense";
+    case Structure::low_rank:
+      return "low_rank";
+    case Structure::parity:
+      return "parity";
+    case Structure::parity_low_rank:
+      return "parity_low_rank";
+  }
+  return "unknown";
+}
+
+std::string_view name(Precision precision) noexcept {
+  return precision == Precision::float64 ? "float64" : "float32";
+}
+
+ClassSizes class_sizes(const std::vector<std::int8_t>& signs, std::size_t size) noexcept {
+  ClassSizes sizes;
+  const std::size_t n = size / signs.size();
+  for (const std::int8_t sign : signs) {
+    (sign > 0 ? sizes.even : sizes.odd) += n - n / 2;
+    (sign > 0 ? sizes.odd : sizes.even) += n / 2;
+  }
+  return sizes;
+}
+
+void check(const ProductPlan& plan) {
+  require(plan.structure <= Structure::parity_low_rank && plan.precision <= Precision::float32,
+          "structure or precision is unknown");
+  require(plan.rows > 0 && plan.columns > 0, "sizes must be > 0");
+  require(plan.scale > 0.0 && std::isfinite(plan.scale), "scale must be > 0 and finite");
+  ClassSizes in{plan.columns, 0};
+  ClassSizes out{plan.rows, 0};
+  if (has_parity(plan.structure)) {
+    check_signs(plan.row_signs, plan.rows);
+    check_signs(plan.column_signs, plan.columns);
+    in = class_sizes(plan.column_signs, plan.columns);
+    out = class_sizes(plan.row_signs, plan.rows);
+  }
+  const std::size_t classes = has_parity(plan.structure) ? 2 : 1;
+  const std::size_t per_class = is_low_rank(plan.structure) ? 2 : 1;
+  require(plan.factors.size() == classes * per_class, "wrong number of factors");
+  for (const Factor& factor : plan.factors) check_values(factor, plan.precision);
+  for (std::size_t c = 0; c < classes; ++c) {
+    const Factor& first = plan.factors[c * per_class];
+    const Factor& last = plan.factors[c * per_class + per_class - 1];
+    require(first.columns == (c == 0 ? in.even : in.odd) &&
+                last.rows == (c == 0 ? out.even : out.odd) &&
+                (per_class == 1 || first.rows == last.columns),
+            "the factors' sizes do not fit");
+  }
+}
+
+std::size_t streamed_bytes(const ProductPlan& plan) noexcept {
+  std::size_t values = 0;
+  for (const Factor& factor : plan.factors) values += factor.values.size();
+  return values * (plan.precision == Precision::float64 ? sizeof(double) : sizeof(float));
+}
+
+}  // namespace tactile_net
