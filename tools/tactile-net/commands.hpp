@@ -19,6 +19,7 @@ void add_relax(CLI::App& app);
 void add_solve(CLI::App& app);
 void add_identify(CLI::App& app);
 void add_certify(CLI::App& app);
+void add_plan(CLI::App& app);
 
 /// Which simulator, and for how long.
 struct SimulatorChoice {

@@ -87,15 +87,6 @@ class UncertaintyFile {
   bool with_time_;
 };
 
-/// Which columns hold the readings of dead taxels.
-std::vector<bool> unread_columns(const Scene& scene) {
-  std::vector<bool> unread(channels(scene.sensor).size() * scene.sensor.count);
-  for (std::size_t i = 0; i < unread.size(); ++i)
-    for (const std::size_t taxel : scene.dead_taxels)
-      if (i % scene.sensor.count == taxel) unread[i] = true;
-  return unread;
-}
-
 /// Turns each frame of readings on `in` into one row of tractions on `out`; returns how many.
 /// @param live  flush after every frame: somebody waits at the other end
 ///

@@ -314,6 +314,14 @@ ProblemOptions problem_options(const Scene& scene) {
   return options;
 }
 
+std::vector<bool> unread_columns(const Scene& scene) {
+  std::vector<bool> unread(channels(scene.sensor).size() * scene.sensor.count);
+  for (std::size_t i = 0; i < unread.size(); ++i)
+    for (const std::size_t taxel : scene.dead_taxels)
+      if (i % scene.sensor.count == taxel) unread[i] = true;
+  return unread;
+}
+
 InverseProblem problem_of(const Scene& scene) {
   return make_problem(scene.sensor, scene.material, problem_options(scene));
 }

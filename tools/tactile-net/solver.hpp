@@ -28,6 +28,9 @@ inline constexpr std::size_t large = 1024;
 /// The noise of one weighted reading, if the scene states it.
 [[nodiscard]] std::optional<double> stated_noise(const Scene& scene);
 
+/// Which columns of recorded readings hold those of dead taxels.
+[[nodiscard]] std::vector<bool> unread_columns(const Scene& scene);
+
 /// What the scene demands of tikhonov's tractions, if anything.
 [[nodiscard]] std::optional<Constraints> constraints_of(const Scene& scene);
 

@@ -1,0 +1,90 @@
+// The command `plan`: from a scene to the file that a controller loads.
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/realtime/plan_file.hpp"
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+/// The numbers of the second row of a CSV file: its first frame.
+std::vector<double> first_frame(const std::string& file) {
+  std::istringstream text(read_text(file));
+  std::string line;
+  std::getline(text, line);
+  std::getline(text, line);
+  std::vector<double> values;
+  std::istringstream row(line);
+  for (std::string field; std::getline(row, field, ',');) values.push_back(std::stod(field));
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("a controller that loads the plan finds what `solve` finds", "[cli][plan]") {
+  const Folder folder;
+  const std::string frames = scene("recorded/thick-pad.csv");
+  const std::string recorded = read_text(scene("recorded/thick-pad.toml"));
+  const std::string text = folder.write("pad.toml", recorded + "\n");
+  // One alpha for both: the plan's, said by its JSON.
+  const ProcessResult planned = tool({"plan", text, "--readings", frames, "-o", folder / "pad.plan",
+                                      "--friction", "0.5", "--json", folder / "plan.json"});
+  CAPTURE(planned.errors);
+  REQUIRE(planned.code == 0);
+  CHECK_THAT(planned.output, ContainsSubstring("parity") && ContainsSubstring("rgcv, the median"));
+  const auto json = nlohmann::json::parse(read_text(folder / "plan.json"));
+  const EstimatorPlan plan = load_plan(folder / "pad.plan");
+  CHECK(json.at("alpha") == plan.alpha);
+  CHECK(plan.friction_coefficient == 0.5);
+
+  // The scene's last table is [reconstruct]: a key at its end belongs there.
+  const std::string fixed =
+      folder.write("fixed.toml", recorded + "\nalpha = " + json.at("alpha").dump() + "\n");
+  const ProcessResult solved =
+      tool({"solve", fixed, "--readings", frames, "-o", folder / "tractions.csv"});
+  CAPTURE(solved.errors);
+  REQUIRE(solved.code == 0);
+
+  // Both files begin with the column t.
+  std::vector<double> expected = first_frame(folder / "tractions.csv");
+  expected.erase(expected.begin());
+  std::vector<double> readings = first_frame(frames);
+  readings.erase(readings.begin());
+  readings.resize(plan.readings());
+  std::vector<double> tractions(plan.tractions());
+  ContactEstimate estimate;
+  estimate.tractions = tractions;
+  ContactEstimator estimator(plan);
+  REQUIRE(estimator.update(readings, estimate) == FrameStatus::ok);
+  REQUIRE(tractions.size() == expected.size());
+  CHECK(relative_l2_error(tractions, expected) < plan.accuracy);
+}
+
+TEST_CASE("a plan's bad options are refused, and leave no file", "[cli][plan]") {
+  const Folder folder;
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& why) {
+    arguments.insert(arguments.end(), {"-o", folder / "x.plan"});
+    const ProcessResult result = tool(arguments);
+    CAPTURE(result.errors);
+    CHECK(result.code == 2);
+    CHECK_THAT(result.errors, ContainsSubstring(why));
+    CHECK_FALSE(std::filesystem::exists(folder / "x.plan"));
+  };
+  const std::string good = scene("thesis/cylinder.toml");
+  refused({"plan", good, "--accuracy", "0"}, "accuracy must be > 0");
+  refused({"plan", good, "--accuracy", "nan"}, "accuracy must be > 0");
+  refused({"plan", good, "--structure", "sparse"}, "is none of dense, low_rank");
+  refused({"plan", good, "--precision", "half"}, "is none of float64, float32");
+  refused({"plan", good, "--friction", "-1"}, "friction coefficient must be >= 0");
+  refused({"plan", scene("recorded/thin-pad.toml")}, "has a rule for alpha");
+  refused({"plan", scene("recorded/thin-pad.toml"), "--readings", "nowhere.csv"},
+          "cannot be opened");
+  const std::string dead =
+      folder.write("dead.toml", small_scene + "[dead_taxels]\nindices = [0]\n");
+  refused({"plan", dead, "--structure", "parity"}, "not mirror symmetric");
+}

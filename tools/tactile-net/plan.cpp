@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "commands.hpp"
+#include "experiment.hpp"
+#include "frames.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "solver.hpp"
+#include "tactile_net/control/planner.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tactile_net/realtime/plan_file.hpp"
+#include "tactile_net/scene/diagnostic.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "text.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string output;
+  std::string readings;
+  std::string structure;
+  std::string precision;
+  std::string json;
+  double accuracy = PlannerOptions{}.accuracy;
+  std::optional<double> friction;
+  bool no_diagnostics = false;
+};
+
+struct Alpha {
+  double value = 0.0;
+  std::string source;
+};
+
+/// The middle of what the scene's rule chooses on recorded frames: a plan has one alpha for all.
+Alpha alpha_of_frames(const Scene& scene, const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError({{.file = path, .message = "cannot be opened"}});
+  const InverseProblem problem = problem_of(scene);
+  FrameReader reader(file, path, reading_columns(scene.sensor), unread_columns(scene));
+  const TikhonovFamily family(problem);
+  std::vector<double> readings(problem.kernel.rows);
+  std::vector<double> alphas;
+  Progress progress;
+  while (reader.next(readings)) {
+    alphas.push_back(
+        choose_alpha(family.analyse(readings), scene.reconstruct.alpha_rule, stated_noise(scene))
+            .alpha);
+    if (progress.due()) progress.step("alpha: " + std::to_string(alphas.size()) + " frames ...");
+  }
+  if (alphas.empty()) throw InputError({{.file = path, .message = "holds no frame"}});
+  const auto middle = alphas.begin() + std::ssize(alphas) / 2;
+  std::nth_element(alphas.begin(), middle, alphas.end());
+  return {*middle, std::string(name(scene.reconstruct.alpha_rule)) + ", the median of " +
+                       std::to_string(alphas.size()) + " frames"};
+}
+
+Alpha alpha_of(const Scene& scene, const Options& options) {
+  if (scene.reconstruct.alpha) return {*scene.reconstruct.alpha, "given"};
+  if (!options.readings.empty()) return alpha_of_frames(scene, options.readings);
+  if (scene.contacts.empty())
+    throw InputError({{.file = options.scene,
+                       .message = "has a rule for alpha, but neither a contact nor readings to "
+                                  "apply it to; a plan has one alpha for all frames",
+                       .hint = "set reconstruct.alpha, or pass recorded frames: --readings "
+                               "FILE.csv"}});
+  const AlphaRule rule = scene.reconstruct.alpha_rule;
+  return {sweep_of(scene, simulate(scene).readings).choice(rule).alpha,
+          std::string(name(rule)) + ", on the scene's own contact"};
+}
+
+template <class Enum>
+std::optional<Enum> named(const std::string& text, const char* option,
+                          std::initializer_list<Enum> all) {
+  if (text.empty()) return std::nullopt;
+  std::string known;
+  for (const Enum one : all) {
+    if (name(one) == text) return one;
+    known += (known.empty() ? "" : ", ") + std::string(name(one));
+  }
+  throw CLI::ValidationError(option, "'" + text + "' is none of " + known);
+}
+
+void run(const Options& options) {
+  const Scene scene = read_scene(options.scene);
+  using enum Structure;
+  PlannerOptions planner;
+  planner.accuracy = options.accuracy;
+  planner.structure =
+      named(options.structure, "--structure", {dense, low_rank, parity, parity_low_rank});
+  planner.precision =
+      named(options.precision, "--precision", {Precision::float64, Precision::float32});
+  planner.diagnostics = !options.no_diagnostics;
+  planner.noise_rms = stated_noise(scene).value_or(0.0);
+  planner.friction_coefficient = options.friction;
+  if (!planner.friction_coefficient)
+    planner.friction_coefficient = scene.reconstruct.friction_limit;
+  if (scene.quantization)
+    planner.ranges.assign(channels(scene.sensor).size(),
+                          {scene.quantization->low, scene.quantization->high});
+  planner.label = scene.title.empty() ? scene.file : scene.title;
+  if (constraints_of(scene))
+    std::cerr << "warning: a plan is linear: nonnegative and friction_limit do not bind it\n";
+
+  std::optional<OutputFile> output;
+  if (!options.output.empty()) output.emplace(options.output);
+  const Alpha alpha = alpha_of(scene, options);
+  const PlannedEstimator planned = plan_estimator(problem_of(scene), alpha.value, planner);
+  const EstimatorPlan& plan = planned.plan;
+  std::ostream& out = options.output == "-" || options.json == "-" ? std::cerr : std::cout;
+  out << plan.label << ": " << plan.readings() << " readings to " << plan.tractions()
+      << " tractions, alpha " << brief(plan.alpha) << " (" << alpha.source << ")\n"
+      << planned.why();
+  if (plan.prediction)
+    out << "  residual, outliers, dead taxels: " << streamed_bytes(*plan.prediction)
+        << " bytes a frame more (--no-diagnostics leaves them out)\n";
+  if (output) {
+    const std::vector<std::byte> bytes = encode_plan(plan);
+    output->stream().write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+    output->commit();
+    out << "plan: " << options.output << ", " << bytes.size() << " bytes\n";
+  }
+  if (options.json.empty()) return;
+  using Json = nlohmann::ordered_json;
+  Json candidates = Json::array();
+  for (const Candidate& candidate : planned.candidates)
+    candidates.push_back({{"structure", name(candidate.structure)},
+                          {"precision", name(candidate.precision)},
+                          {"ranks", candidate.ranks},
+                          {"bytes", candidate.bytes},
+                          {"error_bound", candidate.error_bound},
+                          {"accurate", candidate.accurate},
+                          {"chosen", candidate.chosen}});
+  OutputFile summary(options.json);
+  summary.stream() << Json{{"tactile_net", TACTILE_NET_VERSION},
+                           {"scene", scene.file},
+                           {"readings", plan.readings()},
+                           {"tractions", plan.tractions()},
+                           {"alpha", plan.alpha},
+                           {"alpha_rule", alpha.source},
+                           {"accuracy", plan.accuracy},
+                           {"error_bound", plan.error_bound},
+                           {"asymmetry", planned.asymmetry},
+                           {"candidates", std::move(candidates)}}
+                          .dump(2)
+                   << '\n';
+  summary.commit();
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand(
+      "plan",
+      "Make the plan that a controller loads: how to solve a frame fastest for a stated "
+      "accuracy, and why so");
+  command->add_option("SCENE", options->scene, "Scene file (TOML): sensor, material, alpha")
+      ->required();
+  command->add_option("-o,--output", options->output,
+                      "Plan file, to be read by load_plan (default: only say what it would be)");
+  command
+      ->add_option("--accuracy", options->accuracy,
+                   "Largest error, relative to the tractions, of the planned against the dense "
+                   "product")
+      ->capture_default_str();
+  command->add_option("--readings", options->readings,
+                      "Recorded frames (CSV): the scene's rule for alpha is applied to each, and "
+                      "the median taken");
+  command->add_option("--friction", options->friction,
+                      "Friction coefficient for the friction margin (default: the scene's "
+                      "friction_limit)");
+  command->add_option("--structure", options->structure,
+                      "dense, low_rank, parity or parity_low_rank (default: the cheapest)");
+  command->add_option("--precision", options->precision,
+                      "float64 or float32 (default: the cheapest)");
+  command->add_flag("--no-diagnostics", options->no_diagnostics,
+                    "No residual, no outliers, no dead taxels at run time: faster");
+  command->add_option("--json", options->json, "Write the choice as JSON (- = standard output)");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tactile_net::tool
