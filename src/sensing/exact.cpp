@@ -1,6 +1,7 @@
 #include "tactile_net/sensing/exact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <cstddef>
@@ -31,43 +32,72 @@ struct Integral {
   }
 };
 
-/// One panel by 31 points. Boost sees [-1, 1] alone, where its versions agree on the error's scale.
+/// One panel. Boost sees [-1, 1] alone, where its versions agree on the error's scale.
+template <unsigned points>
 Integral panel(const auto& integrand, double from, double to) {
   const double centre = 0.5 * (from + to);
   const double half = 0.5 * (to - from);
   Integral unit;
-  unit.value = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+  unit.value = boost::math::quadrature::gauss_kronrod<double, points>::integrate(
       [&](double x) { return integrand(centre + half * x); }, -1.0, 1.0, 0, 0.0, &unit.error,
       &unit.magnitude);
   return {half * unit.value, half * unit.error, half * unit.magnitude};
 }
 
+Integral panel(const auto& integrand, double from, double to, int points) {
+  switch (points) {
+    case 15:
+      return panel<15>(integrand, from, to);
+    case 21:
+      return panel<21>(integrand, from, to);
+    case 41:
+      return panel<41>(integrand, from, to);
+    case 51:
+      return panel<51>(integrand, from, to);
+    case 61:
+      return panel<61>(integrand, from, to);
+    default:
+      return panel<31>(integrand, from, to);
+  }
+}
+
+void check(const Quadrature& rule) {
+  constexpr std::array known = {15, 21, 31, 41, 51, 61};
+  if (std::find(known.begin(), known.end(), rule.points) == known.end())
+    throw std::invalid_argument("a panel has 15, 21, 31, 41, 51 or 61 points");
+  if (rule.halvings < 0 || !(rule.error_limit > 0.0))
+    throw std::invalid_argument("halvings must be >= 0, the error limit > 0");
+}
+
 /// `whole`, the panel between `from` and `to`, halved until its error is at most `tolerance`.
 Integral refine(const auto& integrand, double from, double to, const Integral& whole,
-                double tolerance, int levels) {
+                double tolerance, int points, int levels) {
   if (whole.error <= tolerance || levels == 0) return whole;
   const double middle = 0.5 * (from + to);
-  Integral sum =
-      refine(integrand, from, middle, panel(integrand, from, middle), tolerance, levels - 1);
-  sum += refine(integrand, middle, to, panel(integrand, middle, to), tolerance, levels - 1);
+  const auto half = [&](double a, double b) {
+    return refine(integrand, a, b, panel(integrand, a, b, points), tolerance, points, levels - 1);
+  };
+  Integral sum = half(from, middle);
+  sum += half(middle, to);
   return sum;
 }
 
 /// The integral over the panels between neighbouring `borders`, which rise.
 ///
 /// @param rounding  relative error of the integrand's values: no panel is halved to get below it
-Integral integrate(const auto& integrand, const std::vector<double>& borders, double rounding) {
+Integral integrate(const auto& integrand, const std::vector<double>& borders, double rounding,
+                   const Quadrature& rule) {
   std::vector<Integral> coarse;
   double magnitude = 0.0;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
-    coarse.push_back(panel(integrand, borders[i], borders[i + 1]));
+    coarse.push_back(panel(integrand, borders[i], borders[i + 1], rule.points));
     magnitude += coarse.back().magnitude;
   }
   const double tolerance = (1e-14 + rounding) * magnitude;
-  constexpr int levels = 16;
   Integral sum;
   for (std::size_t i = 0; i < coarse.size(); ++i)
-    sum += refine(integrand, borders[i], borders[i + 1], coarse[i], tolerance, levels);
+    sum += refine(integrand, borders[i], borders[i + 1], coarse[i], tolerance, rule.points,
+                  rule.halvings);
   sum.error += rounding * magnitude;
   return sum;
 }
@@ -79,6 +109,7 @@ struct View {
   const PadKernel& tangential;
   double depth;
   double y;
+  const Quadrature& rule;
 
   [[nodiscard]] double kernel(Traction load, double s) const noexcept {
     return load == Traction::normal ? normal(y - s) : tangential(y - s);
@@ -91,7 +122,7 @@ struct View {
     const double nearest = std::hypot(depth, std::max({0.0, s.from - y, y - s.to}));
     const double rounding = std::numeric_limits<double>::epsilon() *
                             std::max(std::abs(s.from), std::abs(s.to)) / nearest;
-    return integrate(integrand, borders(s, t, image), rounding);
+    return integrate(integrand, borders(s, t, image), rounding, rule);
   }
 
  private:
@@ -198,7 +229,8 @@ Integral reading(const View& view, const SampledTractions& contact) {
 }  // namespace
 
 std::vector<double> exact_readings(const SensorArray& array, const Material& material,
-                                   std::span<const Contact> contacts) {
+                                   std::span<const Contact> contacts, const Quadrature& rule) {
+  check(rule);
   check(array);
   check(material);
   for (const Contact& contact : contacts) check(contact);
@@ -212,13 +244,13 @@ std::vector<double> exact_readings(const SensorArray& array, const Material& mat
       double peak = 0.0;
       double error = 0.0;
       for (std::size_t j = 0; j < array.count; ++j) {
-        const View view{normal, tangential, channel.depth, position(array, j)};
+        const View view{normal, tangential, channel.depth, position(array, j), rule};
         const Integral g = std::visit([&](const auto& c) { return reading(view, c); }, contact);
         peak = std::max(peak, std::abs(g.value));
         error = std::max(error, g.error);
         sum[j] += g.value;
       }
-      if (!(error <= 1e-10 * peak))
+      if (!(error <= rule.error_limit * peak) && std::isfinite(rule.error_limit))
         throw std::runtime_error(channel.name + " at depth " + text(channel.depth) +
                                  ": the integral is known only to " + text(error) +
                                  ", its peak is " + text(peak));

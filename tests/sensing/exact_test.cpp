@@ -319,3 +319,26 @@ TEST_CASE("readings that double precision cannot hold are refused, not made up",
   CHECK_THROWS_WITH(exact_readings(array, pad, std::vector<Contact>{RigidContact{}}),
                     StartsWith("shear_xy at depth 1e-12"));
 }
+
+TEST_CASE("more points and more halvings of a panel come closer to the integral", "[exact]") {
+  const SensorArray array{
+      .count = 21, .pitch = 0.5, .depths = {0.3}, .reads = {Quantity::strain_x}};
+  const Material pad{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
+  const std::vector<Contact> contacts = {RigidContact{.shape = Shape::wedge, .half_width = 2.0}};
+  const auto readings = [&](int points, int halvings) {
+    constexpr double any = std::numeric_limits<double>::infinity();
+    return exact_readings(array, pad, contacts, {points, halvings, any});
+  };
+  const std::vector<double> best = exact_readings(array, pad, contacts);
+  const auto error = [&](const std::vector<double>& g) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < g.size(); ++i) sum = std::max(sum, std::abs(g[i] - best[i]));
+    return sum;
+  };
+  CHECK(error(readings(15, 0)) > 1e-6);
+  CHECK(error(readings(61, 0)) < 0.1 * error(readings(15, 0)));
+  CHECK(error(readings(15, 3)) < 0.1 * error(readings(15, 0)));
+  CHECK(error(readings(15, 16)) < 1e-12);
+  CHECK_THROWS_AS(readings(16, 0), std::invalid_argument);
+  CHECK_THROWS_AS(readings(15, -1), std::invalid_argument);
+}

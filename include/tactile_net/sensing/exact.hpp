@@ -13,6 +13,13 @@
 
 namespace tactile_net {
 
+/// How the integrals are taken.
+struct Quadrature {
+  int points = 31;             ///< of Gauss and Kronrod in a panel: 15, 21, 31, 41, 51 or 61
+  int halvings = 16;           ///< of a panel, as long as its estimated error asks for it; >= 0
+  double error_limit = 1e-10;  ///< of a contact's peak; infinite: any error is accepted
+};
+
 /// The readings of every channel, channels x count; of each contact, to 1e-10 of its peak in that
 /// channel.
 ///
@@ -24,9 +31,10 @@ namespace tactile_net {
 /// evaluations for a cylinder or punch, some thousand for a wedge, 31 to some hundred for each
 /// segment of sampled tractions that is not zero.
 ///
-/// @throw std::invalid_argument  the array, the material or a contact is out of range
-/// @throw std::runtime_error     the error estimate of a contact exceeds 1e-10 of its peak
+/// @throw std::invalid_argument  the array, the material, a contact or the rule is out of range
+/// @throw std::runtime_error     the error estimate of a contact exceeds the limit
 [[nodiscard]] std::vector<double> exact_readings(const SensorArray& array, const Material& material,
-                                                 std::span<const Contact> contacts);
+                                                 std::span<const Contact> contacts,
+                                                 const Quadrature& rule = {});
 
 }  // namespace tactile_net
