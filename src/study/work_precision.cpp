@@ -35,6 +35,8 @@ std::string_view name(TimeOf time_of) noexcept {
       return "settling";
     case TimeOf::simulator:
       return "simulator";
+    case TimeOf::forward:
+      return "forward";
   }
   return "";
 }

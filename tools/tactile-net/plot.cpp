@@ -37,7 +37,7 @@ std::string number(double value) {
 }
 
 /// A short logarithmic axis has labels at 1, 2 and 5: its powers of ten would be one or two.
-std::string labels_along(const std::vector<double>& x) {
+std::string labels_along(const std::vector<double>& x) {  // of a plot whose curves share them
   const auto [low, high] = std::minmax_element(x.begin(), x.end());
   if (x.empty() || !(*low > 0.0) || *high > 1e3 * *low) return "\nset xtics auto";
   std::string labels;
@@ -50,52 +50,69 @@ std::string labels_along(const std::vector<double>& x) {
 
 std::string axes(const Plot& plot) {
   return (plot.logarithmic_x
-              ? "\nset logscale x\nset format x '1e%T'\nset autoscale xfix" + labels_along(plot.x)
+              ? "\nset logscale x\nset format x '1e%T'" +
+                    (plot.x.empty() ? "\nset autoscale x\nset xtics auto\nset offsets graph 0.03, "
+                                      "graph 0.03, graph 0.03, graph 0.03"
+                                    : "\nset autoscale xfix\nset offsets" + labels_along(plot.x))
               : "\nunset logscale x\nset format x '%h'\nset autoscale x"
-                "\nset xtics auto") +
+                "\nset xtics auto\nset offsets") +
          (plot.logarithmic_y ? "\nset logscale y\nset format y '1e%T'"
                              : "\nunset logscale y\nset format y '%h'");
 }
 
-std::string script(const Plot& plot) {
-  std::string text = "set title " + literal(plot.title) + "\nset xlabel " + literal(plot.x_label) +
-                     "\nset ylabel " + literal(plot.y_label) + axes(plot) + "\n$data << EOD\n";
-  for (std::size_t i = 0; i < plot.x.size(); ++i) {
-    text += number(plot.x[i]);
-    for (const Curve& curve : plot.curves) {
-      text += ' ' + number(curve.y[i]);
-      if (!curve.half_width.empty())
-        text += ' ' + number(curve.y[i] - curve.half_width[i]) + ' ' +
-                number(curve.y[i] + curve.half_width[i]);
-    }
+/// A curve's points as a named block of data.
+std::string data_block(const Plot& plot, const Curve& curve, std::size_t index) {
+  const std::vector<double>& x = curve.x.empty() ? plot.x : curve.x;
+  std::string text = "$c" + std::to_string(index) + " << EOD\n";
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    text += number(x[i]) + ' ' + number(curve.y[i]);
+    if (!curve.half_width.empty())
+      text += ' ' + number(curve.y[i] - curve.half_width[i]) + ' ' +
+              number(curve.y[i] + curve.half_width[i]);
     text += '\n';
   }
-  text += "EOD\nplot ";
+  return text + "EOD\n";
+}
 
+std::string style_of(const Curve& curve) {
+  const std::size_t index = curve.colour % colours.size();
+  if (curve.dots) return " with points pt 7 ps 0.5";
+  // Beyond the colours the marks' shapes go on.
+  const std::string mark = " pt " + std::to_string(4 + curve.colour % 9) + " ps 0.6";
+  return curve.marks ? " with linespoints lw 1.5" + mark
+                     : " with lines lw " + (curve.dashed ? "1.5 dt 2" : widths[index]);
+}
+
+std::string script(const Plot& plot) {
+  // The key stands under the plot, two labels in a row, and the picture grows with it.
+  const std::size_t rows = (plot.curves.size() + 1) / 2;
+  std::string text = "set terminal svg size 760," + std::to_string(350 + 18 * rows) +
+                     " dynamic noenhanced font 'sans-serif,13' background '#ffffff'\nset title " +
+                     literal(plot.title) + "\nset xlabel " + literal(plot.x_label) +
+                     "\nset ylabel " + literal(plot.y_label) + axes(plot) + "\n";
   // Bands first: they lie under every line.
   std::string bands;
   std::string lines;
-  std::size_t column = 2;
-  for (const Curve& curve : plot.curves) {
-    const std::size_t index = curve.colour % colours.size();
-    const std::string colour = " lc rgb '" + std::string(colours[index]) + "'";
-    lines += (lines.empty() ? "" : ", ") + ("$data using 1:" + std::to_string(column)) +
-             (curve.dots ? " with points pt 7 ps 0.5" : " with lines lw " + widths[index]) +
-             colour + " title " + literal(curve.label);
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+    const Curve& curve = plot.curves[i];
+    text += data_block(plot, curve, i);
+    const std::string data = "$c" + std::to_string(i);
+    const std::string colour =
+        " lc rgb '" + std::string(colours[curve.colour % colours.size()]) + "'";
+    lines += (lines.empty() ? "" : ", ") + data + " using 1:2" + style_of(curve) + colour +
+             " title " + literal(curve.label);
     if (!curve.half_width.empty())
-      bands += "$data using 1:" + std::to_string(column + 1) + ":" + std::to_string(column + 2) +
-               " with filledcurves fs transparent solid 0.18 noborder" + colour + " notitle, ";
-    column += curve.half_width.empty() ? std::size_t{1} : std::size_t{3};
+      bands += data + " using 1:3:4 with filledcurves fs transparent solid 0.18 noborder" + colour +
+               " notitle, ";
   }
-  return text + bands + lines + "\n";
+  return text + "plot " + bands + lines + "\n";
 }
 
 }  // namespace
 
 std::vector<std::string> draw(std::span<const Plot> plots) {
   std::string input =
-      "set encoding utf8\nset terminal svg size 760,340 dynamic noenhanced font 'sans-serif,13' "
-      "background '#ffffff'\nset grid lc rgb '#dddddd'\nset key outside right top\n"
+      "set encoding utf8\nset grid lc rgb '#dddddd'\nset key below left Left reverse samplen 2\n"
       "set zeroaxis lc rgb '#999999'\n";
   for (const Plot& plot : plots) input += script(plot);
 

@@ -14,6 +14,9 @@ struct Curve {
   std::size_t colour = 0;            ///< 0: black; the same number is the same colour in every plot
   bool dots = false;                 ///< points instead of a line
   std::vector<double> half_width{};  ///< of a band around the line; empty: none
+  std::vector<double> x{};           ///< the curve's own; empty: the plot's
+  bool marks = false;                ///< points on the line, of a shape of their own
+  bool dashed = false;
 };
 
 struct Plot {

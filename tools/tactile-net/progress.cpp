@@ -9,7 +9,7 @@ namespace {
 constexpr std::string_view clear_line = "\r\033[K";
 }
 
-Progress::Progress() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(bool wanted) : terminal_(wanted && ::isatty(STDERR_FILENO) == 1) {}
 
 void Progress::clear() {
   if (shown_) std::cerr << clear_line << std::flush;

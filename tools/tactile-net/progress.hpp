@@ -9,7 +9,8 @@ namespace tactile_net::tool {
 
 class Progress {
  public:
-  Progress();
+  /// @param wanted  false: never a line
+  explicit Progress(bool wanted = true);
   ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

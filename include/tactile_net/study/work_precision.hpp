@@ -21,6 +21,7 @@ enum class TimeOf {
   frame,      ///< a frame's arithmetic, on this machine
   settling,   ///< a circuit's answer to a step, as simulated in ngspice
   simulator,  ///< ngspice's own wall time for one frame: not the circuit's
+  forward,    ///< the forward model's arithmetic: readings of known tractions
 };
 
 [[nodiscard]] std::string_view name(TimeOf time_of) noexcept;

@@ -1,0 +1,181 @@
+// The command `tradeoff`: what accuracy costs in time.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string pressed = R"(
+[sensor]
+count = 21
+pitch = 0.5
+depth = 1.0
+reads = ["strain_x"]
+[material]
+youngs_modulus = 1.0
+poisson_ratio = 0.45
+[[contact]]
+shape = "cylinder"
+half_width = 2.0
+force = 1.0
+[reconstruct]
+alpha = 1e-3
+)";
+
+/// What does not depend on the clock.
+std::vector<std::string> timeless(const Json& study) {
+  std::vector<std::string> text;
+  for (const Json& job : study.at("jobs"))
+    for (const Json& point : job.at("points"))
+      text.push_back(point.at("curve").get<std::string>() + point.at("knob").get<std::string>() +
+                     point.at("error_to_solution").dump() + point.at("error_to_truth").dump());
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a study of the arithmetic is complete, plausible, and the same but for its times",
+          "[cli][tradeoff]") {
+  const Folder folder;
+  const std::string file = folder.write("scene.toml", pressed);
+  const ProcessResult result =
+      tool({"tradeoff", file, "--digital", "--out", folder / "a", "--accuracy", "1e-3"});
+  CAPTURE(result.errors);
+  REQUIRE(result.code == 0);
+  CHECK_THAT(result.output, ContainsSubstring("for 1 % error within 1 ms: ") &&
+                                ContainsSubstring("asked for 0.1 % error: "));
+  const Json study = Json::parse(read_text(folder / "a/tradeoff.json"));
+  CHECK(study.at("complete") == true);
+  CHECK(study.at("reference_agreement").get<double>() < 1e-12);
+
+  std::set<std::string> curves;
+  double coarse = 1.0;
+  for (const Json& job : study.at("jobs"))
+    for (const Json& point : job.at("points")) {
+      CAPTURE(point.dump());
+      curves.insert(point.at("curve"));
+      REQUIRE(point.at("failure") == "");
+      CHECK(point.at("seconds").at("low") <= point.at("seconds").at("median"));
+      CHECK(point.at("seconds").at("median") <= point.at("seconds").at("high"));
+      CHECK(point.at("seconds").at("median").get<double>() > 0.0);
+      if (point.at("curve") == "dense float64" || point.at("curve") == "closed form (ch. 4)")
+        CHECK(point.at("error_to_solution").get<double>() < 1e-10);
+      if (point.at("curve") == "conjugate gradients, FFT" && point.at("knob") == "1 steps")
+        coarse = point.at("error_to_solution").get<double>();
+    }
+  CHECK(coarse > 1e-3);  // one step is not the answer
+  for (const char* curve :
+       {"parity float64", "parity low rank float64", "dense float32", "FFT filter, array as a ring",
+        "dft: division (ch. 3)", "QR of every frame", "f_v >= 0, active set", "fewer taxels",
+        "readings by the integral", "readings by the discrete sum"})
+    CHECK(curves.contains(curve));
+
+  for (const char* name : {"report.html", "tradeoff.csv", "error-to-solution.svg"})
+    CHECK(std::filesystem::file_size((folder / "a/") + name) > 500);
+  REQUIRE(tool({"tradeoff", file, "--digital", "--out", folder / "b"}).code == 0);
+  CHECK(timeless(study) == timeless(Json::parse(read_text(folder / "b/tradeoff.json"))));
+}
+
+TEST_CASE("circuits settle in the time that bandwidth and error ask for", "[cli][tradeoff]") {
+  const Folder folder;
+  const ProcessResult result =
+      tool({"tradeoff", folder.write("scene.toml", pressed), "--out", folder / "out"});
+  CAPTURE(result.errors);
+  REQUIRE(result.code == 0);
+  CHECK_THAT(result.output, ContainsSubstring("with op-amps of 10 MHz settles to 1 % in") &&
+                                ContainsSubstring("with parts of 1 %"));
+  std::map<std::string, std::map<double, double>> settling;
+  const Json study = Json::parse(read_text(folder / "out/tradeoff.json"));
+  for (const Json& job : study.at("jobs"))
+    for (const Json& point : job.at("points"))
+      if (point.at("time_of") == "settling" && point.at("failure") == "")
+        settling[point.at("curve")][point.at("error_to_solution")] =
+            point.at("seconds").at("median");
+  REQUIRE(settling.contains("crossbar, 10 MHz"));
+  REQUIRE(settling.contains("ideal, 10 pF a node"));
+  for (const auto& [curve, times] : settling) {
+    CAPTURE(curve);
+    double before = std::numeric_limits<double>::infinity();
+    for (const auto& [error, seconds] : times) {  // a smaller error takes longer
+      CHECK(seconds <= before);
+      before = seconds;
+    }
+  }
+}
+
+TEST_CASE("a demand that nothing meets fails and says what would be", "[cli][tradeoff]") {
+  const Folder folder;
+  const ProcessResult result = tool({"tradeoff", folder.write("scene.toml", pressed), "--digital",
+                                     "--deadline", "1ns", "--accuracy", "1e-9"});
+  CHECK(result.code == 1);
+  CHECK_THAT(result.output, ContainsSubstring("none meets both; accurate enough, and fastest"));
+  CHECK_THAT(result.errors, ContainsSubstring("no method meets the demand"));
+}
+
+TEST_CASE("Ctrl-C leaves a valid part, and --resume goes on from it", "[cli][tradeoff]") {
+  const Folder folder;
+  const std::string file = folder.write("scene.toml", pressed);
+  const std::string out = folder / "out";
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    ::setpgid(0, 0);
+    ::close(STDOUT_FILENO);
+    ::close(STDERR_FILENO);
+    ::execl(TOOL, TOOL, "tradeoff", file.c_str(), "--out", out.c_str(), nullptr);
+    ::_exit(127);
+  }
+  const std::string json = out + "/tradeoff.json";
+  for (int i = 0; i < 3000 && !std::filesystem::exists(json); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  ::kill(-child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  REQUIRE(WIFEXITED(status));
+  const Json part = Json::parse(read_text(json));
+  const bool stopped = part.at("complete") == false;
+  CHECK(WEXITSTATUS(status) == (stopped ? 1 : 0));  // a fast machine may have been done
+  CHECK(std::filesystem::exists(out + "/report.html"));
+
+  const ProcessResult resumed = tool({"tradeoff", file, "--out", out, "--resume"});
+  CAPTURE(resumed.errors);
+  REQUIRE(resumed.code == 0);
+  const Json whole = Json::parse(read_text(json));
+  CHECK(whole.at("complete") == true);
+  CHECK(whole.at("jobs").size() >= part.at("jobs").size());
+  CHECK(whole.at("jobs").at(0) == part.at("jobs").at(0));  // not measured again
+
+  folder.write("scene.toml", pressed + "# another\n");
+  const ProcessResult other = tool({"tradeoff", file, "--out", out, "--resume"});
+  CHECK(other.code == 2);
+  CHECK_THAT(other.errors, ContainsSubstring("it was made for another scene"));
+}
+
+TEST_CASE("a study's bad options are refused", "[cli][tradeoff]") {
+  const Folder folder;
+  const std::string file = folder.write("scene.toml", pressed);
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& why) {
+    const ProcessResult result = tool(arguments);
+    CAPTURE(result.errors);
+    CHECK(result.code == 2);
+    CHECK_THAT(result.errors, ContainsSubstring(why));
+  };
+  refused({"tradeoff", file, "--deadline", "soon"}, "is no time > 0");
+  refused({"tradeoff", file, "--deadline", "-1ms"}, "is no time > 0");
+  refused({"tradeoff", file, "--accuracy", "0"}, "accuracy must be > 0");
+  refused({"tradeoff", file, "--resume"}, "needs --out");
+  refused({"tradeoff", folder.write("unloaded.toml", small_scene)}, "every reading is zero");
+  refused({"tradeoff", file, "--digital", "--out", file}, "cannot be created as a folder");
+}

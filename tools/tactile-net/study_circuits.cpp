@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <cmath>
+
+#include "commands.hpp"
+#include "relaxation.hpp"
+#include "study.hpp"
+#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/network/state_space.hpp"
+#include "text.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+constexpr double levels[] = {0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4};
+
+Scene with(const StudyInput& input, Realization realization, std::optional<double> bandwidth) {
+  Scene scene = input.scene;
+  scene.network.tolerance.reset();
+  scene.network.settling_accuracy.reset();
+  apply({.realization = std::string(name(realization)), .bandwidth = bandwidth}, scene);
+  scene.network.settling_accuracy.reset();
+  return scene;
+}
+
+WorkPoint empty_point(std::string curve, std::string knob, TimeOf time_of) {
+  WorkPoint result;
+  result.curve = std::move(curve);
+  result.knob = std::move(knob);
+  result.time_of = time_of;
+  return result;
+}
+
+/// The answer once it is off f* by a share of its 2-norm: its error to the truth is bounded by
+/// both.
+WorkPoint settled(const std::string& curve, double level, double seconds, bool by_poles) {
+  WorkPoint result = empty_point(curve, "settled to " + brief(level), TimeOf::settling);
+  if (by_poles) result.knob += ", by its poles";
+  result.seconds = result.seconds_low = result.seconds_high = seconds;
+  result.error_to_solution = level;
+  return result;
+}
+
+/// A circuit's answer to a step of all its inputs: when it has come within each level of f*.
+void add_settling(StudySection& section, const std::string& curve, const CircuitPlan& plan,
+                  Simulator& simulator) {
+  const auto failed = [&](std::string why) {
+    WorkPoint result = empty_point(curve, "", TimeOf::settling);
+    result.failure = std::move(why);
+    section.points.push_back(std::move(result));
+  };
+  const Certificate certificate = certify(plan);
+  if (certificate.stability != Stability::stable || !certificate.dynamics) {
+    failed("no settling: " + std::string(name(certificate.stability)));
+    return;
+  }
+  const StateSpace system = state_space(plan.circuit);
+  const double slowest = certificate.dynamics->slowest;
+  const std::optional<double> last = settling_time(system, levels[std::size(levels) - 1], slowest);
+  const std::optional<double> first = settling_time(system, levels[0], slowest);
+  if (!last || !first) {
+    failed("it does not settle");
+    return;
+  }
+  std::vector<double> end = plan.direct;
+  for (double& value : end) value *= plan.options.parts.scale.volts;
+  try {
+    const double stop = 1.2 * *last;
+    const Waveforms waveforms = step_response(
+        simulator, plan.circuit, {.step = std::min(stop / 400.0, *first / 10.0), .stop = stop});
+    for (const double level : levels)
+      if (const auto seconds = settling_time(waveforms, end, level))
+        section.points.push_back(settled(curve, level, *seconds, false));
+  } catch (const SimulatorError& error) {
+    if (error.cause() != SimulatorError::Cause::timed_out) throw;
+    for (const double level : levels)
+      if (const auto seconds = settling_time(system, level, slowest))
+        section.points.push_back(settled(curve, level, *seconds, true));
+  }
+}
+
+/// One realisation at every bandwidth. Where the op-amps' poles are the only time constants, time
+/// is in units of 1/bandwidth: one simulation tells all.
+StudySection settling(const StudyInput& input, Realization realization, Simulator& simulator) {
+  StudySection section;
+  constexpr double middle = 10e6;
+  const auto curve = [&](double bandwidth) {
+    return std::string(name(realization)) + ", " + brief(bandwidth / 1e6) + " MHz";
+  };
+  const auto simulate = [&](double bandwidth) {
+    const Scene scene = with(input, realization, bandwidth);
+    add_settling(section, curve(bandwidth), plan_circuit(scene, input.readings), simulator);
+  };
+  simulate(middle);
+  const std::vector<WorkPoint> measured = section.points;
+  const RealizationOptions& given = input.scene.network.parts;
+  const bool alone =
+      !given.node_capacitance && !given.opamp.second_pole && !given.opamp.input_capacitance;
+  for (const double bandwidth : {1e6, 100e6}) {
+    if (!alone) {
+      simulate(bandwidth);
+      continue;
+    }
+    for (WorkPoint point : measured) {
+      if (!point.measured()) continue;
+      point.curve = curve(bandwidth);
+      point.knob += ", scaled from 10 MHz";
+      point.seconds *= middle / bandwidth;
+      point.seconds_low = point.seconds_high = point.seconds;
+      section.points.push_back(std::move(point));
+    }
+  }
+  return section;
+}
+
+/// The thesis' own network: resistors, some negative, and the capacitance of its nodes.
+StudySection passive_settling(const StudyInput& input, Simulator& simulator) {
+  StudySection section;
+  Scene scene = with(input, Realization::ideal, std::nullopt);
+  const double farad = scene.network.parts.node_capacitance.value_or(10e-12);
+  scene.network.parts.node_capacitance = farad;
+  const std::string curve = "ideal, " + brief(farad * 1e12) + " pF a node";
+  add_settling(section, curve, plan_circuit(scene, input.readings), simulator);
+  return section;
+}
+
+/// What ngspice takes for the operating point, and how well it agrees.
+StudySection operating_points(const StudyInput& input, Simulator& simulator) {
+  StudySection section;
+  Progress quiet(false);
+  for (const Realization realization : {Realization::ideal, Realization::nic, Realization::rail,
+                                        Realization::crossbar, Realization::least_squares}) {
+    WorkPoint result =
+        empty_point(std::string(name(realization)), "operating point", TimeOf::simulator);
+    try {
+      const Relaxation relaxation = relax(
+          plan_circuit(with(input, realization, std::nullopt), input.readings), simulator, quiet);
+      result.seconds = result.seconds_low = result.seconds_high = relaxation.ngspice_seconds;
+      result.error_to_solution = relaxation.difference;
+      result.failure = relaxation.failure();
+    } catch (const std::exception& error) {
+      result.failure = error.what();
+    }
+    section.points.push_back(std::move(result));
+  }
+  return section;
+}
+
+StudySection parts(const StudyInput& input) {
+  StudySection section;
+  for (const Realization realization :
+       {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares})
+    for (const double relative : {0.01, 0.001}) {
+      Scene scene = with(input, realization, std::nullopt);
+      scene.network.tolerance = ToleranceOptions{.relative = relative, .trials = 40};
+      const ToleranceResult result = tolerate(plan_circuit(scene, input.readings));
+      PartsFloor floor{.realization = std::string(name(realization)), .relative = relative};
+      if (2 * result.stable > result.trials) floor.median = result.median;
+      section.floors.push_back(std::move(floor));
+    }
+  return section;
+}
+
+}  // namespace
+
+std::vector<StudyJob> circuit_jobs(const StudyInput& input, const SimulatorChoice& choice) {
+  std::vector<StudyJob> jobs;
+  const auto add = [&](const std::string& name, double weight, const auto& work) {
+    jobs.push_back({name, weight, [name, work, choice] {
+                      StudySection section;
+                      try {
+                        section = work(*make_simulator(choice));
+                      } catch (const std::exception& error) {
+                        WorkPoint failed = empty_point(name, "", TimeOf::settling);
+                        failed.failure = error.what();
+                        section.points.push_back(std::move(failed));
+                      }
+                      section.job = name;
+                      return section;
+                    }});
+  };
+  // The longest first: two run at a time.
+  for (const Realization realization :
+       {Realization::least_squares, Realization::nic, Realization::crossbar, Realization::rail})
+    add("settling, " + std::string(name(realization)), 20.0,
+        [&input, realization](Simulator& simulator) {
+          return settling(input, realization, simulator);
+        });
+  add("settling, ideal", 5.0,
+      [&input](Simulator& simulator) { return passive_settling(input, simulator); });
+  add("accuracy of parts", 2.0, [&input](Simulator&) { return parts(input); });
+  add("ngspice, operating points", 2.0,
+      [&input](Simulator& simulator) { return operating_points(input, simulator); });
+  return jobs;
+}
+
+}  // namespace tactile_net::tool

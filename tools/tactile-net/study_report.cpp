@@ -1,0 +1,322 @@
+#include "study_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "html.hpp"
+#include "plot.hpp"
+#include "text.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+constexpr ErrorOf to_solution = &WorkPoint::error_to_solution;
+constexpr ErrorOf to_truth = &WorkPoint::error_to_truth;
+constexpr double least_error = 1e-16;  // zero has no place on a logarithmic axis
+
+double drawn(double error) { return std::max(error, least_error); }
+
+/// Every measured curve of one kind of time, over one kind of error.
+std::vector<Curve> curves_of(const std::vector<WorkPoint>& points, ErrorOf error, TimeOf time_of) {
+  std::vector<Curve> curves;
+  for (const WorkPoint& point : points) {
+    if (!point.measured() || point.time_of != time_of || !(point.*error)) continue;
+    auto curve = std::find_if(curves.begin(), curves.end(),
+                              [&](const Curve& c) { return c.label == point.curve; });
+    if (curve == curves.end()) {
+      Curve next;
+      next.label = point.curve;
+      next.marks = true;
+      curve = curves.insert(curves.end(), std::move(next));
+    }
+    curve->x.push_back(drawn(*(point.*error)));
+    curve->y.push_back(point.seconds);
+  }
+  for (std::size_t i = 0; i < curves.size(); ++i) curves[i].colour = i + 1;
+  return curves;
+}
+
+/// The points that nothing beats, as steps under all the others.
+Curve front_curve(const std::vector<WorkPoint>& points, ErrorOf error, TimeOf time_of) {
+  Curve curve;
+  curve.label = "nothing beats these";
+  for (const std::size_t i : pareto_front(points, error, time_of)) {
+    const double x = drawn(*(points[i].*error));
+    if (!curve.x.empty()) {  // a corner: as slow as this one, as inaccurate as the one before
+      curve.x.push_back(curve.x.back());
+      curve.y.push_back(points[i].seconds);
+    }
+    curve.x.push_back(x);
+    curve.y.push_back(points[i].seconds);
+  }
+  return curve;
+}
+
+/// A line across the plot at one error.
+Curve border(const std::string& label, double error, const std::vector<Curve>& curves,
+             std::size_t colour) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0.0;
+  for (const Curve& curve : curves)
+    for (const double seconds : curve.y) {
+      low = std::min(low, seconds);
+      high = std::max(high, seconds);
+    }
+  Curve line;
+  line.label = label;
+  line.colour = colour;
+  line.dashed = true;
+  line.x = {error, error};
+  line.y = {low, high};
+  return line;
+}
+
+Plot plot_of(std::string title, std::string x_label, std::string y_label,
+             std::vector<Curve> curves) {
+  Plot plot;
+  plot.title = std::move(title);
+  plot.x_label = std::move(x_label);
+  plot.y_label = std::move(y_label);
+  plot.curves = std::move(curves);
+  plot.logarithmic_x = true;
+  plot.logarithmic_y = true;
+  return plot;
+}
+
+struct Figure {
+  std::string file;
+  std::string caption;
+  Plot plot;
+};
+
+constexpr double level = 0.01;  // at which circuits are compared with arithmetic
+
+/// The fastest frame within 1 %.
+std::optional<double> fastest_frame(const std::vector<WorkPoint>& points) {
+  const Choice choice = choose(points, to_solution, TimeOf::frame, {.accuracy = level});
+  return choice.point ? std::optional(points[*choice.point].seconds) : std::nullopt;
+}
+
+Curve level_line(const std::string& label, double from, double to, double seconds, bool dashed) {
+  Curve line;
+  line.label = label;
+  line.x = {from, to};
+  line.y = {seconds, seconds};
+  line.dashed = dashed;
+  return line;
+}
+
+/// Realisation and bandwidth [Hz] of a settling curve, "nic, 10 MHz"; 0: it has no op-amps.
+std::pair<std::string, double> circuit_of(const WorkPoint& point) {
+  const std::size_t comma = point.curve.find(", ");
+  const bool opamps = point.curve.ends_with(" MHz");
+  return {point.curve.substr(0, comma),
+          opamps ? 1e6 * std::stod(point.curve.substr(comma + 2)) : 0.0};
+}
+
+std::vector<Curve> circuit_curves(const Study& study, const std::vector<WorkPoint>& points) {
+  std::vector<WorkPoint> shown;
+  for (const WorkPoint& point : points)
+    if (point.time_of == TimeOf::settling && point.measured() &&
+        (circuit_of(point).second == 10e6 || circuit_of(point).second == 0.0))
+      shown.push_back(point);
+  std::vector<Curve> curves = curves_of(shown, to_solution, TimeOf::settling);
+  if (curves.empty()) return curves;
+  const std::size_t circuits = curves.size();
+  for (const StudySection& section : study.sections)
+    for (const PartsFloor& floor : section.floors)
+      for (std::size_t i = 0; i < circuits; ++i)
+        if (floor.relative == 0.01 && floor.median && *floor.median < 1.0 &&
+            curves[i].label.starts_with(floor.realization + ","))
+          curves.push_back(border(floor.realization + ", parts of 1 %", *floor.median, curves,
+                                  curves[i].colour));
+  if (const auto frame = fastest_frame(points))
+    curves.push_back(level_line("arithmetic here, " + duration(*frame), 1e-4, 1.0, *frame, false));
+  return curves;
+}
+
+std::vector<Curve> crossover_curves(const Study& study, const std::vector<WorkPoint>& points) {
+  std::vector<Curve> curves;
+  for (const WorkPoint& point : points) {
+    if (point.time_of != TimeOf::settling || !point.measured() || point.error_to_solution != level)
+      continue;
+    const auto [circuit, bandwidth] = circuit_of(point);
+    if (bandwidth == 0.0) continue;
+    auto curve = std::find_if(curves.begin(), curves.end(),
+                              [&](const Curve& c) { return c.label == circuit; });
+    if (curve == curves.end()) {
+      Curve next;
+      next.label = circuit;
+      next.marks = true;
+      next.colour = curves.size() + 1;
+      curve = curves.insert(curves.end(), std::move(next));
+    }
+    const auto at = std::lower_bound(curve->x.begin(), curve->x.end(), bandwidth);
+    curve->y.insert(curve->y.begin() + (at - curve->x.begin()), point.seconds);
+    curve->x.insert(at, bandwidth);
+  }
+  const auto frame = fastest_frame(points);
+  if (curves.empty() || !frame) return curves;
+  curves.push_back(level_line("this machine", 1e6, 100e6, *frame, false));
+  if (study.clock > 0.0)
+    for (const double clock : {400e6, 100e6})
+      curves.push_back(level_line("a controller of " + brief(clock / 1e6) + " MHz", 1e6, 100e6,
+                                  *frame * study.clock / clock, true));
+  return curves;
+}
+
+std::vector<Figure> figures_of(const Study& study) {
+  const StudyInput& input = study.input;
+  const std::vector<WorkPoint> points = study.points();
+  const std::string noise =
+      input.noise_stated ? "the scene's noise" : "noise of 1 % of the largest reading";
+  std::vector<Figure> figures;
+  const auto add = [&](std::string file, std::string caption, Plot plot) {
+    if (!plot.curves.empty())
+      figures.push_back({std::move(file), std::move(caption), std::move(plot)});
+  };
+
+  std::vector<Curve> frames = curves_of(points, to_solution, TimeOf::frame);
+  if (!frames.empty()) {
+    frames.push_back(border(noise, input.noise_floor, frames, 0));
+    frames.push_back(front_curve(points, to_solution, TimeOf::frame));
+  }
+  add("error-to-solution.svg",
+      "What an algorithm adds: its distance from the exact solution of the same regularised "
+      "problem, and what a frame costs on this machine. Left and down is better; the black line "
+      "joins what nothing beats. An error left of the dashed line is smaller than what noise does.",
+      plot_of("Error against the exact solution of the same problem", "|f - f*| / |f*|",
+              "time of a frame [s]", std::move(frames)));
+
+  std::vector<Curve> truths = curves_of(points, to_truth, TimeOf::frame);
+  if (!truths.empty() && std::isfinite(input.solution_error))
+    truths.push_back(border("the exact solution", input.solution_error, truths, 0));
+  add("error-to-truth.svg",
+      "What a user gets: the distance from the true tractions. Methods of one problem stand on the "
+      "dashed line, however exact they are: regularisation, sampling and noise set it. Fewer "
+      "taxels "
+      "and constraints are other problems.",
+      plot_of("Error against the truth", "|f - truth| / |truth|", "time of a frame [s]",
+              std::move(truths)));
+
+  add("circuits.svg",
+      "From a step of all inputs until the voltages stay within an error of the exact solution, by "
+      "ngspice's waveform, for op-amps of 10 MHz. The black line is the fastest arithmetic on this "
+      "machine: a circuit is faster where it lies below. Dashed: with parts of 1 % a circuit comes "
+      "no closer (median).",
+      plot_of("Circuits: error over settling time", "|f - f*| / |f*|", "time to settle [s]",
+              circuit_curves(study, points)));
+  add("crossover.svg",
+      "When is the circuit's answer immediate? Time to settle to 1 % over the op-amps' bandwidth, "
+      "beside a frame's arithmetic on this machine, and on controllers of 400 and 100 MHz that "
+      "need as many cycles. Right of a crossing the circuit is faster.",
+      plot_of("Circuit against controller, to 1 %", "gain-bandwidth of the op-amps [Hz]",
+              "time [s]", crossover_curves(study, points)));
+
+  add("forward.svg",
+      "The way there: readings of the scene's contacts by the integral, with panels of more and "
+      "more points, and by the thesis' discrete sum, against the integral itself.",
+      plot_of("Forward model: error of the readings", "|g - g exact| / |g exact|", "time [s]",
+              curves_of(points, to_truth, TimeOf::forward)));
+  return figures;
+}
+
+}  // namespace
+
+namespace {
+
+std::vector<std::vector<std::string>> simulator_cells(const Study& study) {
+  std::vector<std::vector<std::string>> rows = {{"realisation", "ngspice", "difference"}};
+  for (const WorkPoint& point : study.points())
+    if (point.time_of == TimeOf::simulator && point.measured())
+      rows.push_back({point.curve, duration(point.seconds), brief(*point.error_to_solution)});
+  return rows;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::string>> front_cells(const Study& study) {
+  const std::vector<WorkPoint> points = study.points();
+  std::vector<std::vector<std::string>> rows = {
+      {"method", "time of a frame", "quartiles", "error to exact solution", "error to truth"}};
+  const auto or_dash = [](const std::optional<double>& value) {
+    return value ? brief(*value) : std::string("-");
+  };
+  for (const std::size_t i : pareto_front(points, to_solution, TimeOf::frame)) {
+    const WorkPoint& point = points[i];
+    rows.push_back({in_words(point), duration(point.seconds),
+                    duration(point.seconds_low) + " ... " + duration(point.seconds_high),
+                    or_dash(point.error_to_solution), or_dash(point.error_to_truth)});
+  }
+  return rows;
+}
+
+std::vector<std::string> failures_in_words(const Study& study) {
+  std::vector<std::string> text;
+  for (const WorkPoint& point : study.points())
+    if (!point.measured()) text.push_back(in_words(point) + ": " + point.failure);
+  return text;
+}
+
+StudyReport study_html(const Study& study) {
+  StudyReport report;
+  const Scene& scene = study.input.scene;
+  const std::vector<Figure> figures = figures_of(study);
+  std::vector<Plot> plots;
+  for (const Figure& figure : figures) plots.push_back(figure.plot);
+  std::vector<std::string> pictures;
+  try {
+    pictures = draw(plots);
+  } catch (const std::runtime_error& error) {
+    report.page.missing = std::string("the report has no plots: ") + error.what();
+  }
+
+  std::string& html = report.page.html;
+  html += element("h1", "What accuracy costs in time");
+  html += element("p", (scene.title.empty() ? "" : scene.title + ". ") + scene.file + ": " +
+                           sensor_in_words(scene) + "; " + material_in_words(scene) + "; alpha " +
+                           brief(*scene.reconstruct.alpha) + ".");
+  if (!study.complete)
+    html += element("p", "The study was stopped: this is a part of it. --resume goes on.", "note");
+  std::vector<std::string> answers = in_words(study);
+  html += element("p", answers.front(), "answer");
+  answers.erase(answers.begin());
+  html += html_list(answers);
+  if (!report.page.missing.empty()) html += element("p", report.page.missing, "note");
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    report.pictures.emplace_back(figures[i].file, pictures[i]);
+    html += "<figure>" + pictures[i] + element("figcaption", figures[i].caption) + "</figure>\n";
+  }
+  const auto simulated = simulator_cells(study);
+  if (simulated.size() > 1) {
+    html += element("h2", "What ngspice takes");
+    html += element("p",
+                    "Wall time of ngspice for the operating point: the simulator's time, not the "
+                    "circuit's, and how far its answer is from the exact solution.");
+    html += html_table(simulated);
+  }
+  html += element("h2", "What nothing beats");
+  html += html_table(front_cells(study));
+  const std::vector<std::string> failures = failures_in_words(study);
+  if (!failures.empty()) {
+    html += element("h2", "What did not work");
+    html += html_list(failures);
+  }
+  html += element("h2", "How it was measured");
+  html +=
+      element("p", "On " + (study.processor.empty() ? "this machine" : study.processor) +
+                       (study.clock > 0.0 ? " at " + brief(study.clock / 1e9) + " GHz" : "") +
+                       ", pinned to one core, after a warm-up; medians of at least five batches, "
+                       "with quartiles in the data. The exact solution is that of a QR; one by "
+                       "singular values agrees to " +
+                       brief(study.input.agreement) + ".");
+  html +=
+      "<p>Data: <a href=\"tradeoff.csv\">tradeoff.csv</a>, "
+      "<a href=\"tradeoff.json\">tradeoff.json</a>.</p>\n";
+  html = html_page(scene.file + " - tactile-net tradeoff", html);
+  return report;
+}
+
+}  // namespace tactile_net::tool

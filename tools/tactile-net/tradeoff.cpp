@@ -1,0 +1,270 @@
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "commands.hpp"
+#include "failure.hpp"
+#include "interruption.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "study.hpp"
+#include "study_json.hpp"
+#include "study_report.hpp"
+#include "table.hpp"
+#include "tactile_net/scene/diagnostic.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "text.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string out;
+  std::string json;
+  std::string deadline;
+  std::optional<double> accuracy;
+  bool digital = false;
+  bool resume = false;
+  SimulatorChoice simulator{.time_limit = 60.0};
+};
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// "100us", "1 ms", "2e-5".
+double seconds_in(const std::string& text) {
+  std::size_t end = 0;
+  double value = 0.0;
+  try {
+    value = std::stod(text, &end);
+  } catch (const std::exception&) {
+    end = 0;
+  }
+  while (end < text.size() && text[end] == ' ') ++end;
+  const std::string unit = text.substr(end);
+  const double scale = unit == "ns"                  ? 1e-9
+                       : unit == "us"                ? 1e-6
+                       : unit == "ms"                ? 1e-3
+                       : unit.empty() || unit == "s" ? 1.0
+                                                     : 0.0;
+  if (end == 0 || scale == 0.0 || !(value > 0.0))
+    throw CLI::ValidationError("--deadline",
+                               "'" + text + "' is no time > 0: write it as 100us, 1ms or 2e-5");
+  return value * scale;
+}
+
+/// What is done, and how long the rest takes at that pace.
+class Pace {
+ public:
+  explicit Pace(const std::vector<StudyJob>& jobs) {
+    for (const StudyJob& job : jobs) total_ += job.weight;
+  }
+  void done(const StudyJob& job) { done_ += job.weight; }
+  [[nodiscard]] std::string text(const std::string& what) const {
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    std::string line = brief(100.0 * done_ / total_) + " %, " + what;
+    if (done_ > 0.0)
+      line += ", about " + duration(std::ceil(elapsed / done_ * (total_ - done_))) + " left";
+    return line;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+  double total_ = 0.0;
+  double done_ = 0.0;
+};
+
+/// Runs the jobs that are left; `save` after each. Circuits run two at a time, arithmetic alone: it
+/// is timed.
+class Runner {
+ public:
+  Runner(Study& study, const std::vector<StudyJob>& jobs, std::vector<StudySection> finished,
+         std::function<void()> save)
+      : study_(study), jobs_(jobs), sections_(jobs.size()), save_(std::move(save)), pace_(jobs) {
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+      for (StudySection& section : finished)
+        if (section.job == jobs[i].name) {
+          sections_[i] = std::move(section);
+          pace_.done(jobs[i]);
+        }
+  }
+
+  /// Jobs first ... last - 1, `workers` at a time.
+  void run(std::size_t first, std::size_t last, std::size_t workers) {
+    next_ = first;
+    std::vector<std::thread> threads;
+    running_ = workers;
+    for (std::size_t k = 0; k < workers; ++k)
+      threads.emplace_back([&, last] {
+        for (;;) {
+          const std::size_t i = next_++;
+          if (i >= last || Interruption::came()) break;
+          if (sections_[i]) continue;
+          StudySection section = jobs_[i].run();
+          const std::lock_guard lock(mutex_);
+          // Ctrl-C reaches ngspice too: what it left is no result.
+          if (!Interruption::came()) sections_[i] = std::move(section);
+          finished_.push_back(i);
+          changed_.notify_one();
+        }
+        const std::lock_guard lock(mutex_);
+        --running_;
+        changed_.notify_one();
+      });
+    Progress progress;
+    std::unique_lock lock(mutex_);
+    while (running_ > 0 || !finished_.empty()) {
+      changed_.wait_for(lock, std::chrono::milliseconds(200));
+      for (const std::size_t i : finished_) pace_.done(jobs_[i]);
+      const bool news = !finished_.empty();
+      finished_.clear();
+      if (news) publish();
+      if (progress.due())
+        progress.step(pace_.text(jobs_[std::min<std::size_t>(next_, last) - 1].name));
+    }
+    lock.unlock();
+    for (std::thread& thread : threads) thread.join();
+  }
+
+  void publish() {
+    study_.sections.clear();
+    study_.complete = true;
+    for (const auto& section : sections_)
+      if (section)
+        study_.sections.push_back(*section);
+      else
+        study_.complete = false;
+    save_();
+  }
+
+ private:
+  Study& study_;
+  const std::vector<StudyJob>& jobs_;
+  std::vector<std::optional<StudySection>> sections_;
+  std::function<void()> save_;
+  Pace pace_;
+  std::atomic<std::size_t> next_{0};
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<std::size_t> finished_;
+  std::size_t running_ = 0;
+};
+
+void write(const std::filesystem::path& path, const std::string& content) {
+  OutputFile file(path);
+  file.stream() << content;
+  file.commit();
+}
+
+std::vector<StudySection> earlier(const Options& options, const std::string& scene_text,
+                                  const std::string& processor) {
+  if (!options.resume) return {};
+  const std::filesystem::path path = std::filesystem::path(options.out) / "tradeoff.json";
+  if (!std::filesystem::exists(path)) return {};
+  try {
+    return finished_jobs(content_of(path), scene_text, processor);
+  } catch (const std::runtime_error& error) {
+    throw InputError({{.file = path.string(),
+                       .message = std::string("cannot be resumed: ") + error.what(),
+                       .hint = "run without --resume, or into another folder"}});
+  }
+}
+
+void run(const Options& options) {
+  Requirement requirement{.accuracy = options.accuracy};
+  if (!options.deadline.empty()) requirement.deadline = seconds_in(options.deadline);
+  (void)choose({}, &WorkPoint::error_to_solution, TimeOf::frame, requirement);  // checks it
+  if (options.resume && options.out.empty())
+    throw CLI::ValidationError("--resume", "needs --out, the folder that holds the study's part");
+  const Scene scene = read_scene(options.scene);
+  const std::string scene_text = content_of(options.scene);
+  (void)make_simulator(options.simulator);
+
+  Study study;
+  study.processor = processor_name();
+  std::vector<StudySection> finished = earlier(options, scene_text, study.processor);
+  if (!options.out.empty()) {
+    std::error_code error;
+    std::filesystem::create_directories(options.out, error);
+    if (error || !std::filesystem::is_directory(options.out))
+      throw CannotCreate(options.out +
+                         ": error: cannot be created as a folder: " + error.message());
+  }
+  study.clock = processor_clock();
+  study.input = study_input(scene);
+
+  std::vector<StudyJob> jobs = digital_jobs(study.input);
+  const std::size_t arithmetic = jobs.size();
+  if (!options.digital)
+    for (StudyJob& job : circuit_jobs(study.input, options.simulator))
+      jobs.push_back(std::move(job));
+  const std::filesystem::path folder = options.out;
+  const Interruption interruption;
+  Runner runner(study, jobs, std::move(finished), [&] {
+    if (!options.out.empty()) write(folder / "tradeoff.json", study_json(study, scene_text));
+  });
+  runner.run(0, arithmetic, 1);
+  runner.run(arithmetic, jobs.size(), 2);
+  runner.publish();
+
+  if (!options.out.empty()) {
+    const StudyReport report = study_html(study);
+    write(folder / "tradeoff.csv", study_csv(study));
+    for (const auto& [name, picture] : report.pictures) write(folder / name, picture);
+    write(folder / "report.html", report.page.html);
+    if (!report.page.missing.empty()) std::cerr << "warning: " << report.page.missing << '\n';
+  }
+  if (!options.json.empty())
+    write(options.json == "-" ? "" : options.json, study_json(study, scene_text));
+  if (options.json != "-") {
+    print_cells(std::cout, front_cells(study));
+    std::cout << '\n';
+    for (const std::string& sentence : in_words(study)) std::cout << sentence << '\n';
+    for (const std::string& failure : failures_in_words(study))
+      std::cout << "failed: " << failure << '\n';
+    if (requirement.accuracy || requirement.deadline)
+      std::cout << "\nasked " << answer(study, requirement) << '\n';
+    if (!options.out.empty()) std::cout << "report: " << (folder / "report.html").string() << '\n';
+  }
+  if (!study.complete)
+    throw CheckFailed("stopped before the end" +
+                      std::string(options.out.empty() ? "" : "; --resume goes on from here"));
+  if ((requirement.accuracy || requirement.deadline) &&
+      !choose(study.points(), &WorkPoint::error_to_solution, TimeOf::frame, requirement).point)
+    throw CheckFailed("no method meets the demand");
+}
+
+}  // namespace
+
+void add_tradeoff(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand(
+      "tradeoff",
+      "What accuracy costs in time: every method and every circuit, timed on this "
+      "machine, and which to choose");
+  command->add_option("SCENE", options->scene, "Scene file (TOML)")->required();
+  command->add_option("--out", options->out,
+                      "Folder for report.html, tradeoff.csv, tradeoff.json and the plots (SVG)");
+  command->add_option("--json", options->json, "Write the study as JSON (- = standard output)");
+  command->add_option("--deadline", options->deadline,
+                      "A frame must be done within this: 100us, 1ms, ...");
+  command->add_option("--accuracy", options->accuracy,
+                      "Largest error against the exact solution of the same problem, relative");
+  command->add_flag("--digital", options->digital, "Arithmetic only: no circuits, no ngspice");
+  command->add_flag("--resume", options->resume,
+                    "Go on with the study that was interrupted, in the folder --out");
+  add_simulator_options(*command, options->simulator);
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tactile_net::tool
