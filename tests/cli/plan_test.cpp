@@ -78,6 +78,7 @@ TEST_CASE("a plan's bad options are refused, and leave no file", "[cli][plan]") 
   const std::string good = scene("thesis/cylinder.toml");
   refused({"plan", good, "--accuracy", "0"}, "accuracy must be > 0");
   refused({"plan", good, "--accuracy", "nan"}, "accuracy must be > 0");
+  refused({"plan", good, "--deadline", "5 minutes"}, "is no time > 0");
   refused({"plan", good, "--structure", "sparse"}, "is none of dense, low_rank");
   refused({"plan", good, "--precision", "half"}, "is none of float64, float32");
   refused({"plan", good, "--friction", "-1"}, "friction coefficient must be >= 0");
@@ -87,4 +88,16 @@ TEST_CASE("a plan's bad options are refused, and leave no file", "[cli][plan]") 
   const std::string dead =
       folder.write("dead.toml", small_scene + "[dead_taxels]\nindices = [0]\n");
   refused({"plan", dead, "--structure", "parity"}, "not mirror symmetric");
+}
+
+TEST_CASE("a plan that misses its deadline is not written, and what helps is said", "[cli][plan]") {
+  const Folder folder;
+  const std::string file = scene("thesis/cylinder.toml");
+  const ProcessResult met = tool({"plan", file, "--deadline", "1s", "-o", folder / "good.plan"});
+  CHECK(met.code == 0);
+  CHECK(std::filesystem::exists(folder / "good.plan"));
+  const ProcessResult missed = tool({"plan", file, "--deadline", "1ns", "-o", folder / "x.plan"});
+  CHECK(missed.code == 1);
+  CHECK_THAT(missed.errors, ContainsSubstring("raise --accuracy, or leave the residual out"));
+  CHECK_FALSE(std::filesystem::exists(folder / "x.plan"));
 }

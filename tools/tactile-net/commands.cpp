@@ -4,6 +4,27 @@
 
 namespace tactile_net::tool {
 
+double deadline_of(const std::string& text) {
+  std::size_t end = 0;
+  double value = 0.0;
+  try {
+    value = std::stod(text, &end);
+  } catch (const std::exception&) {
+    end = 0;
+  }
+  while (end < text.size() && text[end] == ' ') ++end;
+  const std::string unit = text.substr(end);
+  const double scale = unit == "ns"                  ? 1e-9
+                       : unit == "us"                ? 1e-6
+                       : unit == "ms"                ? 1e-3
+                       : unit.empty() || unit == "s" ? 1.0
+                                                     : 0.0;
+  if (end == 0 || scale == 0.0 || !(value > 0.0))
+    throw CLI::ValidationError("--deadline",
+                               "'" + text + "' is no time > 0: write it as 100us, 1ms or 2e-5");
+  return value * scale;
+}
+
 void add_simulator_options(CLI::App& command, SimulatorChoice& choice) {
   command
       .add_option("--simulator", choice.kind,

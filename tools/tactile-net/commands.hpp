@@ -22,6 +22,9 @@ void add_certify(CLI::App& app);
 void add_plan(CLI::App& app);
 void add_tradeoff(CLI::App& app);
 
+/// "100us", "1 ms", "2e-5" [s]. @throw CLI::ValidationError  it is no time > 0
+[[nodiscard]] double deadline_of(const std::string& text);
+
 /// Which simulator, and for how long.
 struct SimulatorChoice {
   std::string kind = "process";  ///< or "library"

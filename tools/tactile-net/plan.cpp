@@ -8,12 +8,15 @@
 
 #include "commands.hpp"
 #include "experiment.hpp"
+#include "failure.hpp"
 #include "frames.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "solver.hpp"
+#include "stopwatch.hpp"
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/plan_file.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -29,6 +32,7 @@ struct Options {
   std::string structure;
   std::string precision;
   std::string json;
+  std::string deadline;
   double accuracy = PlannerOptions{}.accuracy;
   std::optional<double> friction;
   bool no_diagnostics = false;
@@ -88,7 +92,20 @@ std::optional<Enum> named(const std::string& text, const char* option,
   throw CLI::ValidationError(option, "'" + text + "' is none of " + known);
 }
 
+/// What a frame of the plan takes on this machine.
+Seconds frame_of(const EstimatorPlan& plan) {
+  const Pinned pinned;
+  ContactEstimator estimator(plan);
+  const std::vector<double> readings(plan.readings(), 1.0);
+  std::vector<double> tractions(plan.tractions());
+  ContactEstimate estimate;
+  estimate.tractions = tractions;
+  return time_of([&] { (void)estimator.update(readings, estimate); });
+}
+
 void run(const Options& options) {
+  std::optional<double> deadline;
+  if (!options.deadline.empty()) deadline = deadline_of(options.deadline);
   const Scene scene = read_scene(options.scene);
   using enum Structure;
   PlannerOptions planner;
@@ -121,6 +138,16 @@ void run(const Options& options) {
   if (plan.prediction)
     out << "  residual, outliers, dead taxels: " << streamed_bytes(*plan.prediction)
         << " bytes a frame more (--no-diagnostics leaves them out)\n";
+  const Seconds frame = frame_of(plan);
+  out << "  a frame takes " << duration(frame.median) << " here";
+  if (deadline) out << ": " << brief(*deadline / frame.median) << " times inside the deadline";
+  out << '\n';
+  if (deadline && frame.median > *deadline)
+    throw CheckFailed("the fastest plan of accuracy " + brief(options.accuracy) + " takes " +
+                      duration(frame.median) + ", the deadline is " + duration(*deadline) +
+                      ": raise --accuracy" +
+                      (plan.prediction ? ", or leave the residual out: --no-diagnostics" : "") +
+                      "; tradeoff tells what each method takes");
   if (output) {
     const std::vector<std::byte> bytes = encode_plan(plan);
     output->stream().write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
@@ -148,6 +175,7 @@ void run(const Options& options) {
                            {"accuracy", plan.accuracy},
                            {"error_bound", plan.error_bound},
                            {"asymmetry", planned.asymmetry},
+                           {"frame_seconds", frame.median},
                            {"candidates", std::move(candidates)}}
                           .dump(2)
                    << '\n';
@@ -171,6 +199,8 @@ void add_plan(CLI::App& app) {
                    "Largest error, relative to the tractions, of the planned against the dense "
                    "product")
       ->capture_default_str();
+  command->add_option("--deadline", options->deadline,
+                      "A frame must be done within this on this machine: 100us, 1ms, ...");
   command->add_option("--readings", options->readings,
                       "Recorded frames (CSV): the scene's rule for alpha is applied to each, and "
                       "the median taken");

@@ -40,28 +40,6 @@ std::string content_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// "100us", "1 ms", "2e-5".
-double seconds_in(const std::string& text) {
-  std::size_t end = 0;
-  double value = 0.0;
-  try {
-    value = std::stod(text, &end);
-  } catch (const std::exception&) {
-    end = 0;
-  }
-  while (end < text.size() && text[end] == ' ') ++end;
-  const std::string unit = text.substr(end);
-  const double scale = unit == "ns"                  ? 1e-9
-                       : unit == "us"                ? 1e-6
-                       : unit == "ms"                ? 1e-3
-                       : unit.empty() || unit == "s" ? 1.0
-                                                     : 0.0;
-  if (end == 0 || scale == 0.0 || !(value > 0.0))
-    throw CLI::ValidationError("--deadline",
-                               "'" + text + "' is no time > 0: write it as 100us, 1ms or 2e-5");
-  return value * scale;
-}
-
 /// What is done, and how long the rest takes at that pace.
 class Pace {
  public:
@@ -182,7 +160,7 @@ std::vector<StudySection> earlier(const Options& options, const std::string& sce
 
 void run(const Options& options) {
   Requirement requirement{.accuracy = options.accuracy};
-  if (!options.deadline.empty()) requirement.deadline = seconds_in(options.deadline);
+  if (!options.deadline.empty()) requirement.deadline = deadline_of(options.deadline);
   (void)choose({}, &WorkPoint::error_to_solution, TimeOf::frame, requirement);  // checks it
   if (options.resume && options.out.empty())
     throw CLI::ValidationError("--resume", "needs --out, the folder that holds the study's part");
