@@ -1,6 +1,9 @@
 #include "tactile_net/control/fftw_convolution.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include "sensing/real_fft.hpp"

@@ -17,7 +17,7 @@ namespace {
 constexpr double cost_of_a_factor = 512.0;
 
 /// What a transform of m real values costs, in bytes over m log2(m): measured (bench/fft_bench).
-constexpr double cost_of_a_transform = 20.0;
+constexpr double cost_of_a_transform = 25.0;
 
 /// One class of the matrix in its orthonormal basis; without parity the matrix itself.
 struct Class {

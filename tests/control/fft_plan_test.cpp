@@ -314,6 +314,39 @@ TEST_CASE("bad frames are reported and leave the output alone; what is answered 
   CHECK(answered < 19);
 }
 
+TEST_CASE("a convolution much larger than its correction cannot overflow unnoticed", "[fft]") {
+  EstimatorPlan plan{.count = 7, .channels = 2, .unknowns = 2, .pitch = 1.0, .alpha = 1.0};
+  plan.reconstruction = small_convolution();
+  for (double& value : plan.reconstruction.spectra) value *= 1e8;
+  plan.weights.assign(14, 1.0);
+  ContactEstimator estimator(plan, fftw_convolutions());
+  std::vector<double> f(14);
+  ContactEstimate estimate{.tractions = f};
+  int answered = 0;
+  for (int exponent = 280; exponent <= 308; ++exponent) {
+    const std::vector<double> g(14, std::pow(10.0, exponent));
+    if (estimator.update(g, estimate) != FrameStatus::ok) continue;
+    ++answered;
+    for (const double value : f) CHECK(std::isfinite(value));
+    CHECK(std::isfinite(estimate.normal_force));
+  }
+  CHECK(answered > 5);
+  CHECK(answered < 21);
+}
+
+TEST_CASE("convolutions may be made in several threads", "[fft]") {
+  const auto work = [] {
+    for (std::size_t size = 8; size <= 4000; size = transform_size(size + 1)) {
+      ProductPlan plan = small_convolution();
+      plan.transform_size = size;
+      plan.spectra.assign(4 * (size / 2 + 1), 1.0);
+      for (int i = 0; i < 5; ++i) (void)fftw_convolutions()(plan);
+    }
+  };
+  std::array<std::jthread, 4> threads;
+  for (std::jthread& thread : threads) thread = std::jthread(work);
+}
+
 TEST_CASE("copies work in threads of their own, made there, and give the same bits", "[fft]") {
   const EstimatorPlan plan = fft_plan(long_array(128), 1e-7, true).plan;
   const FftwEffort effort = GENERATE(FftwEffort::estimate, FftwEffort::measure);
