@@ -70,11 +70,19 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
   task.accuracy = options.accuracy;
   task.structure = options.structure;
   task.precision = options.precision;
+  task.allow_fft = options.allow_fft || options.structure == Structure::fft;
   task.all_candidates = options.all_candidates;
   PlannedProduct reconstruction = plan_product(task);
 
   PlannedEstimator planned{.candidates = std::move(reconstruction.candidates),
                            .asymmetry = reconstruction.asymmetry};
+  if (!task.allow_fft)
+    planned.without_fft = "it needs FFTW (GPL) in the controller: allow_fft";
+  else if (!reconstruction.symmetric)
+    planned.without_fft = "the array is not mirror symmetric (dead taxels?)";
+  else if (options.structure.value_or(Structure::fft) != Structure::fft ||
+           options.precision == Precision::float32)
+    planned.without_fft = "another structure or precision is asked for";
   EstimatorPlan& plan = planned.plan;
   plan.label = options.label;
   plan.count = problem.count;
@@ -100,6 +108,7 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
     prediction.column_signs = task.column_signs;
     prediction.symmetric = task.symmetric;
     prediction.accuracy = options.accuracy;
+    prediction.allow_fft = task.allow_fft;
     prediction.precision = Precision::float64;  // a residual is a small difference
     plan.prediction = plan_product(prediction).plan;
     constexpr double most = 1.0 - 1e-12;
@@ -124,11 +133,14 @@ std::string PlannedEstimator::why() const {
       for (std::size_t i = 0; i < candidate.ranks.size(); ++i)
         line += (i == 0 ? " " : " + ") + std::to_string(candidate.ranks[i]);
     }
+    if (candidate.transform_size > 0)
+      line += ", transforms of " + std::to_string(candidate.transform_size);
     line += ": " + std::to_string(candidate.bytes) + " bytes a frame";
     line += text(", error <= %.1g", candidate.error_bound);
     if (!candidate.accurate) line += " (not accurate enough)";
     result += line + '\n';
   }
+  if (!without_fft.empty()) result += "  no fft: " + without_fft + '\n';
   return result;
 }
 

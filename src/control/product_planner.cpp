@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
+#include "control/circulant.hpp"
 #include "inverse/decompositions.hpp"
 
 namespace tactile_net {
@@ -12,6 +15,9 @@ namespace {
 
 /// What one factor costs besides its bytes, in bytes: loop ends, and waiting for the one before.
 constexpr double cost_of_a_factor = 512.0;
+
+/// What a transform of m real values costs, in bytes over m log2(m): measured (bench/fft_bench).
+constexpr double cost_of_a_transform = 25.0;
 
 /// One class of the matrix in its orthonormal basis; without parity the matrix itself.
 struct Class {
@@ -36,6 +42,12 @@ double rounding(Precision precision, std::size_t terms) {
   const double unit = precision == Precision::float64 ? 0x1p-53 : 0x1p-24;
   const double k = static_cast<double>(terms + 3) * unit;
   return k < 1.0 ? k / (1.0 - k) : std::numeric_limits<double>::infinity();
+}
+
+/// Bound of one FFT's error over its result, in the 2-norm; see planner.hpp.
+double transform_rounding(std::size_t size) {
+  constexpr double eta = 6.7 * 0x1p-53;
+  return 2.0 * eta * std::log2(2.0 * static_cast<double>(size));
 }
 
 Factor factor_of(const Eigen::MatrixXd& a) {
@@ -107,14 +119,18 @@ class Planner {
 
   PlannedProduct plan() {
     if (task_.structure && has_parity(*task_.structure) && classes_.empty())
-      throw std::invalid_argument(
-          "the array is not mirror symmetric (dead taxels?): parity cannot be used");
-    PlannedProduct best{.asymmetry = asymmetry_ / norm_};
+      throw std::invalid_argument("the array is not mirror symmetric (dead taxels?): " +
+                                  std::string(name(*task_.structure)) + " cannot be used");
+    if (task_.structure == Structure::fft && task_.precision == Precision::float32)
+      throw std::invalid_argument("fft has precision float64 only");
+    PlannedProduct best{.asymmetry = asymmetry_ / norm_, .symmetric = !classes_.empty()};
     std::optional<std::size_t> chosen;
     for (const Structure structure : structures())
       for (const Precision precision : {Precision::float64, Precision::float32}) {
         if (task_.precision && *task_.precision != precision) continue;
-        auto [plan, candidate] = attempt(structure, precision);
+        if (structure == Structure::fft && precision == Precision::float32) continue;
+        auto [plan, candidate] =
+            structure == Structure::fft ? attempt_fft() : attempt(structure, precision, nullptr);
         const bool forced = task_.structure.has_value() || task_.precision.has_value();
         const auto rank_of = [](const Candidate& c) {
           return std::pair(!c.accurate, c.accurate ? c.cost : c.error_bound);
@@ -141,12 +157,76 @@ class Planner {
       all.push_back(Structure::parity_low_rank);
     }
     if (classes_.empty() || task_.all_candidates) all.push_back(Structure::low_rank);
+    if (!classes_.empty() && task_.allow_fft) all.push_back(Structure::fft);
     return all;
   }
 
-  std::pair<ProductPlan, Candidate> attempt(Structure structure, Precision precision) {
+  /// The cheapest of circles from one that nothing wraps around down to the array's own length: the
+  /// shorter, the more there is to correct, which at a coarse accuracy may still be little.
+  std::pair<ProductPlan, Candidate> attempt_fft() {
+    const auto n = static_cast<std::size_t>(task_.matrix.rows()) / task_.row_signs.size();
+    std::optional<std::pair<ProductPlan, Candidate>> best;
+    std::size_t tried = 0;
+    for (const std::size_t least : {2 * n - 1, n + n / 2, n + n / 4, n}) {
+      const std::size_t size = transform_size(least);
+      if (size == std::exchange(tried, size)) continue;
+      const Circulant circulant = circulant_of(size);
+      auto next = attempt(Structure::fft, Precision::float64, &circulant);
+      if (!best || (next.second.accurate && next.second.cost < best->second.cost))
+        best = std::move(next);
+    }
+    return std::move(*best);
+  }
+
+  /// T, and what is left of the classes without it.
+  struct Circulant {
+    std::vector<double> spectra;
+    std::size_t size = 0;
+    std::vector<Class> rest;
+    double norm = 0.0;  // of the magnitudes of its spectra at one frequency, from above
+  };
+
+  [[nodiscard]] Circulant circulant_of(std::size_t size) const {
+    const Eigen::Index n = task_.matrix.rows() / std::ssize(task_.row_signs);
+    const auto rows = std::ssize(task_.row_signs);
+    const auto columns = std::ssize(task_.column_signs);
+    Circulant circulant{{}, size, classes_, 0.0};
+    Eigen::MatrixXd whole(task_.matrix.rows(), task_.matrix.cols());
+    std::vector<Eigen::MatrixXd> magnitudes(size / 2 + 1, Eigen::MatrixXd(rows, columns));
+    for (Eigen::Index u = 0; u < rows; ++u)
+      for (Eigen::Index c = 0; c < columns; ++c) {
+        const int sign = task_.row_signs[static_cast<std::size_t>(u)] *
+                         task_.column_signs[static_cast<std::size_t>(c)];
+        const double unit = task_.row_factors(u * n) * task_.column_factors(c * n);
+        std::vector<double> spectrum =
+            circulant_spectrum(task_.matrix.block(u * n, c * n, n, n), sign, size);
+        for (double& value : spectrum) {
+          value *= unit;
+          circulant.spectra.push_back(value);
+          value /= unit;  // as it will act, rounding included
+        }
+        for (std::size_t k = 0; k < spectrum.size(); ++k)
+          magnitudes[k](u, c) = std::abs(spectrum[k]);
+        whole.block(u * n, c * n, n, n) = circulant_corner(spectrum, sign, n);
+      }
+    for (const Eigen::MatrixXd& magnitude : magnitudes)
+      circulant.norm = std::max(circulant.norm, norm_bound(magnitude));
+    for (const int which : {0, 1}) {
+      Class& rest = circulant.rest[static_cast<std::size_t>(which)];
+      rest.svd.reset();
+      rest.matrix -= class_basis(task_.row_signs, whole.rows(), which).transpose() * whole *
+                     class_basis(task_.column_signs, whole.cols(), which);
+    }
+    return circulant;
+  }
+
+  /// @param circulant  for fft: the factors are then of what is left without it
+  std::pair<ProductPlan, Candidate> attempt(Structure structure, Precision precision,
+                                            const Circulant* circulant) {
     const bool parity = has_parity(structure);
-    std::vector<Class>& parts = parity ? classes_ : whole_;
+    std::vector<Class> rest;
+    if (circulant != nullptr) rest = circulant->rest;
+    std::vector<Class>& parts = circulant != nullptr ? rest : parity ? classes_ : whole_;
     Candidate candidate{.structure = structure, .precision = precision};
 
     std::vector<Eigen::MatrixXd> first;  // in the orthonormal basis
@@ -195,9 +275,20 @@ class Planner {
       error.explained = std::hypot(error.explained, part.explained);
       error.rounding = std::max(error.rounding, part.rounding);
     }
+    if (circulant != nullptr) {
+      plan.spectra = circulant->spectra;
+      plan.transform_size = candidate.transform_size = circulant->size;
+      const double there = transform_rounding(circulant->size);
+      // Two transforms; spectrum, scaling, product, sums over blocks and with the correction.
+      error.rounding += circulant->norm * (2.0 * there + there * there +
+                                           rounding(precision, 3 + task_.column_signs.size()));
+      const auto m = static_cast<double>(circulant->size);
+      candidate.cost += cost_of_a_transform * m * std::log2(m) *
+                        static_cast<double>(task_.row_signs.size() + task_.column_signs.size());
+    }
     candidate.bytes = streamed_bytes(plan);
-    candidate.cost = static_cast<double>(candidate.bytes) +
-                     cost_of_a_factor * static_cast<double>(plan.factors.size());
+    candidate.cost += static_cast<double>(candidate.bytes) +
+                      cost_of_a_factor * static_cast<double>(plan.factors.size());
     candidate.error_bound = std::max((error.matrix + error.rounding) / norm_,
                                      error.explained + error.rounding * explained_norm_);
     candidate.accurate = (structure == Structure::dense && precision == Precision::float64) ||

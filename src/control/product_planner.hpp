@@ -22,6 +22,7 @@ struct ProductTask {
   double accuracy = 0.0;        ///< of |error|_2 / |A|_2, and of |error B|_2
   std::optional<Structure> structure{};
   std::optional<Precision> precision{};
+  bool allow_fft = false;
   bool all_candidates = false;
 };
 
@@ -29,9 +30,10 @@ struct PlannedProduct {
   ProductPlan plan{};
   std::vector<Candidate> candidates{};
   double asymmetry = 0.0;  ///< |A - J A J|_F / (2 |A|_2)
+  bool symmetric = false;  ///< so that parity and fft can be used
 };
 
-/// @throw std::invalid_argument  parity is asked for and A is not symmetric
+/// @throw std::invalid_argument  parity or fft is asked for and A is not symmetric; fft in float32
 [[nodiscard]] PlannedProduct plan_product(const ProductTask& task);
 
 /// sqrt(|A|_1 |A|_inf) >= |A|_2, also of the matrix of magnitudes.

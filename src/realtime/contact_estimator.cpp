@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "realtime/kernels.hpp"
 
@@ -34,7 +35,25 @@ double growth(const ProductPlan& plan) {
       most = std::max({most, size, size * plan.scale});
     }
   }
-  return 2.0 * most;  // sums of two classes
+  if (plan.structure == Structure::fft)  // a sum over the circle there, and one back
+    for (const double value : plan.spectra)
+      most = std::max(most, 2.0 * static_cast<double>(plan.transform_size) *
+                                static_cast<double>(plan.columns) * std::abs(value));
+  return 2.0 * most;  // sums of two classes, or of convolution and correction
+}
+
+std::unique_ptr<Convolution> made(const ConvolutionMaker& make, const ProductPlan& plan) {
+  if (plan.structure != Structure::fft) return nullptr;
+  std::unique_ptr<Convolution> convolution = make ? make(plan) : nullptr;
+  if (!convolution)
+    throw std::invalid_argument(
+        "a plan of structure fft needs a convolution: pass fftw_convolutions() of "
+        "tactile_net::spectral, or plan without allow_fft");
+  return convolution;
+}
+
+std::unique_ptr<Convolution> cloned(const std::unique_ptr<Convolution>& convolution) {
+  return convolution ? convolution->clone() : nullptr;
 }
 
 }  // namespace
@@ -128,6 +147,7 @@ struct ContactEstimator::Scratch {
   Aligned<double> baseline, x, predicted, spread, weights;  // weights: 0 for what is dead
   Aligned<double> product64;
   Aligned<float> product32;
+  std::unique_ptr<Convolution> convolution, prediction_convolution;  // of fft plans
   std::vector<std::size_t> unread;  // readings that count for nothing, whatever they say
   std::size_t live = 0;             // readings with a weight
   double degrees;
@@ -139,14 +159,22 @@ struct ContactEstimator::Scratch {
   Aligned<double> filled;
 };
 
-ContactEstimator::ContactEstimator(const EstimatorPlan& plan, InstructionSet set) {
+ContactEstimator::ContactEstimator(const EstimatorPlan& plan, InstructionSet set)
+    : ContactEstimator(plan, nullptr, set) {}
+
+ContactEstimator::ContactEstimator(const EstimatorPlan& plan, const ConvolutionMaker& make,
+                                   InstructionSet set) {
   check(plan);
   ready_ = std::make_shared<const Ready>(plan, set);
   scratch_ = std::make_unique<Scratch>(*ready_);
+  scratch_->convolution = made(make, plan.reconstruction);
+  if (plan.prediction) scratch_->prediction_convolution = made(make, *plan.prediction);
 }
 
 ContactEstimator::ContactEstimator(const ContactEstimator& other)
     : ready_(other.ready_), scratch_(std::make_unique<Scratch>(*ready_)) {
+  scratch_->convolution = cloned(other.scratch_->convolution);
+  scratch_->prediction_convolution = cloned(other.scratch_->prediction_convolution);
   (void)set_baseline({other.scratch_->baseline.data(), readings()});
   for (const std::size_t reading : other.scratch_->dead) set_dead(reading % ready_->count);
 }
@@ -198,6 +226,7 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   double* const f = estimate.tractions.data();
   if (ready.product64) {
     loops.multiply64(*ready.product64, x, f, scratch.product64.data(), 1.0);
+    if (scratch.convolution) scratch.convolution->add(x, f);
   } else {
     const double size = std::bit_cast<double>(loops.largest(x, n));
     const double magnitude =
@@ -221,14 +250,22 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   return FrameStatus::ok;
 }
 
+/// What the tractions explain of scratch_->x.
+void ContactEstimator::predict(double* explained) noexcept {
+  Scratch& scratch = *scratch_;
+  ready_->loops.multiply64(*ready_->prediction, scratch.x.data(), explained,
+                           scratch.product64.data(), 1.0);
+  if (scratch.prediction_convolution)
+    scratch.prediction_convolution->add(scratch.x.data(), explained);
+}
+
 /// The residual, and whether one reading stands out of it: by its externally studentised residual
 /// (Cook and Weisberg 1982, 2.2), whose noise is that of the other readings.
 void ContactEstimator::judge(ContactEstimate& estimate) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
   const std::size_t n = ready.readings();
-  ready.loops.multiply64(*ready.prediction, scratch.x.data(), scratch.predicted.data(),
-                         scratch.product64.data(), 1.0);
+  predict(scratch.predicted.data());
   const Misfit misfit =
       ready.loops.misfit(scratch.x.data(), scratch.predicted.data(), scratch.weights.data(),
                          ready.shares.data(), scratch.spread.data(), n);
@@ -282,8 +319,7 @@ bool ContactEstimator::set_dead(std::size_t taxel) noexcept {
       std::fill_n(scratch.x.data(), n, 0.0);
       scratch.x[d] = 1.0;
       double* const row = scratch.dead_rows.data() + i * row_size;
-      ready.loops.multiply64(*ready.prediction, scratch.x.data(), row, scratch.product64.data(),
-                             1.0);
+      predict(row);
       const double w = ready.weights[d];
       double* const factor = scratch.cholesky.data() + i * stride;
       for (std::size_t k = 0; k < i; ++k) {

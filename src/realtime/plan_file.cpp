@@ -68,6 +68,10 @@ class Writer {
         else
           integer(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
     }
+    if (plan.structure == Structure::fft) {
+      size(plan.transform_size);
+      numbers(plan.spectra);
+    }
   }
   [[nodiscard]] std::vector<std::byte>& bytes() noexcept { return bytes_; }
 
@@ -130,6 +134,10 @@ class Reader {
       for (double& value : factor.values)
         value = bytes == 8 ? number()
                            : static_cast<double>(std::bit_cast<float>(integer<std::uint32_t>()));
+    }
+    if (plan.structure == Structure::fft) {
+      plan.transform_size = size();
+      plan.spectra = numbers();
     }
     return plan;
   }

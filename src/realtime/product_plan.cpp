@@ -32,6 +32,31 @@ void check_values(const Factor& factor, Precision precision) {
   }
 }
 
+bool is_transform_size(std::size_t size) {
+  if (size == 0 || size % 2 != 0 || size >= std::size_t{1} << 30) return false;
+  for (const std::size_t prime : {2U, 3U, 5U, 7U})
+    while (size % prime == 0) size /= prime;
+  return size == 1;
+}
+
+/// After the signs.
+void check_convolution(const ProductPlan& plan) {
+  require(plan.precision == Precision::float64 && plan.scale == 1.0,
+          "fft needs precision float64 and scale 1");
+  const std::size_t n = plan.rows / plan.row_signs.size();
+  require(plan.columns / plan.column_signs.size() == n, "fft needs blocks of one length");
+  require(is_transform_size(plan.transform_size) && plan.transform_size >= n,
+          "the transform's size must be even, at least a block's, < 2^30, and without a prime "
+          "factor above 7");
+  const std::size_t bins = plan.transform_size / 2 + 1;
+  const std::size_t blocks = plan.row_signs.size() * plan.column_signs.size();
+  require(plan.spectra.size() % bins == 0 && plan.spectra.size() / bins == blocks,
+          "fft needs a spectrum for each block");
+  require(std::all_of(plan.spectra.begin(), plan.spectra.end(),
+                      [](double value) { return std::isfinite(value); }),
+          "a spectrum is not finite");
+}
+
 }  // namespace
 
 std::string_view name(Structure structure) noexcept {
@@ -44,6 +69,8 @@ std::string_view name(Structure structure) noexcept {
       return "parity";
     case Structure::parity_low_rank:
       return "parity_low_rank";
+    case Structure::fft:
+      return "fft";
   }
   return "unknown";
 }
@@ -63,7 +90,7 @@ ClassSizes class_sizes(const std::vector<std::int8_t>& signs, std::size_t size) 
 }
 
 void check(const ProductPlan& plan) {
-  require(plan.structure <= Structure::parity_low_rank && plan.precision <= Precision::float32,
+  require(plan.structure <= Structure::fft && plan.precision <= Precision::float32,
           "structure or precision is unknown");
   require(plan.rows > 0 && plan.columns > 0, "sizes must be > 0");
   require(plan.scale > 0.0 && std::isfinite(plan.scale), "scale must be > 0 and finite");
@@ -75,6 +102,7 @@ void check(const ProductPlan& plan) {
     in = class_sizes(plan.column_signs, plan.columns);
     out = class_sizes(plan.row_signs, plan.rows);
   }
+  if (plan.structure == Structure::fft) check_convolution(plan);
   const std::size_t classes = has_parity(plan.structure) ? 2 : 1;
   const std::size_t per_class = is_low_rank(plan.structure) ? 2 : 1;
   require(plan.factors.size() == classes * per_class, "wrong number of factors");
@@ -90,7 +118,7 @@ void check(const ProductPlan& plan) {
 }
 
 std::size_t streamed_bytes(const ProductPlan& plan) noexcept {
-  std::size_t values = 0;
+  std::size_t values = plan.spectra.size();
   for (const Factor& factor : plan.factors) values += factor.values.size();
   return values * (plan.precision == Precision::float64 ? sizeof(double) : sizeof(float));
 }

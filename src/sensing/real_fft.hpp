@@ -8,26 +8,38 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <span>
 #include <type_traits>
 
 namespace tactile_net {
 
+/// FFTW's planner is not thread-safe, its execution is: held while plans are made and destroyed.
+inline std::recursive_mutex fftw_planner;
+
 /// A pair of real transforms of one size. FFTW_ESTIMATE never times anything: equal sizes get equal
-/// plans, and equal bits. FFTW's planner is not thread-safe: construct in one thread at a time.
+/// plans, and equal bits. Copies share the plans and have buffers of their own, zeroed.
 class RealFft {
  public:
-  explicit RealFft(std::size_t size)
-      : size_(size),
-        samples_(allocate<double>(size)),
-        bins_(allocate<std::complex<double>>(size / 2 + 1)) {
-    auto* const bins = reinterpret_cast<fftw_complex*>(bins_.get());
+  explicit RealFft(std::size_t size, unsigned rigour = FFTW_ESTIMATE) : RealFft(size, nullptr) {
+    const std::lock_guard lock(fftw_planner);
     const int n = static_cast<int>(size);
-    forward_.reset(fftw_plan_dft_r2c_1d(n, samples_.get(), bins, FFTW_ESTIMATE));
-    backward_.reset(fftw_plan_dft_c2r_1d(n, bins, samples_.get(), FFTW_ESTIMATE));
+    forward_.reset(fftw_plan_dft_r2c_1d(n, samples_.get(), complex_bins(), rigour), Destroy{});
+    backward_.reset(fftw_plan_dft_c2r_1d(n, complex_bins(), samples_.get(), rigour), Destroy{});
     if (!forward_ || !backward_) throw std::bad_alloc();
+    // A planner that measures writes there.
+    std::fill(samples().begin(), samples().end(), 0.0);
+    std::fill(bins().begin(), bins().end(), 0.0);
   }
+  RealFft(const RealFft& other) : RealFft(other.size_, nullptr) {
+    forward_ = other.forward_;
+    backward_ = other.backward_;
+  }
+  RealFft(RealFft&&) noexcept = default;
+  RealFft& operator=(RealFft&&) noexcept = default;
+  RealFft& operator=(const RealFft&) = delete;
+  ~RealFft() = default;
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] std::span<double> samples() noexcept { return {samples_.get(), size_}; }
@@ -36,9 +48,11 @@ class RealFft {
   }
 
   /// samples -> bins; the samples are kept.
-  void forward() noexcept { fftw_execute(forward_.get()); }
+  void forward() noexcept { fftw_execute_dft_r2c(forward_.get(), samples_.get(), complex_bins()); }
   /// bins -> size() times samples; the bins are destroyed.
-  void backward() noexcept { fftw_execute(backward_.get()); }
+  void backward() noexcept {
+    fftw_execute_dft_c2r(backward_.get(), complex_bins(), samples_.get());
+  }
 
   /// The least even size >= `size` without a prime factor above 7, for which FFTW is fast.
   [[nodiscard]] static std::size_t fast_size(std::size_t size) noexcept {
@@ -55,9 +69,21 @@ class RealFft {
     void operator()(void* memory) const noexcept { fftw_free(memory); }
   };
   struct Destroy {
-    void operator()(fftw_plan plan) const noexcept { fftw_destroy_plan(plan); }
+    void operator()(fftw_plan plan) const noexcept {
+      const std::lock_guard lock(fftw_planner);
+      fftw_destroy_plan(plan);
+    }
   };
-  using Transform = std::unique_ptr<std::remove_pointer_t<fftw_plan>, Destroy>;
+  using Transform = std::shared_ptr<std::remove_pointer_t<fftw_plan>>;
+
+  RealFft(std::size_t size, std::nullptr_t)
+      : size_(size),
+        samples_(allocate<double>(size)),
+        bins_(allocate<std::complex<double>>(size / 2 + 1)) {}
+
+  [[nodiscard]] fftw_complex* complex_bins() const noexcept {
+    return reinterpret_cast<fftw_complex*>(bins_.get());
+  }
 
   template <class Number>
   static std::unique_ptr<Number[], Free> allocate(std::size_t count) {

@@ -65,6 +65,28 @@ TEST_CASE("a controller that loads the plan finds what `solve` finds", "[cli][pl
   CHECK(relative_l2_error(tractions, expected) < plan.accuracy);
 }
 
+TEST_CASE("fft is planned where it is asked for, and offered where it is allowed", "[cli][plan]") {
+  const Folder folder;
+  const std::string good = scene("thesis/cylinder.toml");
+  const ProcessResult asked =
+      tool({"plan", good, "--structure", "fft", "-o", folder / "fft.plan", "--json", "-"});
+  CAPTURE(asked.errors);
+  REQUIRE(asked.code == 0);
+  const EstimatorPlan plan = load_plan(folder / "fft.plan");
+  CHECK(plan.reconstruction.structure == Structure::fft);
+  CHECK(plan.error_bound <= plan.accuracy);
+  CHECK(nlohmann::json::parse(asked.output).at("candidates").at(0).at("transform_size") ==
+        plan.reconstruction.transform_size);
+
+  const ProcessResult allowed = tool({"plan", good, "--allow-fft"});
+  CHECK_THAT(allowed.output, ContainsSubstring("  fft float64, rank"));
+  const ProcessResult without = tool({"plan", good});
+  CHECK_THAT(without.output, ContainsSubstring("no fft: it needs FFTW"));
+  const ProcessResult single = tool({"plan", good, "--structure", "fft", "--precision", "float32"});
+  CHECK(single.code == 2);
+  CHECK_THAT(single.errors, ContainsSubstring("float64 only"));
+}
+
 TEST_CASE("a plan's bad options are refused, and leave no file", "[cli][plan]") {
   const Folder folder;
   const auto refused = [&](std::vector<std::string> arguments, const std::string& why) {

@@ -36,6 +36,7 @@ struct Options {
   double accuracy = PlannerOptions{}.accuracy;
   std::optional<double> friction;
   bool no_diagnostics = false;
+  bool allow_fft = false;
 };
 
 struct Alpha {
@@ -111,10 +112,11 @@ void run(const Options& options) {
   PlannerOptions planner;
   planner.accuracy = options.accuracy;
   planner.structure =
-      named(options.structure, "--structure", {dense, low_rank, parity, parity_low_rank});
+      named(options.structure, "--structure", {dense, low_rank, parity, parity_low_rank, fft});
   planner.precision =
       named(options.precision, "--precision", {Precision::float64, Precision::float32});
   planner.diagnostics = !options.no_diagnostics;
+  planner.allow_fft = options.allow_fft;
   planner.noise_rms = stated_noise(scene).value_or(0.0);
   planner.friction_coefficient = options.friction;
   if (!planner.friction_coefficient)
@@ -161,6 +163,7 @@ void run(const Options& options) {
     candidates.push_back({{"structure", name(candidate.structure)},
                           {"precision", name(candidate.precision)},
                           {"ranks", candidate.ranks},
+                          {"transform_size", candidate.transform_size},
                           {"bytes", candidate.bytes},
                           {"error_bound", candidate.error_bound},
                           {"accurate", candidate.accurate},
@@ -208,9 +211,12 @@ void add_plan(CLI::App& app) {
                       "Friction coefficient for the friction margin (default: the scene's "
                       "friction_limit)");
   command->add_option("--structure", options->structure,
-                      "dense, low_rank, parity or parity_low_rank (default: the cheapest)");
+                      "dense, low_rank, parity, parity_low_rank or fft (default: the cheapest)");
   command->add_option("--precision", options->precision,
                       "float64 or float32 (default: the cheapest)");
+  command->add_flag("--allow-fft", options->allow_fft,
+                    "Offer fft too, for long arrays: the controller then links "
+                    "tactile_net::spectral (FFTW, GPL)");
   command->add_flag("--no-diagnostics", options->no_diagnostics,
                     "No residual, no outliers, no dead taxels at run time: faster");
   command->add_option("--json", options->json, "Write the choice as JSON (- = standard output)");

@@ -6,6 +6,10 @@
 /// symmetric, so M falls into two halves (product_plan.hpp). Both together stream 3 to 40 times
 /// fewer bytes than M itself, and bytes are what a frame's time is made of. The rank comes from the
 /// singular values, never from a fixed number: a few too few leave an answer that is far off.
+///
+/// Where the pitch is fixed and the array long, that rank grows with the array. There M = T + E is
+/// cheapest, T a convolution (by FFT) and E of a small rank that does not grow: only the array's
+/// two ends differ from an endless array. T alone is percents off at the ends.
 #pragma once
 
 #include <optional>
@@ -27,6 +31,9 @@ struct PlannerOptions {
   std::optional<Structure> structure{};  ///< absent: the cheapest that is accurate enough
   std::optional<Precision> precision{};  ///< absent: likewise
   bool diagnostics = true;  ///< residual, outliers, dead taxels at run time; costs a second product
+  /// Offer fft too, float64 only: the controller then links tactile_net::spectral (FFTW, GPL) or
+  /// brings a `Convolution` of its own. Asking for `structure` fft allows it.
+  bool allow_fft = false;
   bool all_candidates = false;  ///< try also what cannot be the cheapest
   double noise_rms = 0.0;       ///< of a weighted reading, as far as known
   std::optional<double> friction_coefficient{};
@@ -39,8 +46,9 @@ struct Candidate {
   Structure structure = Structure::dense;
   Precision precision = Precision::float64;
   std::vector<std::size_t> ranks{};  ///< of the classes; empty if not of low rank
+  std::size_t transform_size = 0;    ///< of fft
   std::size_t bytes = 0;             ///< streamed per frame
-  double cost = 0.0;                 ///< bytes, and what each pass costs besides, in bytes
+  double cost = 0.0;                 ///< bytes, and what passes and transforms cost, in bytes
   double error_bound = 0.0;          ///< proven, as `PlannerOptions::accuracy`
   bool accurate = false;  ///< error_bound <= accuracy; the double dense product always is
   bool chosen = false;
@@ -49,7 +57,8 @@ struct Candidate {
 struct PlannedEstimator {
   EstimatorPlan plan{};
   std::vector<Candidate> candidates{};
-  double asymmetry = 0.0;  ///< how far M is from mirror symmetry, in the unit of the accuracy
+  double asymmetry = 0.0;     ///< how far M is from mirror symmetry, in the unit of the accuracy
+  std::string without_fft{};  ///< why fft is no candidate; empty: it is one
 
   /// The choice and what spoke against the others, a line each.
   [[nodiscard]] std::string why() const;
@@ -61,8 +70,12 @@ struct PlannedEstimator {
 /// their magnitudes (Higham 2002, 3.1). That is pessimistic by about sqrt(n), so float is chosen
 /// for coarse accuracies only, unless it is asked for.
 ///
-/// @throw std::invalid_argument  alpha or accuracy is not > 0 and finite; parity is asked for, and
-///                               the array is not symmetric (dead taxels); `check(plan)` does
+/// An FFT of m points errs by at most 2 log2(2 m) eta in the 2-norm, eta = 6.7 2^-53: Higham (2002,
+/// theorem 24.2) for radix 2, a factor 2 for radices 3 and 5 and for real data.
+///
+/// @throw std::invalid_argument  alpha or accuracy is not > 0 and finite; parity or fft is asked
+///                               for, and the array is not symmetric (dead taxels); fft in float32;
+///                               `check(plan)` does
 /// @throw std::domain_error      as `tikhonov`
 [[nodiscard]] PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
                                               const PlannerOptions& options = {});

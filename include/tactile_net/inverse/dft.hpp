@@ -39,7 +39,7 @@ enum class DftVerdict {
 
 class DftInverse {
  public:
-  /// Plans and transforms the kernel (FFTW's planner is not thread-safe). O(count log count).
+  /// Plans and transforms the kernel. O(count log count).
   ///
   /// @param gain_limit  largest noise gain that is accepted, >= 1
   /// @throw std::invalid_argument  array or material out of range; more than one channel

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "tactile_net/realtime/convolution.hpp"
 #include "tactile_net/realtime/estimator_plan.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
 
@@ -53,9 +54,13 @@ class ContactEstimator {
 
   /// O(size of the plan).
   /// @param set  for tests and benchmarks; one that the machine lacks is replaced by the widest
-  /// @throw std::invalid_argument  `check(plan)` does
+  /// @throw std::invalid_argument  `check(plan)` does, or a structure is fft
   explicit ContactEstimator(const EstimatorPlan& plan,
                             InstructionSet set = widest_instruction_set());
+  /// For plans with fft: `ContactEstimator estimator(plan, fftw_convolutions());`
+  /// @param make  called for each product that is fft; copies clone what it made
+  ContactEstimator(const EstimatorPlan& plan, const ConvolutionMaker& make,
+                   InstructionSet set = widest_instruction_set());
   ContactEstimator(const ContactEstimator& other);
   ContactEstimator(ContactEstimator&&) noexcept;
   ContactEstimator& operator=(const ContactEstimator& other);
@@ -106,6 +111,7 @@ class ContactEstimator {
  private:
   struct Ready;
   struct Scratch;
+  void predict(double* explained) noexcept;
   void judge(ContactEstimate& estimate) noexcept;
   void fill_dead() noexcept;
 

@@ -22,6 +22,9 @@ enum class Structure : std::uint8_t {
   low_rank,         ///< two factors: A = second x first
   parity,           ///< one factor for each class
   parity_low_rank,  ///< two factors for each class: those of class 0, then those of class 1
+  /// A = T + E: T a circulant's corner, by FFT; E, which corrects its ends, as parity_low_rank. Who
+  /// multiplies by T is passed to the estimator (convolution.hpp): this library has no FFT.
+  fft,
 };
 
 enum class Precision : std::uint8_t { float64, float32 };
@@ -29,11 +32,14 @@ enum class Precision : std::uint8_t { float64, float32 };
 [[nodiscard]] std::string_view name(Structure structure) noexcept;
 [[nodiscard]] std::string_view name(Precision precision) noexcept;
 
+/// Of the factors: what is said of parity_low_rank holds for the correction of fft.
 [[nodiscard]] constexpr bool has_parity(Structure structure) noexcept {
-  return structure == Structure::parity || structure == Structure::parity_low_rank;
+  return structure == Structure::parity || structure == Structure::parity_low_rank ||
+         structure == Structure::fft;
 }
 [[nodiscard]] constexpr bool is_low_rank(Structure structure) noexcept {
-  return structure == Structure::low_rank || structure == Structure::parity_low_rank;
+  return structure == Structure::low_rank || structure == Structure::parity_low_rank ||
+         structure == Structure::fft;
 }
 
 /// A matrix, row-major.
@@ -55,7 +61,15 @@ struct ProductPlan {
   /// Applied in the order of `Structure`. With parity they take plain sums and differences of x and
   /// give those of y: the scaling to an orthonormal basis is in them.
   std::vector<Factor> factors{};
-  double scale = 1.0;  ///< A is the factors' product times this power of two
+  double scale = 1.0;  ///< A is the factors' product times this power of two; 1 for fft
+
+  /// fft only: m, the length of the circle on which T convolves blocks of n values, the rest of it
+  /// zero. Even, >= n, < 2^30, no prime factor above 7: FFTW then allocates nothing. With m >= 2 n
+  /// - 1 nothing wraps around; with less, what does is in the correction too.
+  std::size_t transform_size = 0;
+  /// fft only: row blocks x column blocks x (m / 2 + 1), the DFT of each block's convolution. It is
+  /// real where the two signs are equal and i times this where they differ, by mirror symmetry.
+  std::vector<double> spectra{};
 };
 
 /// Sizes of class 0 and class 1 of a vector of `signs.size()` blocks, `size` values together.
@@ -71,7 +85,8 @@ struct ClassSizes {
 ///                               where the precision is float32
 void check(const ProductPlan& plan);
 
-/// Bytes of factors that one product streams: what its time is made of beyond a few taxels.
+/// Bytes of factors and spectra that one product streams: what its time is made of beyond a few
+/// taxels.
 [[nodiscard]] std::size_t streamed_bytes(const ProductPlan& plan) noexcept;
 
 }  // namespace tactile_net

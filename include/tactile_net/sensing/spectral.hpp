@@ -13,8 +13,8 @@ namespace tactile_net {
 
 /// One Toeplitz block applied by FFT: the linear convolution, zero-padded so that nothing wraps.
 ///
-/// The constructor plans and transforms the kernel (FFTW's planner is not thread-safe: construct in
-/// one thread at a time). `add` reuses buffers: one object per thread.
+/// The constructor plans and transforms the kernel (FFTW's planner is not thread-safe: this library
+/// locks it against itself, not against others). `add` reuses buffers: one object per thread.
 class SpectralConvolution {
  public:
   /// @param kernel  2 count - 1 values as from `sampled_kernel`
@@ -39,7 +39,7 @@ class SpectralConvolution {
 inline constexpr std::size_t spectral_crossover = 512;
 
 /// As `sampled_readings`, by whichever way is faster; each block is equal within the bound of
-/// `SpectralConvolution::add`. Plans anew on every call: one thread at a time.
+/// `SpectralConvolution::add`. Plans anew on every call.
 ///
 /// @throw std::invalid_argument  as `sampled_readings`
 [[nodiscard]] std::vector<double> fast_sampled_readings(const SensorArray& array,

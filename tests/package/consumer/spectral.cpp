@@ -1,4 +1,7 @@
+#include <tactile_net/control/fftw_convolution.hpp>
+#include <tactile_net/control/planner.hpp>
 #include <tactile_net/inverse/dft.hpp>
+#include <tactile_net/realtime/contact_estimator.hpp>
 #include <tactile_net/scene/reader.hpp>
 
 int main() {
@@ -9,5 +12,12 @@ int main() {
       "[reconstruct]\nmethods = [\"dft\"]\n"
       "",
       "scene.toml");
+  const InverseProblem problem = make_problem(scene.sensor, scene.material);
+  const EstimatorPlan plan = plan_estimator(problem, 1e-4, {.structure = Structure::fft}).plan;
+  ContactEstimator estimator(plan, fftw_convolutions());
+  std::vector<double> readings(41, 1.0), tractions(41);
+  ContactEstimate estimate;
+  estimate.tractions = tractions;
+  if (estimator.update(readings, estimate) != FrameStatus::ok || !estimate.contact) return 2;
   return DftInverse(scene.sensor, scene.material).verdict() == DftVerdict::ok ? 0 : 1;
 }

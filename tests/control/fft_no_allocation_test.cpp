@@ -1,0 +1,114 @@
+// FFTW allocates in some of its executions: not for the sizes that plans may have.
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+
+#include "src/control/circulant.hpp"
+#include "src/sensing/real_fft.hpp"
+#include "tactile_net/control/fftw_convolution.hpp"
+#include "tactile_net/control/planner.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
+#include "tests/catch.hpp"
+#include "tests/inverse/problems.hpp"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* memalign(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) { return memalign(alignment, size); }
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
+  *memory = memalign(alignment, size);
+  return *memory == nullptr ? ENOMEM : 0;
+}
+}
+
+using namespace tactile_net;
+
+namespace {
+
+long allocations_of(const auto& work) {
+  const long before = allocations;
+  work();
+  return allocations - before;
+}
+
+ProductPlan convolution_of(std::size_t size) {
+  const std::size_t n = size / 2;
+  ProductPlan plan{.structure = Structure::fft, .rows = n, .columns = n};
+  plan.row_signs = {1};
+  plan.column_signs = {1};
+  const ClassSizes classes = class_sizes(plan.row_signs, n);
+  for (const std::size_t part : {classes.even, classes.odd}) {
+    plan.factors.push_back({1, part, std::vector<double>(part, 0.0)});
+    plan.factors.push_back({part, 1, std::vector<double>(part, 0.0)});
+  }
+  plan.transform_size = size;
+  plan.spectra.assign(size / 2 + 1, 1.0);
+  return plan;
+}
+
+}  // namespace
+
+TEST_CASE("the counter sees what FFTW allocates, for sizes with a large prime factor",
+          "[fft][no_allocation]") {
+  RealFft fft(2 * 97);
+  CHECK(allocations_of([&] { fft.forward(); }) > 0);
+}
+
+TEST_CASE("FFTW allocates nothing for any size without a prime factor above 7",
+          "[fft][no_allocation]") {
+  int tested = 0;
+  for (std::size_t size = 4; size <= 32768; size = RealFft::fast_size(size + 1)) {
+    const auto convolution = fftw_convolutions()(convolution_of(size));
+    std::vector<double> x(size / 2, 1.0);
+    std::vector<double> y(size / 2);
+    const long allocated = allocations_of([&] { convolution->add(x.data(), y.data()); });
+    CAPTURE(size);
+    CHECK(allocated == 0);
+    ++tested;
+  }
+  CHECK(tested > 300);
+}
+
+TEST_CASE("nor with plans that FFTW measured, for the sizes that the planner takes",
+          "[fft][no_allocation]") {
+  for (std::size_t size = 4; size <= 1280; size = transform_size(size + 1)) {
+    const auto convolution = fftw_convolutions(FftwEffort::measure)(convolution_of(size));
+    std::vector<double> x(size / 2, 1.0);
+    std::vector<double> y(size / 2);
+    const long allocated = allocations_of([&] { convolution->add(x.data(), y.data()); });
+    CAPTURE(size);
+    CHECK(allocated == 0);
+  }
+}
+
+TEST_CASE("a frame of a plan by FFT allocates nothing, nor does a dead taxel",
+          "[fft][no_allocation]") {
+  using enum Quantity;
+  const InverseProblem problem = make_problem({96, 0.125, {1.5}, {stress_x, shear_xy}}, {1.0, 0.45},
+                                              {.unknowns = 2, .smoothing_length = 1.0});
+  PlannerOptions options{.structure = Structure::fft};
+  ContactEstimator estimator(plan_estimator(problem, 1e-4, options).plan, fftw_convolutions());
+  const std::vector<double> g = random_values(192, 1);
+  std::vector<double> f(192);
+  ContactEstimate estimate{.tractions = f};
+  bool done = true;
+  const long allocated = allocations_of([&] {
+    done &= estimator.update(g, estimate) == FrameStatus::ok;
+    done &= estimator.set_dead(40);
+    done &= estimator.update(g, estimate) == FrameStatus::ok;
+  });
+  CHECK(done);
+  CHECK(allocated == 0);
+}
