@@ -53,7 +53,7 @@ class UncertaintyFile {
   void add(std::span<const double> readings, std::span<const double> tractions,
            const FrameFacts& facts, std::string_view time) {
     const AlphaChoice gml =
-        choose_alpha(family_.analyse(readings), AlphaRule::gml, stated_noise(scene_));
+        choose_alone(family_.analyse(readings), AlphaRule::gml, stated_noise(scene_));
     const FrameUncertainty uncertainty =
         uncertainty_of(scene_, problem_, readings, tractions, facts, gml);
     std::string text;
