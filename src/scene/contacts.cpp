@@ -93,6 +93,7 @@ RigidContact read_rigid(Table& table, Shape shape, const SensorArray& array, boo
   RigidContact contact;
   contact.shape = shape;
   std::vector<KnotValues> knots;
+  for (const std::string_view key : rigid_keys) (void)table.value(key);  // their order in hints
   if (const auto value = table.value("trajectory")) {
     if (!timed)
       value->problem("moves the contact over time, and this scene has none",

@@ -38,15 +38,14 @@ void explain(const Scene& scene, const ScenePlan& plan, const std::string& json)
 
 std::string readings_csv(const Experiment& experiment) {
   std::string text;
-  for (const std::string& column : reading_columns(experiment.scene.sensor)) text += column + ',';
-  text.back() = '\n';
+  append_header(text, reading_columns(experiment.scene.sensor), false);
   append_row(text, experiment.simulation.readings);
   return text;
 }
 
 std::string tractions_csv(std::vector<double> normal, std::span<const double> tangential) {
   std::string text;
-  append_traction_header(text, normal.size(), !tangential.empty(), false);
+  append_header(text, traction_columns(normal.size(), !tangential.empty()), false);
   normal.insert(normal.end(), tangential.begin(), tangential.end());
   append_row(text, normal);
   return text;
