@@ -60,7 +60,7 @@ const std::array table = {
                 [](const Scene&) -> std::string {
                   return "contacts drag the surface: a second field of tractions";
                 },
-                operations<0>},
+                [](const Scene& scene) { return 2.0 * static_cast<double>(scene.sensor.count); }},
     SceneEffect{
         "layer", [](const Scene& scene) { return scene.material.layer.has_value(); }, nullptr,
         [](const Scene& scene) {
@@ -147,7 +147,7 @@ const std::array table = {
     SceneEffect{
         "dead_taxels", [](const Scene& scene) { return !scene.dead_taxels.empty(); },
         [](const Scene& scene) { return make_effect(DeadTaxels{scene.dead_taxels}, scene.sensor); },
-        [](const Scene& scene) { return taxels(scene.dead_taxels.size()) + " read zero"; },
+        [](const Scene& scene) { return taxels(scene.dead_taxels.size()) + " at zero"; },
         operations<0>},
 };
 

@@ -159,7 +159,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   return largest;
 }
 
-const std::string creep =
+const std::string creeping =
     "[viscoelasticity]\nterms = [{ fraction = 0.3, time = 0.2 }, { fraction = 0.3, time = 3 }]\n";
 const std::string lag = "[low_pass]\ncutoff = 2\n";
 
@@ -167,7 +167,7 @@ const std::string lag = "[low_pass]\ncutoff = 2\n";
 
 TEST_CASE("what is recorded at a moment does not depend on the frame rate", "[effects][time]") {
   for (const std::string& effect :
-       {creep, lag, hysteresis, hysteresis + "[low_pass]\ntime_constant = 0\n" + offset}) {
+       {creeping, lag, hysteresis, hysteresis + "[low_pass]\ntime_constant = 0\n" + offset}) {
     CAPTURE(effect);
     CHECK(largest_difference(at_two_moments(effect, 7), at_two_moments(effect, 10)) < 1e-11);
   }
@@ -175,7 +175,7 @@ TEST_CASE("what is recorded at a moment does not depend on the frame rate", "[ef
 
 TEST_CASE("one memory behind another sees straight lines: the error falls with the frames squared",
           "[effects][time]") {
-  const std::string both = creep + lag;
+  const std::string both = creeping + lag;
   const auto exact = at_two_moments(both, 5000);
   const double coarse = largest_difference(at_two_moments(both, 20), exact);
   const double fine = largest_difference(at_two_moments(both, 80), exact);

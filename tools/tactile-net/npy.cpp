@@ -62,11 +62,7 @@ std::string header(std::size_t frames, std::size_t columns) {
 }  // namespace
 
 bool begins_like_npy(std::istream& in) {
-  std::string begin(magic.size(), '\0');
-  in.read(begin.data(), std::ssize(begin));
-  in.clear();
-  in.seekg(0);
-  return begin == magic;
+  return in.peek() == static_cast<unsigned char>(magic.front());
 }
 
 bool is_npy_name(const std::string& path) { return path.ends_with(".npy"); }

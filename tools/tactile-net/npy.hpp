@@ -15,7 +15,7 @@
 
 namespace tactile_net::tool {
 
-/// Whether a file begins as a .npy does; the stream is put back to its begin.
+/// Whether a file begins as a .npy does, by its first byte, which no text begins with.
 [[nodiscard]] bool begins_like_npy(std::istream& in);
 
 /// Whether a file is to be a .npy, by its name.

@@ -5,10 +5,10 @@
 
 #include "commands.hpp"
 #include "experiment.hpp"
+#include "explain.hpp"
 #include "failure.hpp"
 #include "frames.hpp"
 #include "output.hpp"
-#include "plan_text.hpp"
 #include "report.hpp"
 #include "result_json.hpp"
 #include "table.hpp"

@@ -1,6 +1,5 @@
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -9,7 +8,6 @@
 #include "commands.hpp"
 #include "frame_files.hpp"
 #include "frame_uncertainty.hpp"
-#include "npy.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "solver.hpp"
@@ -88,11 +86,7 @@ class UncertaintyFile {
   bool with_time_;
 };
 
-  % (const (i (std::size_t * ++i) /// 0; : < = == @param Scene& Turns Which `in` `out`; after at columns dead
-  each end every flush for frame frame: hold how i if into live many. of on one other readings return returns
-  row scene) scene.dead_taxels) scene.sensor.count scene.sensor.count); somebody std::size_t std::vector<bool>
-  taxel taxel) taxels. the tractions tractions; true; unread(channels(scene.sensor).size() unread.size();
-  unread; unread[i] unread_columns(const waits { }
+/// Turns each frame of readings into one of tractions; returns how many.
 ///
 /// @param live   flush after every frame: somebody waits at the other end
 /// @param after  called with the readings and the tractions of each frame
@@ -120,15 +114,6 @@ std::size_t stream(Solver& solver, FrameSource& source, FrameSink& sink, const S
   return frames;
 }
 
-/// The file's frames, CSV or .npy by what it begins with.
-std::unique_ptr<FrameSource> source_of(std::istream& in, const std::string& name, bool live,
-                                       const Scene& scene) {
-  const std::vector<std::string> columns = reading_columns(scene.sensor);
-  if (!live && (is_npy_name(name) || begins_like_npy(in)))
-    return std::make_unique<NpyFrames>(in, name, columns, unread_columns(scene));
-  return std::make_unique<CsvFrames>(in, name, columns, unread_columns(scene));
-}
-
 void run(const Options& options) {
   const Scene scene = read_scene(options.scene);
   const std::optional<Method> method = method_named(options.method);
@@ -146,45 +131,33 @@ void run(const Options& options) {
     std::cerr << options.method << ": warning: " << warning << '\n';
 
   const bool live = options.readings == "-";
-  std::ifstream file;
-  if (!live) {
-    std::error_code error;
-    if (std::filesystem::is_directory(options.readings, error))
-      throw InputError(
-          {{.file = options.readings, .message = "is a folder, not a file of readings"}});
-    file.open(options.readings, std::ios::binary);
-    if (!file)
-      throw InputError({{.file = options.readings,
-                         .message = "cannot be opened",
-                         .hint = "readings are a CSV or .npy file, or - for standard input"}});
-  }
-  const std::string name = live ? "<stdin>" : options.readings;
-  const std::unique_ptr<FrameSource> source = source_of(live ? std::cin : file, name, live, scene);
-  const std::vector<std::string> ignored(source->ignored().begin(), source->ignored().end());
+  FrameFile file(options.readings, scene);
+  FrameSource& source = file.source();
+  const std::vector<std::string> ignored(source.ignored().begin(), source.ignored().end());
   if (!ignored.empty())
-    std::cerr << name << ": note: " << ignored.size() << " columns are not read by this scene, '"
-              << ignored.front() << "' first\n";
+    std::cerr << file.name() << ": note: " << ignored.size()
+              << " columns are not read by this scene, '" << ignored.front() << "' first\n";
 
   OutputFile output(options.output);
   const std::unique_ptr<FrameSink> sink =
       make_sink(output, options.output,
                 traction_columns(scene.sensor.count, solver->tractions() > scene.sensor.count),
-                source->has_time());
+                source.has_time());
   const auto start = std::chrono::steady_clock::now();
   std::size_t frames = 0;
   std::map<std::string, std::size_t> verdicts;
   std::optional<UncertaintyFile> uncertainty;
   if (!options.uncertainty.empty())
-    uncertainty.emplace(options.uncertainty, scene, source->has_time());
+    uncertainty.emplace(options.uncertainty, scene, source.has_time());
   const auto commit = [&] {
     output.commit();
     if (uncertainty) uncertainty->commit();
   };
   try {
-    frames = stream(*solver, *source, *sink, scene, live,
+    frames = stream(*solver, source, *sink, scene, live,
                     [&](std::span<const double> g, std::span<const double> f) {
                       ++verdicts[solver->facts().verdict];
-                      if (uncertainty) uncertainty->add(g, f, solver->facts(), source->time());
+                      if (uncertainty) uncertainty->add(g, f, solver->facts(), source.time());
                     });
   } catch (const InputError&) {
     commit();

@@ -1,4 +1,4 @@
-#include "plan_text.hpp"
+#include "explain.hpp"
 
 #include <ostream>
 
