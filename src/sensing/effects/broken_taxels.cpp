@@ -2,15 +2,26 @@
 
 #include <cassert>
 
+#include "sensing/effects/per_taxel.hpp"
+
 namespace tactile_net {
 namespace {
+
+void require_taxels(std::span<const std::size_t> indices, const SensorArray& array) {
+  for (const std::size_t taxel : indices)
+    require(taxel < array.count, "a taxel's index", "be less than their count", taxel);
+}
 
 class Stuck final : public SensorEffect {
  public:
   Stuck(const StuckTaxels& stuck, const SensorArray& array) {
+    require_taxels(stuck.indices, array);
     for (std::size_t first = 0; const Channel& channel : channels(array)) {
-      for (std::size_t i = 0; i < stuck.indices.size(); ++i)
-        stuck_.push_back({first + stuck.indices[i], stuck.values.at(channel.quantity)[i]});
+      const std::vector<double>& values = value_of(stuck.values, channel.quantity, "values");
+      require(values.size() == stuck.indices.size(), "values", "be as many as indices",
+              values.size());
+      for (std::size_t i = 0; i < values.size(); ++i)
+        stuck_.push_back({first + stuck.indices[i], values[i]});
       first += array.count;
     }
   }
@@ -28,7 +39,10 @@ class Stuck final : public SensorEffect {
 
 class Dead final : public SensorEffect {
  public:
-  Dead(const DeadTaxels& dead, std::size_t count) : indices_(dead.indices), count_(count) {}
+  Dead(const DeadTaxels& dead, const SensorArray& array)
+      : indices_(dead.indices), count_(array.count) {
+    require_taxels(dead.indices, array);
+  }
   void apply(const Instant&, std::span<double> readings) override {
     for (; !readings.empty(); readings = readings.subspan(count_))
       kill(readings.first(count_), indices_);
@@ -55,7 +69,7 @@ void kill(std::span<double> readings, std::span<const std::size_t> dead_taxels) 
 
 std::unique_ptr<SensorEffect> make_effect(const DeadTaxels& dead, const SensorArray& array) {
   if (dead.indices.empty()) return nullptr;
-  return std::make_unique<Dead>(dead, array.count);
+  return std::make_unique<Dead>(dead, array);
 }
 
 }  // namespace tactile_net

@@ -1,5 +1,7 @@
 #include "tactile_net/sensing/effects/crosstalk.hpp"
 
+#include "elasticity/require.hpp"
+
 namespace tactile_net {
 namespace {
 
@@ -25,7 +27,9 @@ class Leaks final : public SensorEffect {
 }  // namespace
 
 std::unique_ptr<SensorEffect> make_effect(const Crosstalk& crosstalk, const SensorArray& array) {
-  if (crosstalk.fraction == 0.0) return nullptr;
+  const double fraction = crosstalk.fraction;
+  require(fraction >= 0.0 && fraction <= 0.5, "fraction", "be from 0 to 0.5", fraction);
+  if (fraction == 0.0) return nullptr;
   return std::make_unique<Leaks>(crosstalk.fraction, array.count);
 }
 

@@ -9,6 +9,8 @@ namespace {
 class Gains final : public SensorEffect {
  public:
   Gains(const GainError& error, const SensorArray& array) {
+    if (!error.values.empty()) require_one_per_taxel(error.values, array, "values");
+    require_not_negative("rms", error.rms);
     for (std::size_t c = 0; c < channels(array).size(); ++c) {
       NormalStream draw(error.seed, c, Draws::gain_error);
       for (std::size_t j = 0; j < array.count; ++j)

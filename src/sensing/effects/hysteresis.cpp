@@ -11,8 +11,19 @@ class Plays final : public SensorEffect {
  public:
   Plays(const Hysteresis& hysteresis, const SensorArray& array)
       : weights_(hysteresis.weights), count_(array.count) {
-    for (const Channel& channel : channels(array))
-      thresholds_.push_back(hysteresis.thresholds.at(channel.quantity));
+    double all = 0.0;
+    for (const double weight : weights_) {
+      require_positive("weight", weight);
+      all += weight;
+    }
+    require(all <= 1.0 + 1e-12, "weights", "add up to 1 at most", all);
+    for (const Channel& channel : channels(array)) {
+      thresholds_.push_back(value_of(hysteresis.thresholds, channel.quantity, "thresholds"));
+      require(thresholds_.back().size() == weights_.size(), "thresholds", "be as many as weights",
+              thresholds_.back().size());
+      for (const double threshold : thresholds_.back())
+        require_not_negative("threshold", threshold);
+    }
     plays_.assign(thresholds_.size() * count_ * weights_.size(), 0.0);
   }
   void rest(std::span<double>) override {}

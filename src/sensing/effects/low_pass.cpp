@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sensing/effects/per_taxel.hpp"
 #include "tactile_net/sensing/effects/first_order_lag.hpp"
 
 namespace tactile_net {
@@ -33,6 +34,7 @@ class Lagging final : public SensorEffect {
 }  // namespace
 
 std::unique_ptr<SensorEffect> make_effect(const LowPass& low_pass, const SensorArray&) {
+  require_not_negative("time_constant", low_pass.time_constant);
   if (low_pass.time_constant == 0.0) return nullptr;
   return std::make_unique<Lagging>(low_pass.time_constant);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "sensing/effects/per_taxel.hpp"
 #include "sensing/effects/stream.hpp"
 
 namespace tactile_net {
@@ -12,7 +13,8 @@ class Noise final : public SensorEffect {
  public:
   Noise(const NoiseModel& noise, const SensorArray& array) : count_(array.count) {
     for (const Channel& channel : channels(array)) {
-      rms_.push_back(noise.rms.at(channel.quantity));
+      rms_.push_back(value_of(noise.rms, channel.quantity, "rms"));
+      require_not_negative("rms", rms_.back());
       streams_.emplace_back(noise.seed, streams_.size(), Draws::noise);
     }
   }

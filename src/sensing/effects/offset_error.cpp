@@ -10,13 +10,14 @@ class Offsets final : public SensorEffect {
  public:
   Offsets(const OffsetError& error, const SensorArray& array) {
     if (!error.values.empty()) {
-      offset_ = of_readings(error.values, array);
+      offset_ = of_readings(error.values, array, "values");
       return;
     }
     for (std::size_t c = 0; const Channel& channel : channels(array)) {
       NormalStream draw(error.seed, c++, Draws::offset_error);
-      for (std::size_t j = 0; j < array.count; ++j)
-        offset_.push_back(error.rms.at(channel.quantity) * draw());
+      const double rms = value_of(error.rms, channel.quantity, "rms");
+      require_not_negative("rms", rms);
+      for (std::size_t j = 0; j < array.count; ++j) offset_.push_back(rms * draw());
     }
   }
   void apply(const Instant&, std::span<double> readings) override {

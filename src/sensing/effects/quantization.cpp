@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elasticity/require.hpp"
 #include "sensing/effects/limited.hpp"
 
 namespace tactile_net {
@@ -42,6 +43,8 @@ void quantize(std::span<double> readings, const Converter& converter) noexcept {
 }
 
 std::unique_ptr<SensorEffect> make_effect(const Converter& converter, const SensorArray&) {
+  require(converter.bits >= 1 && converter.bits <= 32, "bits", "be from 1 to 32", converter.bits);
+  require(converter.low < converter.high, "range", "begin below its end", converter.low);
   return std::make_unique<Levels>(converter);
 }
 

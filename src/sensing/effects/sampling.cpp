@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "sensing/effects/per_taxel.hpp"
+
 namespace tactile_net {
 namespace {
 
@@ -37,6 +39,7 @@ class Window final : public SensorEffect {
 }  // namespace
 
 std::unique_ptr<SensorEffect> make_effect(const Sampling& sampling, const SensorArray&) {
+  require_not_negative("aperture", sampling.aperture);
   if (sampling.aperture == 0.0) return nullptr;
   return std::make_unique<Window>(sampling.aperture);
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sensing/effects/limited.hpp"
+#include "sensing/effects/per_taxel.hpp"
 
 namespace tactile_net {
 namespace {
@@ -10,8 +11,11 @@ namespace {
 class Limits final : public SensorEffect {
  public:
   Limits(const Saturation& saturation, const SensorArray& array) : count_(array.count) {
-    for (const Channel& channel : channels(array))
-      range_.push_back(saturation.range.at(channel.quantity));
+    for (const Channel& channel : channels(array)) {
+      range_.push_back(value_of(saturation.range, channel.quantity, "range"));
+      require(range_.back().low < range_.back().high, "range", "begin below its end",
+              range_.back().low);
+    }
   }
   void apply(const Instant&, std::span<double> readings) override {
     readings_ = readings.size();

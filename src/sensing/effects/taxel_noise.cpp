@@ -9,7 +9,8 @@ namespace {
 class NoiseOfTaxels final : public SensorEffect {
  public:
   NoiseOfTaxels(const TaxelNoise& noise, const SensorArray& array)
-      : rms_(of_readings(noise.rms, array)), count_(array.count) {
+      : rms_(of_readings(noise.rms, array, "rms")), count_(array.count) {
+    for (const double rms : rms_) require_not_negative("rms", rms);
     for (std::size_t c = 0; c < rms_.size() / count_; ++c)
       streams_.emplace_back(noise.seed, c, Draws::taxel_noise);
   }

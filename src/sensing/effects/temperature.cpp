@@ -12,8 +12,10 @@ class Drifting final : public SensorEffect {
  public:
   Drifting(const TemperatureDrift& drift, const SensorArray& array)
       : gain_(drift.gain), change_(drift.change), count_(array.count) {
+    require(change_.times.size() == change_.values.size() && !change_.times.empty(), "change",
+            "hold one value per time, and one at least", change_.values.size());
     for (const Channel& channel : channels(array))
-      offset_.push_back(drift.offset.at(channel.quantity));
+      offset_.push_back(value_of(drift.offset, channel.quantity, "offset"));
   }
   void apply(const Instant& at, std::span<double> readings) override {
     const double change = change_(at.time);

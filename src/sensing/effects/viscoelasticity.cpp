@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "sensing/effects/per_taxel.hpp"
 #include "tactile_net/sensing/effects/first_order_lag.hpp"
 
 namespace tactile_net {
@@ -78,6 +79,13 @@ double relaxation(std::span<const PronyTerm> terms, double t) noexcept {
 }
 
 std::vector<CreepTerm> creep_terms(std::span<const PronyTerm> terms) {
+  double all = 0.0;
+  for (const PronyTerm& term : terms) {
+    require_not_negative("fraction", term.fraction);
+    require_positive("time", term.time);
+    all += term.fraction;
+  }
+  require(all < 1.0, "fractions", "add up to less than 1", all);
   Spectrum spectrum;
   for (const PronyTerm& term : terms)
     if (term.fraction > 0.0) spectrum[term.time] += term.fraction;

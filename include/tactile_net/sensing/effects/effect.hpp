@@ -2,9 +2,11 @@
 /// What lies between the pad's ideal response and a recorded reading, one effect at a time.
 ///
 /// Every effect is a plain struct that says how strong it is, in a file of its own, and a function
-/// `make_effect` that turns it into a stage of the signal path (signal_path.hpp). A strength of
-/// zero makes no stage: it is the effect's absence, bit for bit. What is drawn at random comes from
-/// a stream of the effect's own, so that no effect changes what another draws.
+/// `make_effect` that turns it into a stage of the signal path (signal_path.hpp); it throws
+/// std::invalid_argument where a value is out of the range that the struct states, a quantity that
+/// the array reads has none, or lists do not fit the array. A strength of zero makes no stage: it
+/// is the effect's absence, bit for bit. What is drawn at random comes from a stream of the
+/// effect's own, so that no effect changes what another draws.
 #pragma once
 
 #include <cstddef>
