@@ -14,7 +14,7 @@
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
-#include "tactile_net/sensing/effects.hpp"
+#include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
 namespace {

@@ -264,6 +264,11 @@ AlphaVerdict judge(const Criteria& criteria, const Candidate& one, std::vector<d
                                                            : AlphaVerdict::ok;
 }
 
+void require_noise(AlphaRule rule, std::optional<double> noise_rms) {
+  if (rule == AlphaRule::discrepancy && !noise_rms)
+    throw std::invalid_argument("the rule discrepancy needs the noise's rms");
+}
+
 }  // namespace
 
 std::string_view name(AlphaRule rule) noexcept {
@@ -337,10 +342,17 @@ AlphaSweep sweep_alpha(const FilterFrame& frame, std::optional<double> noise_rms
   return sweep;
 }
 
+AlphaChoice choose_alone(const FilterFrame& frame, AlphaRule rule,
+                         std::optional<double> noise_rms) {
+  require_noise(rule, noise_rms);
+  Criteria criteria(frame, noise_rms);
+  const Candidate one = candidate(criteria, rule, values_of(criteria, rule));
+  return {rule, criteria.alpha(one.log_alpha), judge(criteria, one, {})};
+}
+
 AlphaChoice choose_alpha(const FilterFrame& frame, AlphaRule rule,
                          std::optional<double> noise_rms) {
-  if (rule == AlphaRule::discrepancy && !noise_rms)
-    throw std::invalid_argument("the rule discrepancy needs the noise's rms");
+  require_noise(rule, noise_rms);
   return sweep_alpha(frame, noise_rms).choice(rule);
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<std::string_view, 4> shape_names = {"cylinder", "punch", "wedge", "tractions"};
 constexpr std::size_t tractions = 3;
 
-constexpr auto rigid_keys = {"center", "half_width", "force", "friction"};
+constexpr auto rigid_keys = {"center", "half_width", "force", "friction", "trajectory"};
 constexpr auto sampled_keys = {"normal", "tangential"};
 
 /// Width of the surface that belongs to the taxels; 0: not known.
@@ -25,20 +25,103 @@ double width(const SensorArray& array) { return static_cast<double>(array.count)
 /// Both in lengths; the slack lets a contact be exactly as wide as the array in decimal fractions.
 bool exceeds(double length, double limit) { return length > limit * (1.0 + 1e-12); }
 
-RigidContact read_rigid(Table& table, Shape shape, const SensorArray& array) {
+/// What one knot of a trajectory says; absent: the contact's own value.
+struct KnotValues {
+  double time = 0.0;
+  std::optional<Value> center{};
+  std::optional<Value> half_width{};
+  std::optional<Value> force{};
+  std::optional<Value> friction{};
+};
+
+using KnotValue = std::optional<Value> KnotValues::*;
+
+constexpr std::array<std::pair<std::string_view, KnotValue>, 4> moving = {
+    {{"center", &KnotValues::center},
+     {"half_width", &KnotValues::half_width},
+     {"force", &KnotValues::force},
+     {"friction", &KnotValues::friction}}};
+
+std::vector<KnotValues> read_knots(const Value& trajectory) {
+  auto tables = trajectory.tables();
+  if (!tables) return {};
+  if (tables->empty())
+    trajectory.problem("must hold at least one knot",
+                       "trajectory = [{ t = 0.0, force = 0.0 }, { t = 1.0, force = 1.0 }]");
+  std::vector<KnotValues> knots;
+  for (Table& table : *tables) {
+    KnotValues knot;
+    if (const auto t = table.required("t", "when, in seconds from the first frame: t = 0.5")) {
+      knot.time = t->number(not_negative).value_or(0.0);
+      if (!knots.empty() && knot.time <= knots.back().time)
+        t->misfit("must be later than the knot before",
+                  "a jump is two knots a moment apart: t = 1.0, then t = 1.001");
+    }
+    for (const auto& [key, member] : moving) {
+      knot.*member = table.value(key);
+      if (!knots.empty() && (knots.front().*member).has_value() != (knot.*member).has_value())
+        trajectory.problem("must name " + quoted(key) + " in every knot, or in none",
+                           "what no knot names keeps the contact's own value");
+    }
+    table.finish();
+    knots.push_back(std::move(knot));
+  }
+  return knots;
+}
+
+double number_or(const std::optional<Value>& value, const Rule& rule, double otherwise) {
+  return value ? value->number(rule).value_or(otherwise) : otherwise;
+}
+
+/// What is wrong counts as harmless: a half width of 0.
+void check_place(const RigidContact& contact, const SensorArray& array,
+                 const std::optional<Value>& center, const std::optional<Value>& half_width) {
+  const double all = width(array);
+  if (contact.half_width == 0.0 || all == 0.0) return;
+  if (exceeds(2.0 * contact.half_width, all)) {
+    if (half_width)
+      half_width->misfit("makes the contact wider than the array (count * pitch)",
+                         "a smaller half_width, or more taxels");
+  } else if (center && std::abs(contact.center) - contact.half_width >= all / 2.0) {
+    center->misfit("puts the contact beside the array, which is centred on 0",
+                   "move it, or give the array more taxels");
+  }
+}
+
+RigidContact read_rigid(Table& table, Shape shape, const SensorArray& array, bool timed,
+                        ContactTrajectory& trajectory) {
   RigidContact contact;
   contact.shape = shape;
-  const auto center = table.value("center");
-  const auto half_width = table.required(
-      "half_width", "half the width of the loaded strip, in the unit of pitch: half_width = 2.0");
-  const auto force = table.required("force", "the load per unit length out of plane: force = 1.0");
-  const auto friction = table.value("friction");
+  std::vector<KnotValues> knots;
+  for (const std::string_view key : rigid_keys) (void)table.value(key);  // their order in hints
+  if (const auto value = table.value("trajectory")) {
+    if (!timed)
+      value->problem("moves the contact over time, and this scene has none",
+                     "add [time], duration = 1.0, rate = 100.0");
+    knots = read_knots(*value);
+  }
+  const auto moves = [&](KnotValue member) {
+    return !knots.empty() && (knots.front().*member).has_value();
+  };
+  const auto own = [&](std::string_view key, KnotValue member, std::string_view hint) {
+    auto value = hint.empty() || moves(member) ? table.value(key) : table.required(key, hint);
+    if (value && moves(member))
+      value->problem("stands in the knots of the trajectory too", "keep one of the two");
+    return value;
+  };
+  const auto center = own("center", &KnotValues::center, "");
+  const auto half_width =
+      own("half_width", &KnotValues::half_width,
+          "half the width of the loaded strip, in the unit of pitch: half_width = 2.0");
+  const auto force =
+      own("force", &KnotValues::force, "the load per unit length out of plane: force = 1.0");
+  const auto friction = own("friction", &KnotValues::friction, "");
 
   // What is wrong counts as harmless below: a centre of 0, a half width of 0.
-  if (center) contact.center = center->number(any_number).value_or(0.0);
-  contact.half_width = half_width ? half_width->number(positive).value_or(0.0) : 0.0;
-  if (force) contact.force = force->number(not_negative).value_or(contact.force);
-  if (friction) contact.friction = friction->number(any_number).value_or(contact.friction);
+  contact.center = number_or(center, any_number, 0.0);
+  contact.half_width = number_or(half_width, positive, 0.0);
+  contact.force = number_or(force, not_negative, contact.force);
+  contact.friction = number_or(friction, any_number, contact.friction);
 
   if (shape == Shape::punch) {
     if (const auto edge = table.value("edge"))
@@ -50,14 +133,17 @@ RigidContact read_rigid(Table& table, Shape shape, const SensorArray& array) {
     table.not_here(key, "applies to the shape \"tractions\" only",
                    "remove it, or give the load by shape = \"tractions\"");
 
-  const double all = width(array);
-  if (contact.half_width == 0.0 || all == 0.0) return contact;
-  if (exceeds(2.0 * contact.half_width, all))
-    half_width->misfit("makes the contact wider than the array (count * pitch)",
-                       "a smaller half_width, or more taxels");
-  else if (center && std::abs(contact.center) - contact.half_width >= all / 2.0)
-    center->misfit("puts the contact beside the array, which is centred on 0",
-                   "move it, or give the array more taxels");
+  if (knots.empty()) check_place(contact, array, center, half_width);
+  for (const KnotValues& knot : knots) {
+    RigidContact then = contact;
+    then.center = number_or(knot.center, any_number, contact.center);
+    then.half_width = number_or(knot.half_width, positive, contact.half_width);
+    then.force = number_or(knot.force, not_negative, contact.force);
+    then.friction = number_or(knot.friction, any_number, contact.friction);
+    check_place(then, array, knot.center ? knot.center : center,
+                knot.half_width ? knot.half_width : half_width);
+    trajectory.push_back({knot.time, then});
+  }
   return contact;
 }
 
@@ -103,21 +189,23 @@ void pass_over(Table& table) {
 
 }  // namespace
 
-std::vector<Contact> read_contacts(std::vector<Table> tables, const SensorArray& array) {
-  std::vector<Contact> contacts;
+void read_contacts(std::vector<Table> tables, bool timed, Scene& scene) {
   for (Table& table : tables) {
     const auto shape = table.required(
         "shape", "how the load is spread: \"cylinder\", \"punch\", \"wedge\" or \"tractions\"");
     const auto index = shape ? shape->one_of("shape", shape_names) : std::nullopt;
+    ContactTrajectory trajectory;
     if (!index)
       pass_over(table);
     else if (*index == tractions)
-      contacts.emplace_back(read_tractions(table, array));
+      scene.contacts.emplace_back(read_tractions(table, scene.sensor));
     else
-      contacts.emplace_back(read_rigid(table, static_cast<Shape>(*index), array));
+      scene.contacts.emplace_back(
+          read_rigid(table, static_cast<Shape>(*index), scene.sensor, timed, trajectory));
     table.finish();
+    scene.trajectories.resize(scene.contacts.size());
+    if (!trajectory.empty()) scene.trajectories.back() = std::move(trajectory);
   }
-  return contacts;
 }
 
 }  // namespace tactile_net

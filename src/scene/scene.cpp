@@ -1,13 +1,41 @@
 #include "tactile_net/scene/scene.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "scene/scene_effects.hpp"
 
 namespace tactile_net {
-namespace {
 
 bool any_friction(const Scene& scene) {
+  const auto drags = [](const ContactTrajectory& trajectory) {
+    return std::any_of(trajectory.begin(), trajectory.end(),
+                       [](const ContactKnot& knot) { return has_friction(knot.contact); });
+  };
   return std::any_of(scene.contacts.begin(), scene.contacts.end(),
-                     [](const Contact& contact) { return has_friction(contact); });
+                     [](const Contact& contact) { return has_friction(contact); }) ||
+         std::any_of(scene.trajectories.begin(), scene.trajectories.end(), drags);
+}
+
+namespace {
+
+/// Puts moments in order and makes one of those that rounding alone tells apart.
+void merge(std::vector<Instant>& instants, double apart) {
+  std::stable_sort(instants.begin(), instants.end(),
+                   [](const Instant& a, const Instant& b) { return a.time < b.time; });
+  std::vector<Instant> merged;
+  for (const Instant& instant : instants) {
+    if (merged.empty() || instant.time - merged.back().time > apart) {
+      merged.push_back(instant);
+      continue;
+    }
+    Instant& same = merged.back();
+    if (instant.recorded && !same.recorded) same.time = instant.time;
+    same.recorded = same.recorded || instant.recorded;
+    same.opens = same.opens || instant.opens;
+  }
+  instants = std::move(merged);
 }
 
 }  // namespace
@@ -50,13 +78,62 @@ std::size_t unknowns(const Scene& scene) {
   return scene.contacts.empty() || any_friction(scene) ? 2 : 1;
 }
 
+std::vector<Contact> contacts_at(const Scene& scene, double t) {
+  std::vector<Contact> contacts = scene.contacts;
+  for (std::size_t i = 0; i < scene.trajectories.size(); ++i)
+    if (!scene.trajectories[i].empty()) contacts[i] = contact_at(scene.trajectories[i], t);
+  return contacts;
+}
+
+Scene at_frame(Scene scene, std::size_t frame) {
+  const std::size_t frames = scene.time ? scene.time->frames : 1;
+  if (frame >= frames)
+    throw std::invalid_argument("frame must be from 0 to " + std::to_string(frames - 1) + " (got " +
+                                std::to_string(frame) + ")");
+  scene.frame = frame;
+  if (scene.time) scene.contacts = contacts_at(scene, scene.time->time(frame));
+  return scene;
+}
+
 std::vector<std::pair<std::string_view, bool>> effects(const Scene& scene) {
-  const bool friction = any_friction(scene);
-  return {{"layer", scene.material.layer.has_value()},
-          {"friction", friction},
-          {"noise", scene.noise.has_value()},
-          {"quantization", scene.quantization.has_value()},
-          {"dead_taxels", !scene.dead_taxels.empty()}};
+  std::vector<std::pair<std::string_view, bool>> result;
+  for (const SceneEffect& effect : scene_effects())
+    result.emplace_back(effect.name, effect.present(scene));
+  return result;
+}
+
+SignalPath signal_path(const Scene& scene) {
+  SignalPath path;
+  for (const SceneEffect& effect : scene_effects())
+    if (effect.make != nullptr && effect.present(scene)) path.add(effect.make(scene));
+  if (path.has_memory())
+    path.begin(scene.sensor.count * scene.sensor.reads.size() * scene.sensor.depths.size());
+  return path;
+}
+
+std::vector<Instant> instants(const Scene& scene) {
+  if (!scene.time) return {Instant{}};
+  const Timing& timing = *scene.time;
+  std::vector<Instant> result;
+  for (std::size_t k = 0; k <= scene.frame; ++k)
+    result.push_back({.time = timing.time(k), .recorded = true});
+  if (signal_path(scene).has_memory()) {
+    const auto between = [&](double t, bool opens) {
+      if (t > 0.0 && t < timing.time(scene.frame))
+        result.push_back({.time = t, .recorded = false, .opens = opens});
+    };
+    for (const ContactTrajectory& trajectory : scene.trajectories)
+      for (const ContactKnot& knot : trajectory) between(knot.time, false);
+    if (scene.temperature)
+      for (const double t : scene.temperature->change.times) between(t, false);
+    if (scene.sampling && scene.sampling->aperture > 0.0)
+      for (std::size_t k = 1; k <= scene.frame; ++k)
+        between(timing.time(k) - scene.sampling->aperture, true);
+    merge(result, 1e-9 / timing.rate);
+  }
+  for (std::size_t i = 1; i < result.size(); ++i)
+    result[i].since = result[i].time - result[i - 1].time;
+  return result;
 }
 
 }  // namespace tactile_net

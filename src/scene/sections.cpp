@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace tactile_net {
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::int64_t most_taxels = 4096;
 constexpr std::size_t most_depths = 64;
+constexpr std::int64_t most_frames = 1'000'000;
 constexpr Rule poisson_range{"must be from 0 to 0.5",
                              [](double nu) noexcept { return nu >= 0.0 && nu <= 0.5; }};
 constexpr Rule below_one{"must be > 0 and < 1",
@@ -28,17 +30,6 @@ std::array<std::string_view, size> names_of(const std::array<Enum, size>& all) {
   std::transform(all.begin(), all.end(), names.begin(), [](Enum one) { return name(one); });
   return names;
 }
-
-std::optional<Table> table_of(const std::optional<Value>& value) {
-  return value ? value->table() : std::nullopt;
-}
-
-/// What later sections need to know of earlier ones beyond the scene itself.
-struct Read {
-  std::optional<Value> reads;
-  bool reads_complete = false;  // `sensor.reads` was understood as a whole
-  bool depths_complete = false;
-};
 
 // --- [sensor] -----------------------------------------------------------------------------------
 
@@ -144,92 +135,28 @@ Material read_material(Table table, const SensorArray& array) {
   return material;
 }
 
-// --- [noise], [quantization], [dead_taxels] -----------------------------------------------------
+// --- [time] -------------------------------------------------------------------------------------
 
-void read_rms_table(Table table, const SensorArray& array, const Read& read, NoiseModel& noise) {
-  for (const Quantity quantity : quantities) {
-    const bool is_read =
-        std::find(array.reads.begin(), array.reads.end(), quantity) != array.reads.end();
-    const bool may_be_read = is_read || !read.reads_complete;
-    const auto rms = is_read && read.reads_complete
-                         ? table.required(name(quantity),
-                                          "the table names every quantity that "
-                                          "sensor.reads does")
-                         : table.value(name(quantity));
-    if (!rms) continue;
-    if (!may_be_read)
-      rms->problem("is the noise of a quantity that sensor.reads does not name", "remove it");
-    else if (const auto value = rms->number(positive))
-      noise.rms[quantity] = *value;
+Timing read_time(Table table) {
+  Timing timing;
+  if (const auto rate = table.required("rate", "frames per second: rate = 100.0"))
+    timing.rate = rate->number(positive).value_or(timing.rate);
+  const auto duration = table.required(
+      "duration", "seconds from the first frame to the last: duration = 1.0", {"frames"});
+  const auto frames = table.value("frames");
+  if (frames && duration) {
+    frames->problem("and time.duration exclude each other", "keep one of the two");
+  } else if (frames) {
+    timing.frames = static_cast<std::size_t>(frames->integer(1, most_frames).value_or(1));
+  } else if (duration) {
+    const double last = duration->number(not_negative).value_or(0.0) * timing.rate + 1e-9;
+    if (last < static_cast<double>(most_frames))
+      timing.frames = static_cast<std::size_t>(last) + 1;
+    else
+      duration->misfit("makes more than 1000000 frames at this rate", "a lower rate");
   }
   table.finish();
-}
-
-NoiseModel read_noise(Table table, const SensorArray& array, const Read& read) {
-  NoiseModel noise;
-  if (const auto rms = table.required(
-          "rms",
-          "the noise of one reading, in its unit: rms = 1e-4, or one for each quantity: "
-          "rms = { strain_x = 1e-4, stress_x = 20.0 }")) {
-    if (rms->is_table()) {
-      noise.weights_rows = true;
-      read_rms_table(*rms->table(), array, read, noise);
-    } else if (const auto value = rms->number(not_negative)) {
-      for (const Quantity quantity : array.reads) noise.rms[quantity] = *value;
-    }
-  }
-  if (const auto seed = table.value("seed"))
-    noise.seed = static_cast<std::uint64_t>(seed->integer(0, INT64_MAX).value_or(1));
-  table.finish();
-  return noise;
-}
-
-Converter read_quantization(Table table) {
-  Converter converter;
-  if (const auto bits = table.required("bits", "the converter's resolution: bits = 12"))
-    converter.bits = static_cast<int>(bits->integer(1, 32).value_or(converter.bits));
-  if (const auto range = table.required(
-          "range", "the lowest and the highest reading it can tell: range = [-1.0, 1.0]")) {
-    if (const auto ends = range->numbers(any_number)) {
-      if (ends->size() != 2)
-        range->problem("must be two numbers, the lowest and the highest reading",
-                       "range = [-1.0, 1.0]");
-      else if (!((*ends)[0] < (*ends)[1]))
-        range->problem("must begin with the lower of its two numbers", "range = [-1.0, 1.0]");
-      else if (!std::isfinite((*ends)[1] - (*ends)[0]))
-        range->problem("is wider than a double can hold");
-      else
-        converter = {converter.bits, (*ends)[0], (*ends)[1]};
-    }
-  }
-  table.finish();
-  return converter;
-}
-
-std::vector<std::size_t> read_dead_taxels(Table table, std::size_t count) {
-  std::vector<std::size_t> dead;
-  const auto indices = table.required("indices", "which taxels, from 0: indices = [3, 17]");
-  if (indices) {
-    const std::int64_t last = count > 0 ? static_cast<std::int64_t>(count) - 1 : most_taxels - 1;
-    std::size_t misfits = 0;
-    for (const Value& item : indices->list("taxel numbers").value_or(std::vector<Value>{})) {
-      if (misfits == most_misfits) break;
-      const auto index = item.integer(0, last, "taxels are numbered from 0");
-      const auto taxel = static_cast<std::size_t>(index.value_or(0));
-      if (!index) {
-        ++misfits;
-      } else if (std::find(dead.begin(), dead.end(), taxel) != dead.end()) {
-        ++misfits;
-        item.misfit("names a taxel twice", "remove one");
-      } else {
-        dead.push_back(taxel);
-      }
-    }
-    if (count > 0 && dead.size() == count)
-      indices->problem("leaves no taxel alive", "at least one taxel must read something");
-  }
-  table.finish();
-  return dead;
+  return timing;
 }
 
 // --- [forward] ----------------------------------------------------------------------------------
@@ -466,15 +393,12 @@ void read_sections(Table& root, Scene& scene) {
   if (const auto table = table_of(root.required(
           "material", "it says what the pad is made of: youngs_modulus, poisson_ratio")))
     scene.material = read_material(*table, scene.sensor);
+  const auto time = root.value("time");
+  read.timed = time.has_value();
+  if (const auto table = table_of(time)) scene.time = read_time(*table);
   if (const auto contacts = root.value("contact"))
-    if (auto tables = contacts->tables())
-      scene.contacts = read_contacts(std::move(*tables), scene.sensor);
-  if (const auto table = table_of(root.value("noise")))
-    scene.noise = read_noise(*table, scene.sensor, read);
-  if (const auto table = table_of(root.value("quantization")))
-    scene.quantization = read_quantization(*table);
-  if (const auto table = table_of(root.value("dead_taxels")))
-    scene.dead_taxels = read_dead_taxels(*table, scene.sensor.count);
+    if (auto tables = contacts->tables()) read_contacts(std::move(*tables), read.timed, scene);
+  read_sensor_effects(root, read, scene);
   if (const auto table = table_of(root.value("forward"))) scene.forward = read_forward(*table);
 
   if (!scene.sensor.depths.empty())
@@ -483,6 +407,7 @@ void read_sections(Table& root, Scene& scene) {
     scene.reconstruct = read_reconstruct(*table, scene, read);
   if (const auto table = table_of(root.value("network"))) scene.network = read_network(*table);
   root.finish();
+  scene = at_frame(std::move(scene), scene.time ? scene.time->frames - 1 : 0);
 }
 
 }  // namespace tactile_net

@@ -33,7 +33,15 @@ void add_convolution(std::span<const double> kernel, std::span<const double> in,
 
 std::vector<double> sampled_readings(const SensorArray& array, const Material& material,
                                      const TractionField& field) {
-  return superpose(array, material, field, add_convolution);
+  check(array);
+  check(material);
+  const std::vector<Channel> all = channels(array);
+  return superpose(
+      array, field,
+      [&](std::size_t channel, Traction load, std::span<const double> in, std::span<double> out) {
+        add_convolution(sampled_kernel(all[channel], load, material, array.count, array.pitch), in,
+                        out);
+      });
 }
 
 }  // namespace tactile_net

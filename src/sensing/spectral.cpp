@@ -4,8 +4,10 @@
 #include <cassert>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sensing/real_fft.hpp"
@@ -53,12 +55,47 @@ void SpectralConvolution::add(std::span<const double> in, std::span<double> out)
   plan_->add(in, out);
 }
 
+/// One block, by the faster way.
+struct SampledModel::Block {
+  explicit Block(std::vector<double> values) : kernel(std::move(values)) {
+    if (kernel.size() / 2 + 1 >= spectral_crossover) fft.emplace(kernel);
+  }
+  void add(std::span<const double> in, std::span<double> out) {
+    if (fft)
+      fft->add(in, out);
+    else
+      add_convolution(kernel, in, out);
+  }
+  std::vector<double> kernel;
+  std::optional<SpectralConvolution> fft;
+};
+
+SampledModel::SampledModel(const SensorArray& array, const Material& material)
+    : array_(array), material_(material), channels_(channels(array)) {
+  check(array);
+  check(material);
+  blocks_.resize(2 * channels_.size());
+}
+
+SampledModel::~SampledModel() = default;
+SampledModel::SampledModel(SampledModel&&) noexcept = default;
+SampledModel& SampledModel::operator=(SampledModel&&) noexcept = default;
+
+std::vector<double> SampledModel::readings(const TractionField& field) {
+  return superpose(
+      array_, field,
+      [&](std::size_t channel, Traction load, std::span<const double> in, std::span<double> out) {
+        auto& block = blocks_[2 * channel + (load == Traction::tangential ? 1 : 0)];
+        if (!block)
+          block = std::make_unique<Block>(
+              sampled_kernel(channels_[channel], load, material_, array_.count, array_.pitch));
+        block->add(in, out);
+      });
+}
+
 std::vector<double> fast_sampled_readings(const SensorArray& array, const Material& material,
                                           const TractionField& field) {
-  if (array.count < spectral_crossover) return sampled_readings(array, material, field);
-  return superpose(array, material, field,
-                   [](std::span<const double> kernel, std::span<const double> in,
-                      std::span<double> out) { SpectralConvolution(kernel).add(in, out); });
+  return SampledModel(array, material).readings(field);
 }
 
 }  // namespace tactile_net

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "tactile_net/elasticity/contact.hpp"
-#include "tactile_net/sensing/effects.hpp"
+#include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
-#include "tactile_net/sensing/effects.hpp"
+#include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 #include "tests/catch.hpp"

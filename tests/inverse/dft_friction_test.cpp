@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "tactile_net/inverse/comparison.hpp"
-#include "tactile_net/sensing/effects.hpp"
+#include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
 

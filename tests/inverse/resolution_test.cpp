@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tactile_net/sensing/effects.hpp"
+#include "tactile_net/sensing/effects/noise.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
 

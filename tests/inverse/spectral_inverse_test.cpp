@@ -11,7 +11,7 @@
 #include "tactile_net/inverse/fft_tikhonov.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/resolution.hpp"
-#include "tactile_net/sensing/effects.hpp"
+#include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"

@@ -150,21 +150,28 @@ TEST_CASE("methods that were not written ask for no alpha", "[scene]") {
   CHECK_NOTHROW(parse(smallest + "[network]\nrealization = \"nic\"\n"));
 }
 
-TEST_CASE("the effects a scene calls for are named", "[scene]") {
-  using Effects = std::vector<std::pair<std::string_view, bool>>;
-  CHECK(effects(parse(smallest)) == Effects{{"layer", false},
-                                            {"friction", false},
-                                            {"noise", false},
-                                            {"quantization", false},
-                                            {"dead_taxels", false}});
+TEST_CASE("the effects a scene calls for are named, in the order of the signal path", "[scene]") {
+  const std::vector<std::string_view> order = {
+      "friction",     "layer",        "viscoelasticity", "hysteresis", "crosstalk", "gain_error",
+      "offset_error", "temperature",  "low_pass",        "sampling",   "noise",     "taxel_noise",
+      "saturation",   "quantization", "stuck_taxels",    "dead_taxels"};
+  const auto simulated = [&](const std::string& toml) {
+    std::vector<std::string_view> names;
+    const auto all = effects(parse(toml));
+    REQUIRE(all.size() == order.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      CHECK(all[i].first == order[i]);
+      if (all[i].second) names.push_back(all[i].first);
+    }
+    return names;
+  };
+  using Names = std::vector<std::string_view>;
+  CHECK(simulated(smallest).empty());
   const auto friction =
       "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1\nforce = 1\n"
-      "friction = 0.5\n";
-  CHECK(effects(parse(std::string{good_scene} + friction)) == Effects{{"layer", false},
-                                                                      {"friction", true},
-                                                                      {"noise", true},
-                                                                      {"quantization", true},
-                                                                      {"dead_taxels", true}});
+      "friction = 0.3\n";
+  CHECK(simulated(std::string{good_scene} + friction) ==
+        Names{"friction", "noise", "quantization", "dead_taxels"});
 }
 
 TEST_CASE("names of methods and models are those of the format", "[scene]") {

@@ -28,7 +28,7 @@ TEST_CASE("every shipped scene is read, has a title and begins with a comment", 
     std::ifstream in{path};
     CHECK((std::getline(in, line) && line.starts_with("# ")));
   }
-  CHECK(scenes == 26);
+  CHECK(scenes == 38);
 }
 
 TEST_CASE("the thesis' examples have the thesis' parameters", "[scene]") {
@@ -55,4 +55,15 @@ TEST_CASE("the contact at the edge ends where the array ends", "[scene]") {
   const auto& contact = std::get<RigidContact>(scene.contacts.at(0));
   const double half = 0.5 * static_cast<double>(scene.sensor.count) * scene.sensor.pitch;
   CHECK(contact.center + contact.half_width == half);
+}
+
+TEST_CASE("the bare scene has no effect, the other has them all", "[scene]") {
+  for (const auto& [effect, simulated] : effects(shipped("effects/bare.toml"))) {
+    CAPTURE(effect);
+    CHECK_FALSE(simulated);
+  }
+  for (const auto& [effect, simulated] : effects(shipped("effects/everything.toml"))) {
+    CAPTURE(effect);
+    CHECK(simulated);
+  }
 }

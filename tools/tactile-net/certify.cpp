@@ -28,10 +28,9 @@ void run(const Options& options) {
   progress.step("certifying ...");
   const Certificate certificate = certify(plan);
   std::optional<ToleranceResult> tolerance;
-  const Realization one = plan.options.realization;
   const bool loaded =
       std::any_of(plan.direct.begin(), plan.direct.end(), [](double f) { return f != 0.0; });
-  if (loaded && plan.options.tolerance && one != Realization::lc && one != Realization::ndr) {
+  if (loaded && calls_for_tolerance(plan.options)) {
     progress.step("drawing components ...");
     tolerance = tolerate(plan);
   }

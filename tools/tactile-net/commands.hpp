@@ -16,6 +16,7 @@ namespace tactile_net::tool {
 void add_run(CLI::App& app);
 void add_gen(CLI::App& app);
 void add_relax(CLI::App& app);
+void add_simulate(CLI::App& app);
 void add_solve(CLI::App& app);
 void add_identify(CLI::App& app);
 void add_certify(CLI::App& app);

@@ -10,8 +10,7 @@
 #include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
-#include "tactile_net/sensing/exact.hpp"
-#include "tactile_net/sensing/spectral.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "text.hpp"
 
 namespace tactile_net::tool {
@@ -58,13 +57,14 @@ void measure(MethodResult& result, std::span<const double> f, const Scene& scene
 void judge_errors(MethodResult& result, std::span<const double> f, const Scene& scene,
                   const FrameFacts& facts, const Experiment& experiment) {
   const std::span<const double> readings = experiment.simulation.readings;
-  if (f.size() >= large) {
+  if (!experiment.plan.does(Computation::bands)) {
     result.warnings.emplace_back("no uncertainty is given for an array as large as this");
     return;
   }
   const InverseProblem problem = problem_of(scene);
-  const FrameUncertainty uncertainty =
-      uncertainty_of(scene, problem, readings, f, facts, experiment.sweep->choice(AlphaRule::gml));
+  const FrameUncertainty uncertainty = uncertainty_of(
+      scene, problem, readings, f, facts,
+      choose_alone(TikhonovFamily(problem).analyse(readings), AlphaRule::gml, stated_noise(scene)));
   result.noise = uncertainty.noise;
   result.resultant = uncertainty.resultant;
   const auto middle = uncertainty.deviation.begin() + static_cast<std::ptrdiff_t>(problem.count);
@@ -79,11 +79,12 @@ void judge_errors(MethodResult& result, std::span<const double> f, const Scene& 
     result.warnings.push_back("rounding alone may have moved the answer by " +
                               brief(*result.error_bound) + " of its size; raise alpha");
   }
+  const std::string model = model_error_in_words(uncertainty.noise);
+  if (!model.empty()) result.warnings.push_back(model);
+  if (!experiment.plan.does(Computation::hidden_modes)) return;
   if (const ModeSpace hidden = identifiability(problem).null_space; hidden.dimension > 0)
     result.warnings.push_back("no reading shows: " + hidden.description +
                               "; decided by smoothing, not measured (see identify)");
-  const std::string model = model_error_in_words(uncertainty.noise);
-  if (!model.empty()) result.warnings.push_back(model);
 }
 
 MethodResult reconstruct(const Scene& scene, Method method, const Experiment& experiment) {
@@ -170,73 +171,18 @@ MethodResult by_network(const Scene& scene, Simulator& simulator, Experiment& ex
   return result;
 }
 
-/// How much of the contacts' force lies beyond the array's ends, where no taxel sits above it.
-double force_outside(const Scene& scene) {
-  const double end = position(scene.sensor, scene.sensor.count - 1) + scene.sensor.pitch / 2;
-  double outside = 0.0;
-  for (const Contact& contact : scene.contacts)
-    outside +=
-        resultant(contact, Traction::normal) - force_between(contact, Traction::normal, -end, end);
-  return outside;
-}
-
-std::vector<std::string> warnings_of(const Scene& scene, double force) {
-  std::vector<std::string> warnings;
-  const auto rigid = [](const Contact& contact) {
-    return std::holds_alternative<RigidContact>(contact);
-  };
-  if (unknowns(scene) == 1 && !scene.reconstruct.contact_friction &&
-      std::any_of(scene.contacts.begin(), scene.contacts.end(), has_friction))
-    warnings.emplace_back(
-        "the scene has friction, and one traction alone is solved for: what the tangential "
-        "traction "
-        "adds to the readings is taken for normal traction; read a second quantity, such as "
-        "shear_xy");
-  if (std::all_of(scene.contacts.begin(), scene.contacts.end(), rigid)) {
-    const double outside = force_outside(scene);
-    if (outside > 1e-12 * force)
-      warnings.push_back(brief(100.0 * outside / force) +
-                         " % of the normal force lies beyond the ends of the array");
-  }
-  return warnings;
-}
-
-double total_force(const Scene& scene) {
-  double force = 0.0;
-  for (const Contact& contact : scene.contacts) force += resultant(contact, Traction::normal);
-  return force;
-}
-
 }  // namespace
-
-Simulation simulate(const Scene& scene) {
-  Simulation simulation{.truth = sample(scene.contacts, scene.sensor),
-                        .readings = {},
-                        .warnings = warnings_of(scene, total_force(scene))};
-  simulation.readings = scene.forward == ForwardModel::exact
-                            ? exact_readings(scene.sensor, scene.material, scene.contacts)
-                            : fast_sampled_readings(scene.sensor, scene.material, simulation.truth);
-
-  const std::vector<Channel> all = channels(scene.sensor);
-  for (std::size_t c = 0; c < all.size(); ++c) {
-    const auto readings =
-        std::span(simulation.readings).subspan(c * scene.sensor.count, scene.sensor.count);
-    if (scene.noise)
-      add_noise(readings, scene.noise->rms.at(all[c].quantity), scene.noise->seed, c);
-    if (scene.quantization) quantize(readings, *scene.quantization);
-    if (!scene.dead_taxels.empty()) kill(readings, scene.dead_taxels);
-  }
-  return simulation;
-}
 
 bool Experiment::succeeded() const noexcept {
   return std::all_of(results.begin(), results.end(),
                      [](const MethodResult& result) { return result.failure.empty(); });
 }
 
-Experiment run_experiment(const Scene& scene, Simulator& simulator, Progress& progress) {
+Experiment run_experiment(const Scene& scene, const ScenePlan& plan, Simulator& simulator,
+                          Progress& progress) {
   progress.step("simulating the readings ...");
   Experiment experiment{.scene = scene,
+                        .plan = plan,
                         .simulation = simulate(scene),
                         .force = total_force(scene),
                         .sampled_force = 0.0,
@@ -245,13 +191,11 @@ Experiment run_experiment(const Scene& scene, Simulator& simulator, Progress& pr
                         .relaxation = {},
                         .deck = {}};
   experiment.sampled_force = sampled_force(experiment.simulation.truth.normal, scene.sensor.pitch);
-  const auto& methods = scene.reconstruct.methods;
-  const auto by_matrix = [](Method method) { return method != Method::dft; };
-  if (std::any_of(methods.begin(), methods.end(), by_matrix)) {
+  if (plan.does(Computation::rule_comparison)) {
     progress.step("comparing rules for alpha ...");
     experiment.sweep = sweep_of(scene, experiment.simulation.readings);
   }
-  for (const Method method : methods) {
+  for (const Method method : scene.reconstruct.methods) {
     progress.step(std::string(name(method)) + " ...");
     experiment.results.push_back(method == Method::network
                                      ? by_network(scene, simulator, experiment, progress)

@@ -8,21 +8,12 @@
 
 #include "progress.hpp"
 #include "relaxation.hpp"
+#include "simulation.hpp"
 #include "solver.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
-#include "tactile_net/sensing/traction_field.hpp"
+#include "tactile_net/scene/plan.hpp"
 
 namespace tactile_net::tool {
-
-/// What a scene's contacts do to its sensors.
-struct Simulation {
-  TractionField truth;
-  std::vector<double> readings;       ///< channels x count
-  std::vector<std::string> warnings;  ///< what a user should know before trusting the rest
-};
-
-/// Only the effects that the scene names are simulated.
-[[nodiscard]] Simulation simulate(const Scene& scene);
 
 /// One component of an answer beside the truth.
 struct Component {
@@ -57,10 +48,11 @@ struct MethodResult {
 
 struct Experiment {
   Scene scene;
+  ScenePlan plan;
   Simulation simulation;
   double force = 0.0;               ///< of all contacts, exact [N/m]
   double sampled_force = 0.0;       ///< pitch x sum of the truth at the taxels [N/m]
-  std::optional<AlphaSweep> sweep;  ///< every rule for alpha, where a method uses the matrix
+  std::optional<AlphaSweep> sweep;  ///< every rule for alpha, where the plan compares them
   std::vector<MethodResult> results;
   std::optional<Relaxation> relaxation;
   std::string deck;  ///< as `gen` writes it; empty if the network is not a method
@@ -69,7 +61,8 @@ struct Experiment {
   [[nodiscard]] bool succeeded() const noexcept;
 };
 
-[[nodiscard]] Experiment run_experiment(const Scene& scene, Simulator& simulator,
-                                        Progress& progress);
+/// Computes what the plan says, and nothing else.
+[[nodiscard]] Experiment run_experiment(const Scene& scene, const ScenePlan& plan,
+                                        Simulator& simulator, Progress& progress);
 
 }  // namespace tactile_net::tool

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <istream>
 #include <map>
+#include <ostream>
+#include <stdexcept>
 
 #include "tactile_net/scene/diagnostic.hpp"
 #include "text.hpp"
@@ -48,8 +50,16 @@ std::vector<std::string> reading_columns(const SensorArray& array) {
   return columns;
 }
 
-FrameReader::FrameReader(std::istream& in, std::string file, std::span<const std::string> columns,
-                         std::vector<bool> unread)
+std::vector<std::string> traction_columns(std::size_t count, bool with_tangential) {
+  std::vector<std::string> columns;
+  for (const char* component : {"normal_", "tangential_"})
+    for (std::size_t i = 0; i < count && (with_tangential || component[0] == 'n'); ++i)
+      columns.push_back(component + std::to_string(i));
+  return columns;
+}
+
+CsvFrames::CsvFrames(std::istream& in, std::string file, std::span<const std::string> columns,
+                     std::vector<bool> unread)
     : in_(in), file_(std::move(file)), unread_(std::move(unread)), buffer_(longest_line) {
   if (!read_line())
     fail({}, "no header: the file is empty",
@@ -91,7 +101,7 @@ FrameReader::FrameReader(std::istream& in, std::string file, std::span<const std
              " to " + columns.back());
 }
 
-bool FrameReader::read_line() {
+bool CsvFrames::read_line() {
   do {
     in_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     if (in_.gcount() == 0 && in_.eof()) return false;
@@ -106,8 +116,8 @@ bool FrameReader::read_line() {
   return true;
 }
 
-void FrameReader::fail(std::string_view field, const std::string& message,
-                       const std::string& hint) const {
+void CsvFrames::fail(std::string_view field, const std::string& message,
+                     const std::string& hint) const {
   const bool inside = !row_.empty() && field.data() != nullptr;
   throw InputError({{.file = file_,
                      .line = line_,
@@ -117,7 +127,7 @@ void FrameReader::fail(std::string_view field, const std::string& message,
                      .hint = hint}});
 }
 
-bool FrameReader::next(std::span<double> readings) {
+bool CsvFrames::next(std::span<double> readings) {
   if (!read_line()) return false;
   std::string_view rest = row_;
   std::size_t fields = 0;
@@ -155,14 +165,31 @@ bool FrameReader::next(std::span<double> readings) {
   return true;
 }
 
-void append_traction_header(std::string& out, std::size_t count, bool with_tangential,
-                            bool with_time) {
+void CsvFrames::refuse(const std::string& message, const std::string& hint) const {
+  fail(row_, message, hint);
+}
+
+CsvSink::CsvSink(std::ostream& out, std::span<const std::string> columns, bool with_time)
+    : out_(out), with_time_(with_time) {
+  append_header(text_, columns, with_time);
+}
+
+void CsvSink::add(std::string_view time, std::span<const double> values) {
+  constexpr std::size_t block = 1 << 16;
+  if (with_time_) text_.append(time) += ',';
+  append_row(text_, values);
+  if (text_.size() >= block) flush();
+}
+
+void CsvSink::flush() {
+  out_.write(text_.data(), std::ssize(text_));
+  text_.clear();
+  if (!out_) throw std::runtime_error("the frames could not be written: is the disk full?");
+}
+
+void append_header(std::string& out, std::span<const std::string> columns, bool with_time) {
   if (with_time) out += "t,";
-  const auto columns = [&](std::string_view component) {
-    for (std::size_t i = 0; i < count; ++i) out.append(component).append(std::to_string(i)) += ',';
-  };
-  columns("normal_");
-  if (with_tangential) columns("tangential_");
+  for (const std::string& column : columns) out.append(column) += ',';
   out.back() = '\n';
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// Recorded frames as CSV: a header, then one frame a row.
+/// Frames on disk: where they come from, where they go, and as CSV, a header and one frame a row.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,32 @@ namespace tactile_net::tool {
 /// "strain_x_0" ... for every channel of an array, in the order of its readings.
 [[nodiscard]] std::vector<std::string> reading_columns(const SensorArray& array);
 
-/// Reads frames row by row in constant memory; columns are found by name.
-class FrameReader {
+/// The columns of a tractions file: "normal_0" ..., then "tangential_0" ...
+[[nodiscard]] std::vector<std::string> traction_columns(std::size_t count, bool with_tangential);
+
+/// Recorded frames, one after another in constant memory.
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+
+  /// The next frame, false at the end of the input.
+  ///
+  /// @param readings  one value per column; 0 where unread
+  /// @throw InputError  the frame is not whole, or a value not a finite number
+  [[nodiscard]] virtual bool next(std::span<double> readings) = 0;
+
+  /// @throw InputError  always: what is wrong with the frame last read
+  [[noreturn]] virtual void refuse(const std::string& message, const std::string& hint) const = 0;
+
+  [[nodiscard]] virtual bool has_time() const noexcept { return false; }
+  /// The text of column `t` in the frame last read.
+  [[nodiscard]] virtual std::string_view time() const noexcept { return {}; }
+  /// Columns of the file that are not read.
+  [[nodiscard]] virtual std::span<const std::string> ignored() const noexcept { return {}; }
+};
+
+/// CSV; columns are found by name.
+class CsvFrames final : public FrameSource {
  public:
   static constexpr std::size_t longest_line = std::size_t{1} << 20;  // bytes
 
@@ -28,23 +52,17 @@ class FrameReader {
   /// text
   /// @param file      name for messages
   /// @throw InputError  there is no header, a column is missing or stands twice
-  FrameReader(std::istream& in, std::string file, std::span<const std::string> columns,
-              std::vector<bool> unread);
+  CsvFrames(std::istream& in, std::string file, std::span<const std::string> columns,
+            std::vector<bool> unread);
 
-  /// The next frame, false at the end of the input. Rows that are empty are skipped.
-  ///
-  /// @param readings  one value per column; 0 where unread
-  /// @throw InputError  the row has too few or too many fields, or one is not a finite number: the
-  ///                    text names file, line and column
-  [[nodiscard]] bool next(std::span<double> readings);
+  /// As `FrameSource`; rows that are empty are skipped. @throw InputError  a row has too few or too
+  /// many fields too: the text names file, line and column
+  [[nodiscard]] bool next(std::span<double> readings) override;
+  [[noreturn]] void refuse(const std::string& message, const std::string& hint) const override;
 
-  [[nodiscard]] bool has_time() const noexcept { return has_time_; }
-  /// The text of column `t` in the frame last read.
-  [[nodiscard]] std::string_view time() const noexcept { return time_; }
-  /// Columns of the file that are not read.
-  [[nodiscard]] const std::vector<std::string>& ignored() const noexcept { return ignored_; }
-  /// Line of the frame last read, from 1.
-  [[nodiscard]] std::size_t line() const noexcept { return line_; }
+  [[nodiscard]] bool has_time() const noexcept override { return has_time_; }
+  [[nodiscard]] std::string_view time() const noexcept override { return time_; }
+  [[nodiscard]] std::span<const std::string> ignored() const noexcept override { return ignored_; }
 
  private:
   [[nodiscard]] bool read_line();
@@ -64,9 +82,33 @@ class FrameReader {
   bool has_time_ = false;
 };
 
-/// Header of a tractions file: t if `with_time`, then normal_0 ..., then tangential_0 ...
-void append_traction_header(std::string& out, std::size_t count, bool with_tangential,
-                            bool with_time);
+/// Frames on their way to a file.
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+  /// @param time  text of the column `t`; not used without one
+  virtual void add(std::string_view time, std::span<const double> values) = 0;
+  /// Hands on everything so far. @throw std::runtime_error  it could not be written
+  virtual void flush() = 0;
+  /// To be called once, after the last frame.
+  virtual void finish() { flush(); }
+};
+
+/// CSV: a header, `t` first if `with_time`, then one frame a row. Written when a block is full.
+class CsvSink final : public FrameSink {
+ public:
+  CsvSink(std::ostream& out, std::span<const std::string> columns, bool with_time);
+  void add(std::string_view time, std::span<const double> values) override;
+  void flush() override;
+
+ private:
+  std::ostream& out_;
+  bool with_time_;
+  std::string text_;
+};
+
+/// The names, and `t` first if `with_time`, separated by commas, and a newline.
+void append_header(std::string& out, std::span<const std::string> columns, bool with_time);
 
 /// Values separated by commas, shortest exact text, and a newline.
 void append_row(std::string& out, std::span<const double> values);

@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
   tactile_net::tool::add_gen(app);
   tactile_net::tool::add_relax(app);
   tactile_net::tool::add_certify(app);
+  tactile_net::tool::add_simulate(app);
   tactile_net::tool::add_solve(app);
   tactile_net::tool::add_identify(app);
   tactile_net::tool::add_plan(app);

@@ -22,6 +22,9 @@ class OutputFile {
 
   [[nodiscard]] std::ostream& stream() noexcept;
 
+  /// Written to directly: standard output, a device, a pipe.
+  [[nodiscard]] bool is_direct() const noexcept { return temporary_.empty(); }
+
   /// Flushes, checks, renames. @throw std::runtime_error  something was not written: a full disk
   void commit();
 

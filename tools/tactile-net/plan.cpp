@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,7 +8,7 @@
 #include "commands.hpp"
 #include "experiment.hpp"
 #include "failure.hpp"
-#include "frames.hpp"
+#include "frame_files.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "solver.hpp"
@@ -46,15 +45,13 @@ struct Alpha {
 
 /// The middle of what the scene's rule chooses on recorded frames: a plan has one alpha for all.
 Alpha alpha_of_frames(const Scene& scene, const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError({{.file = path, .message = "cannot be opened"}});
+  FrameFile file(path, scene);
   const InverseProblem problem = problem_of(scene);
-  FrameReader reader(file, path, reading_columns(scene.sensor), unread_columns(scene));
   const TikhonovFamily family(problem);
   std::vector<double> readings(problem.kernel.rows);
   std::vector<double> alphas;
   Progress progress;
-  while (reader.next(readings)) {
+  while (file.source().next(readings)) {
     alphas.push_back(
         choose_alpha(family.analyse(readings), scene.reconstruct.alpha_rule, stated_noise(scene))
             .alpha);

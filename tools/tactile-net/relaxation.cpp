@@ -242,8 +242,7 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
     result.tractions.push_back(voltage / options.parts.scale.volts);
   result.difference = l2_difference(result.tractions, plan.direct);
 
-  const bool real_parts = !options.parts.opamp.is_nullor() || options.parts.node_capacitance;
-  if (real_parts || options.tolerance || options.settling_accuracy) {
+  if (calls_for_certificate(options)) {
     progress.step("certifying ...");
     result.certificate = certify(plan);
     result.warnings = result.certificate->warnings;
@@ -278,7 +277,7 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
         "= 1e-11 }");
   }
   if (options.tolerance && loaded) {
-    if (options.realization == Realization::lc || options.realization == Realization::ndr) {
+    if (!calls_for_tolerance(options)) {
       result.warnings.emplace_back("tolerances are studied for networks of resistors and op-amps");
     } else {
       progress.step("drawing components ...");

@@ -122,6 +122,7 @@ Report report_html(const Experiment& experiment) {
   html +=
       element("p", "Sensor: " + sensor_in_words(scene) + ". Material: " + material_in_words(scene) +
                        ". Forward model: " + std::string(name(scene.forward)) + ".");
+  if (scene.time) html += element("p", "This is " + time_in_words(scene) + ".");
   const std::vector<std::string> contacts = contacts_in_words(scene);
   html += contacts.empty() ? element("p", "No contact: an unloaded sensor.") : html_list(contacts);
   html += element("p", "Effects simulated: " + effects_in_words(scene, true) +

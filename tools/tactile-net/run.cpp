@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "experiment.hpp"
+#include "explain.hpp"
 #include "failure.hpp"
 #include "frames.hpp"
 #include "output.hpp"
@@ -22,19 +23,29 @@ struct Options {
   std::string folder;
   std::string json;
   SimulatorChoice simulator;
+  std::optional<std::size_t> frame;
+  bool compare_rules = false;
+  bool explain = false;
 };
+
+void explain(const Scene& scene, const ScenePlan& plan, const std::string& json) {
+  if (json != "-") print_plan(std::cout, scene, plan);
+  if (json.empty()) return;
+  OutputFile output(json);
+  output.stream() << plan_json(scene, plan);
+  output.commit();
+}
 
 std::string readings_csv(const Experiment& experiment) {
   std::string text;
-  for (const std::string& column : reading_columns(experiment.scene.sensor)) text += column + ',';
-  text.back() = '\n';
+  append_header(text, reading_columns(experiment.scene.sensor), false);
   append_row(text, experiment.simulation.readings);
   return text;
 }
 
 std::string tractions_csv(std::vector<double> normal, std::span<const double> tangential) {
   std::string text;
-  append_traction_header(text, normal.size(), !tangential.empty(), false);
+  append_header(text, traction_columns(normal.size(), !tangential.empty()), false);
   normal.insert(normal.end(), tangential.begin(), tangential.end());
   append_row(text, normal);
   return text;
@@ -57,17 +68,24 @@ void write_results(const Experiment& experiment, const OutputFolder& folder) {
 
 void run(Options& options) {
   Scene scene = read_scene(options.scene);
+  if (options.frame) scene = at_frame(std::move(scene), *options.frame);
   apply(options.network, scene);
   auto& methods = scene.reconstruct.methods;  // who names a circuit wants to see it
   if ((!options.network.realization.empty() || options.network.bandwidth) &&
       std::find(methods.begin(), methods.end(), Method::network) == methods.end())
     methods.push_back(Method::network);
+  const ScenePlan plan =
+      make_plan(scene, {.compare_rules = options.compare_rules, .report = !options.folder.empty()});
+  if (options.explain) {
+    explain(scene, plan, options.json);
+    return;
+  }
   const std::unique_ptr<Simulator> simulator = make_simulator(options.simulator);
   std::unique_ptr<OutputFolder> folder;
   if (!options.folder.empty()) folder = std::make_unique<OutputFolder>(options.folder);
 
   Progress progress;
-  const Experiment experiment = run_experiment(scene, *simulator, progress);
+  const Experiment experiment = run_experiment(scene, plan, *simulator, progress);
   if (folder) {
     progress.step("drawing the report ...");
     write_results(experiment, *folder);
@@ -98,6 +116,13 @@ void add_run(CLI::App& app) {
   command->add_option("--out", options->folder,
                       "Folder for report.html, result.json, CSV files and the netlist");
   command->add_option("--json", options->json, "Write the result as JSON (- = standard output)");
+  command->add_flag("--explain", options->explain,
+                    "Print the plan instead: what is simulated and computed, what is not, and why");
+  command->add_flag("--compare-rules", options->compare_rules,
+                    "Show every rule for alpha, where the scene gives alpha too");
+  command->add_option("--frame", options->frame,
+                      "Of a scene with [time]: the frame to reconstruct, from 0 (default: the "
+                      "last)");
   add_network_options(*command, options->network);
   add_simulator_options(*command, options->simulator);
   command->callback([options] { run(*options); });

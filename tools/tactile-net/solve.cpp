@@ -1,14 +1,13 @@
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "frame_files.hpp"
 #include "frame_uncertainty.hpp"
-#include "frames.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "solver.hpp"
@@ -53,7 +52,7 @@ class UncertaintyFile {
   void add(std::span<const double> readings, std::span<const double> tractions,
            const FrameFacts& facts, std::string_view time) {
     const AlphaChoice gml =
-        choose_alpha(family_.analyse(readings), AlphaRule::gml, stated_noise(scene_));
+        choose_alone(family_.analyse(readings), AlphaRule::gml, stated_noise(scene_));
     const FrameUncertainty uncertainty =
         uncertainty_of(scene_, problem_, readings, tractions, facts, gml);
     std::string text;
@@ -87,50 +86,31 @@ class UncertaintyFile {
   bool with_time_;
 };
 
-/// Turns each frame of readings on `in` into one row of tractions on `out`; returns how many.
-/// @param live  flush after every frame: somebody waits at the other end
+/// Turns each frame of readings into one of tractions; returns how many.
 ///
+/// @param live   flush after every frame: somebody waits at the other end
 /// @param after  called with the readings and the tractions of each frame
-std::size_t stream(Solver& solver, FrameReader& reader, std::ostream& out, const Scene& scene,
-                   const std::string& file, bool live, const auto& after) {
-  constexpr std::size_t block = 1 << 16;
+std::size_t stream(Solver& solver, FrameSource& source, FrameSink& sink, const Scene& scene,
+                   bool live, const auto& after) {
   Progress progress;
   std::vector<double> g(channels(scene.sensor).size() * scene.sensor.count);
   std::vector<double> f(solver.tractions());
-  std::string text;
-  append_traction_header(text, scene.sensor.count, f.size() > scene.sensor.count,
-                         reader.has_time());
-  const auto write = [&] {
-    out.write(text.data(), std::ssize(text));
-    if (live) out.flush();
-    text.clear();
-    if (!out) throw std::runtime_error("the tractions could not be written: is the disk full?");
-  };
-
   std::size_t frames = 0;
   try {
-    while (reader.next(g)) {
+    while (source.next(g)) {
       if (solver.solve(g, f) != Status::ok || !std::isfinite(f.front()))
-        throw InputError({{.file = file,
-                           .line = reader.line(),
-                           .column = 1,
-                           .message = "the frame's tractions overflow a double",
-                           .hint = "scale the readings"}});
-      if (reader.has_time()) {
-        text += reader.time();
-        text += ',';
-      }
-      append_row(text, f);
+        source.refuse("the frame's tractions overflow a double", "scale the readings");
+      sink.add(source.time(), f);
       ++frames;
       after(std::span<const double>(g), std::span<const double>(f));
-      if (live || text.size() >= block) write();
+      if (live) sink.flush();
       if (progress.due()) progress.step(std::to_string(frames) + " frames ...");
     }
   } catch (const InputError&) {
-    write();  // everything before the bad row stands
+    sink.finish();  // everything before the bad frame stands
     throw;
   }
-  write();
+  sink.finish();
   return frames;
 }
 
@@ -151,41 +131,33 @@ void run(const Options& options) {
     std::cerr << options.method << ": warning: " << warning << '\n';
 
   const bool live = options.readings == "-";
-  std::ifstream file;
-  if (!live) {
-    std::error_code error;
-    if (std::filesystem::is_directory(options.readings, error))
-      throw InputError({{.file = options.readings, .message = "is a folder, not a CSV file"}});
-    file.open(options.readings, std::ios::binary);
-    if (!file)
-      throw InputError({{.file = options.readings,
-                         .message = "cannot be opened",
-                         .hint = "readings are a CSV file, or - for standard input"}});
-  }
-  const std::string name = live ? "<stdin>" : options.readings;
-  const std::vector<std::string> columns = reading_columns(scene.sensor);
-  FrameReader reader(live ? std::cin : file, name, columns, unread_columns(scene));
-  if (!reader.ignored().empty())
-    std::cerr << name << ": note: " << reader.ignored().size()
-              << " columns are not read by this scene, '" << reader.ignored().front()
-              << "' first\n";
+  FrameFile file(options.readings, scene);
+  FrameSource& source = file.source();
+  const std::vector<std::string> ignored(source.ignored().begin(), source.ignored().end());
+  if (!ignored.empty())
+    std::cerr << file.name() << ": note: " << ignored.size()
+              << " columns are not read by this scene, '" << ignored.front() << "' first\n";
 
   OutputFile output(options.output);
+  const std::unique_ptr<FrameSink> sink =
+      make_sink(output, options.output,
+                traction_columns(scene.sensor.count, solver->tractions() > scene.sensor.count),
+                source.has_time());
   const auto start = std::chrono::steady_clock::now();
   std::size_t frames = 0;
   std::map<std::string, std::size_t> verdicts;
   std::optional<UncertaintyFile> uncertainty;
   if (!options.uncertainty.empty())
-    uncertainty.emplace(options.uncertainty, scene, reader.has_time());
+    uncertainty.emplace(options.uncertainty, scene, source.has_time());
   const auto commit = [&] {
     output.commit();
     if (uncertainty) uncertainty->commit();
   };
   try {
-    frames = stream(*solver, reader, output.stream(), scene, name, live,
+    frames = stream(*solver, source, *sink, scene, live,
                     [&](std::span<const double> g, std::span<const double> f) {
                       ++verdicts[solver->facts().verdict];
-                      if (uncertainty) uncertainty->add(g, f, solver->facts(), reader.time());
+                      if (uncertainty) uncertainty->add(g, f, solver->facts(), source.time());
                     });
   } catch (const InputError&) {
     commit();
@@ -219,7 +191,7 @@ void run(const Options& options) {
                            {"verdicts", verdicts},
                            {"condition", or_null(facts.condition)},
                            {"warnings", facts.warnings},
-                           {"columns_ignored", reader.ignored()},
+                           {"columns_ignored", ignored},
                            {"seconds", elapsed.count()}}
                           .dump(2)
                    << '\n';
@@ -236,13 +208,13 @@ void add_solve(CLI::App& app) {
       ->required();
   command
       ->add_option("--readings", options->readings,
-                   "CSV file with a header (columns such as stress_x_0); - reads standard input "
-                   "and writes each frame as it comes")
+                   "CSV file with a header (columns such as stress_x_0), or .npy of shape (frames, "
+                   "readings); - reads CSV from standard input and writes each frame as it comes")
       ->required();
   command->add_option("--method", options->method, "dft, tikhonov or closed_form")
       ->capture_default_str();
   command->add_option("-o,--output", options->output,
-                      "CSV file for the tractions [Pa] (default: standard output)");
+                      "CSV or .npy file for the tractions [Pa] (default: CSV on standard output)");
   command->add_option("--uncertainty", options->uncertainty,
                       "CSV file for each frame's forces, centre and angle with their standard "
                       "deviations, and the deviation of every traction");

@@ -12,12 +12,9 @@
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/inverse/status.hpp"
-#include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/plan.hpp"
 
 namespace tactile_net::tool {
-
-/// Tractions from which P f = b is solved by FFT: a dense factorisation would take seconds.
-inline constexpr std::size_t large = 1024;
 
 /// The options of the inverse problem a scene describes.
 [[nodiscard]] ProblemOptions problem_options(const Scene& scene);

@@ -123,10 +123,14 @@ void print_experiment(std::ostream& out, const Experiment& experiment) {
   out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n")
       << (scene.title.empty() ? "" : "  ") << sensor_in_words(scene) << "; "
       << material_in_words(scene) << '\n';
+  if (scene.time) out << "  " << time_in_words(scene) << '\n';
   for (const std::string& contact : contacts_in_words(scene)) out << "  " << contact << '\n';
+  const auto all = effects(scene);
+  const auto absent =
+      std::count_if(all.begin(), all.end(), [](const auto& e) { return !e.second; });
   out << "  forward model " << name(scene.forward)
       << "; effects simulated: " << effects_in_words(scene, true)
-      << "; absent: " << effects_in_words(scene, false) << "\n";
+      << "; absent, and free of cost: the other " << absent << '\n';
   for (const std::string& warning : experiment.simulation.warnings)
     out << "  warning: " << warning << '\n';
   out << '\n';

@@ -73,6 +73,14 @@ std::string sensor_in_words(const Scene& scene) {
          ", reading " + join(reads, ", ") + " at depth " + join(depths, " and ");
 }
 
+std::string time_in_words(const Scene& scene) {
+  const Timing& timing = *scene.time;
+  const bool last = scene.frame + 1 == timing.frames;
+  return std::string(last ? "the last" : "one") + " of " + std::to_string(timing.frames) +
+         " frames: frame " + std::to_string(scene.frame) +
+         " at t = " + brief(timing.time(scene.frame)) + (last ? " (--frame takes another)" : "");
+}
+
 std::string material_in_words(const Scene& scene) {
   std::string body = "half plane";
   if (const auto& layer = scene.material.layer)

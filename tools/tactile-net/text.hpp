@@ -31,6 +31,10 @@ inline void append_number(std::string& out, double number) {
 /// "81 taxels, pitch 0.25, reading strain_x at depth 1.5"
 [[nodiscard]] std::string sensor_in_words(const Scene& scene);
 
+/// "frame 200 of 0 ... 200, t = 2 s: the last": which frame of a scene with [time] is
+/// reconstructed.
+[[nodiscard]] std::string time_in_words(const Scene& scene);
+
 /// "half plane, E = 1, nu = 0.45"
 [[nodiscard]] std::string material_in_words(const Scene& scene);
 

@@ -77,6 +77,12 @@ struct AlphaSweep {
 [[nodiscard]] AlphaSweep sweep_alpha(const FilterFrame& frame,
                                      std::optional<double> noise_rms = {});
 
+/// One rule's choice, judged without the others, at the cost of one rule: never `rules_disagree`.
+///
+/// @throw std::invalid_argument  as `choose_alpha`
+[[nodiscard]] AlphaChoice choose_alone(const FilterFrame& frame, AlphaRule rule,
+                                       std::optional<double> noise_rms = {});
+
 /// One rule's choice from the sweep, at its cost: the verdict hears the other rules too.
 ///
 /// @throw std::invalid_argument  as `sweep_alpha`; rule is discrepancy and noise_rms is absent

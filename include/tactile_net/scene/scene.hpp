@@ -2,9 +2,6 @@
 /// A scene as plain data: what the TOML file says, defaults filled in.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,17 +15,23 @@
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/network/tolerance.hpp"
 #include "tactile_net/sensing/array.hpp"
-#include "tactile_net/sensing/effects.hpp"
+#include "tactile_net/sensing/effects/broken_taxels.hpp"
+#include "tactile_net/sensing/effects/crosstalk.hpp"
+#include "tactile_net/sensing/effects/gain_error.hpp"
+#include "tactile_net/sensing/effects/hysteresis.hpp"
+#include "tactile_net/sensing/effects/low_pass.hpp"
+#include "tactile_net/sensing/effects/noise.hpp"
+#include "tactile_net/sensing/effects/offset_error.hpp"
+#include "tactile_net/sensing/effects/quantization.hpp"
+#include "tactile_net/sensing/effects/sampling.hpp"
+#include "tactile_net/sensing/effects/saturation.hpp"
+#include "tactile_net/sensing/effects/taxel_noise.hpp"
+#include "tactile_net/sensing/effects/temperature.hpp"
+#include "tactile_net/sensing/effects/viscoelasticity.hpp"
+#include "tactile_net/sensing/moving_contact.hpp"
+#include "tactile_net/sensing/signal_path.hpp"
 
 namespace tactile_net {
-
-/// `rms` is one number for every quantity, or a table per quantity: then the rows of the problem
-/// are divided by it.
-struct NoiseModel {
-  std::map<Quantity, double> rms;  ///< of every quantity that is read [unit of the reading], >= 0
-  bool weights_rows = false;       ///< `rms` was given as a table
-  std::uint64_t seed = 1;
-};
 
 enum class ForwardModel { sampled, exact };
 enum class Method { dft, tikhonov, closed_form, network };
@@ -56,14 +59,39 @@ struct NetworkOptions {
   std::optional<double> settling_accuracy{};    ///< absent: only the operating point
 };
 
+/// Frames at equal distances in time: frame k at t = k / rate.
+struct Timing {
+  double rate = 1.0;       ///< frames per second [1/s], > 0
+  std::size_t frames = 1;  ///< >= 1
+
+  [[nodiscard]] double time(std::size_t frame) const noexcept {
+    return static_cast<double>(frame) / rate;
+  }
+};
+
 struct Scene {
   std::string file;   ///< name of the file, without its folder
   std::string title;  ///< optional `title` at the top of the file
   SensorArray sensor;
   Material material;
-  std::vector<Contact> contacts;
+  std::optional<Timing> time;     ///< absent: one frame, of loads that have always been there
+  std::size_t frame = 0;          ///< the one that is reconstructed: the last, see `at_frame`
+  std::vector<Contact> contacts;  ///< as they are at that frame
+  std::vector<ContactTrajectory> trajectories;  ///< one per contact, empty where it stands still
+  // Effects between the pad and the file; src/scene/scene_effects.cpp has their order.
+  std::optional<Viscoelasticity> viscoelasticity;
+  std::optional<Hysteresis> hysteresis;
+  std::optional<Crosstalk> crosstalk;
+  std::optional<GainError> gain_error;
+  std::optional<OffsetError> offset_error;
+  std::optional<TemperatureDrift> temperature;
+  std::optional<LowPass> low_pass;
+  std::optional<Sampling> sampling;
   std::optional<NoiseModel> noise;
+  std::optional<TaxelNoise> taxel_noise;
+  std::optional<Saturation> saturation;
   std::optional<Converter> quantization;
+  std::optional<StuckTaxels> stuck_taxels;
   std::vector<std::size_t> dead_taxels;
   ForwardModel forward = ForwardModel::sampled;
   ReconstructOptions reconstruct;
@@ -72,11 +100,28 @@ struct Scene {
 
 /// How many tractions a scene solves for: 2, normal and tangential, if the array reads more than
 /// one channel and the scene calls for it: by `tangential`, by a friction limit, by a contact with
-/// friction, or by having no contact, as scenes for recorded readings.
+/// friction at any time, or by having no contact, as scenes for recorded readings.
 [[nodiscard]] std::size_t unknowns(const Scene& scene);
 
-/// The effects a scene may name, in the order of the JSON: layer, friction, noise, quantization,
-/// dead_taxels; each with whether this scene calls for it.
+/// Every contact at time t [s], those that stand still as they are.
+[[nodiscard]] std::vector<Contact> contacts_at(const Scene& scene, double t);
+
+/// The same scene with another frame to be reconstructed: its contacts are those of that moment.
+///
+/// @throw std::invalid_argument  there is no such frame
+[[nodiscard]] Scene at_frame(Scene scene, std::size_t frame);
+
+/// The effects a scene may name, in the order of the signal path, which is that of the JSON:
+/// friction, layer, viscoelasticity, hysteresis, crosstalk, gain_error, offset_error, temperature,
+/// low_pass, sampling, noise, taxel_noise, saturation, quantization, stuck_taxels, dead_taxels;
+/// each with whether this scene calls for it.
 [[nodiscard]] std::vector<std::pair<std::string_view, bool>> effects(const Scene& scene);
+
+/// The stages that the scene's effects put between the pad and the file, at rest.
+[[nodiscard]] SignalPath signal_path(const Scene& scene);
+
+/// The moments at which the sensor is gone through up to the scene's frame: its frames; and where
+/// an effect remembers, the knots of trajectories and the begins of sampling windows between them.
+[[nodiscard]] std::vector<Instant> instants(const Scene& scene);
 
 }  // namespace tactile_net

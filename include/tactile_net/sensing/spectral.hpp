@@ -38,6 +38,29 @@ class SpectralConvolution {
 /// 3.3.10: 60 us for either at 512, 60 against 81 us at 600. A plan that is kept wins from 128 on.
 inline constexpr std::size_t spectral_crossover = 512;
 
+/// The discrete sum for one field after another: kernels are computed, and transformed where the
+/// FFT is faster, when a field first needs them. One object per thread; the first use plans.
+class SampledModel {
+ public:
+  /// @throw std::invalid_argument  the array or the material is out of range
+  SampledModel(const SensorArray& array, const Material& material);
+  ~SampledModel();
+  SampledModel(SampledModel&&) noexcept;
+  SampledModel& operator=(SampledModel&&) noexcept;
+
+  /// As `sampled_readings`; each block is equal within the bound of `SpectralConvolution::add`.
+  ///
+  /// @throw std::invalid_argument  the field's sizes do not fit the array
+  [[nodiscard]] std::vector<double> readings(const TractionField& field);
+
+ private:
+  struct Block;
+  SensorArray array_;
+  Material material_;
+  std::vector<Channel> channels_;
+  std::vector<std::unique_ptr<Block>> blocks_;  // per channel: normal, tangential
+};
+
 /// As `sampled_readings`, by whichever way is faster; each block is equal within the bound of
 /// `SpectralConvolution::add`. Plans anew on every call.
 ///

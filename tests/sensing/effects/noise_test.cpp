@@ -1,9 +1,7 @@
-#include "tactile_net/sensing/effects.hpp"
+#include "tactile_net/sensing/effects/noise.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "tests/catch.hpp"
@@ -86,52 +84,18 @@ TEST_CASE("the noise of a seed is the same everywhere", "[effects]") {
                                       0.13377168600915845, -0.20791152380946903});
 }
 
-TEST_CASE("a converter is wrong by at most half a step", "[effects][property]") {
-  const int bits = GENERATE(1, 2, 3, 8, 12, 16, 32);
-  const Converter converter{.bits = bits, .low = -0.7, .high = 1.3};
-  const double step = 2.0 / (std::ldexp(1.0, bits) - 1.0);
-  CAPTURE(bits);
-  for (int i = 0; i <= 1000; ++i) {
-    const double reading = -0.7 + 2.0 * i / 1000.0;
-    std::array value{reading};
-    quantize(value, converter);
-    CHECK_THAT(value[0], WithinAbs(reading, 0.5 * step + 1e-15));
-    std::array again = value;
-    quantize(again, converter);
-    CHECK(again == value);
+TEST_CASE("noise of the first frame is add_noise's, of later ones what follows", "[effects]") {
+  const SensorArray array{3, 1.0, {1.0, 2.0}, {Quantity::stress_x}};
+  const auto stage = make_effect(NoiseModel{.rms = {{Quantity::stress_x, 0.5}}, .seed = 9}, array);
+  std::vector<double> frames;
+  for (int frame = 0; frame < 2; ++frame) {
+    std::vector<double> readings(6);
+    stage->apply({}, readings);
+    frames.insert(frames.end(), readings.begin(), readings.end());
   }
-}
-
-TEST_CASE("a converter has 2^bits levels, the ends among them", "[effects]") {
-  const Converter converter{.bits = 3, .low = -1.0, .high = 0.4};
-  std::vector<double> values;
-  for (int i = -10; i <= 1010; ++i) values.push_back(-1.0 + 1.4 * i / 1000.0);
-  quantize(values, converter);
-  CHECK(std::is_sorted(values.begin(), values.end()));
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  CHECK(values.size() == 8);
-  CHECK(values.front() == -1.0);
-  CHECK(values.back() == 0.4);
-}
-
-TEST_CASE("beyond its range a converter saturates", "[effects]") {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const Converter converter{.bits = 4, .low = 0.1, .high = 0.9};
-  std::array values{-infinity, -5.0, 0.0, 1.0, 1e300, infinity};
-  quantize(values, converter);
-  CHECK(values == std::array{0.1, 0.1, 0.1, 0.9, 0.9, 0.9});
-}
-
-TEST_CASE("a converter does not hide a broken reading", "[effects]") {
-  std::array values{std::numeric_limits<double>::quiet_NaN()};
-  quantize(values, {});
-  CHECK(std::isnan(values[0]));
-}
-
-TEST_CASE("a dead taxel reads zero, the others do not change", "[effects]") {
-  std::array values{1.0, 2.0, 3.0, 4.0};
-  kill(values, std::array<std::size_t, 3>{3, 1, 3});
-  CHECK(values == std::array{1.0, 0.0, 3.0, 0.0});
-  kill(values, {});
-  CHECK(values == std::array{1.0, 0.0, 3.0, 0.0});
+  for (std::size_t channel = 0; channel < 2; ++channel) {
+    const auto drawn = noise(6, 0.5, 9, channel);
+    for (std::size_t i = 0; i < 6; ++i)
+      CHECK(frames[(i / 3) * 6 + channel * 3 + i % 3] == drawn[i]);
+  }
 }

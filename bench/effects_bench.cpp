@@ -1,0 +1,106 @@
+// What effects cost: instructions of the whole command, counted by valgrind's callgrind, so that
+// the machine's other work does not matter. Rival: the same command linked without any effect's
+// file (no_effects/). Limit to hold: a bare scene, every effect compiled in but absent, takes at
+// most 1 % more. Below it, what each effect takes for one reading of one frame, beside the
+// operations that run --explain says.
+#include <array>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "bench/measure.hpp"
+#include "tactile_net/scene/plan.hpp"
+#include "tactile_net/scene/reader.hpp"
+
+namespace {
+
+constexpr int taxels = 81;
+constexpr int frames = 500;
+
+std::string scene(const std::string& time, const std::string& contact, const std::string& effect) {
+  return "[sensor]\ncount = " + std::to_string(taxels) +
+         "\npitch = 0.25\ndepth = 1.5\nreads = [\"strain_x\"]\n"
+         "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n" +
+         time + "[[contact]]\nshape = \"cylinder\"\nhalf_width = 2.0\n" + contact + effect;
+}
+
+const std::string frames_at_100 = "[time]\nrate = 100.0\nframes = " + std::to_string(frames) + "\n";
+const std::string still = "force = 1.0\n";
+const std::string moving = "trajectory = [{ t = 0.0, force = 0.0 }, { t = 5.0, force = 1.0 }]\n";
+
+void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
+
+/// Instructions of `tool simulate`, its start included.
+double instructions(const std::string& tool, const std::string& toml) {
+  const bench::TemporaryFile in;
+  const bench::TemporaryFile log;
+  const bench::TemporaryFile out;
+  write(in.name(), toml);
+  const std::string npy = out.name() + ".npy";  // numbers of one length, whatever they are
+  bench::run({"valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null",
+              "--log-file=" + log.name(), tool, "simulate", in.name(), "-o", npy});
+  ::unlink(npy.c_str());
+  std::ifstream words(log.name());
+  for (std::string word; words >> word;)
+    if (word == "Collected") {
+      double count = 0.0;
+      words >> word >> count;
+      return count;
+    }
+  throw std::runtime_error("callgrind has counted nothing");
+}
+
+double operations(const std::string& toml, std::string_view effect) {
+  const tactile_net::Scene parsed = tactile_net::parse_scene(toml, "bench");
+  for (const tactile_net::PlannedEffect& one : tactile_net::make_plan(parsed).effects)
+    if (one.name == effect) return one.operations / taxels;
+  return 0.0;
+}
+
+}  // namespace
+
+int main() {
+  bool held = true;
+  std::printf("effects, %d taxels, one channel; instructions of the whole command\n", taxels);
+  for (const auto& [name, toml] :
+       {std::pair<const char*, std::string>{"one frame", scene("", still, "")},
+        {"500 frames, load stands", scene(frames_at_100, still, "")},
+        {"500 frames, load moves", scene(frames_at_100, moving, "")}}) {
+    const double ours = instructions(TOOL, toml);
+    const double without = instructions(TOOL_WITHOUT_EFFECTS, toml);
+    held = held && ours <= 1.01 * without;
+    std::printf("bare scene, %-24s %11.0f, without effects' files %11.0f: %+.3f %%\n", name, ours,
+                without, 100.0 * (ours / without - 1.0));
+  }
+  std::printf("limit 1 %%: %s\n\n", held ? "held" : "BROKEN");
+
+  const std::array<std::pair<std::string_view, std::string>, 13> effects = {{
+      {"viscoelasticity", "[viscoelasticity]\nterms = [{ fraction = 0.3, time = 1 }]\n"},
+      {"hysteresis", "[hysteresis]\nthresholds = [0.01]\nweights = [0.1]\n"},
+      {"crosstalk", "[crosstalk]\nfraction = 0.1\n"},
+      {"gain_error", "[gain_error]\nrms = 0.1\n"},
+      {"offset_error", "[offset_error]\nrms = 0.1\n"},
+      {"temperature", "[temperature]\nchange = 1\ngain = 0.1\n"},
+      {"low_pass", "[low_pass]\ncutoff = 10\n"},
+      {"sampling", "[sampling]\naperture = 0.01\n"},
+      {"noise", "[noise]\nrms = 0.1\n"},
+      {"taxel_noise", "[taxel_noise]\nindices = [3]\nrms = [0.1]\n"},
+      {"saturation", "[saturation]\nrange = [-0.1, 0.1]\n"},
+      {"quantization", "[quantization]\nbits = 12\nrange = [-1, 1]\n"},
+      {"dead_taxels", "[dead_taxels]\nindices = [3]\n"},
+  }};
+  std::printf("%-16s %24s %21s\n", "effect", "instructions a reading", "operations planned");
+  // Twice the frames less once: what is done once, such as drawing gains, falls out.
+  const std::string twice = "[time]\nrate = 100.0\nframes = " + std::to_string(2 * frames) + "\n";
+  const auto per_reading = [&](const std::string& effect) {
+    return (instructions(TOOL, scene(twice, still, effect)) -
+            instructions(TOOL, scene(frames_at_100, still, effect))) /
+           (frames * taxels);
+  };
+  const double bare = per_reading("");
+  std::printf("%-16s %24.1f %21s\n", "(bare)", bare, "-");
+  for (const auto& [name, table] : effects)
+    std::printf("%-16s %24.1f %21.1f\n", std::string(name).c_str(), per_reading(table) - bare,
+                operations(scene(frames_at_100, still, table), name));
+  return held ? 0 : 1;
+}

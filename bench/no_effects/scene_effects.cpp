@@ -1,0 +1,22 @@
+// In place of src/scene/scene_effects.cpp: friction and layer, which act before the readings,
+// alone.
+#include "scene/scene_effects.hpp"
+
+#include <array>
+
+namespace tactile_net {
+namespace {
+
+std::string no_words(const Scene&) { return {}; }
+double no_operations(const Scene&) { return 0.0; }
+
+const std::array table = {
+    SceneEffect{"friction", any_friction, nullptr, no_words, no_operations},
+    SceneEffect{"layer", [](const Scene& scene) { return scene.material.layer.has_value(); },
+                nullptr, no_words, no_operations}};
+
+}  // namespace
+
+std::span<const SceneEffect> scene_effects() { return table; }
+
+}  // namespace tactile_net

@@ -1,0 +1,31 @@
+/// @file
+/// Taxels that do not answer to the load any more.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tactile_net/sensing/effects/effect.hpp"
+
+namespace tactile_net {
+
+/// These read the same for ever. The methods do not know it.
+struct StuckTaxels {
+  std::vector<std::size_t> indices{};         ///< < count, none twice
+  PerQuantity<std::vector<double>> values{};  ///< one per index [unit of the reading]
+};
+[[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const StuckTaxels& stuck,
+                                                        const SensorArray& array);
+
+/// A dead taxel reads zero: readings of one channel, and indices below their count.
+void kill(std::span<double> readings, std::span<const std::size_t> dead_taxels) noexcept;
+
+struct DeadTaxels {
+  std::vector<std::size_t> indices{};  ///< < count
+};
+[[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const DeadTaxels& dead,
+                                                        const SensorArray& array);
+
+}  // namespace tactile_net

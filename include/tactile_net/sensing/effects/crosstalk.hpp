@@ -1,0 +1,24 @@
+/// @file
+/// Signals that leak from a taxel to its neighbours.
+#pragma once
+
+#include <memory>
+
+#include "tactile_net/sensing/effects/effect.hpp"
+
+namespace tactile_net {
+
+/// Between neighbours i and j of one channel, `fraction` of the difference of their signals flows:
+///
+///     out(j) = in(j) + fraction (in(j-1) - in(j)) + fraction (in(j+1) - in(j))
+///
+/// A taxel at an end has one neighbour. The sum over the array and a signal that is the same
+/// everywhere stay what they are.
+struct Crosstalk {
+  double fraction = 0.0;  ///< 0 ... 0.5
+};
+
+[[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Crosstalk& crosstalk,
+                                                        const SensorArray& array);
+
+}  // namespace tactile_net

@@ -1,0 +1,54 @@
+/// @file
+/// What lies between the pad's ideal response and a recorded reading, one effect at a time.
+///
+/// Every effect is a plain struct that says how strong it is, in a file of its own, and a function
+/// `make_effect` that turns it into a stage of the signal path (signal_path.hpp); it throws
+/// std::invalid_argument where a value is out of the range that the struct states, a quantity that
+/// the array reads has none, or lists do not fit the array. A strength of zero makes no stage: it
+/// is the effect's absence, bit for bit. What is drawn at random comes from a stream of the
+/// effect's own, so that no effect changes what another draws.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "tactile_net/elasticity/quantity.hpp"
+#include "tactile_net/sensing/array.hpp"
+
+namespace tactile_net {
+
+/// A strength in the unit of the readings: one for every quantity that the array reads.
+template <typename T>
+using PerQuantity = std::map<Quantity, T>;
+
+/// A moment at which the path is gone through.
+struct Instant {
+  double time = 0.0;     ///< [s]
+  double since = 0.0;    ///< from the moment before [s]; 0: the load has jumped
+  bool recorded = true;  ///< a frame is taken
+  bool opens = false;    ///< the next frame's sampling window opens
+};
+
+/// One stage. Between two moments every reading is a straight line.
+class SensorEffect {
+ public:
+  virtual ~SensorEffect() = default;
+
+  /// Replaces the readings that come in, channels x count, by those that go out.
+  virtual void apply(const Instant& at, std::span<double> readings) = 0;
+
+  /// As `apply`, for a sensor that has been unloaded for ever: a memory begins here.
+  virtual void rest(std::span<double> readings) { apply(Instant{}, readings); }
+
+  /// What goes out depends on what came in before.
+  [[nodiscard]] virtual bool has_memory() const noexcept { return false; }
+
+  /// What a user must know of the frame last taken: "3 of 81 readings are at their limit"; else
+  /// empty.
+  [[nodiscard]] virtual std::string note() const { return {}; }
+};
+
+}  // namespace tactile_net

@@ -1,0 +1,34 @@
+/// @file
+/// White Gaussian noise of every reading.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "tactile_net/sensing/effects/effect.hpp"
+
+namespace tactile_net {
+
+/// `rms` is one number for every quantity, or a table per quantity: then the rows of the problem
+/// are divided by it.
+struct NoiseModel {
+  PerQuantity<double> rms;    ///< of every quantity that is read [unit of the reading], >= 0
+  bool weights_rows = false;  ///< `rms` was given as a table
+  std::uint64_t seed = 1;
+};
+
+[[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const NoiseModel& noise,
+                                                        const SensorArray& array);
+
+/// Adds white Gaussian noise of that rms [unit of the readings] to one channel: that of the first
+/// frame.
+///
+/// Equal (seed, channel) give equal noise, whatever other channels do: each has a stream of its
+/// own. Engine and distribution are Boost's, so that every platform draws the same.
+///
+/// @param rms  >= 0
+void add_noise(std::span<double> readings, double rms, std::uint64_t seed, std::size_t channel);
+
+}  // namespace tactile_net

@@ -1,0 +1,25 @@
+/// @file
+/// The analog-to-digital converter.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "tactile_net/sensing/effects/effect.hpp"
+
+namespace tactile_net {
+
+/// An analog-to-digital converter: 2^bits levels, the lowest at `low`, the highest at `high`;
+/// readings beyond them saturate, NaN stays NaN.
+struct Converter {
+  int bits = 12;      ///< 1 ... 32
+  double low = 0.0;   ///< [unit of the readings]
+  double high = 0.0;  ///< > low
+};
+void quantize(std::span<double> readings, const Converter& converter) noexcept;
+
+/// Each frame says how many of its readings lay beyond the levels.
+[[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Converter& converter,
+                                                        const SensorArray& array);
+
+}  // namespace tactile_net

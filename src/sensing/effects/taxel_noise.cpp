@@ -1,0 +1,35 @@
+#include "tactile_net/sensing/effects/taxel_noise.hpp"
+
+#include "sensing/effects/per_taxel.hpp"
+#include "sensing/effects/stream.hpp"
+
+namespace tactile_net {
+namespace {
+
+class NoiseOfTaxels final : public SensorEffect {
+ public:
+  NoiseOfTaxels(const TaxelNoise& noise, const SensorArray& array)
+      : rms_(of_readings(noise.rms, array, "rms")), count_(array.count) {
+    for (const double rms : rms_) require_not_negative("rms", rms);
+    for (std::size_t c = 0; c < rms_.size() / count_; ++c)
+      streams_.emplace_back(noise.seed, c, Draws::taxel_noise);
+  }
+  void apply(const Instant&, std::span<double> readings) override {
+    for (std::size_t i = 0; i < readings.size(); ++i)
+      readings[i] += rms_[i] * streams_[i / count_]();
+  }
+
+ private:
+  std::vector<double> rms_;
+  std::size_t count_;
+  std::vector<NormalStream> streams_;
+};
+
+}  // namespace
+
+std::unique_ptr<SensorEffect> make_effect(const TaxelNoise& noise, const SensorArray& array) {
+  if (all_zero(noise.rms)) return nullptr;
+  return std::make_unique<NoiseOfTaxels>(noise, array);
+}
+
+}  // namespace tactile_net

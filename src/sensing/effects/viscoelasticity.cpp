@@ -1,0 +1,121 @@
+#include "tactile_net/sensing/effects/viscoelasticity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sensing/effects/per_taxel.hpp"
+#include "tactile_net/sensing/effects/first_order_lag.hpp"
+
+namespace tactile_net {
+namespace {
+
+using Spectrum = std::map<double, double>;  // relaxation time -> fraction > 0
+
+/// The zero of 1 - sum g_i lambda / (lambda - tau_i) between `own` and the next longer relaxation
+/// time, as lambda / own - 1: the zero may lie very near.
+double zero_beyond(const Spectrum& spectrum, Spectrum::const_iterator own) {
+  const double tau = own->first;
+  double total = 0.0;
+  for (const auto& [time, fraction] : spectrum) total += fraction;
+  const auto next = std::next(own);
+  double low = 0.0;
+  double high = (next == spectrum.end() ? 1.0 / (1.0 - total) : next->first / tau) - 1.0;
+  for (int i = 0; i < 200; ++i) {
+    const double d = 0.5 * (low + high);
+    double value = 1.0 - own->second * (1.0 + d) / d;
+    for (auto other = spectrum.begin(); other != spectrum.end(); ++other)
+      if (other != own) value -= other->second / (1.0 - other->first / (tau * (1.0 + d)));
+    (value < 0.0 ? low : high) = d;
+  }
+  return high;
+}
+
+class Creeping final : public SensorEffect {
+ public:
+  Creeping(std::vector<CreepTerm> terms, const SensorArray& array) : terms_(std::move(terms)) {
+    const std::vector<Channel> all = channels(array);
+    for (std::size_t c = 0; c < all.size(); ++c)
+      if (is_strain(all[c].quantity)) blocks_.push_back({c * array.count, {}, {}});
+    for (Block& block : blocks_) {
+      block.before.assign(array.count, 0.0);
+      block.states.assign(terms_.size() * array.count, 0.0);
+    }
+  }
+  void rest(std::span<double>) override {}
+  void apply(const Instant& at, std::span<double> readings) override {
+    std::vector<FirstOrderLag> lags;
+    for (const CreepTerm& term : terms_) lags.push_back(first_order_lag(at.since, term.time));
+    for (Block& block : blocks_)
+      for (std::size_t j = 0; j < block.before.size(); ++j) {
+        double& reading = readings[block.first + j];
+        const double in = reading;
+        for (std::size_t i = 0; i < terms_.size(); ++i) {
+          double& state = block.states[j * terms_.size() + i];
+          state = lags[i].keep * state + lags[i].before * block.before[j] + lags[i].now * in;
+          reading += terms_[i].compliance * state;
+        }
+        block.before[j] = in;
+      }
+  }
+  [[nodiscard]] bool has_memory() const noexcept override { return true; }
+
+ private:
+  struct Block {  // one channel of strains
+    std::size_t first = 0;
+    std::vector<double> before{};
+    std::vector<double> states{};  // count x terms
+  };
+  std::vector<CreepTerm> terms_;
+  std::vector<Block> blocks_;
+};
+
+}  // namespace
+
+double relaxation(std::span<const PronyTerm> terms, double t) noexcept {
+  double modulus = 1.0;
+  for (const PronyTerm& term : terms) modulus += term.fraction * std::expm1(-t / term.time);
+  return modulus;
+}
+
+std::vector<CreepTerm> creep_terms(std::span<const PronyTerm> terms) {
+  double all = 0.0;
+  for (const PronyTerm& term : terms) {
+    require_not_negative("fraction", term.fraction);
+    require_positive("time", term.time);
+    all += term.fraction;
+  }
+  require(all < 1.0, "fractions", "add up to less than 1", all);
+  Spectrum spectrum;
+  for (const PronyTerm& term : terms)
+    if (term.fraction > 0.0) spectrum[term.time] += term.fraction;
+  std::vector<CreepTerm> result;
+  for (auto own = spectrum.begin(); own != spectrum.end(); ++own) {
+    const double d = zero_beyond(spectrum, own);
+    const double lambda = own->first * (1.0 + d);
+    // The residue: c = lambda / (d/ds of the Carson transform at -1/lambda).
+    double slope = 0.0;
+    for (auto other = spectrum.begin(); other != spectrum.end(); ++other) {
+      const double u = other == own ? d / (1.0 + d) : 1.0 - other->first / lambda;
+      slope += other->second * other->first / (u * u);
+    }
+    result.push_back({lambda / slope, lambda});
+  }
+  return result;
+}
+
+double creep(std::span<const CreepTerm> terms, double t) noexcept {
+  double compliance = 1.0;
+  for (const CreepTerm& term : terms) compliance -= term.compliance * std::expm1(-t / term.time);
+  return compliance;
+}
+
+std::unique_ptr<SensorEffect> make_effect(const Viscoelasticity& viscoelasticity,
+                                          const SensorArray& array) {
+  std::vector<CreepTerm> terms = creep_terms(viscoelasticity.terms);
+  const bool strains = std::any_of(array.reads.begin(), array.reads.end(), is_strain);
+  if (terms.empty() || !strains) return nullptr;
+  return std::make_unique<Creeping>(std::move(terms), array);
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,81 @@
+// run --explain says what run does: checked against run's own results.
+#include <algorithm>
+
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+const std::string loaded = "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\nforce = 1.0\n";
+
+/// Whether the plan says that this is done.
+bool planned(const std::string& plan, const std::string& computation) {
+  const std::size_t at = plan.find("\"computation\": \"" + computation + "\"");
+  REQUIRE(at != std::string::npos);
+  const std::size_t value = plan.find("\"done\": ", at) + 8;
+  return plan.compare(value, 4, "true") == 0;
+}
+
+bool has(const std::string& json, const std::string& text) {
+  return json.find(text) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("what the plan says is done is in the result, the rest is not", "[cli][spice]") {
+  const Folder folder;
+  const std::string methods = "methods = [\"tikhonov\", \"network\"]\n";
+  const std::string scene = GENERATE_COPY(values<std::string>({
+      small_scene + loaded,
+      small_scene + methods + loaded,
+      small_scene + methods + loaded +
+          "[network]\nopamp = { bandwidth = 1e6 }\n"
+          "realization = \"nic\"\nsettling = { accuracy = 1e-2 }\n",
+      small_scene + methods + loaded +
+          "[network]\nrealization = \"crossbar\"\ntolerance = { relative = 0.01, trials = 5 }\n",
+      small_scene.substr(0, small_scene.find("alpha")) + "methods = [\"dft\"]\n" + loaded,
+      small_scene.substr(0, small_scene.find("alpha")) + loaded,
+  }));
+  CAPTURE(scene);
+  const std::string path = folder.write("s.toml", scene);
+  const bool compare = GENERATE(false, true);
+  std::vector<std::string> command = {"run", path, "--json", "-"};
+  if (compare) command.emplace_back("--compare-rules");
+  const std::string result = tool(command).output;
+  command.emplace_back("--explain");
+  const ProcessResult explained = tool(command);
+  REQUIRE(explained.code == 0);
+  const std::string& plan = explained.output;
+  for (const char* method : {"dft", "tikhonov", "closed_form"})
+    CHECK(planned(plan, method) == has(result, std::string("\"method\": \"") + method + "\""));
+  CHECK(planned(plan, "rule_comparison") == !has(result, "\"alpha_sweep\": null"));
+  CHECK(planned(plan, "bands") == has(result, "\"resultant\": {"));
+  CHECK(planned(plan, "circuit") == !has(result, "\"network\": null"));
+  for (const char* study : {"certificate", "transient", "tolerance"})
+    CHECK(planned(plan, study) == has(result, std::string("\"") + study + "\": {"));
+}
+
+TEST_CASE("explain names every effect and runs nothing", "[cli]") {
+  const ProcessResult bare =
+      tool({"run", scene("effects/bare.toml"), "--explain", "--ngspice", "no-such-ngspice"});
+  CHECK(bare.code == 0);
+  CHECK(bare.errors.empty());
+  const ProcessResult everything =
+      tool({"run", scene("effects/everything.toml"), "--explain", "--ngspice", "no-such-ngspice"});
+  CHECK(everything.code == 0);
+  for (const char* effect :
+       {"friction", "layer", "viscoelasticity", "hysteresis", "crosstalk", "gain_error",
+        "offset_error", "temperature", "low_pass", "sampling", "noise", "taxel_noise", "saturation",
+        "quantization", "stuck_taxels", "dead_taxels"}) {
+    const std::string name = std::string("\n") + effect + ' ';
+    const auto row = [&](const std::string& text) {
+      const std::size_t at = text.find(name);
+      REQUIRE(at != std::string::npos);
+      return text.substr(at + 1, text.find('\n', at + 1) - at);
+    };
+    CHECK_THAT(row(bare.output), ContainsSubstring(" no "));
+    CHECK_THAT(row(everything.output), ContainsSubstring(" yes "));
+  }
+}

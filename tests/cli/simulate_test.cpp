@@ -1,0 +1,214 @@
+#include <bit>
+#include <cstdint>
+#include <sstream>
+
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+const std::string moving_scene =
+    small_scene +
+    "[time]\nrate = 10.0\nduration = 1.0\n"
+    "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\n"
+    "trajectory = [{ t = 0.0, force = 0.0 }, { t = 0.5, force = 1.0 }]\n";
+
+/// A .npy by hand: version 1.0, the dictionary and the numbers as given.
+std::string npy(const std::string& dictionary, const std::vector<double>& numbers,
+                char version = 1) {
+  std::string text = "\x93NUMPY";
+  text += version;
+  text += '\0';
+  const std::string padded = dictionary + '\n';
+  for (std::size_t i = 0, size = padded.size(); i < (version == 1 ? 2U : 4U); ++i, size >>= 8)
+    text += static_cast<char>(size & 0xff);
+  text += padded;
+  for (const double number : numbers) {
+    char bytes[8];
+    const auto word = std::bit_cast<std::uint64_t>(number);
+    for (std::size_t i = 0; i < 8; ++i) bytes[i] = static_cast<char>(word >> (8 * i) & 0xff);
+    text.append(bytes, 8);
+  }
+  return text;
+}
+
+std::string shape(const std::string& tuple) {
+  return "{'descr': '<f8', 'fortran_order': False, 'shape': " + tuple + ", }";
+}
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// Everything behind the first column.
+std::string without_time(const std::string& csv) {
+  std::istringstream in(csv);
+  std::string out;
+  for (std::string line; std::getline(in, line);) out += line.substr(line.find(',') + 1) + '\n';
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("simulate records a frame a row, and what pressed beside it", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", moving_scene);
+  const ProcessResult result = tool({"simulate", path, "--truth", folder / "truth.csv"});
+  REQUIRE(result.code == 0);
+  CHECK(result.errors.empty());
+  CHECK_THAT(result.output, StartsWith("t,stress_x_0,stress_x_1,stress_x_2\n0,0,0,0\n0.1,"));
+  CHECK(lines(result.output) == 12);
+  const std::string truth = read_text(folder / "truth.csv");
+  CHECK_THAT(truth, StartsWith("t,normal_0,normal_1,normal_2\n0,0,0,0\n"));
+  CHECK(lines(truth) == 12);
+  // The load is held from t = 0.5 on.
+  CHECK(truth.substr(truth.find("\n0.5,") + 5, 20) == truth.substr(truth.find("\n1,") + 3, 20));
+}
+
+TEST_CASE("a scene without time is recorded as one frame, that of run", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write(
+      "s.toml", small_scene +
+                    "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\nforce = 1.0\n"
+                    "[noise]\nrms = 0.1\n");
+  REQUIRE(tool({"run", path, "--out", folder / "out"}).code == 0);
+  CHECK(tool({"simulate", path}).output == read_text(folder / "out/readings.csv"));
+}
+
+TEST_CASE("what simulate writes solve reads, CSV and .npy alike", "[cli]") {
+  const Folder folder;
+  const std::string path =
+      folder.write("s.toml", moving_scene + "[noise]\nrms = 0.01\n[low_pass]\ncutoff = 3.0\n");
+  REQUIRE(tool({"simulate", path, "-o", folder / "g.csv"}).code == 0);
+  REQUIRE(tool({"simulate", path, "-o", folder / "g.npy"}).code == 0);
+  const ProcessResult csv = tool({"solve", path, "--readings", folder / "g.csv"});
+  const ProcessResult binary = tool({"solve", path, "--readings", folder / "g.npy"});
+  REQUIRE(csv.code == 0);
+  REQUIRE(binary.code == 0);
+  CHECK(lines(binary.output) == 12);
+  CHECK(without_time(csv.output) == binary.output);
+
+  const std::string bytes = read_text(folder / "g.npy");
+  CHECK(bytes.size() == 128 + 11 * 3 * 8);
+  CHECK_THAT(bytes.substr(10, 117),
+             StartsWith("{'descr': '<f8', 'fortran_order': False, 'shape': (11, 3), }"));
+  CHECK(bytes[127] == '\n');
+
+  // Tractions as .npy hold the numbers of the CSV: read back as readings of the same shape.
+  REQUIRE(tool({"solve", path, "--readings", folder / "g.npy", "-o", folder / "f.npy"}).code == 0);
+  REQUIRE(tool({"solve", path, "--readings", folder / "g.npy", "-o", folder / "f.csv"}).code == 0);
+  std::string named = read_text(folder / "f.csv");
+  for (std::size_t at = 0; (at = named.find("normal_", at)) != std::string::npos; at += 9)
+    named.replace(at, 7, "stress_x_");
+  CHECK(tool({"solve", path, "--readings", folder / "f.npy"}).output ==
+        tool({"solve", path, "--readings", folder.write("f2.csv", named)}).output);
+}
+
+TEST_CASE(".npy by hand, of any version and of floats, is read", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_scene);
+  const std::string csv =
+      folder.write("r.csv", "stress_x_0,stress_x_1,stress_x_2\n1,2,3\n0.5,0.25,-1\n");
+  const std::string expected = tool({"solve", path, "--readings", csv}).output;
+  const std::vector<double> numbers{1, 2, 3, 0.5, 0.25, -1};
+  for (const char version : {'\1', '\2', '\3'}) {
+    const std::string file = folder.write("r.npy", npy(shape("(2, 3)"), numbers, version));
+    CHECK(tool({"solve", path, "--readings", file}).output == expected);
+  }
+  // Without the ending, by what it begins with.
+  const std::string other = folder.write("r.dat", npy(shape("(2, 3)"), numbers));
+  CHECK(tool({"solve", path, "--readings", other}).output == expected);
+
+  std::string floats = npy("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), }", {});
+  for (const double number : numbers) {
+    const auto word = std::bit_cast<std::uint32_t>(static_cast<float>(number));
+    for (int i = 0; i < 4; ++i) floats += static_cast<char>(word >> (8 * i) & 0xff);
+  }
+  CHECK(tool({"solve", path, "--readings", folder.write("f.npy", floats)}).output == expected);
+}
+
+TEST_CASE("a bad .npy is refused in words", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_scene);
+  const double nan = std::bit_cast<double>(std::uint64_t{0x7ff8000000000000});
+  const auto [bytes, message] = GENERATE_COPY(table<std::string, std::string>({
+      {"hello", "is not a .npy file"},
+      {"", "is not a .npy file"},
+      {npy(shape("(1, 3)"), {1, 2, 3}, 9), "version 9, not 1 to 3"},
+      {npy("{'descr': '>f8', 'fortran_order': False, 'shape': (1, 3), }", {1, 2, 3}),
+       "numbers of type '>f8'"},
+      {npy("{'descr': '<f8', 'fortran_order': True, 'shape': (1, 3), }", {1, 2, 3}),
+       "Fortran's order"},
+      {npy(shape("(3,)"), {1, 2, 3}), "has the shape (3,), not (frames, readings)"},
+      {npy(shape("(1, 1, 3)"), {1, 2, 3}), "has the shape (1, 1, 3)"},
+      {npy("{'descr': '<f8', 'fortran_order': False}", {1}), "has the shape"},
+      {npy(shape("(1, 2)"), {1, 2}), "has 2 columns, the scene reads 3"},
+      {npy(shape("(2, 3)"), {1, 2, 3, 4}), "ends within frame 1 of 2"},
+      {npy(shape("(1, 3)"), {1, 2, 3, 4}), "goes on after the 1 frames"},
+      {npy(shape("(2, 3)"), {1, 2, 3, 4, nan, 6}), "frame 1: column 1 (stress_x_1) is not finite"},
+      {npy(shape("(1, 3)"), {}).substr(0, 30), "header that is cut off"},
+  }));
+  CAPTURE(message);
+  const std::string file = folder.write("r.npy", bytes);
+  const ProcessResult result = tool({"solve", path, "--readings", file});
+  CHECK(result.code == 2);
+  CHECK_THAT(result.errors, StartsWith(file + ": error: ") && ContainsSubstring(message));
+}
+
+TEST_CASE("a .npy cannot go to a pipe", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", moving_scene);
+  const std::string pipe = folder / "pipe.npy";
+  REQUIRE(run_process({"ln", "-s", "/dev/null", pipe}).code == 0);
+  const ProcessResult result = tool({"simulate", path, "-o", pipe});
+  CHECK(result.code == 2);
+  CHECK_THAT(result.errors, ContainsSubstring("cannot go to a pipe or a device"));
+}
+
+TEST_CASE("run takes the last frame of a scene with time, or the one asked for", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", moving_scene + "[noise]\nrms = 0.01\n");
+  const ProcessResult last = tool({"run", path});
+  CHECK_THAT(last.output, ContainsSubstring("the last of 11 frames: frame 10 at t = 1"));
+  CHECK_THAT(
+      tool({"run", path, "--frame", "2"}).output,
+      ContainsSubstring("one of 11 frames: frame 2 at t = 0.2") && ContainsSubstring("force 0.4"));
+  CHECK_THAT(tool({"run", path, "--frame", "2", "--json", "-"}).output,
+             ContainsSubstring("\"index\": 2,\n  \"of\": 11,\n  \"t\": 0.2"));
+  const ProcessResult beyond = tool({"run", path, "--frame", "11"});
+  CHECK(beyond.code == 2);
+  CHECK_THAT(beyond.errors, ContainsSubstring("frame must be from 0 to 10 (got 11)"));
+  // Its readings are those that simulate records for it.
+  for (const std::string frame : {"0", "4", "10"}) {
+    REQUIRE(tool({"run", path, "--frame", frame, "--out", folder / "out"}).code == 0);
+    std::istringstream all(without_time(tool({"simulate", path}).output));
+    std::string row;
+    for (int i = 0; i <= std::stoi(frame) + 1; ++i) std::getline(all, row);
+    CHECK_THAT(read_text(folder / "out/readings.csv"), EndsWith("\n" + row + "\n"));
+  }
+}
+
+TEST_CASE("readings that were cut off are said", "[cli]") {
+  const Folder folder;
+  const std::string path =
+      folder.write("s.toml", moving_scene + "[saturation]\nrange = [-1.0, 0.1]\n");
+  const ProcessResult recorded = tool({"simulate", path, "-o", folder / "g.csv", "--json", "-"});
+  CHECK_THAT(recorded.errors, ContainsSubstring("saturation cuts readings off in"));
+  CHECK_THAT(recorded.output, ContainsSubstring("\"frames\": 11") &&
+                                  ContainsSubstring("\"frames_cut_off\": {\n  \"saturation\": "));
+  CHECK_THAT(tool({"run", path}).output,
+             ContainsSubstring("warning: saturation: ") && ContainsSubstring(" of 3 readings"));
+}
+
+TEST_CASE("an effect of strength zero leaves every byte of a recording", "[cli]") {
+  const Folder folder;
+  const std::string bare =
+      tool({"simulate", folder.write("s.toml", moving_scene + "[noise]\nrms = 0.1\n")}).output;
+  for (const char* table :
+       {"[crosstalk]\nfraction = 0\n", "[taxel_noise]\nrms = [0, 0, 0]\n",
+        "[viscoelasticity]\nterms = [{ fraction = 0, time = 1 }]\n", "[sampling]\naperture = 0\n"})
+    CHECK(tool({"simulate", folder.write("s.toml", moving_scene + "[noise]\nrms = 0.1\n" + table)})
+              .output == bare);
+}
