@@ -172,7 +172,7 @@ ContactEstimator::ContactEstimator(const EstimatorPlan& plan, InstructionSet set
 
 ContactEstimator::ContactEstimator(const ContactEstimator& other)
     : ready_(other.ready_), scratch_(std::make_unique<Scratch>(*ready_)) {
-  (void)set_baseline({other.scratch_->baseline.data(), readings()});
+  std::copy_n(other.scratch_->baseline.data(), readings(), scratch_->baseline.data());
   for (const std::size_t reading : other.scratch_->dead) set_dead(reading % ready_->count);
 }
 
@@ -366,8 +366,9 @@ void ContactEstimator::revive() noexcept {
 FrameStatus ContactEstimator::set_baseline(std::span<const double> readings) noexcept {
   if (readings.size() != ready_->readings()) return FrameStatus::wrong_size;
   for (std::size_t i = 0; i < readings.size(); ++i)
-    if (ready_->weights[i] > 0.0 && !std::isfinite(readings[i])) return FrameStatus::not_finite;
-  std::copy(readings.begin(), readings.end(), scratch_->baseline.data());
+    if (scratch_->weights[i] > 0.0 && !std::isfinite(readings[i])) return FrameStatus::not_finite;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (std::isfinite(readings[i])) scratch_->baseline[i] = readings[i];
   return FrameStatus::ok;
 }
 

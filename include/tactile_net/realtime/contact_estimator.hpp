@@ -87,6 +87,7 @@ class ContactEstimator {
                            std::span<ContactEstimate> estimates) noexcept;
 
   /// What the sensors read without contact; subtracted from every frame from now on. Zero at first.
+  /// What a dead taxel reads is taken if it is finite, for the day it lives again.
   /// @return not `ok`: the old baseline stays
   FrameStatus set_baseline(std::span<const double> readings) noexcept;
 
