@@ -68,6 +68,8 @@ struct ContactEstimator::Ready {
         friction(plan.friction_coefficient),
         ranges(plan.ranges),
         weights(plan.weights),
+        leverages(plan.leverages),
+        accuracy(plan.accuracy + static_cast<double>(plan.readings()) * 0x1p-50),
         noise_rms(plan.noise_rms),
         outlier_limit(plan.outlier_limit),
         set(std::min(chosen, widest_instruction_set())),
@@ -77,20 +79,15 @@ struct ContactEstimator::Ready {
     else
       product32.emplace(plan.reconstruction);
     double most = growth(plan.reconstruction) * static_cast<double>(plan.tractions()) *
-                  static_cast<double>(plan.count) * std::max(1.0, plan.pitch * plan.pitch);
+                  static_cast<double>(plan.count) * std::max(1.0, plan.pitch * plan.pitch) *
+                  (1.0 + plan.friction_coefficient.value_or(0.0));
     if (plan.prediction) {
       prediction.emplace(*plan.prediction);
-      shares.resize(plan.readings());
-      for (std::size_t i = 0; i < shares.size(); ++i) {
-        shares[i] = 1.0 / (1.0 - plan.leverages[i]);
-        degrees += weights[i] > 0.0 ? 1.0 - plan.leverages[i] : 0.0;
-      }
       const double weight = *std::max_element(weights.begin(), weights.end());
       const double residual =
           2.0 * growth(*plan.prediction) * std::max(1.0, weight);  // its square must not overflow
-      const double share = *std::max_element(shares.begin(), shares.end());
       most = std::max(most, residual);
-      square_limit = std::sqrt(std::numeric_limits<double>::max() / share /
+      square_limit = std::sqrt(std::numeric_limits<double>::max() * least_pivot /
                                static_cast<double>(plan.readings())) /
                      residual;
     }
@@ -104,15 +101,14 @@ struct ContactEstimator::Ready {
   double pitch;
   std::optional<double> friction;
   std::vector<ReadingRange> ranges;
-  std::vector<double> weights;
+  std::vector<double> weights, leverages;
+  double accuracy;  // of the prediction, relative to the weighted readings
   double noise_rms, outlier_limit;
   InstructionSet set;
   const Kernels& loops;
   std::optional<ReadyProduct<double>> product64;
   std::optional<ReadyProduct<float>> product32;
   std::optional<ReadyProduct<double>> prediction;
-  std::vector<double> shares;  // 1 / (1 - h_i)
-  double degrees = 0.0;        // of freedom that the tractions leave to the residual
   double square_limit = std::numeric_limits<double>::max();
   double limit = 0.0;  // of |g - baseline|
 };
@@ -125,13 +121,11 @@ struct ContactEstimator::Scratch {
         predicted(ready.prediction ? ready.readings() : 0),
         spread(ready.prediction ? ready.readings() : 0),
         weights(ready.readings()),
+        remaining(ready.prediction ? ready.readings() : 0),
+        shares(ready.prediction ? ready.readings() : 0),
         product64(std::max(ready.product64 ? ready.product64->scratch_size() : 0,
                            ready.prediction ? ready.prediction->scratch_size() : 0)),
-        product32(ready.product32 ? ready.product32->scratch_size() : 0),
-        degrees(ready.degrees) {
-    std::copy(ready.weights.begin(), ready.weights.end(), weights.data());
-    for (const double weight : ready.weights)
-      if (weight > 0.0) ++live;
+        product32(ready.product32 ? ready.product32->scratch_size() : 0) {
     for (std::size_t i = 0; i < ready.readings(); ++i)
       if (ready.weights[i] == 0.0) unread.push_back(i);
     unread.reserve(ready.readings());
@@ -142,20 +136,51 @@ struct ContactEstimator::Scratch {
       cholesky = Aligned<double>(most * most);
       filled = Aligned<double>(most);
     }
+    revive(ready);
+  }
+
+  /// Weights and leverages of the plan.
+  void revive(const Ready& ready) noexcept {
+    std::copy(ready.weights.begin(), ready.weights.end(), weights.data());
+    for (std::size_t i = 0; i < ready.leverages.size(); ++i)
+      remaining[i] = 1.0 - ready.leverages[i];
+    share_out(ready);
+  }
+
+  /// What follows from `weights` and `remaining`.
+  void share_out(const Ready& ready) noexcept {
+    live = 0;
+    degrees = 0.0;
+    for (std::size_t i = 0; i < ready.readings(); ++i) {
+      if (!(weights[i] > 0.0)) continue;
+      ++live;
+      if (ready.prediction) degrees += remaining[i];
+    }
+    if (!ready.prediction) return;
+    for (std::size_t i = 0; i < ready.readings(); ++i) {
+      const std::size_t taxel = i % ready.count;
+      const bool judged = weights[i] > 0.0 && remaining[i] > least_pivot &&
+                          taxel >= unjudged_ends && taxel + unjudged_ends < ready.count;
+      shares[i] = judged ? 1.0 / remaining[i] : 0.0;
+    }
   }
 
   Aligned<double> baseline, x, predicted, spread, weights;  // weights: 0 for what is dead
+  Aligned<double> remaining;  // 1 - h_i, of the live readings' own problem
+  Aligned<double> shares;     // 1 / remaining of what may be an outlier, else 0
   Aligned<double> product64;
   Aligned<float> product32;
   std::unique_ptr<Convolution> convolution, prediction_convolution;  // of fft plans
   std::vector<std::size_t> unread;  // readings that count for nothing, whatever they say
   std::size_t live = 0;             // readings with a weight
-  double degrees;
+  double degrees = 0.0;             // of freedom that the tractions leave to the residual
 
-  // Dead at run time: x_D = (I - H_DD)^-1 H_DL x_L, in weighted readings, by Cholesky.
+  // Dead at run time, in weighted readings and with A = I - H: x_D = -A_DD^-1 A_DL x_L. With
+  // A_DD = C C' (Cholesky) and V = C^-1 A_DL, that is -C^-T V x_L, and A_LL - V'V is the A of the
+  // live readings' own problem.
   std::vector<std::size_t> dead;  // indices of readings
-  Aligned<double> dead_rows;      // w_d H_dj / w_j ... as it acts on x
-  Aligned<double> cholesky;       // lower, row-major, stride most
+  Aligned<double> dead_rows;      // V as it acts on x: times the weights
+  Aligned<double> cholesky;       // C, row-major, stride most
   Aligned<double> filled;
 };
 
@@ -175,7 +200,7 @@ ContactEstimator::ContactEstimator(const ContactEstimator& other)
     : ready_(other.ready_), scratch_(std::make_unique<Scratch>(*ready_)) {
   scratch_->convolution = cloned(other.scratch_->convolution);
   scratch_->prediction_convolution = cloned(other.scratch_->prediction_convolution);
-  (void)set_baseline({other.scratch_->baseline.data(), readings()});
+  std::copy_n(other.scratch_->baseline.data(), readings(), scratch_->baseline.data());
   for (const std::size_t reading : other.scratch_->dead) set_dead(reading % ready_->count);
 }
 
@@ -221,7 +246,11 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
       saturated |= scratch.weights[i] > 0.0 &&
                    !(readings[i] > ready.ranges[c].lowest && readings[i] < ready.ranges[c].highest);
 
-  if (!scratch.dead.empty()) fill_dead();
+  if (!scratch.dead.empty()) {
+    fill_dead();
+    if (loops.largest(x, n) > std::bit_cast<std::uint64_t>(ready.limit))
+      return FrameStatus::too_large;
+  }
 
   double* const f = estimate.tractions.data();
   if (ready.product64) {
@@ -259,8 +288,11 @@ void ContactEstimator::predict(double* explained) noexcept {
     scratch.prediction_convolution->add(scratch.x.data(), explained);
 }
 
-/// The residual, and whether one reading stands out of it: by its externally studentised residual
-/// (Cook and Weisberg 1982, 2.2), whose noise is that of the other readings.
+/// The residual, and whether one reading stands out of it. Tikhonov's f is the most likely one if
+/// W g is normal with covariance s^2 A^-1; then r_i^2 / A_ii is what the minimum of its functional,
+/// (W g)'A(W g) = (W g)'r, falls by when reading i is left out, and never more than that minimum.
+/// Studentised by what is left, which holds the regularisation's own misfit as well as noise: the
+/// squares of r alone would call the foot of every noise-free contact an outlier.
 void ContactEstimator::judge(ContactEstimate& estimate) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
@@ -268,14 +300,17 @@ void ContactEstimator::judge(ContactEstimate& estimate) noexcept {
   predict(scratch.predicted.data());
   const Misfit misfit =
       ready.loops.misfit(scratch.x.data(), scratch.predicted.data(), scratch.weights.data(),
-                         ready.shares.data(), scratch.spread.data(), n);
-  estimate.residual_rms =
-      scratch.live > 0 ? std::sqrt(misfit.sum_of_squares / static_cast<double>(scratch.live)) : 0.0;
+                         scratch.shares.data(), scratch.spread.data(), n);
+  estimate.residual_rms = std::sqrt(misfit.sum_of_squares / static_cast<double>(scratch.live));
   const double degrees = scratch.degrees - 1.0;
   if (!(degrees > 0.0)) return;
+  // The prediction errs by at most e in the 2-norm: sum and shares are taken at their worst.
+  const double size = std::sqrt(misfit.size);
+  const double error = ready.accuracy * size;
   const double largest = std::bit_cast<double>(misfit.largest);
-  const double others =
-      std::max((misfit.sum_of_squares - largest) / degrees, ready.noise_rms * ready.noise_rms);
+  const double others = std::max((misfit.objective + error * size - largest) / degrees,
+                                 ready.noise_rms * ready.noise_rms) +
+                        error * error / least_pivot;
   if (!(largest > ready.outlier_limit * ready.outlier_limit * others)) return;
   const double* const spread = scratch.spread.data();
   estimate.outlier = std::find(spread, spread + n, largest) - spread;
@@ -288,17 +323,44 @@ void ContactEstimator::fill_dead() noexcept {
   const std::size_t stride = most_dead_taxels * ready.channels;
   const std::size_t row = padded<double>(ready.readings());
   double* const u = scratch.filled.data();
-  for (std::size_t i = 0; i < size; ++i) {
-    u[i] = ready.loops.dot(scratch.dead_rows.data() + i * row, scratch.x.data(), ready.readings());
-    for (std::size_t k = 0; k < i; ++k) u[i] -= scratch.cholesky[i * stride + k] * u[k];
-    u[i] /= scratch.cholesky[i * stride + i];
-  }
   for (std::size_t i = size; i-- > 0;) {
+    u[i] = -ready.loops.dot(scratch.dead_rows.data() + i * row, scratch.x.data(), ready.readings());
     for (std::size_t k = i + 1; k < size; ++k) u[i] -= scratch.cholesky[k * stride + i] * u[k];
     u[i] /= scratch.cholesky[i * stride + i];
   }
   for (std::size_t i = 0; i < size; ++i)
     scratch.x[scratch.dead[i]] = u[i] / ready.weights[scratch.dead[i]];
+}
+
+/// The next rows of V and C, for a reading; false if the others do not predict it.
+bool ContactEstimator::eliminate(std::size_t reading) noexcept {
+  const Ready& ready = *ready_;
+  Scratch& scratch = *scratch_;
+  const std::size_t n = ready.readings();
+  const std::size_t stride = most_dead_taxels * ready.channels;
+  const std::size_t row_size = padded<double>(n);
+  const std::size_t i = scratch.dead.size();
+  if (i == stride) return false;
+  double* const row = scratch.dead_rows.data() + i * row_size;
+  double* const factor = scratch.cholesky.data() + i * stride;
+  const double w = ready.weights[reading];
+
+  // Column `reading` of W^-1 H W, then that row of A, which is symmetric, times the weights.
+  std::fill_n(scratch.x.data(), n, 0.0);
+  scratch.x[reading] = 1.0;
+  predict(row);
+  double pivot = 1.0 - row[reading];
+  for (std::size_t j = 0; j < n; ++j) row[j] *= -ready.weights[j] * (ready.weights[j] / w);
+  for (std::size_t k = 0; k < i; ++k) {
+    const double* const before = scratch.dead_rows.data() + k * row_size;
+    factor[k] = before[reading] / w;
+    pivot -= factor[k] * factor[k];
+    for (std::size_t j = 0; j < n; ++j) row[j] -= factor[k] * before[j];
+  }
+  if (!(pivot > least_pivot)) return false;
+  factor[i] = std::sqrt(pivot);
+  for (std::size_t j = 0; j < n; ++j) row[j] /= factor[i];
+  return true;
 }
 
 bool ContactEstimator::set_dead(std::size_t taxel) noexcept {
@@ -307,74 +369,43 @@ bool ContactEstimator::set_dead(std::size_t taxel) noexcept {
   const std::size_t n = ready.readings();
   if (!ready.prediction || taxel >= ready.count) return false;
   const std::size_t before = scratch.dead.size();
-  const std::size_t stride = most_dead_taxels * ready.channels;
-  const std::size_t row_size = padded<double>(n);
-  for (std::size_t c = 0; c < ready.channels; ++c) {
-    const std::size_t d = c * ready.count + taxel;
-    if (scratch.weights[d] == 0.0) continue;  // left out already
-    const std::size_t i = scratch.dead.size();
-    bool predicted = i < stride;
-    if (predicted) {
-      // Row d of W H W^-1, which is symmetric, from column d of H.
-      std::fill_n(scratch.x.data(), n, 0.0);
-      scratch.x[d] = 1.0;
-      double* const row = scratch.dead_rows.data() + i * row_size;
-      predict(row);
-      const double w = ready.weights[d];
-      double* const factor = scratch.cholesky.data() + i * stride;
-      for (std::size_t k = 0; k < i; ++k) {
-        const std::size_t e = scratch.dead[k];
-        factor[k] = -ready.weights[e] * row[e] / w;
-      }
-      double pivot = 1.0 - row[d];
-      for (std::size_t k = 0; k < i; ++k) {
-        for (std::size_t m = 0; m < k; ++m)
-          factor[k] -= factor[m] * scratch.cholesky[k * stride + m];
-        factor[k] /= scratch.cholesky[k * stride + k];
-        pivot -= factor[k] * factor[k];
-      }
-      // u_d = sum_j w_d H_dj x_j = sum_j w_j^2 H_jd x_j / w_d; fill_dead sums while dead x are 0.
-      for (std::size_t j = 0; j < n; ++j) row[j] *= ready.weights[j] * (ready.weights[j] / w);
-      predicted = pivot > least_pivot;
-      factor[i] = std::sqrt(pivot);
-    }
-    if (!predicted) {  // as before: rows already written beyond `before` mean nothing
-      while (scratch.dead.size() > before) {
-        const std::size_t undone = scratch.dead.back();
-        scratch.weights[undone] = ready.weights[undone];
-        scratch.unread.pop_back();
-        scratch.degrees += 1.0;
-        ++scratch.live;
-        scratch.dead.pop_back();
-      }
+  for (std::size_t d = taxel; d < n; d += ready.count) {
+    if (!(scratch.weights[d] > 0.0)) continue;  // left out already
+    const bool last = scratch.live == scratch.dead.size() - before + 1;
+    if (last || !eliminate(d)) {
+      scratch.dead.resize(before);  // rows beyond mean nothing
       return false;
     }
     scratch.dead.push_back(d);
+  }
+  for (std::size_t i = before; i < scratch.dead.size(); ++i) {
+    const std::size_t d = scratch.dead[i];
+    const double* const row = scratch.dead_rows.data() + i * padded<double>(n);
+    for (std::size_t j = 0; j < n; ++j)
+      if (ready.weights[j] > 0.0) {
+        const double v = row[j] / ready.weights[j];
+        scratch.remaining[j] -= v * v;
+      }
     scratch.unread.push_back(d);
     scratch.weights[d] = 0.0;
-    scratch.degrees -= 1.0;
-    --scratch.live;
   }
+  scratch.share_out(ready);
   return true;
 }
 
 void ContactEstimator::revive() noexcept {
-  const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
-  for (const std::size_t d : scratch.dead) {
-    scratch.weights[d] = ready.weights[d];
-    scratch.degrees += 1.0;
-    ++scratch.live;
-  }
   scratch.unread.resize(scratch.unread.size() - scratch.dead.size());
   scratch.dead.clear();
+  scratch.revive(*ready_);
 }
 
 FrameStatus ContactEstimator::set_baseline(std::span<const double> readings) noexcept {
   if (readings.size() != ready_->readings()) return FrameStatus::wrong_size;
   for (std::size_t i = 0; i < readings.size(); ++i)
-    if (ready_->weights[i] > 0.0 && !std::isfinite(readings[i])) return FrameStatus::not_finite;
-  std::copy(readings.begin(), readings.end(), scratch_->baseline.data());
+    if (scratch_->weights[i] > 0.0 && !std::isfinite(readings[i])) return FrameStatus::not_finite;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (std::isfinite(readings[i])) scratch_->baseline[i] = readings[i];
   return FrameStatus::ok;
 }
 

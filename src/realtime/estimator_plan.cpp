@@ -48,6 +48,8 @@ void check(const EstimatorPlan& plan) {
                 std::all_of(plan.leverages.begin(), plan.leverages.end(),
                             [](double h) { return not_negative(h) && h < 1.0; }),
             "a prediction needs one leverage in [0, 1) per reading");
+  } else {
+    require(plan.leverages.empty(), "leverages need a prediction");
   }
   require(plan.ranges.empty() || plan.ranges.size() == plan.channels,
           "ranges need one entry per channel, or none");

@@ -207,10 +207,21 @@ constexpr std::size_t lanes = 8;  // independent sums: the same order of additio
 [[gnu::always_inline]] inline Misfit misfit_of(const double* x, const double* p,
                                                const double* weights, const double* shares,
                                                double* spread, std::size_t n) noexcept {
-  for (std::size_t i = 0; i < n; ++i) spread[i] = weights[i] * (x[i] - p[i]);
-  const double sum = dot_of(spread, spread, n);
-  for (std::size_t i = 0; i < n; ++i) spread[i] *= spread[i] * shares[i];
-  return {sum, largest_magnitude(spread, n)};
+  for (std::size_t i = 0; i < n; ++i) spread[i] = weights[i] * x[i];
+  const double size = dot_of(spread, spread, n);
+  double objective[lanes] = {};
+  double squares[lanes] = {};
+  const auto add = [&](std::size_t i, std::size_t k) __attribute__((always_inline)) {
+    const double r = weights[i] * (x[i] - p[i]);
+    objective[k] += spread[i] * r;
+    squares[k] += r * r;
+    spread[i] = r * r * shares[i];
+  };
+  std::size_t i = 0;
+  for (; i + lanes <= n; i += lanes)
+    for (std::size_t k = 0; k < lanes; ++k) add(i + k, k);
+  for (std::size_t k = 0; i < n; ++i, ++k) add(i, k);
+  return {total(squares), total(objective), size, largest_magnitude(spread, n)};
 }
 
 }  // namespace

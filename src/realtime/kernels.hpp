@@ -53,7 +53,9 @@ struct Moments {
 
 struct Misfit {
   double sum_of_squares = 0.0;  // of the weighted residuals
-  std::uint64_t largest = 0;    // bits of the largest r_i^2 / (1 - h_i)
+  double objective = 0.0;       // weighted readings times weighted residuals: Tikhonov's minimum
+  double size = 0.0;            // sum of squares of the weighted readings
+  std::uint64_t largest = 0;    // bits of the largest r_i^2 share_i
 };
 
 /// The loops for one instruction set.

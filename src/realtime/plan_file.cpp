@@ -93,7 +93,11 @@ class Reader {
     return static_cast<Integer>(value);
   }
   double number() { return std::bit_cast<double>(integer<std::uint64_t>()); }
-  bool flag() { return integer<std::uint8_t>() != 0; }
+  bool flag() {
+    const auto value = integer<std::uint8_t>();
+    if (value > 1) throw std::runtime_error("the plan holds a flag that is neither 0 nor 1");
+    return value == 1;
+  }
   std::size_t length(std::size_t item_size) {
     const auto value = integer<std::uint64_t>();
     if (value > rest_.size() / item_size) fail();

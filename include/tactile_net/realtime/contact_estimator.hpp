@@ -29,9 +29,11 @@ struct ContactEstimate {
   /// Root mean square of W (g - K f) over the live readings: what the tractions leave unexplained.
   /// NaN without a prediction in the plan.
   double residual_rms = unknown;
-  bool contact = false;         ///< F_v > 0: centre, angle and margin mean something
-  bool saturated = false;       ///< a live reading lies at or beyond its channel's range
-  std::ptrdiff_t outlier = -1;  ///< index of the reading least like the others; -1: none stands out
+  bool contact = false;    ///< F_v > 0: centre, angle and margin mean something
+  bool saturated = false;  ///< a live reading lies at or beyond its channel's range
+  /// Index of the reading that the others explain least; -1: none stands out by more than noise,
+  /// regularisation and the plan's accuracy account for.
+  std::ptrdiff_t outlier = -1;
 };
 
 /// Which vector instructions the products use.
@@ -51,6 +53,8 @@ class ContactEstimator {
   static constexpr std::size_t most_dead_taxels = 8;
   /// Share of a dead reading's variance that must be left to the others: below, they cannot tell.
   static constexpr double least_pivot = 1e-3;
+  /// Taxels at each end that are never called outliers: a load beyond the array looks just so.
+  static constexpr std::size_t unjudged_ends = 3;
 
   /// O(size of the plan).
   /// @param set  for tests and benchmarks; one that the machine lacks is replaced by the widest
@@ -62,7 +66,7 @@ class ContactEstimator {
   ContactEstimator(const EstimatorPlan& plan, const ConvolutionMaker& make,
                    InstructionSet set = widest_instruction_set());
   ContactEstimator(const ContactEstimator& other);
-  ContactEstimator(ContactEstimator&&) noexcept;
+  ContactEstimator(ContactEstimator&&) noexcept;  ///< what was moved from: assign to it or destroy
   ContactEstimator& operator=(const ContactEstimator& other);
   ContactEstimator& operator=(ContactEstimator&&) noexcept;
   ~ContactEstimator();
@@ -88,6 +92,7 @@ class ContactEstimator {
                            std::span<ContactEstimate> estimates) noexcept;
 
   /// What the sensors read without contact; subtracted from every frame from now on. Zero at first.
+  /// What a dead taxel reads is taken if it is finite, for the day it lives again.
   /// @return not `ok`: the old baseline stays
   FrameStatus set_baseline(std::span<const double> readings) noexcept;
 
@@ -97,7 +102,8 @@ class ContactEstimator {
   /// O(readings) more per frame and dead reading.
   ///
   /// @return false, and nothing changes: the plan has no prediction, `taxel` is not < count, more
-  ///         than `most_dead_taxels`, or the others cannot predict it (make a new plan, without it)
+  ///         than `most_dead_taxels`, the last one that lives, or the others cannot predict it
+  ///         (make a new plan, without it)
   bool set_dead(std::size_t taxel) noexcept;
   /// All taxels that `set_dead` left out count again.
   void revive() noexcept;
@@ -114,6 +120,7 @@ class ContactEstimator {
   void predict(double* explained) noexcept;
   void judge(ContactEstimate& estimate) noexcept;
   void fill_dead() noexcept;
+  bool eliminate(std::size_t reading) noexcept;
 
   std::shared_ptr<const Ready> ready_;
   std::unique_ptr<Scratch> scratch_;

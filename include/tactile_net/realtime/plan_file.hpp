@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -34,11 +34,11 @@ inline constexpr std::uint32_t plan_version = 1;
 [[nodiscard]] inline EstimatorPlan load_plan(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error(path.string() + ": cannot be opened");
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file),
-                                std::istreambuf_iterator<char>()};
-  if (file.bad()) throw std::runtime_error(path.string() + ": cannot be read");
+  std::ostringstream content;
+  if (file.peek() != std::ifstream::traits_type::eof()) content << file.rdbuf();
+  if (file.bad() || !content) throw std::runtime_error(path.string() + ": cannot be read");
   try {
-    return decode_plan(std::as_bytes(std::span(bytes)));
+    return decode_plan(std::as_bytes(std::span(content.view())));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path.string() + ": " + error.what());
   }

@@ -1,0 +1,99 @@
+// libFuzzer: any bytes are a plan or a runtime_error; what is a plan is written again as the same
+// bytes, and its estimator answers frames without fault.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <random>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/realtime/plan_file.hpp"
+#include "tests/realtime/plan_bytes.hpp"
+#include "tests/realtime/plans.hpp"
+
+using namespace tactile_net;
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+
+namespace {
+
+constexpr std::size_t header = 20;
+constexpr std::size_t checksum = 8;
+
+void require(bool holds, const char* rule) {
+  if (holds) return;
+  std::fprintf(stderr, "violated: %s\n", rule);
+  std::abort();
+}
+
+/// What is answered with `ok` is finite, however odd the plan.
+void run_frames(const EstimatorPlan& plan, InstructionSet set) {
+  ContactEstimator estimator(plan, set);
+  std::vector<double> readings(estimator.readings());
+  std::vector<double> tractions(estimator.tractions());
+  ContactEstimate estimate{.tractions = tractions};
+  for (const double size : {0.0, 1.0, 1e-310, 1e30, 1e150, 1e300}) {
+    for (std::size_t i = 0; i < readings.size(); ++i)
+      readings[i] = size * (static_cast<double>((i * 7 + 3) % 11) - 5.0);
+    for (const bool dead : {false, true}) {
+      if (dead && !estimator.set_dead(plan.count / 2)) break;
+      if (estimator.update(readings, estimate) != FrameStatus::ok) continue;
+      require(std::all_of(tractions.begin(), tractions.end(),
+                          [](double f) { return std::isfinite(f); }),
+              "finite tractions");
+      require(std::isfinite(estimate.normal_force), "a finite force");
+      require(!plan.prediction || std::isfinite(estimate.residual_rms), "a finite residual");
+      require(estimate.outlier < static_cast<std::ptrdiff_t>(readings.size()),
+              "an outlier's index");
+    }
+    estimator.revive();
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto bytes = std::as_bytes(std::span(data, size));
+  EstimatorPlan plan;
+  try {
+    plan = decode_plan(bytes);
+  } catch (const std::runtime_error&) {
+    return 0;
+  }
+  const std::vector<std::byte> again = encode_plan(plan);
+  require(std::equal(again.begin(), again.end(), bytes.begin(), bytes.end()), "the same bytes");
+  run_frames(plan, InstructionSet::baseline);
+  run_frames(plan, widest_instruction_set());
+  return 0;
+}
+
+/// Plans to start from; mutations of the payload, signed anew so that its decoder is reached; now
+/// and then of anything else.
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t most, unsigned seed) {
+  std::minstd_rand random(seed + 1);
+  if (size <= header + checksum || random() % 64 == 0) {
+    PlanShape shape{.count = 2 + random() % 4, .channels = 1 + random() % 2};
+    shape.unknowns = 1 + random() % 2;
+    shape.structure = static_cast<Structure>(random() % 4);
+    shape.precision = static_cast<Precision>(random() % 2);
+    shape.diagnostics = random() % 2 == 0;
+    const std::vector<std::byte> bytes = encode_plan(made_plan(shape, seed));
+    if (bytes.size() <= most) {
+      std::memcpy(data, bytes.data(), bytes.size());
+      return bytes.size();
+    }
+  }
+  if (size <= header + checksum || random() % 16 == 0) return LLVMFuzzerMutate(data, size, most);
+  const std::size_t payload =
+      LLVMFuzzerMutate(data + header, size - header - checksum, most - header - checksum);
+  const std::size_t length = header + payload + checksum;
+  sign(std::as_writable_bytes(std::span(data, length)));
+  return length;
+}

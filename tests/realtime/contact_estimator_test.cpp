@@ -1,0 +1,539 @@
+#include "tactile_net/realtime/contact_estimator.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "tactile_net/control/planner.hpp"
+#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
+#include "tests/catch.hpp"
+#include "tests/inverse/problems.hpp"
+#include "tests/realtime/plans.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr Structure structures[] = {Structure::dense, Structure::low_rank, Structure::parity,
+                                    Structure::parity_low_rank};
+
+/// An estimate with memory of its own; everything set to what no frame gives.
+struct Answer {
+  explicit Answer(const ContactEstimator& estimator) : tractions(estimator.tractions(), 17.0) {
+    estimate = {.tractions = tractions,
+                .time = 1.5,
+                .normal_force = 2.5,
+                .tangential_force = 3.5,
+                .centre = 4.5,
+                .angle = 5.5,
+                .friction_margin = 6.5,
+                .residual_rms = 7.5,
+                .contact = true,
+                .saturated = true,
+                .outlier = 8};
+  }
+  std::vector<double> tractions;
+  ContactEstimate estimate;
+
+  /// Every member bit by bit, NaN too.
+  [[nodiscard]] std::vector<std::uint64_t> bits() const {
+    std::vector<std::uint64_t> all;
+    for (const double value : estimate.tractions)
+      all.push_back(std::bit_cast<std::uint64_t>(value));
+    for (const double value :
+         {estimate.time, estimate.normal_force, estimate.tangential_force, estimate.centre,
+          estimate.angle, estimate.friction_margin, estimate.residual_rms})
+      all.push_back(std::bit_cast<std::uint64_t>(value));
+    all.push_back(estimate.contact);
+    all.push_back(estimate.saturated);
+    all.push_back(static_cast<std::uint64_t>(estimate.outlier));
+    return all;
+  }
+};
+
+Answer answer(ContactEstimator& estimator, std::span<const double> readings, double time = 0.0) {
+  Answer result(estimator);
+  REQUIRE(estimator.update(readings, result.estimate, time) == FrameStatus::ok);
+  return result;
+}
+
+double sum(std::span<const double> values) {
+  return static_cast<double>(std::accumulate(values.begin(), values.end(), 0.0L));
+}
+
+std::vector<double> scaled(std::vector<double> values, int exponent) {
+  for (double& value : values) value = std::ldexp(value, exponent);
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("the resultant, the margin and the residual are those of the tractions",
+          "[contact_estimator]") {
+  const auto problems = sample_problems();
+  const std::size_t which = GENERATE(range(std::size_t{0}, std::size_t{8}));
+  const auto& [name, problem] = problems.at(which);
+  CAPTURE(name);
+  const std::size_t n = problem.count;
+  ContactEstimator estimator(
+      plan_estimator(problem, 1e-4, {.accuracy = 1e-12, .friction_coefficient = 0.7}).plan);
+  bool pressed = false;
+  bool pulled = false;
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    const std::vector<double> g = random_values(estimator.readings(), seed);
+    const Answer result = answer(estimator, g, 12.25);
+    const ContactEstimate& found = result.estimate;
+    const std::span<const double> normal = found.tractions.first(n);
+    const std::span<const double> tangential = found.tractions.subspan(n);
+    CHECK(found.time == 12.25);
+    const double size = problem.pitch * static_cast<double>(n) * l2_norm(found.tractions);
+    CHECK_THAT(found.normal_force, WithinAbs(problem.pitch * sum(normal), 1e-15 * size));
+    CHECK(found.contact == (found.normal_force > 0.0));
+    (found.contact ? pressed : pulled) = true;
+    if (found.contact) {
+      long double moment = 0.0L;
+      for (std::size_t j = 0; j < n; ++j)
+        moment += (static_cast<long double>(j) - 0.5L * static_cast<long double>(n - 1)) *
+                  static_cast<long double>(normal[j]);
+      const double centre =
+          problem.pitch * problem.pitch * static_cast<double>(moment) / found.normal_force;
+      CHECK_THAT(found.centre, WithinAbs(centre, 1e-13 * size * size / found.normal_force));
+    } else {
+      CHECK(std::isnan(found.centre));
+      CHECK(std::isnan(found.angle));
+    }
+    if (problem.unknowns == 2) {
+      CHECK_THAT(found.tangential_force, WithinAbs(problem.pitch * sum(tangential), 1e-15 * size));
+      CHECK_THAT(found.friction_margin,
+                 WithinRel(0.7 * found.normal_force - std::abs(found.tangential_force), 1e-14));
+      if (found.contact) {  // the angle turns the resultant onto the normal
+        const double length = std::hypot(found.normal_force, found.tangential_force);
+        CHECK_THAT(length * std::cos(found.angle), WithinRel(found.normal_force, 1e-14));
+        CHECK_THAT(length * std::sin(found.angle), WithinRel(found.tangential_force, 1e-14));
+      }
+    } else {
+      CHECK(std::isnan(found.tangential_force));
+      CHECK(std::isnan(found.angle));
+      CHECK(std::isnan(found.friction_margin));
+    }
+    double squares = 0.0;
+    double live = 0.0;
+    for (std::size_t i = 0; i < g.size(); ++i) {
+      double r = problem.weights[i] * g[i];
+      for (std::size_t j = 0; j < found.tractions.size(); ++j)
+        r -= problem.kernel(i, j) * found.tractions[j];
+      squares += r * r;
+      live += problem.weights[i] > 0.0 ? 1.0 : 0.0;
+    }
+    CHECK_THAT(found.residual_rms, WithinRel(std::sqrt(squares / live), 1e-8));
+  }
+  if (name != "shear") CHECK(pressed);
+  CHECK((pressed || pulled));
+}
+
+TEST_CASE("a positive traction has its centre where it is, a negative one no centre",
+          "[contact_estimator]") {
+  EstimatorPlan plan = made_plan({.count = 9, .structure = Structure::dense});
+  plan.reconstruction.scale = 1.0;
+  for (std::size_t i = 0; i < 9; ++i)
+    for (std::size_t j = 0; j < 9; ++j)
+      plan.reconstruction.factors[0].values[i * 9 + j] = i == j ? 1.0 : 0.0;
+  ContactEstimator estimator(plan);
+  std::vector<double> g(9, 0.0);
+  g[6] = 3.0;
+  CHECK(answer(estimator, g).estimate.normal_force == 0.75);
+  CHECK(answer(estimator, g).estimate.centre == 0.5);  // (6 - 4) * 0.25
+  g[2] = 3.0;
+  CHECK(answer(estimator, g).estimate.centre == 0.0);
+  g[2] = g[6] = -3.0;
+  CHECK_FALSE(answer(estimator, g).estimate.contact);
+  CHECK(std::isnan(answer(estimator, g).estimate.centre));
+}
+
+TEST_CASE("every structure, precision and instruction set computes the product that is written",
+          "[contact_estimator]") {
+  const std::size_t count = GENERATE(2U, 3U, 8U, 13U, 40U, 81U, 130U);
+  const std::size_t channels = GENERATE(1U, 2U, 3U);
+  const std::size_t unknowns = GENERATE(1U, 2U);
+  for (const Structure structure : structures)
+    for (const Precision precision : {Precision::float64, Precision::float32}) {
+      CAPTURE(count, channels, unknowns, name(structure), name(precision));
+      const EstimatorPlan plan = made_plan({.count = count,
+                                            .channels = channels,
+                                            .unknowns = unknowns,
+                                            .structure = structure,
+                                            .precision = precision,
+                                            .diagnostics = false});
+      const std::vector<double> g = random_values(plan.readings(), 4);
+      const std::vector<double> expected = by_definition(plan.reconstruction, g);
+      // Sums of products of entries <= 1, sums of pairs <= 2: two classes, two factors.
+      const double terms = 8.0 * static_cast<double>(plan.readings() * plan.readings());
+      const double bound = (precision == Precision::float64 ? 0x1p-52 : 0x1p-23) * terms;
+      for (const InstructionSet set :
+           {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+        if (set > widest_instruction_set()) continue;
+        ContactEstimator estimator(plan, set);
+        REQUIRE(estimator.instruction_set() == set);
+        const Answer result = answer(estimator, g);
+        for (std::size_t i = 0; i < expected.size(); ++i)
+          REQUIRE(std::abs(result.tractions[i] - expected[i]) <= bound);
+      }
+    }
+}
+
+TEST_CASE("an instruction set that the machine lacks is replaced by its widest",
+          "[contact_estimator]") {
+  const ContactEstimator estimator(made_plan({}), InstructionSet::avx512);
+  CHECK(estimator.instruction_set() == std::min(InstructionSet::avx512, widest_instruction_set()));
+}
+
+TEST_CASE("a bad frame is reported and leaves every member of the estimate alone",
+          "[contact_estimator]") {
+  const Precision precision = GENERATE(Precision::float64, Precision::float32);
+  const bool diagnostics = GENERATE(true, false);
+  ContactEstimator estimator(
+      made_plan({.unknowns = 2, .precision = precision, .diagnostics = diagnostics}));
+  const std::vector<double> good = random_values(estimator.readings(), 1);
+  const auto refused = [&](const std::vector<double>& readings, FrameStatus status) {
+    Answer kept(estimator);
+    const auto before = kept.bits();
+    CHECK(estimator.update(readings, kept.estimate, 99.0) == status);
+    CHECK(kept.bits() == before);
+  };
+  refused({}, FrameStatus::wrong_size);
+  refused(std::vector<double>(good.begin(), good.end() - 1), FrameStatus::wrong_size);
+  refused(std::vector<double>(estimator.readings() + 1), FrameStatus::wrong_size);
+  for (const double bad : {not_a_number, -not_a_number, infinite, -infinite})
+    for (std::size_t i = 0; i < good.size(); ++i) {
+      std::vector<double> readings = good;
+      readings[i] = bad;
+      refused(readings, FrameStatus::not_finite);
+      readings[(i + 5) % readings.size()] = 1e308;  // not finite comes before too large
+      refused(readings, FrameStatus::not_finite);
+    }
+  for (const double huge : {1e308, -1.7e308, std::numeric_limits<double>::max()}) {
+    std::vector<double> readings = good;
+    readings[2] = huge;
+    refused(readings, FrameStatus::too_large);
+    refused(std::vector<double>(good.size(), huge), FrameStatus::too_large);
+  }
+
+  Answer small(estimator);
+  small.estimate.tractions = std::span(small.tractions).first(3);
+  const auto before = small.bits();
+  CHECK(estimator.update(good, small.estimate) == FrameStatus::wrong_size);
+  CHECK(small.bits() == before);
+}
+
+TEST_CASE("what is not refused is finite, up to the largest readings", "[contact_estimator]") {
+  for (const Structure structure : structures)
+    for (const Precision precision : {Precision::float64, Precision::float32})
+      for (const bool diagnostics : {true, false}) {
+        EstimatorPlan plan = made_plan({.unknowns = 2,
+                                        .structure = structure,
+                                        .precision = precision,
+                                        .diagnostics = diagnostics});
+        plan.friction_coefficient = 1e6;
+        ContactEstimator estimator(plan);
+        if (diagnostics) REQUIRE(estimator.set_dead(4));
+        int accepted = 0;
+        for (int exponent = 1023; exponent > 300; exponent -= 3)
+          for (unsigned seed = 0; seed < 3; ++seed) {
+            const std::vector<double> g =
+                scaled(random_values(estimator.readings(), seed), exponent);
+            Answer result(estimator);
+            if (estimator.update(g, result.estimate) != FrameStatus::ok) continue;
+            ++accepted;
+            const ContactEstimate& found = result.estimate;
+            for (const double f : found.tractions) REQUIRE(std::isfinite(f));
+            REQUIRE(std::isfinite(found.normal_force));
+            REQUIRE(std::isfinite(found.tangential_force));
+            REQUIRE(std::isfinite(found.friction_margin));
+            if (diagnostics) REQUIRE(std::isfinite(found.residual_rms));
+          }
+        CHECK(accepted > 100);
+        CHECK(accepted < 3 * 241);
+      }
+}
+
+TEST_CASE("what is filled in for dead readings may be too large itself", "[contact_estimator]") {
+  // Two readings that say the same: of weight 1 and 1e-9, the second predicted as 1e9 times the
+  // first. Where only the first is large, the frame passes; with the second dead it must not.
+  EstimatorPlan plan = made_plan({.count = 2, .structure = Structure::dense});
+  plan.weights = {1.0, 1e-9};
+  plan.prediction->factors[0].values = {0.4, 0.4e-9, 0.4e9, 0.4};
+  plan.leverages = {0.4, 0.4};
+  ContactEstimator estimator(plan);
+  REQUIRE(estimator.set_dead(1));
+  double largest = 1.0;
+  Answer result(estimator);
+  for (; largest < 1e300; largest *= 2.0) {
+    const std::vector<double> g{largest, 0.0};
+    if (estimator.update(g, result.estimate) != FrameStatus::ok) break;
+    REQUIRE(std::isfinite(result.estimate.normal_force));
+  }
+  const std::vector<double> g{largest, 0.0};
+  CHECK(estimator.update(g, result.estimate) == FrameStatus::too_large);
+  estimator.revive();
+  CHECK(estimator.update(g, result.estimate) == FrameStatus::ok);
+}
+
+TEST_CASE("a frame of zeros gives zeros, no contact and no outlier", "[contact_estimator]") {
+  const Precision precision = GENERATE(Precision::float64, Precision::float32);
+  ContactEstimator estimator(made_plan({.unknowns = 2, .precision = precision}));
+  const Answer result = answer(estimator, std::vector<double>(estimator.readings(), 0.0));
+  CHECK(result.tractions == std::vector<double>(estimator.tractions(), 0.0));
+  CHECK(result.estimate.normal_force == 0.0);
+  CHECK(result.estimate.tangential_force == 0.0);
+  CHECK(result.estimate.friction_margin == 0.0);
+  CHECK(result.estimate.residual_rms == 0.0);
+  CHECK(std::isnan(result.estimate.centre));
+  CHECK(std::isnan(result.estimate.angle));
+  CHECK_FALSE(result.estimate.contact);
+  CHECK_FALSE(result.estimate.saturated);
+  CHECK(result.estimate.outlier == -1);
+}
+
+TEST_CASE("units scale: readings times a power of two give that many times the answer, to the bit",
+          "[contact_estimator]") {
+  const Precision precision = GENERATE(Precision::float64, Precision::float32);
+  for (const Structure structure : structures) {
+    EstimatorPlan plan =
+        made_plan({.count = 21, .unknowns = 2, .structure = structure, .precision = precision});
+    plan.ranges.clear();
+    ContactEstimator estimator(plan);
+    std::vector<double> g = random_values(estimator.readings(), 3);
+    g[11] += 40.0;
+    const Answer plain = answer(estimator, g);
+    CHECK(plain.estimate.outlier == 11);
+    for (const int exponent : {-400, -150, -30, -1, 1, 30, 150, 400}) {
+      CAPTURE(name(structure), name(precision), exponent);
+      const Answer result = answer(estimator, scaled(g, exponent));
+      CHECK(result.tractions == scaled(plain.tractions, exponent));
+      CHECK(result.estimate.normal_force == std::ldexp(plain.estimate.normal_force, exponent));
+      CHECK(result.estimate.tangential_force ==
+            std::ldexp(plain.estimate.tangential_force, exponent));
+      CHECK(result.estimate.friction_margin ==
+            std::ldexp(plain.estimate.friction_margin, exponent));
+      CHECK(result.estimate.residual_rms == std::ldexp(plain.estimate.residual_rms, exponent));
+      CHECK(std::bit_cast<std::uint64_t>(result.estimate.centre) ==
+            std::bit_cast<std::uint64_t>(plain.estimate.centre));
+      CHECK(result.estimate.contact == plain.estimate.contact);
+      CHECK(result.estimate.outlier == plain.estimate.outlier);
+    }
+  }
+}
+
+TEST_CASE("the smallest readings are answered, without NaN where a number is due",
+          "[contact_estimator]") {
+  const Precision precision = GENERATE(Precision::float64, Precision::float32);
+  ContactEstimator estimator(made_plan({.unknowns = 2, .precision = precision}));
+  const std::vector<double> plain = random_values(estimator.readings(), 2);
+  const std::vector<double> exact = answer(estimator, plain).tractions;
+  for (const int exponent : {-1000, -1020, -1060, -1074}) {
+    CAPTURE(exponent);
+    const Answer result = answer(estimator, scaled(plain, exponent));
+    // As exact as denormal readings and tractions are: a few of the smallest double each.
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      CHECK(std::abs(result.tractions[i] - std::ldexp(exact[i], exponent)) <=
+            std::ldexp(precision == Precision::float64 ? 1e-14 : 1e-5, exponent) + 200 * 0x1p-1074);
+    CHECK(std::isfinite(result.estimate.normal_force));
+    CHECK(std::isfinite(result.estimate.residual_rms));
+    CHECK(result.estimate.outlier == -1);
+  }
+}
+
+TEST_CASE("tractions may take the place of the readings", "[contact_estimator]") {
+  for (const Structure structure : structures)
+    for (const Precision precision : {Precision::float64, Precision::float32}) {
+      ContactEstimator estimator(made_plan({.structure = structure, .precision = precision}));
+      std::vector<double> g = random_values(estimator.readings(), 6);
+      g[5] = 2e9;  // saturated, which is judged by the reading
+      Answer apart = answer(estimator, g, 1.0);
+      Answer in_place(estimator);
+      in_place.estimate.tractions = g;
+      REQUIRE(estimator.update(g, in_place.estimate, 1.0) == FrameStatus::ok);
+      CHECK(in_place.bits() == apart.bits());
+      CHECK(in_place.estimate.saturated);
+    }
+}
+
+TEST_CASE("equal frames give equal bits, whatever came between", "[contact_estimator]") {
+  const auto problems = sample_problems();
+  for (const auto& [name, problem] : problems) {
+    CAPTURE(name);
+    ContactEstimator estimator(plan_estimator(problem, 1e-4).plan);
+    const std::vector<double> g = random_values(estimator.readings(), 1);
+    const auto first = answer(estimator, g).bits();
+    for (unsigned seed = 2; seed < 5; ++seed)
+      (void)answer(estimator, random_values(estimator.readings(), seed));
+    Answer bad(estimator);
+    CHECK(estimator.update(std::vector<double>(g.size(), not_a_number), bad.estimate) ==
+          FrameStatus::not_finite);
+    CHECK(answer(estimator, g).bits() == first);
+    // Where the frame lies in memory does not matter either.
+    std::vector<double> shifted(g.size() + 1);
+    std::copy(g.begin(), g.end(), shifted.begin() + 1);
+    CHECK(answer(estimator, std::span(shifted).subspan(1)).bits() == first);
+  }
+}
+
+TEST_CASE("the baseline is subtracted, and a bad one leaves the old", "[contact_estimator]") {
+  ContactEstimator estimator(made_plan({.unknowns = 2}));
+  std::vector<double> g(estimator.readings());
+  std::vector<double> baseline(estimator.readings());
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    g[i] = static_cast<double>(3 * i) - 7.0;
+    baseline[i] = static_cast<double>(i * i);
+  }
+  const auto plain = answer(estimator, g).bits();
+  REQUIRE(estimator.set_baseline(baseline) == FrameStatus::ok);
+  std::vector<double> loaded = g;  // whole numbers: sums are exact
+  for (std::size_t i = 0; i < g.size(); ++i) loaded[i] += baseline[i];
+  CHECK(answer(estimator, loaded).bits() == plain);
+  CHECK(answer(estimator, baseline).estimate.normal_force == 0.0);
+
+  std::vector<double> bad = baseline;
+  bad[0] += 1.0;
+  bad[3] = not_a_number;
+  CHECK(estimator.set_baseline(bad) == FrameStatus::not_finite);
+  bad[3] = infinite;
+  CHECK(estimator.set_baseline(bad) == FrameStatus::not_finite);
+  CHECK(estimator.set_baseline(std::span(baseline).subspan(1)) == FrameStatus::wrong_size);
+  CHECK(answer(estimator, loaded).bits() == plain);
+
+  REQUIRE(estimator.set_baseline(std::vector<double>(g.size(), 0.0)) == FrameStatus::ok);
+  CHECK(answer(estimator, g).bits() == plain);
+}
+
+TEST_CASE("a sensor with a dead taxel can be zeroed", "[contact_estimator]") {
+  ContactEstimator estimator(made_plan({}));
+  std::vector<double> baseline(estimator.readings(), 2.0);
+  REQUIRE(estimator.set_baseline(baseline) == FrameStatus::ok);
+  REQUIRE(estimator.set_dead(4));
+  baseline.assign(baseline.size(), 3.0);
+  baseline[4] = not_a_number;
+  REQUIRE(estimator.set_baseline(baseline) == FrameStatus::ok);
+  CHECK(answer(estimator, baseline).estimate.residual_rms == 0.0);
+  estimator.revive();
+  baseline[4] = 2.0;  // where it was
+  CHECK(answer(estimator, baseline).estimate.residual_rms == 0.0);
+}
+
+TEST_CASE("a batch is frame after frame, to the bit", "[contact_estimator]") {
+  const EstimatorPlan plan = made_plan({.unknowns = 2});
+  ContactEstimator estimator(plan);
+  ContactEstimator one_by_one(plan);
+  constexpr std::size_t frames = 7;
+  std::vector<double> readings = random_values(frames * estimator.readings(), 9);
+  std::vector<Answer> expected;
+  std::vector<Answer> answers(frames, Answer(estimator));
+  std::vector<ContactEstimate> estimates;
+  for (std::size_t k = 0; k < frames; ++k) {
+    const auto frame = std::span(readings).subspan(k * estimator.readings(), estimator.readings());
+    expected.push_back(answer(one_by_one, frame, static_cast<double>(k)));
+    answers[k].estimate.tractions = answers[k].tractions;
+    answers[k].estimate.time = static_cast<double>(k);
+    estimates.push_back(answers[k].estimate);
+  }
+  const auto compare = [&](std::size_t k) {
+    answers[k].estimate = estimates[k];
+    return answers[k].bits() == expected[k].bits();
+  };
+  REQUIRE(estimator.update_batch(readings, estimates) == FrameStatus::ok);
+  for (std::size_t k = 0; k < frames; ++k) CHECK(compare(k));
+  CHECK(estimator.update_batch({}, {}) == FrameStatus::ok);
+
+  // A bad frame keeps its estimate, the others are computed, the first bad status is told.
+  for (Answer& each : answers) std::fill(each.tractions.begin(), each.tractions.end(), 17.0);
+  readings[2 * estimator.readings() + 1] = not_a_number;
+  readings[4 * estimator.readings() + 1] = 1e308;
+  CHECK(estimator.update_batch(readings, estimates) == FrameStatus::not_finite);
+  for (std::size_t k = 0; k < frames; ++k) CHECK(compare(k) == (k != 2 && k != 4));
+  CHECK(answers[2].tractions == std::vector<double>(estimator.tractions(), 17.0));
+
+  // Of a wrong size: nothing is computed.
+  for (Answer& each : answers) std::fill(each.tractions.begin(), each.tractions.end(), 17.0);
+  CHECK(estimator.update_batch(std::span(readings).subspan(1), estimates) ==
+        FrameStatus::wrong_size);
+  estimates.back().tractions = estimates.back().tractions.subspan(1);
+  CHECK(estimator.update_batch(readings, estimates) == FrameStatus::wrong_size);
+  for (const Answer& each : answers)
+    CHECK(each.tractions == std::vector<double>(estimator.tractions(), 17.0));
+}
+
+TEST_CASE("copies are independent, and what was moved away can be assigned to again",
+          "[contact_estimator]") {
+  ContactEstimator original(made_plan({}));
+  const std::vector<double> g = random_values(original.readings(), 1);
+  const auto plain = answer(original, g).bits();
+
+  ContactEstimator copy(original);
+  const std::vector<double> baseline(g.size(), 0.5);
+  REQUIRE(copy.set_baseline(baseline) == FrameStatus::ok);
+  REQUIRE(copy.set_dead(3));
+  REQUIRE(copy.set_dead(7));
+  const auto changed = answer(copy, g).bits();
+  CHECK(changed != plain);
+  CHECK(answer(original, g).bits() == plain);
+
+  // A copy takes the baseline and the dead along.
+  ContactEstimator second(copy);
+  CHECK(answer(second, g).bits() == changed);
+  copy.revive();
+  CHECK(answer(copy, g).bits() != changed);
+  CHECK(answer(second, g).bits() == changed);
+
+  ContactEstimator moved(std::move(second));
+  CHECK(answer(moved, g).bits() == changed);
+  second = original;
+  CHECK(answer(second, g).bits() == plain);
+  original = std::move(moved);
+  CHECK(answer(original, g).bits() == changed);
+  const ContactEstimator& self = original;
+  original = self;
+  CHECK(answer(original, g).bits() == changed);
+  CHECK(original.label() == "made by hand");
+}
+
+TEST_CASE("a saturated reading is told, by its channel's range, unless it is dead",
+          "[contact_estimator]") {
+  EstimatorPlan plan = made_plan({.count = 5, .channels = 2});
+  plan.ranges = {{-1.0, 2.0}, {-10.0, 20.0}};
+  plan.weights[8] = 0.0;
+  ContactEstimator estimator(plan);
+  const auto saturated = [&](std::size_t i, double value) {
+    std::vector<double> g(10, 0.5);
+    g[i] = value;
+    return answer(estimator, g).estimate.saturated;
+  };
+  CHECK_FALSE(saturated(0, 0.0));
+  for (const std::size_t i : {0U, 2U, 4U}) {
+    CHECK(saturated(i, 2.0));  // at the limit is beyond it: the converter stands still there
+    CHECK(saturated(i, -1.0));
+    CHECK_FALSE(saturated(i, std::nextafter(2.0, 0.0)));
+    CHECK_FALSE(saturated(i + 5 == 8 ? 5 : i + 5, 2.0));
+  }
+  CHECK(saturated(5, 20.0));
+  CHECK(saturated(9, -11.0));
+  CHECK_FALSE(saturated(8, 1e6));  // dead in the plan
+  CHECK(saturated(2, 3.0));
+  REQUIRE(estimator.set_dead(2));
+  CHECK_FALSE(saturated(2, 3.0));
+  estimator.revive();
+  CHECK(saturated(2, 3.0));
+
+  // By what the sensor says, not by what is left of it.
+  REQUIRE(estimator.set_baseline(std::vector<double>(10, 1.9)) == FrameStatus::ok);
+  CHECK(saturated(0, 2.0));
+  CHECK_FALSE(saturated(0, 1.0));
+
+  plan.ranges.clear();
+  ContactEstimator unlimited(plan);
+  CHECK_FALSE(answer(unlimited, std::vector<double>(10, 1e12)).estimate.saturated);
+}

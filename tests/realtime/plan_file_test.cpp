@@ -1,0 +1,248 @@
+#include "tactile_net/realtime/plan_file.hpp"
+
+#include <unistd.h>
+
+#include <bit>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "tactile_net/control/planner.hpp"
+#include "tests/catch.hpp"
+#include "tests/inverse/problems.hpp"
+#include "tests/realtime/plan_bytes.hpp"
+#include "tests/realtime/plans.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+std::string refusal(std::span<const std::byte> bytes) {
+  try {
+    (void)decode_plan(bytes);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+/// A plan in which every field differs from its default.
+EstimatorPlan full_plan(Structure structure, Precision precision) {
+  EstimatorPlan plan = made_plan(
+      {.count = 5, .channels = 2, .unknowns = 2, .structure = structure, .precision = precision});
+  plan.label = std::string("a label\0 of any bytes \xff", 23);
+  plan.error_bound = 3e-8;
+  plan.noise_rms = 0.1;
+  plan.outlier_limit = 5.5;
+  plan.ranges = {{-0.0, 1.0}, {-2.0, std::numeric_limits<double>::denorm_min()}};
+  plan.weights[3] = 0.0;
+  return plan;
+}
+
+void check_same(const std::vector<double>& a, const std::vector<double>& b) {
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    CHECK(std::bit_cast<std::uint64_t>(a[i]) == std::bit_cast<std::uint64_t>(b[i]));
+}
+void check_same(const ProductPlan& a, const ProductPlan& b) {
+  CHECK(a.structure == b.structure);
+  CHECK(a.precision == b.precision);
+  CHECK(a.rows == b.rows);
+  CHECK(a.columns == b.columns);
+  CHECK(a.row_signs == b.row_signs);
+  CHECK(a.column_signs == b.column_signs);
+  CHECK(a.scale == b.scale);
+  REQUIRE(a.factors.size() == b.factors.size());
+  for (std::size_t i = 0; i < a.factors.size(); ++i) {
+    CHECK(a.factors[i].rows == b.factors[i].rows);
+    CHECK(a.factors[i].columns == b.factors[i].columns);
+    check_same(a.factors[i].values, b.factors[i].values);
+  }
+}
+void check_same(const EstimatorPlan& a, const EstimatorPlan& b) {
+  CHECK(a.label == b.label);
+  CHECK(a.count == b.count);
+  CHECK(a.channels == b.channels);
+  CHECK(a.unknowns == b.unknowns);
+  check_same({a.pitch, a.alpha, a.accuracy, a.error_bound, a.noise_rms, a.outlier_limit},
+             {b.pitch, b.alpha, b.accuracy, b.error_bound, b.noise_rms, b.outlier_limit});
+  check_same(a.reconstruction, b.reconstruction);
+  REQUIRE(a.prediction.has_value() == b.prediction.has_value());
+  if (a.prediction) check_same(*a.prediction, *b.prediction);
+  check_same(a.weights, b.weights);
+  check_same(a.leverages, b.leverages);
+  CHECK(a.friction_coefficient == b.friction_coefficient);
+  REQUIRE(a.ranges.size() == b.ranges.size());
+  for (std::size_t i = 0; i < a.ranges.size(); ++i)
+    check_same({a.ranges[i].lowest, a.ranges[i].highest},
+               {b.ranges[i].lowest, b.ranges[i].highest});
+}
+
+}  // namespace
+
+TEST_CASE("a plan comes back bit by bit", "[plan_file]") {
+  for (const Structure structure :
+       {Structure::dense, Structure::low_rank, Structure::parity, Structure::parity_low_rank})
+    for (const Precision precision : {Precision::float64, Precision::float32}) {
+      CAPTURE(name(structure), name(precision));
+      EstimatorPlan plan = full_plan(structure, precision);
+      check_same(decode_plan(encode_plan(plan)), plan);
+      plan.prediction.reset();
+      plan.leverages.clear();
+      plan.friction_coefficient.reset();
+      plan.ranges.clear();
+      plan.label.clear();
+      check_same(decode_plan(encode_plan(plan)), plan);
+    }
+  for (const auto& [name, problem] : sample_problems()) {
+    CAPTURE(name);
+    const EstimatorPlan plan = plan_estimator(problem, 1e-4).plan;
+    check_same(decode_plan(encode_plan(plan)), plan);
+    CHECK(encode_plan(decode_plan(encode_plan(plan))) == encode_plan(plan));
+  }
+}
+
+TEST_CASE("the layout is the one that the header states", "[plan_file]") {
+  const std::vector<std::byte> bytes = encode_plan(made_plan({}));
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  CHECK(text.substr(0, 8) == "TNETPLAN");
+  CHECK(text.substr(8, 4) == std::string_view("\1\0\0\0", 4));
+  std::uint64_t length = 0;
+  for (std::size_t i = 0; i < 8; ++i)
+    length |= std::to_integer<std::uint64_t>(bytes[12 + i]) << (8 * i);
+  CHECK(length == bytes.size() - 28);
+  // CRC-64/XZ by the bit; its catalogue check value first.
+  CHECK(crc64(std::as_bytes(std::span("123456789", 9))) == 0x995DC9BBDF1939FA);
+  std::vector<std::byte> resigned = bytes;
+  sign(resigned);
+  CHECK(resigned == bytes);
+}
+
+TEST_CASE("a truncated plan is refused, wherever it ends", "[plan_file]") {
+  const std::vector<std::byte> bytes =
+      encode_plan(full_plan(Structure::parity_low_rank, Precision::float32));
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    CAPTURE(length);
+    CHECK_THAT(refusal(std::span(bytes).first(length)),
+               ContainsSubstring(length < 8 ? "this is no plan" : "truncated"));
+  }
+  // Cut inside the payload, signed anew: what is announced within cannot be there.
+  for (std::size_t length = 28; length < bytes.size(); ++length) {
+    std::vector<std::byte> shorter(bytes.begin(),
+                                   bytes.begin() + static_cast<std::ptrdiff_t>(length));
+    sign(shorter);
+    REQUIRE_THAT(refusal(shorter), ContainsSubstring("contradict its length"));
+  }
+}
+
+TEST_CASE("a plan with any byte changed is refused", "[plan_file]") {
+  std::vector<std::byte> bytes =
+      encode_plan(full_plan(Structure::parity_low_rank, Precision::float32));
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    for (int change = 1; change < 256; change = 2 * change + (change == 64 ? 127 : 0)) {
+      CAPTURE(i, change);
+      bytes[i] ^= static_cast<std::byte>(change);
+      REQUIRE_THAT(refusal(bytes), ContainsSubstring(i < 8    ? "this is no plan"
+                                                     : i < 12 ? "has version"
+                                                     : i < 20 ? "bytes announced"
+                                                              : "corrupted: its checksum"));
+      bytes[i] ^= static_cast<std::byte>(change);
+    }
+  CHECK(refusal(bytes) == "accepted");
+}
+
+TEST_CASE("other versions, other files and bytes that follow are refused", "[plan_file]") {
+  std::vector<std::byte> bytes = encode_plan(made_plan({}));
+  CHECK_THAT(refusal({}), ContainsSubstring("this is no plan"));
+  bytes[8] = std::byte{2};
+  sign(bytes);
+  CHECK_THAT(refusal(bytes), ContainsSubstring("has version 2, this library reads version 1"));
+  bytes[8] = std::byte{1};
+  sign(bytes);
+  CHECK(refusal(bytes) == "accepted");
+
+  std::vector<std::byte> longer = bytes;
+  longer.push_back(std::byte{0});
+  CHECK_THAT(refusal(longer), ContainsSubstring("too long"));
+  sign(longer);  // now part of the payload
+  CHECK_THAT(refusal(longer), ContainsSubstring("goes on after its end"));
+}
+
+TEST_CASE("a signed plan that breaks a rule is refused with the rule", "[plan_file]") {
+  const EstimatorPlan plan = made_plan({});
+  const std::vector<std::byte> bytes = encode_plan(plan);
+  const std::size_t count = 20 + 8 + plan.label.size();  // header, the label and its length
+  const auto with = [&](std::size_t at, std::uint64_t value) {
+    std::vector<std::byte> changed = bytes;
+    for (std::size_t i = 0; i < 8; ++i) changed[at + i] = static_cast<std::byte>(value >> (8 * i));
+    sign(changed);
+    return refusal(changed);
+  };
+  CHECK_THAT(with(count, 0), ContainsSubstring("count must be >= 2"));
+  CHECK_THAT(with(count + 8, 2), ContainsSubstring("not of tractions x readings"));
+  CHECK_THAT(with(count + 16, 3), ContainsSubstring("unknowns must be 1 or 2"));
+  CHECK_THAT(with(count + 24, std::bit_cast<std::uint64_t>(-1.0)),
+             ContainsSubstring("pitch must be > 0"));
+  std::vector<std::byte> changed = bytes;
+  for (const std::size_t field : {count + 56, count + 57}) {  // structure, precision
+    changed[field] = std::byte{9};
+    sign(changed);
+    CHECK_THAT(refusal(changed),
+               ContainsSubstring(field == count + 56 ? "structure or precision is unknown"
+                                                     : "contradict its length"));
+    changed[field] = bytes[field];
+  }
+
+  // A flag is 0 or 1: what is read is written again byte by byte.
+  const std::size_t friction = changed.size() - 8 - 16 - 8 - 8 - 1;
+  REQUIRE(changed[friction] == std::byte{1});
+  changed[friction] = std::byte{2};
+  sign(changed);
+  CHECK_THAT(refusal(changed), ContainsSubstring("neither 0 nor 1"));
+}
+
+TEST_CASE("sizes that no file can hold allocate nothing", "[plan_file]") {
+  const std::vector<std::byte> good = encode_plan(made_plan({.diagnostics = false}));
+  // Every eight bytes of the payload in turn as a length: 2^31, 2^61 and the largest.
+  int refused = 0;
+  int tried = 0;
+  for (const std::uint64_t size :
+       {std::uint64_t{1} << 31, std::uint64_t{1} << 61, ~std::uint64_t{0}})
+    for (std::size_t at = 20; at + 16 <= good.size(); ++at) {
+      std::vector<std::byte> bytes = good;
+      for (std::size_t i = 0; i < 8; ++i) bytes[at + i] = static_cast<std::byte>(size >> (8 * i));
+      sign(bytes);
+      ++tried;
+      try {
+        const EstimatorPlan plan = decode_plan(bytes);
+        CHECK(encode_plan(plan) == bytes);  // it hit a number that may be so
+      } catch (const std::runtime_error&) {
+        ++refused;  // bad_alloc and length_error are none of these
+      }
+    }
+  CHECK(refused > tried / 4);
+}
+
+TEST_CASE("a plan is loaded from its file, and what cannot be is named", "[plan_file]") {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                     ("tactile-net-plan-" + std::to_string(::getpid()) + ".plan");
+  const EstimatorPlan plan = full_plan(Structure::parity, Precision::float64);
+  const std::vector<std::byte> bytes = encode_plan(plan);
+  const auto write = [&](std::size_t length) {
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(length));
+  };
+  write(bytes.size());
+  check_same(load_plan(path), plan);
+  const auto refused = [](const std::filesystem::path& file, const std::string& why) {
+    CHECK_THROWS_AS(load_plan(file), std::runtime_error);
+    CHECK_THROWS_WITH(load_plan(file), StartsWith(file.string() + ": ") && ContainsSubstring(why));
+  };
+  write(bytes.size() / 2);
+  refused(path, "truncated");
+  write(0);
+  refused(path, "this is no plan");
+  std::filesystem::remove(path);
+  refused(path, "cannot be opened");
+  refused(std::filesystem::temp_directory_path(), "cannot be read");
+}

@@ -1,0 +1,222 @@
+// The promise of what runs in the control loop: no allocation, no lock, no system call. Counted
+// here, and held by the kernel in a child process that may do nothing but exit.
+#include <dlfcn.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <pthread.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <vector>
+
+#include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/realtime/handover.hpp"
+#include "tests/catch.hpp"
+#include "tests/realtime/plans.hpp"
+
+namespace {
+std::atomic<long> allocations{0};
+std::atomic<long> releases{0};
+std::atomic<long> locks{0};
+}  // namespace
+
+// Every road to the heap ends in one of these: operator new and delete do.
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+void __libc_free(void*);
+
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* data, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(data, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** data, std::size_t alignment, std::size_t size) {
+  ++allocations;
+  *data = __libc_memalign(alignment, size);
+  return *data != nullptr ? 0 : ENOMEM;
+}
+void free(void* data) {
+  if (data != nullptr) ++releases;
+  __libc_free(data);
+}
+int pthread_mutex_lock(pthread_mutex_t* mutex) {
+  ++locks;
+  using Lock = int (*)(pthread_mutex_t*);
+  static std::atomic<Lock> real{nullptr};
+  Lock lock = real;
+  if (lock == nullptr)
+    real = lock = reinterpret_cast<Lock>(::dlsym(RTLD_NEXT, "pthread_mutex_lock"));
+  return lock(mutex);
+}
+}
+
+using namespace tactile_net;
+
+namespace {
+
+struct Counts {
+  long allocations, releases, locks;
+  bool operator==(const Counts&) const = default;
+};
+Counts counts() { return {allocations, releases, locks}; }
+
+/// Everything that a loop may call, on every kind of plan. Set-up is not part of `run`.
+class Loop {
+ public:
+  explicit Loop(const PlanShape& shape) {
+    const EstimatorPlan plan = made_plan(shape);
+    estimator_ = std::make_unique<ContactEstimator>(plan);
+    readings_.assign(estimator_->readings(), 1.0);
+    bad_ = huge_ = readings_;
+    bad_[1] = std::numeric_limits<double>::quiet_NaN();
+    huge_[1] = 1e308;
+    batch_.assign(3 * readings_.size(), 2.0);
+    tractions_.assign(3 * estimator_->tractions(), 0.0);
+    for (std::size_t k = 0; k < 3; ++k)
+      estimates_[k].tractions =
+          std::span(tractions_).subspan(k * estimator_->tractions(), estimator_->tractions());
+    handover_.offer(std::make_unique<ContactEstimator>(plan));
+  }
+
+  /// True if every call said what it should.
+  bool run() noexcept {
+    bool fine = handover_.exchange(estimator_) && !handover_.exchange(estimator_);
+    ContactEstimator& estimator = *estimator_;
+    ContactEstimate& estimate = estimates_[0];
+    const bool can_predict = estimator.set_dead(2);
+    fine &= estimator.update(readings_, estimate) == FrameStatus::ok;
+    for (std::size_t taxel = 3; taxel < 12; ++taxel) (void)estimator.set_dead(taxel);
+    if (can_predict) fine &= !estimator.set_dead(12);
+    fine &= estimator.update(readings_, estimate) == FrameStatus::ok;
+    estimator.revive();
+    fine &= estimator.set_baseline(readings_) == FrameStatus::ok;
+    fine &= estimator.set_baseline(bad_) == FrameStatus::not_finite;
+    fine &= estimator.update(readings_, estimate) == FrameStatus::ok;
+    fine &= estimator.update(bad_, estimate) == FrameStatus::not_finite;
+    fine &= estimator.update(huge_, estimate) == FrameStatus::too_large;
+    fine &= estimator.update({}, estimate) == FrameStatus::wrong_size;
+    fine &= estimator.update_batch(batch_, estimates_) == FrameStatus::ok;
+    return fine;
+  }
+
+ private:
+  std::unique_ptr<ContactEstimator> estimator_;
+  Handover<ContactEstimator> handover_;
+  std::vector<double> readings_, bad_, huge_, batch_, tractions_;
+  ContactEstimate estimates_[3];
+};
+
+std::vector<PlanShape> shapes() {
+  std::vector<PlanShape> all;
+  for (const Structure structure :
+       {Structure::dense, Structure::low_rank, Structure::parity, Structure::parity_low_rank})
+    for (const Precision precision : {Precision::float64, Precision::float32})
+      for (const bool diagnostics : {true, false})
+        all.push_back({.count = 21,
+                       .channels = 2,
+                       .unknowns = 2,
+                       .structure = structure,
+                       .precision = precision,
+                       .diagnostics = diagnostics});
+  return all;
+}
+
+/// From here on, the kernel kills this process at any system call but exit_group.
+bool forbid_system_calls() {
+  sock_filter program[] = {
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_exit_group, 0, 1),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
+  };
+  const sock_fprog filter{static_cast<unsigned short>(std::size(program)), program};
+  return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+         ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+}
+
+/// Wait status of a child that runs `body` without system calls; its exit code: 0 if true.
+int without_system_calls(const std::function<bool()>& body) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (!forbid_system_calls()) ::_exit(77);
+    ::_exit(body() ? 0 : 1);
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+}  // namespace
+
+TEST_CASE("the counters count", "[real_time]") {
+  const Counts before = counts();
+  delete new (std::nothrow) std::vector<double>(100);
+  delete new (std::align_val_t{64}) double;
+  std::free(std::calloc(3, 3));
+  std::mutex mutex;
+  { const std::scoped_lock lock(mutex); }
+  const Counts after = counts();
+  CHECK(after.allocations >= before.allocations + 2);
+  CHECK(after.releases >= before.releases + 2);
+  CHECK(after.locks == before.locks + 1);
+}
+
+TEST_CASE("the control loop's calls allocate, free and lock nothing", "[real_time]") {
+  for (const PlanShape& shape : shapes()) {
+    CAPTURE(name(shape.structure), name(shape.precision), shape.diagnostics);
+    Loop loop(shape);
+    const Counts before = counts();
+    const bool fine = loop.run();
+    const Counts after = counts();  // before CHECK, which allocates
+    CHECK(fine);
+    CHECK(after.allocations == before.allocations);
+    CHECK(after.releases == before.releases);
+    CHECK(after.locks == before.locks);
+  }
+}
+
+TEST_CASE("the kernel kills the child that makes a system call", "[real_time]") {
+  const int status = without_system_calls([] { return ::syscall(SYS_getpid) > 0; });
+  CHECK(WIFSIGNALED(status));
+  CHECK(WTERMSIG(status) == SIGSYS);
+  const int none = without_system_calls([] { return true; });
+  CHECK(WIFEXITED(none));
+  CHECK(WEXITSTATUS(none) == 0);  // 77: this kernel has no seccomp filters
+}
+
+TEST_CASE("the control loop's calls make no system call", "[real_time]") {
+  for (const PlanShape& shape : shapes()) {
+    CAPTURE(name(shape.structure), name(shape.precision), shape.diagnostics);
+    Loop loop(shape);
+    const int status = without_system_calls([&] { return loop.run(); });
+    CHECK_FALSE(WIFSIGNALED(status));
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+  }
+}
