@@ -54,13 +54,13 @@ struct ContactEstimator::Ready {
         set(std::min(chosen, widest_instruction_set())),
         loops(kernels(set)) {
     if (plan.reconstruction.precision == Precision::float64)
-      product64.emplace(plan.reconstruction);
+      product64.emplace(plan.reconstruction, loops.most_lines);
     else
-      product32.emplace(plan.reconstruction);
+      product32.emplace(plan.reconstruction, loops.most_lines);
     double most = growth(plan.reconstruction) * static_cast<double>(plan.tractions()) *
                   static_cast<double>(plan.count) * std::max(1.0, plan.pitch * plan.pitch);
     if (plan.prediction) {
-      prediction.emplace(*plan.prediction);
+      prediction.emplace(*plan.prediction, loops.most_lines);
       shares.resize(plan.readings());
       for (std::size_t i = 0; i < shares.size(); ++i) {
         shares[i] = 1.0 / (1.0 - plan.leverages[i]);
@@ -178,9 +178,11 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
     return FrameStatus::wrong_size;
 
   double* const x = scratch.x.data();
-  loops.subtract(readings.data(), scratch.baseline.data(), x, n);
-  for (const std::size_t i : scratch.unread) x[i] = 0.0;
-  const std::uint64_t largest = loops.largest(x, n);
+  std::uint64_t largest = loops.subtract(readings.data(), scratch.baseline.data(), x, n);
+  if (!scratch.unread.empty()) {
+    for (const std::size_t i : scratch.unread) x[i] = 0.0;
+    largest = loops.largest(x, n);
+  }
   if (largest > std::bit_cast<std::uint64_t>(ready.limit)) {
     for (std::size_t i = 0; i < n; ++i)
       if (scratch.weights[i] > 0.0 && !std::isfinite(readings[i])) return FrameStatus::not_finite;
@@ -205,19 +207,27 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
     loops.multiply32(*ready.product32, x, f, scratch.product32.data(), magnitude);
   }
 
-  ContactEstimate next{.tractions = estimate.tractions, .time = time, .saturated = saturated};
   const Moments normal = loops.moments(f, count);
-  next.normal_force = ready.pitch * normal.sum;
-  next.contact = next.normal_force > 0.0;
-  if (next.contact) next.centre = ready.pitch * (normal.first / normal.sum);
+  estimate.time = time;
+  estimate.normal_force = ready.pitch * normal.sum;
+  estimate.tangential_force = ContactEstimate::unknown;
+  estimate.centre = ContactEstimate::unknown;
+  estimate.angle = ContactEstimate::unknown;
+  estimate.friction_margin = ContactEstimate::unknown;
+  estimate.residual_rms = ContactEstimate::unknown;
+  estimate.contact = estimate.normal_force > 0.0;
+  estimate.saturated = saturated;
+  estimate.outlier = -1;
+  if (estimate.contact) estimate.centre = ready.pitch * (normal.first / normal.sum);
   if (ready.unknowns == 2) {
-    next.tangential_force = ready.pitch * loops.moments(f + count, count).sum;
-    if (next.contact) next.angle = std::atan2(next.tangential_force, next.normal_force);
+    estimate.tangential_force = ready.pitch * loops.moments(f + count, count).sum;
+    if (estimate.contact)
+      estimate.angle = std::atan2(estimate.tangential_force, estimate.normal_force);
     if (ready.friction)
-      next.friction_margin = *ready.friction * next.normal_force - std::abs(next.tangential_force);
+      estimate.friction_margin =
+          *ready.friction * estimate.normal_force - std::abs(estimate.tangential_force);
   }
-  if (ready.prediction) judge(next);
-  estimate = next;
+  if (ready.prediction) judge(estimate);
   return FrameStatus::ok;
 }
 

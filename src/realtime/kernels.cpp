@@ -3,6 +3,11 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <type_traits>
+#include <utility>
+
+// Vectors go through functions that are always inlined: no call's convention is concerned.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace tactile_net {
 namespace {
@@ -15,74 +20,129 @@ struct Vector {
   static constexpr std::size_t lanes = Bytes / sizeof(T);
 };
 
-/// y = panel x. Reads `sums` columns at a time into sums of their own, so that additions need not
-/// wait for each other.
-template <int Bytes, std::size_t lines, std::size_t sums, class T>
-[[gnu::always_inline]] inline const T* multiply_panel(const T* a, std::size_t columns, const T* x,
+/// One that need not be aligned.
+template <class T, int Bytes>
+struct [[gnu::packed, gnu::may_alias]] Unaligned {
+  typename Vector<T, Bytes>::type v;
+};
+
+template <int Bytes, class T>
+[[gnu::always_inline]] inline typename Vector<T, Bytes>::type load(const T* p) noexcept {
+  return reinterpret_cast<const Unaligned<T, Bytes>*>(p)->v;
+}
+template <int Bytes, class T, class V>
+[[gnu::always_inline]] inline void store(T* p, V v) noexcept {
+  reinterpret_cast<Unaligned<T, Bytes>*>(p)->v = v;
+}
+
+template <class V, std::size_t... k>
+[[gnu::always_inline]] inline V reversed(V v, std::index_sequence<k...>) noexcept {
+  using Index = std::make_signed_t<std::size_t>;
+  typedef Index Mask __attribute__((vector_size(sizeof(V))));
+  return __builtin_shuffle(v, Mask{static_cast<Index>(sizeof...(k) - 1 - k)...});
+}
+
+/// Calls `step(i)` for vectors that cover 0 ... size - 1, the last one overlapping the one before:
+/// for steps that only write what depends on nothing written. `single(i)` where not even one fits.
+template <std::size_t lanes>
+[[gnu::always_inline]] inline void cover(std::size_t size, const auto& step,
+                                         const auto& single) noexcept {
+  if (size < lanes) {
+    for (std::size_t i = 0; i < size; ++i) single(i);
+    return;
+  }
+  for (std::size_t i = 0; i + lanes <= size; i += lanes) step(i);
+  if (size % lanes != 0) step(size - lanes);
+}
+
+/// Lines of rows that a panel has at most: their sums stay in registers, with x_j in one more.
+constexpr std::size_t most_lines(int bytes) noexcept {
+  return bytes >= 32 ? 6 : 3;
+}
+
+/// y = panel x. Reads `sums` columns at a time into sums of their own: additions take four cycles
+/// and two start in each, so eight must be under way.
+template <int Bytes, std::size_t lines, class T>
+[[gnu::always_inline]] inline const T* multiply_panel(const T* p, std::size_t columns, const T* x,
                                                       T* y) noexcept {
   using V = typename Vector<T, Bytes>::type;
   constexpr std::size_t lanes = Vector<T, Bytes>::lanes;
   constexpr std::size_t width = lines * cache_line / sizeof(T);
-  // Baseline x86-64 has 16 registers: a panel of four lines goes in two passes.
-  constexpr std::size_t passes = Bytes == 16 && lines == 4 ? 2 : 1;
-  constexpr std::size_t vectors = width / lanes / passes;
-  constexpr std::size_t ahead = 4096 / sizeof(T);  // the next page, which hardware does not fetch
-  for (std::size_t pass = 0; pass < passes; ++pass) {
-    const T* p = a + pass * vectors * lanes;
-    T* out = y + pass * vectors * lanes;
-    V sum[sums][vectors] = {};
-    std::size_t j = 0;
-    for (; j + sums <= columns; j += sums, p += sums * width) {
-      for (std::size_t line = 0; line < sums * lines; ++line)
-        __builtin_prefetch(p + ahead + line * cache_line / sizeof(T));
+  constexpr std::size_t vectors = width / lanes;
+  constexpr std::size_t sums = (8 + vectors - 1) / vectors;
+  V sum[sums][vectors] = {};
+  std::size_t j = 0;
+  for (; j + sums <= columns; j += sums, p += sums * width)
 #pragma GCC unroll 8
-      for (std::size_t s = 0; s < sums; ++s)
-#pragma GCC unroll 8
-        for (std::size_t i = 0; i < vectors; ++i)
-          sum[s][i] += *reinterpret_cast<const V*>(p + s * width + i * lanes) * x[j + s];
-    }
-    for (; j < columns; ++j, p += width)
-#pragma GCC unroll 8
+    for (std::size_t s = 0; s < sums; ++s)
+#pragma GCC unroll 16
       for (std::size_t i = 0; i < vectors; ++i)
-        sum[0][i] += *reinterpret_cast<const V*>(p + i * lanes) * x[j];
+        sum[s][i] += *reinterpret_cast<const V*>(p + s * width + i * lanes) * x[j + s];
 #pragma GCC unroll 8
-    for (std::size_t s = 1; s < sums; ++s)
-#pragma GCC unroll 8
-      for (std::size_t i = 0; i < vectors; ++i) sum[0][i] += sum[s][i];
-#pragma GCC unroll 8
-    for (std::size_t i = 0; i < vectors; ++i) *reinterpret_cast<V*>(out + i * lanes) = sum[0][i];
+  for (std::size_t s = 0; s + 1 < sums; ++s) {
+    if (j + s >= columns) break;
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < vectors; ++i)
+      sum[s][i] += *reinterpret_cast<const V*>(p + i * lanes) * x[j + s];
+    p += width;
   }
-  return a + columns * width;
+#pragma GCC unroll 8
+  for (std::size_t s = 1; s < sums; ++s)
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < vectors; ++i) sum[0][i] += sum[s][i];
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i < vectors; ++i) *reinterpret_cast<V*>(y + i * lanes) = sum[0][i];
+  return p;
 }
 
 /// y = A x, y padded to whole cache lines.
 template <int Bytes, class T>
 [[gnu::always_inline]] inline void multiply_factor(const Panels<T>& a, const T* x, T* y) noexcept {
-  constexpr std::size_t line = cache_line / sizeof(T);
   const T* p = a.values.data();
-  std::size_t lines = padded<T>(a.rows) / line;
-  for (; lines >= 4; lines -= 4, y += 4 * line)
-    p = multiply_panel < Bytes, 4, Bytes == 64 ? 2 : 1 > (p, a.columns, x, y);
-  for (; lines >= 2; lines -= 2, y += 2 * line) p = multiply_panel<Bytes, 2, 2>(p, a.columns, x, y);
-  for (; lines >= 1; --lines, y += line) p = multiply_panel<Bytes, 1, 4>(p, a.columns, x, y);
+  std::size_t left = padded<T>(a.rows) * sizeof(T) / cache_line;
+  for (std::size_t panels = a.panels; panels > 0; --panels) {
+    const std::size_t lines = left / panels;
+    if (lines == 1) p = multiply_panel<Bytes, 1>(p, a.columns, x, y);
+    if (lines == 2) p = multiply_panel<Bytes, 2>(p, a.columns, x, y);
+    if (lines == 3) p = multiply_panel<Bytes, 3>(p, a.columns, x, y);
+    if constexpr (most_lines(Bytes) == 6) {
+      if (lines == 4) p = multiply_panel<Bytes, 4>(p, a.columns, x, y);
+      if (lines == 5) p = multiply_panel<Bytes, 5>(p, a.columns, x, y);
+      if (lines == 6) p = multiply_panel<Bytes, 6>(p, a.columns, x, y);
+    }
+    y += lines * cache_line / sizeof(T);
+    left -= lines;
+  }
 }
 
 /// Sums and differences of x, class by class; see product_plan.hpp.
-template <class T>
+template <int Bytes, class T>
 [[gnu::always_inline]] inline void split(const std::vector<std::int8_t>& signs, std::size_t size,
                                          const double* x, double factor, T* even, T* odd) noexcept {
+  constexpr std::size_t lanes = Bytes / sizeof(double);
+  constexpr int stored = static_cast<int>(lanes * sizeof(T));
+  using Stored = typename Vector<T, stored>::type;
   const std::size_t n = size / signs.size();
   const std::size_t half = n / 2;
   for (const std::int8_t sign : signs) {
     T*& sums = sign > 0 ? even : odd;
     T*& differences = sign > 0 ? odd : even;
-    const double* last = x + n - 1;
-    for (std::size_t i = 0; i < half; ++i) {
-      const double a = x[i] * factor;
-      const double b = *(last - i) * factor;
-      sums[i] = static_cast<T>(a + b);
-      differences[i] = static_cast<T>(a - b);
-    }
+    const double* end = x + n;
+    cover<lanes>(
+        half,
+        [&](std::size_t i) {
+          const auto a = load<Bytes>(x + i) * factor;
+          const auto b = reversed(load<Bytes>(end - i - lanes) * factor,
+                                  std::make_index_sequence<lanes>());
+          store<stored>(sums + i, __builtin_convertvector(a + b, Stored));
+          store<stored>(differences + i, __builtin_convertvector(a - b, Stored));
+        },
+        [&](std::size_t i) {
+          const double a = x[i] * factor;
+          const double b = *(end - 1 - i) * factor;
+          sums[i] = static_cast<T>(a + b);
+          differences[i] = static_cast<T>(a - b);
+        });
     sums += half;
     differences += half;
     if (n % 2 != 0) *sums++ = static_cast<T>(x[half] * factor);
@@ -91,22 +151,34 @@ template <class T>
 }
 
 /// The way back: y from its classes.
-template <class T>
+template <int Bytes, class T>
 [[gnu::always_inline]] inline void merge(const std::vector<std::int8_t>& signs, std::size_t size,
                                          const T* even, const T* odd, double factor,
                                          double* y) noexcept {
+  constexpr std::size_t lanes = Bytes / sizeof(double);
+  constexpr int stored = static_cast<int>(lanes * sizeof(T));
+  using Wide = typename Vector<double, Bytes>::type;
   const std::size_t n = size / signs.size();
   const std::size_t half = n / 2;
   for (const std::int8_t sign : signs) {
     const T*& sums = sign > 0 ? even : odd;
     const T*& differences = sign > 0 ? odd : even;
-    double* last = y + n - 1;
-    for (std::size_t i = 0; i < half; ++i) {
-      const double s = static_cast<double>(sums[i]);
-      const double d = static_cast<double>(differences[i]);
-      y[i] = factor * (s + d);
-      *(last - i) = factor * (s - d);
-    }
+    double* end = y + n;
+    cover<lanes>(
+        half,
+        [&](std::size_t i) {
+          const auto s = __builtin_convertvector(load<stored>(sums + i), Wide);
+          const auto d = __builtin_convertvector(load<stored>(differences + i), Wide);
+          store<Bytes>(y + i, factor * (s + d));
+          store<Bytes>(end - i - lanes,
+                       reversed(factor * (s - d), std::make_index_sequence<lanes>()));
+        },
+        [&](std::size_t i) {
+          const double s = static_cast<double>(sums[i]);
+          const double d = static_cast<double>(differences[i]);
+          y[i] = factor * (s + d);
+          *(end - 1 - i) = factor * (s - d);
+        });
     sums += half;
     differences += half;
     if (n % 2 != 0) y[half] = factor * static_cast<double>(*sums++);
@@ -114,45 +186,42 @@ template <class T>
   }
 }
 
+/// `factor(A, x, y)` multiplies by one factor.
 template <int Bytes, class T>
 [[gnu::always_inline]] inline void multiply(const ReadyProduct<T>& a, const double* x, double* y,
-                                            T* scratch, double magnitude) noexcept {
+                                            T* scratch, double magnitude,
+                                            const auto& factor) noexcept {
   T* const input = scratch;
   T* const middle = scratch + a.input_size;
   T* const output = middle + a.middle_size;
   const double shrink = 1.0 / magnitude;
   const double grow = magnitude * a.scale;
+  const bool low_rank = is_low_rank(a.structure);
   if (!has_parity(a.structure)) {
     const T* in = input;
     if constexpr (sizeof(T) == sizeof(double))
       in = x;  // magnitude is 1
     else
       for (std::size_t i = 0; i < a.columns; ++i) input[i] = static_cast<T>(x[i] * shrink);
-    if (is_low_rank(a.structure)) {
-      multiply_factor<Bytes>(a.factors[0], in, middle);
-      multiply_factor<Bytes>(a.factors[1], middle, output);
-    } else {
-      multiply_factor<Bytes>(a.factors[0], in, output);
-    }
+    if (low_rank) factor(a.factors[0], in, middle);
+    factor(a.factors[low_rank ? 1 : 0], low_rank ? middle : in, output);
+#pragma GCC ivdep
     for (std::size_t i = 0; i < a.rows; ++i) y[i] = grow * static_cast<double>(output[i]);
-    return;
-  }
-  const std::size_t per_class = is_low_rank(a.structure) ? 2 : 1;
-  T* const odd_input = input + padded<T>(a.factors[0].columns);
-  T* const odd_output = output + padded<T>(a.factors[per_class - 1].rows);
-  split(a.column_signs, a.columns, x, shrink, input, odd_input);
-  for (std::size_t c = 0; c < 2; ++c) {
-    const Panels<T>* factor = a.factors.data() + c * per_class;
-    const T* in = c == 0 ? input : odd_input;
-    T* out = c == 0 ? output : odd_output;
-    if (per_class == 2) {
-      multiply_factor<Bytes>(factor[0], in, middle);
-      multiply_factor<Bytes>(factor[1], middle, out);
+  } else {
+    T* const odd_input = input + padded<T>(a.factors[0].columns);
+    T* const odd_output = output + padded<T>(a.factors[low_rank ? 1 : 0].rows);
+    split<Bytes>(a.column_signs, a.columns, x, shrink, input, odd_input);
+    if (low_rank) {
+      factor(a.factors[0], input, middle);
+      factor(a.factors[1], middle, output);
+      factor(a.factors[2], odd_input, middle);
+      factor(a.factors[3], middle, odd_output);
     } else {
-      multiply_factor<Bytes>(factor[0], in, out);
+      factor(a.factors[0], input, output);
+      factor(a.factors[1], odd_input, odd_output);
     }
+    merge<Bytes>(a.row_signs, a.rows, output, odd_output, grow, y);
   }
-  merge(a.row_signs, a.rows, output, odd_output, grow, y);
 }
 
 [[gnu::always_inline]] inline std::uint64_t magnitude_bits(double value) noexcept {
@@ -171,44 +240,118 @@ template <int Bytes, class T>
   return largest;
 }
 
+/// x = a - b, and the largest magnitude.
+[[gnu::always_inline]] inline std::uint64_t difference_of(const double* a, const double* b,
+                                                          double* x, std::size_t n) noexcept {
+  std::uint64_t largest = 0;
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < n; ++i) {
+    x[i] = a[i] - b[i];
+    const std::uint64_t bits = magnitude_bits(x[i]);
+    largest = bits > largest ? bits : largest;
+  }
+  return largest;
+}
+
 constexpr std::size_t lanes = 8;  // independent sums: the same order of additions on every machine
 
 [[gnu::always_inline]] inline double total(const double* sums) noexcept {
   return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
 }
 
-[[gnu::always_inline]] inline Moments moments_of(const double* f, std::size_t n) noexcept {
-  double sum[lanes] = {};
-  double first[lanes] = {};
-  const double centre = 0.5 * static_cast<double>(n - 1);
-  std::size_t i = 0;
-  for (; i + lanes <= n; i += lanes)
-    for (std::size_t k = 0; k < lanes; ++k) {
-      sum[k] += f[i + k];
-      first[k] += (static_cast<double>(static_cast<std::int32_t>(i + k)) - centre) * f[i + k];
-    }
-  for (std::size_t k = 0; i < n; ++i, ++k) {
-    sum[k] += f[i];
-    first[k] += (static_cast<double>(i) - centre) * f[i];
+/// Eight lanes as vectors of `Bytes`.
+template <int Bytes>
+struct Eight {
+  using V = typename Vector<double, Bytes>::type;
+  static constexpr std::size_t wide = Bytes / sizeof(double);
+  static constexpr std::size_t vectors = lanes / wide;
+  V v[vectors] = {};
+
+  [[gnu::always_inline]] double sum() const noexcept {
+    alignas(cache_line) double one[lanes];
+    std::memcpy(one, v, sizeof one);
+    return total(one);
   }
-  return {total(sum), total(first)};
+};
+
+/// p[k] for the last `left` of eight lanes, else 0.
+template <int Bytes>
+[[gnu::always_inline]] inline Eight<Bytes> last_of_eight(const double* p,
+                                                         std::size_t left) noexcept {
+  using Bits = typename Vector<std::int64_t, Bytes>::type;
+  alignas(cache_line) static constexpr std::int64_t masks[2 * lanes] = {
+      0, 0, 0, 0, 0, 0, 0, 0, -1, -1, -1, -1, -1, -1, -1, -1};
+  Eight<Bytes> result;
+  for (std::size_t k = 0; k < result.vectors; ++k)
+    result.v[k] = (typename Eight<Bytes>::V)((Bits)load<Bytes>(p + k * result.wide) &
+                                             load<Bytes>(masks + left + k * result.wide));
+  return result;
 }
 
+template <int Bytes>
+[[gnu::always_inline]] inline Moments moments_of(const double* f, std::size_t n) noexcept {
+  const double centre = 0.5 * static_cast<double>(n - 1);
+  if (n < lanes) {
+    double few[2][lanes] = {};
+    for (std::size_t i = 0; i < n; ++i) {
+      few[0][i] = f[i];
+      few[1][i] = (static_cast<double>(i) - centre) * f[i];
+    }
+    return {total(few[0]), total(few[1])};
+  }
+  Eight<Bytes> sum;
+  Eight<Bytes> first;
+  Eight<Bytes> where;
+  for (std::size_t k = 0; k < lanes; ++k)
+    where.v[k / where.wide][k % where.wide] = static_cast<double>(k) - centre;
+  std::size_t i = 0;
+  for (; i + lanes <= n; i += lanes)
+#pragma GCC unroll 4
+    for (std::size_t k = 0; k < sum.vectors; ++k) {
+      const auto v = load<Bytes>(f + i + k * sum.wide);
+      sum.v[k] += v;
+      first.v[k] += where.v[k] * v;
+      where.v[k] += static_cast<double>(lanes);
+    }
+  if (i < n) {
+    const std::size_t left = n - i;
+    const Eight<Bytes> last = last_of_eight<Bytes>(f + n - lanes, left);
+    for (std::size_t k = 0; k < sum.vectors; ++k) {
+      sum.v[k] += last.v[k];
+      first.v[k] += (where.v[k] - static_cast<double>(lanes - left)) * last.v[k];
+    }
+  }
+  return {sum.sum(), first.sum()};
+}
+
+template <int Bytes>
 [[gnu::always_inline]] inline double dot_of(const double* a, const double* b,
                                             std::size_t n) noexcept {
-  double sum[lanes] = {};
+  if (n < lanes) {
+    double few[lanes] = {};
+    for (std::size_t i = 0; i < n; ++i) few[i] = a[i] * b[i];
+    return total(few);
+  }
+  Eight<Bytes> sum;
   std::size_t i = 0;
   for (; i + lanes <= n; i += lanes)
-    for (std::size_t k = 0; k < lanes; ++k) sum[k] += a[i + k] * b[i + k];
-  for (std::size_t k = 0; i < n; ++i, ++k) sum[k] += a[i] * b[i];
-  return total(sum);
+#pragma GCC unroll 4
+    for (std::size_t k = 0; k < sum.vectors; ++k)
+      sum.v[k] += load<Bytes>(a + i + k * sum.wide) * load<Bytes>(b + i + k * sum.wide);
+  if (i < n) {
+    const Eight<Bytes> last = last_of_eight<Bytes>(a + n - lanes, n - i);
+    for (std::size_t k = 0; k < sum.vectors; ++k)
+      sum.v[k] += last.v[k] * load<Bytes>(b + n - lanes + k * sum.wide);
+  }
+  return sum.sum();
 }
 
+template <int Bytes>
 [[gnu::always_inline]] inline Misfit misfit_of(const double* x, const double* p,
                                                const double* weights, const double* shares,
                                                double* spread, std::size_t n) noexcept {
   for (std::size_t i = 0; i < n; ++i) spread[i] = weights[i] * (x[i] - p[i]);
-  const double sum = dot_of(spread, spread, n);
+  const double sum = dot_of<Bytes>(spread, spread, n);
   for (std::size_t i = 0; i < n; ++i) spread[i] *= spread[i] * shares[i];
   return {sum, largest_magnitude(spread, n)};
 }
@@ -219,30 +362,39 @@ constexpr std::size_t lanes = 8;  // independent sums: the same order of additio
 #define TACTILE_NET_KERNELS(NAME, BYTES, TARGET)                                                   \
   namespace {                                                                                      \
   namespace NAME {                                                                                 \
-  TARGET void subtract(const double* g, const double* baseline, double* x,                         \
-                       std::size_t n) noexcept {                                                   \
-    for (std::size_t i = 0; i < n; ++i) x[i] = g[i] - baseline[i];                                 \
+  TARGET std::uint64_t subtract(const double* g, const double* baseline, double* x,                \
+                                std::size_t n) noexcept {                                          \
+    return difference_of(g, baseline, x, n);                                                       \
   }                                                                                                \
   TARGET std::uint64_t largest(const double* x, std::size_t n) noexcept {                          \
     return largest_magnitude(x, n);                                                                \
   }                                                                                                \
+  TARGET [[gnu::noinline]] void factor64(const Panels<double>& a, const double* x,                 \
+                                         double* y) noexcept {                                     \
+    multiply_factor<BYTES>(a, x, y);                                                               \
+  }                                                                                                \
+  TARGET [[gnu::noinline]] void factor32(const Panels<float>& a, const float* x,                   \
+                                         float* y) noexcept {                                      \
+    multiply_factor<BYTES>(a, x, y);                                                               \
+  }                                                                                                \
   TARGET void multiply64(const ReadyProduct<double>& a, const double* x, double* y,                \
                          double* scratch, double magnitude) noexcept {                             \
-    multiply<BYTES>(a, x, y, scratch, magnitude);                                                  \
+    multiply<BYTES>(a, x, y, scratch, magnitude, factor64);                                        \
   }                                                                                                \
   TARGET void multiply32(const ReadyProduct<float>& a, const double* x, double* y, float* scratch, \
                          double magnitude) noexcept {                                              \
-    multiply<BYTES>(a, x, y, scratch, magnitude);                                                  \
+    multiply<BYTES>(a, x, y, scratch, magnitude, factor32);                                        \
   }                                                                                                \
-  TARGET Moments moments(const double* f, std::size_t n) noexcept { return moments_of(f, n); }     \
+  TARGET Moments moments(const double* f, std::size_t n) noexcept { return moments_of<BYTES>(f, n); }     \
   TARGET double dot(const double* a, const double* b, std::size_t n) noexcept {                    \
-    return dot_of(a, b, n);                                                                        \
+    return dot_of<BYTES>(a, b, n);                                                                        \
   }                                                                                                \
   TARGET Misfit misfit(const double* x, const double* p, const double* weights,                    \
                        const double* shares, double* spread, std::size_t n) noexcept {             \
-    return misfit_of(x, p, weights, shares, spread, n);                                            \
+    return misfit_of<BYTES>(x, p, weights, shares, spread, n);                                            \
   }                                                                                                \
-  constexpr Kernels all{subtract, largest, multiply64, multiply32, moments, dot, misfit};          \
+  constexpr Kernels all{                                                                           \
+      most_lines(BYTES), subtract, largest, multiply64, multiply32, moments, dot, misfit};         \
   }                                                                                                \
   }
 
@@ -285,34 +437,38 @@ std::string_view name(InstructionSet set) noexcept {
 }
 
 template <class T>
-Panels<T>::Panels(const Factor& factor)
-    : rows(factor.rows), columns(factor.columns), values(padded<T>(factor.rows) * factor.columns) {
+Panels<T>::Panels(const Factor& factor, std::size_t most)
+    : rows(factor.rows),
+      columns(factor.columns),
+      panels((padded<T>(rows) * sizeof(T) / cache_line + most - 1) / most),
+      values(padded<T>(factor.rows) * factor.columns) {
   constexpr std::size_t line = cache_line / sizeof(T);
   T* p = values.data();
   std::size_t lines = padded<T>(rows) / line;
-  for (std::size_t row = 0; lines > 0;) {
-    const std::size_t taken = lines >= 4 ? 4 : lines >= 2 ? 2 : 1;
-    const std::size_t width = taken * line;
+  std::size_t row = 0;
+  for (std::size_t left = panels; left > 0; --left) {
+    const std::size_t width = lines / left * line;
     for (std::size_t j = 0; j < columns; ++j, p += width)
       for (std::size_t i = 0; i < width && row + i < rows; ++i)
         p[i] = static_cast<T>(factor.values[(row + i) * columns + j]);
     row += width;
-    lines -= taken;
+    lines -= lines / left;
   }
 }
 
 template <class T>
-ReadyProduct<T>::ReadyProduct(const ProductPlan& plan)
+ReadyProduct<T>::ReadyProduct(const ProductPlan& plan, std::size_t most_lines)
     : structure(plan.structure),
       rows(plan.rows),
       columns(plan.columns),
       row_signs(plan.row_signs),
       column_signs(plan.column_signs),
-      factors(plan.factors.begin(), plan.factors.end()),
       scale(plan.scale),
       input_size(padded<T>(columns) + cache_line),
       middle_size(0),
       output_size(padded<T>(rows) + cache_line) {
+  factors.reserve(plan.factors.size());
+  for (const Factor& factor : plan.factors) factors.emplace_back(factor, most_lines);
   if (is_low_rank(structure))
     for (std::size_t i = 0; i < factors.size(); i += 2)
       middle_size = std::max(middle_size, padded<T>(factors[i].rows));

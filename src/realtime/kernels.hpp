@@ -1,9 +1,9 @@
 /// @file
 /// The loops of a frame, each compiled once for every instruction set. Private.
 ///
-/// A matrix is stored in panels of 4, 2 or 1 cache lines of rows, column after column inside a
-/// panel. So the innermost loop adds a column's share to sums that stay in registers, reads memory
-/// strictly forwards, and takes every sum in the order of the columns.
+/// A matrix is stored in panels of a few cache lines of rows, as many as one set of instructions has
+/// registers for, column after column inside a panel. So the innermost loop adds a column's share
+/// to sums that stay in registers, and reads memory strictly forwards.
 #pragma once
 
 #include <cstddef>
@@ -17,17 +17,20 @@ namespace tactile_net {
 
 template <class T>
 struct Panels {
-  explicit Panels(const Factor& factor);
+  /// @param most  cache lines of rows in a panel
+  Panels(const Factor& factor, std::size_t most);
 
   std::size_t rows;
   std::size_t columns;
+  std::size_t panels;
   Aligned<T> values;
 };
 
 /// A product made ready. Constant after construction.
 template <class T>
 struct ReadyProduct {
-  explicit ReadyProduct(const ProductPlan& plan);
+  /// @param most_lines  of the kernels that will use it
+  ReadyProduct(const ProductPlan& plan, std::size_t most_lines);
 
   Structure structure;
   std::size_t rows;
@@ -58,8 +61,10 @@ struct Misfit {
 
 /// The loops for one instruction set.
 struct Kernels {
-  /// x = g - baseline
-  void (*subtract)(const double* g, const double* baseline, double* x, std::size_t n) noexcept;
+  std::size_t most_lines;  // of a panel
+  /// x = g - baseline; returns `largest(x)`.
+  std::uint64_t (*subtract)(const double* g, const double* baseline, double* x,
+                            std::size_t n) noexcept;
   /// Bits of the largest |x|, which order as the doubles do, NaN last.
   std::uint64_t (*largest)(const double* x, std::size_t n) noexcept;
   /// y = A x; `magnitude`: 2^k >= |x| / 2 of every entry, by which float sums are scaled.
