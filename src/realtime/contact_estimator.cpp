@@ -102,6 +102,7 @@ struct ContactEstimator::Ready {
 struct ContactEstimator::Scratch {
   explicit Scratch(const Ready& ready)
       : baseline(ready.readings()),
+        zero(ready.readings()),
         x(ready.readings()),
         predicted(ready.prediction ? ready.readings() : 0),
         spread(ready.prediction ? ready.readings() : 0),
@@ -125,7 +126,7 @@ struct ContactEstimator::Scratch {
     }
   }
 
-  Aligned<double> baseline, x, predicted, spread, weights;  // weights: 0 for what is dead
+  Aligned<double> baseline, zero, x, predicted, spread, weights;  // weights: 0 for what is dead
   Aligned<double> product64;
   Aligned<float> product32;
   std::vector<std::size_t> unread;  // readings that count for nothing, whatever they say
@@ -178,8 +179,10 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
     return FrameStatus::wrong_size;
 
   double* const x = scratch.x.data();
-  std::uint64_t largest = loops.subtract(readings.data(), scratch.baseline.data(), x, n);
+  Difference input{readings.data(), scratch.baseline.data()};
+  std::uint64_t largest = loops.subtract(input.a, input.b, x, n);
   if (!scratch.unread.empty()) {
+    input = {x, scratch.zero.data()};
     for (const std::size_t i : scratch.unread) x[i] = 0.0;
     largest = loops.largest(x, n);
   }
@@ -198,16 +201,18 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   if (!scratch.dead.empty()) fill_dead();
 
   double* const f = estimate.tractions.data();
+  std::array<Moments, 2> each;
+  const std::span<Moments> moments(each.data(), ready.unknowns);
   if (ready.product64) {
-    loops.multiply64(*ready.product64, x, f, scratch.product64.data(), 1.0);
+    loops.multiply64(*ready.product64, input, f, scratch.product64.data(), 1.0, moments);
   } else {
     const double size = std::bit_cast<double>(loops.largest(x, n));
     const double magnitude =
         size > 0.0 ? std::ldexp(1.0, std::clamp(std::ilogb(size), -1021, 1021)) : 1.0;
-    loops.multiply32(*ready.product32, x, f, scratch.product32.data(), magnitude);
+    loops.multiply32(*ready.product32, input, f, scratch.product32.data(), magnitude, moments);
   }
 
-  const Moments normal = loops.moments(f, count);
+  const Moments& normal = each[0];
   estimate.time = time;
   estimate.normal_force = ready.pitch * normal.sum;
   estimate.tangential_force = ContactEstimate::unknown;
@@ -220,7 +225,7 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   estimate.outlier = -1;
   if (estimate.contact) estimate.centre = ready.pitch * (normal.first / normal.sum);
   if (ready.unknowns == 2) {
-    estimate.tangential_force = ready.pitch * loops.moments(f + count, count).sum;
+    estimate.tangential_force = ready.pitch * each[1].sum;
     if (estimate.contact)
       estimate.angle = std::atan2(estimate.tangential_force, estimate.normal_force);
     if (ready.friction)
@@ -237,8 +242,8 @@ void ContactEstimator::judge(ContactEstimate& estimate) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
   const std::size_t n = ready.readings();
-  ready.loops.multiply64(*ready.prediction, scratch.x.data(), scratch.predicted.data(),
-                         scratch.product64.data(), 1.0);
+  ready.loops.multiply64(*ready.prediction, {scratch.x.data(), scratch.zero.data()},
+                         scratch.predicted.data(), scratch.product64.data(), 1.0, {});
   const Misfit misfit =
       ready.loops.misfit(scratch.x.data(), scratch.predicted.data(), scratch.weights.data(),
                          ready.shares.data(), scratch.spread.data(), n);
@@ -292,8 +297,8 @@ bool ContactEstimator::set_dead(std::size_t taxel) noexcept {
       std::fill_n(scratch.x.data(), n, 0.0);
       scratch.x[d] = 1.0;
       double* const row = scratch.dead_rows.data() + i * row_size;
-      ready.loops.multiply64(*ready.prediction, scratch.x.data(), row, scratch.product64.data(),
-                             1.0);
+      ready.loops.multiply64(*ready.prediction, {scratch.x.data(), scratch.zero.data()}, row,
+                             scratch.product64.data(), 1.0, {});
       const double w = ready.weights[d];
       double* const factor = scratch.cholesky.data() + i * stride;
       for (std::size_t k = 0; k < i; ++k) {

@@ -42,8 +42,9 @@ template <class V, std::size_t... k>
   return __builtin_shuffle(v, Mask{static_cast<Index>(sizeof...(k) - 1 - k)...});
 }
 
-/// Calls `step(i)` for vectors that cover 0 ... size - 1, the last one overlapping the one before:
-/// for steps that only write what depends on nothing written. `single(i)` where not even one fits.
+/// Calls `step(i, fresh)` for vectors that cover 0 ... size - 1, the last one overlapping the one
+/// before, so that only its last `fresh` lanes are new: for steps that write what depends on
+/// nothing written. `single(i)` where not even one fits.
 template <std::size_t lanes>
 [[gnu::always_inline]] inline void cover(std::size_t size, const auto& step,
                                          const auto& single) noexcept {
@@ -51,14 +52,12 @@ template <std::size_t lanes>
     for (std::size_t i = 0; i < size; ++i) single(i);
     return;
   }
-  for (std::size_t i = 0; i + lanes <= size; i += lanes) step(i);
-  if (size % lanes != 0) step(size - lanes);
+  for (std::size_t i = 0; i + lanes <= size; i += lanes) step(i, lanes);
+  if (size % lanes != 0) step(size - lanes, size % lanes);
 }
 
 /// Lines of rows that a panel has at most: their sums stay in registers, with x_j in one more.
-constexpr std::size_t most_lines(int bytes) noexcept {
-  return bytes >= 32 ? 6 : 3;
-}
+constexpr std::size_t most_lines(int bytes) noexcept { return bytes >= 32 ? 6 : 3; }
 
 /// y = panel x. Reads `sums` columns at a time into sums of their own: additions take four cycles
 /// and two start in each, so eight must be under way.
@@ -115,10 +114,61 @@ template <int Bytes, class T>
   }
 }
 
-/// Sums and differences of x, class by class; see product_plan.hpp.
+alignas(cache_line) constexpr std::int64_t masks[] = {0,  0,  0,  0,  0,  0,  0,  0,
+                                                      -1, -1, -1, -1, -1, -1, -1, -1};
+
+/// v in the lanes from `zeros` on, else 0.
+template <class V>
+[[gnu::always_inline]] inline V without(V v, std::size_t zeros) noexcept {
+  const auto mask = load<sizeof(V)>(masks + 8 - zeros);
+  return reinterpret_cast<V>(reinterpret_cast<decltype(mask)>(v) & mask);
+}
+
+/// Sum of the lanes.
+template <class V>
+[[gnu::always_inline]] inline double total(V v) noexcept {
+  constexpr std::size_t lanes = sizeof(V) / sizeof(double);
+  double one[lanes];
+  std::memcpy(one, &v, sizeof v);
+  for (std::size_t half = lanes / 2; half > 0; half /= 2)
+    for (std::size_t k = 0; k < half; ++k) one[k] += one[k + half];
+  return one[0];
+}
+
+alignas(cache_line) constexpr double numbers[] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+
+/// i - centre, and the numbers that follow it.
+template <int Bytes>
+[[gnu::always_inline]] inline auto counted(std::size_t i, double centre) noexcept {
+  return load<Bytes>(numbers) + (static_cast<double>(static_cast<std::int64_t>(i)) - centre);
+}
+
+template <int Bytes>
+[[gnu::always_inline]] inline Moments moments_of(const double* f, std::size_t n) noexcept {
+  constexpr std::size_t lanes = Bytes / sizeof(double);
+  using V = typename Vector<double, Bytes>::type;
+  const double centre = 0.5 * static_cast<double>(n - 1);
+  V sum{};
+  V first{};
+  Moments few;
+  cover<lanes>(
+      n,
+      [&](std::size_t i, std::size_t fresh) {
+        const V v = without(load<Bytes>(f + i), lanes - fresh);
+        sum += v;
+        first += counted<Bytes>(i, centre) * v;
+      },
+      [&](std::size_t i) {
+        few.sum += f[i];
+        few.first += (static_cast<double>(i) - centre) * f[i];
+      });
+  return {total(sum) + few.sum, total(first) + few.first};
+}
+
+/// Sums and differences of x = a - b, class by class; see product_plan.hpp.
 template <int Bytes, class T>
 [[gnu::always_inline]] inline void split(const std::vector<std::int8_t>& signs, std::size_t size,
-                                         const double* x, double factor, T* even, T* odd) noexcept {
+                                         Difference x, double factor, T* even, T* odd) noexcept {
   constexpr std::size_t lanes = Bytes / sizeof(double);
   constexpr int stored = static_cast<int>(lanes * sizeof(T));
   using Stored = typename Vector<T, stored>::type;
@@ -127,86 +177,103 @@ template <int Bytes, class T>
   for (const std::int8_t sign : signs) {
     T*& sums = sign > 0 ? even : odd;
     T*& differences = sign > 0 ? odd : even;
-    const double* end = x + n;
+    const auto values = [&](std::size_t i) { return load<Bytes>(x.a + i) - load<Bytes>(x.b + i); };
     cover<lanes>(
         half,
-        [&](std::size_t i) {
-          const auto a = load<Bytes>(x + i) * factor;
-          const auto b = reversed(load<Bytes>(end - i - lanes) * factor,
-                                  std::make_index_sequence<lanes>());
+        [&](std::size_t i, std::size_t) {
+          const auto a = values(i) * factor;
+          const auto b =
+              reversed(values(n - i - lanes) * factor, std::make_index_sequence<lanes>());
           store<stored>(sums + i, __builtin_convertvector(a + b, Stored));
           store<stored>(differences + i, __builtin_convertvector(a - b, Stored));
         },
         [&](std::size_t i) {
           const double a = x[i] * factor;
-          const double b = *(end - 1 - i) * factor;
+          const double b = x[n - 1 - i] * factor;
           sums[i] = static_cast<T>(a + b);
           differences[i] = static_cast<T>(a - b);
         });
     sums += half;
     differences += half;
     if (n % 2 != 0) *sums++ = static_cast<T>(x[half] * factor);
-    x += n;
+    x.a += n;
+    x.b += n;
   }
 }
 
-/// The way back: y from its classes.
+/// The way back: y from its classes, and the moments of each block if they are wanted.
 template <int Bytes, class T>
 [[gnu::always_inline]] inline void merge(const std::vector<std::int8_t>& signs, std::size_t size,
-                                         const T* even, const T* odd, double factor,
-                                         double* y) noexcept {
+                                         const T* even, const T* odd, double factor, double* y,
+                                         Moments* moments) noexcept {
   constexpr std::size_t lanes = Bytes / sizeof(double);
   constexpr int stored = static_cast<int>(lanes * sizeof(T));
-  using Wide = typename Vector<double, Bytes>::type;
+  using V = typename Vector<double, Bytes>::type;
   const std::size_t n = size / signs.size();
   const std::size_t half = n / 2;
+  const double centre = 0.5 * static_cast<double>(n - 1);
   for (const std::int8_t sign : signs) {
     const T*& sums = sign > 0 ? even : odd;
     const T*& differences = sign > 0 ? odd : even;
-    double* end = y + n;
+    V sum{};
+    V first{};
+    Moments rest;
     cover<lanes>(
         half,
-        [&](std::size_t i) {
-          const auto s = __builtin_convertvector(load<stored>(sums + i), Wide);
-          const auto d = __builtin_convertvector(load<stored>(differences + i), Wide);
+        [&](std::size_t i, std::size_t fresh) {
+          const V s = __builtin_convertvector(load<stored>(sums + i), V);
+          const V d = __builtin_convertvector(load<stored>(differences + i), V);
           store<Bytes>(y + i, factor * (s + d));
-          store<Bytes>(end - i - lanes,
+          store<Bytes>(y + n - i - lanes,
                        reversed(factor * (s - d), std::make_index_sequence<lanes>()));
+          sum += without(s, lanes - fresh);
+          first += counted<Bytes>(i, centre) * without(d, lanes - fresh);
         },
         [&](std::size_t i) {
           const double s = static_cast<double>(sums[i]);
           const double d = static_cast<double>(differences[i]);
           y[i] = factor * (s + d);
-          *(end - 1 - i) = factor * (s - d);
+          y[n - 1 - i] = factor * (s - d);
+          rest.sum += s;
+          rest.first += (static_cast<double>(i) - centre) * d;
         });
     sums += half;
     differences += half;
-    if (n % 2 != 0) y[half] = factor * static_cast<double>(*sums++);
+    double middle = 0.0;
+    if (n % 2 != 0) {
+      middle = static_cast<double>(*sums++);
+      y[half] = factor * middle;
+    }
+    // A pair adds (s + d) + (s - d), and (i - c)((s + d) - (s - d)).
+    if (moments != nullptr)
+      *moments++ = {factor * (2.0 * (total(sum) + rest.sum) + middle),
+                    factor * 2.0 * (total(first) + rest.first)};
     y += n;
   }
 }
 
 /// `factor(A, x, y)` multiplies by one factor.
 template <int Bytes, class T>
-[[gnu::always_inline]] inline void multiply(const ReadyProduct<T>& a, const double* x, double* y,
+[[gnu::always_inline]] inline void multiply(const ReadyProduct<T>& a, Difference x, double* y,
                                             T* scratch, double magnitude,
+                                            std::span<Moments> moments,
                                             const auto& factor) noexcept {
   T* const input = scratch;
   T* const middle = scratch + a.input_size;
   T* const output = middle + a.middle_size;
-  const double shrink = 1.0 / magnitude;
-  const double grow = magnitude * a.scale;
+  // Doubles need no scaling, nor the wait for a division.
+  const double shrink = sizeof(T) == sizeof(double) ? 1.0 : 1.0 / magnitude;
+  const double grow = sizeof(T) == sizeof(double) ? a.scale : magnitude * a.scale;
   const bool low_rank = is_low_rank(a.structure);
   if (!has_parity(a.structure)) {
-    const T* in = input;
-    if constexpr (sizeof(T) == sizeof(double))
-      in = x;  // magnitude is 1
-    else
-      for (std::size_t i = 0; i < a.columns; ++i) input[i] = static_cast<T>(x[i] * shrink);
-    if (low_rank) factor(a.factors[0], in, middle);
-    factor(a.factors[low_rank ? 1 : 0], low_rank ? middle : in, output);
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < a.columns; ++i) input[i] = static_cast<T>(x[i] * shrink);
+    if (low_rank) factor(a.factors[0], input, middle);
+    factor(a.factors[low_rank ? 1 : 0], low_rank ? middle : input, output);
 #pragma GCC ivdep
     for (std::size_t i = 0; i < a.rows; ++i) y[i] = grow * static_cast<double>(output[i]);
+    for (std::size_t i = 0; i < moments.size(); ++i)
+      moments[i] = moments_of<Bytes>(y + i * (a.rows / moments.size()), a.rows / moments.size());
   } else {
     T* const odd_input = input + padded<T>(a.factors[0].columns);
     T* const odd_output = output + padded<T>(a.factors[low_rank ? 1 : 0].rows);
@@ -220,7 +287,8 @@ template <int Bytes, class T>
       factor(a.factors[0], input, output);
       factor(a.factors[1], odd_input, odd_output);
     }
-    merge<Bytes>(a.row_signs, a.rows, output, odd_output, grow, y);
+    merge<Bytes>(a.row_signs, a.rows, output, odd_output, grow, y,
+                 moments.empty() ? nullptr : moments.data());
   }
 }
 
@@ -253,97 +321,19 @@ template <int Bytes, class T>
   return largest;
 }
 
-constexpr std::size_t lanes = 8;  // independent sums: the same order of additions on every machine
-
-[[gnu::always_inline]] inline double total(const double* sums) noexcept {
-  return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
-}
-
-/// Eight lanes as vectors of `Bytes`.
-template <int Bytes>
-struct Eight {
-  using V = typename Vector<double, Bytes>::type;
-  static constexpr std::size_t wide = Bytes / sizeof(double);
-  static constexpr std::size_t vectors = lanes / wide;
-  V v[vectors] = {};
-
-  [[gnu::always_inline]] double sum() const noexcept {
-    alignas(cache_line) double one[lanes];
-    std::memcpy(one, v, sizeof one);
-    return total(one);
-  }
-};
-
-/// p[k] for the last `left` of eight lanes, else 0.
-template <int Bytes>
-[[gnu::always_inline]] inline Eight<Bytes> last_of_eight(const double* p,
-                                                         std::size_t left) noexcept {
-  using Bits = typename Vector<std::int64_t, Bytes>::type;
-  alignas(cache_line) static constexpr std::int64_t masks[2 * lanes] = {
-      0, 0, 0, 0, 0, 0, 0, 0, -1, -1, -1, -1, -1, -1, -1, -1};
-  Eight<Bytes> result;
-  for (std::size_t k = 0; k < result.vectors; ++k)
-    result.v[k] = (typename Eight<Bytes>::V)((Bits)load<Bytes>(p + k * result.wide) &
-                                             load<Bytes>(masks + left + k * result.wide));
-  return result;
-}
-
-template <int Bytes>
-[[gnu::always_inline]] inline Moments moments_of(const double* f, std::size_t n) noexcept {
-  const double centre = 0.5 * static_cast<double>(n - 1);
-  if (n < lanes) {
-    double few[2][lanes] = {};
-    for (std::size_t i = 0; i < n; ++i) {
-      few[0][i] = f[i];
-      few[1][i] = (static_cast<double>(i) - centre) * f[i];
-    }
-    return {total(few[0]), total(few[1])};
-  }
-  Eight<Bytes> sum;
-  Eight<Bytes> first;
-  Eight<Bytes> where;
-  for (std::size_t k = 0; k < lanes; ++k)
-    where.v[k / where.wide][k % where.wide] = static_cast<double>(k) - centre;
-  std::size_t i = 0;
-  for (; i + lanes <= n; i += lanes)
-#pragma GCC unroll 4
-    for (std::size_t k = 0; k < sum.vectors; ++k) {
-      const auto v = load<Bytes>(f + i + k * sum.wide);
-      sum.v[k] += v;
-      first.v[k] += where.v[k] * v;
-      where.v[k] += static_cast<double>(lanes);
-    }
-  if (i < n) {
-    const std::size_t left = n - i;
-    const Eight<Bytes> last = last_of_eight<Bytes>(f + n - lanes, left);
-    for (std::size_t k = 0; k < sum.vectors; ++k) {
-      sum.v[k] += last.v[k];
-      first.v[k] += (where.v[k] - static_cast<double>(lanes - left)) * last.v[k];
-    }
-  }
-  return {sum.sum(), first.sum()};
-}
-
 template <int Bytes>
 [[gnu::always_inline]] inline double dot_of(const double* a, const double* b,
                                             std::size_t n) noexcept {
-  if (n < lanes) {
-    double few[lanes] = {};
-    for (std::size_t i = 0; i < n; ++i) few[i] = a[i] * b[i];
-    return total(few);
-  }
-  Eight<Bytes> sum;
-  std::size_t i = 0;
-  for (; i + lanes <= n; i += lanes)
-#pragma GCC unroll 4
-    for (std::size_t k = 0; k < sum.vectors; ++k)
-      sum.v[k] += load<Bytes>(a + i + k * sum.wide) * load<Bytes>(b + i + k * sum.wide);
-  if (i < n) {
-    const Eight<Bytes> last = last_of_eight<Bytes>(a + n - lanes, n - i);
-    for (std::size_t k = 0; k < sum.vectors; ++k)
-      sum.v[k] += last.v[k] * load<Bytes>(b + n - lanes + k * sum.wide);
-  }
-  return sum.sum();
+  constexpr std::size_t lanes = Bytes / sizeof(double);
+  typename Vector<double, Bytes>::type sum{};
+  double few = 0.0;
+  cover<lanes>(
+      n,
+      [&](std::size_t i, std::size_t fresh) {
+        sum += without(load<Bytes>(a + i), lanes - fresh) * load<Bytes>(b + i);
+      },
+      [&](std::size_t i) { few += a[i] * b[i]; });
+  return total(sum) + few;
 }
 
 template <int Bytes>
@@ -359,43 +349,42 @@ template <int Bytes>
 }  // namespace
 
 // One set of entries for each instruction set; the attribute is all that differs.
-#define TACTILE_NET_KERNELS(NAME, BYTES, TARGET)                                                   \
-  namespace {                                                                                      \
-  namespace NAME {                                                                                 \
-  TARGET std::uint64_t subtract(const double* g, const double* baseline, double* x,                \
-                                std::size_t n) noexcept {                                          \
-    return difference_of(g, baseline, x, n);                                                       \
-  }                                                                                                \
-  TARGET std::uint64_t largest(const double* x, std::size_t n) noexcept {                          \
-    return largest_magnitude(x, n);                                                                \
-  }                                                                                                \
-  TARGET [[gnu::noinline]] void factor64(const Panels<double>& a, const double* x,                 \
-                                         double* y) noexcept {                                     \
-    multiply_factor<BYTES>(a, x, y);                                                               \
-  }                                                                                                \
-  TARGET [[gnu::noinline]] void factor32(const Panels<float>& a, const float* x,                   \
-                                         float* y) noexcept {                                      \
-    multiply_factor<BYTES>(a, x, y);                                                               \
-  }                                                                                                \
-  TARGET void multiply64(const ReadyProduct<double>& a, const double* x, double* y,                \
-                         double* scratch, double magnitude) noexcept {                             \
-    multiply<BYTES>(a, x, y, scratch, magnitude, factor64);                                        \
-  }                                                                                                \
-  TARGET void multiply32(const ReadyProduct<float>& a, const double* x, double* y, float* scratch, \
-                         double magnitude) noexcept {                                              \
-    multiply<BYTES>(a, x, y, scratch, magnitude, factor32);                                        \
-  }                                                                                                \
-  TARGET Moments moments(const double* f, std::size_t n) noexcept { return moments_of<BYTES>(f, n); }     \
-  TARGET double dot(const double* a, const double* b, std::size_t n) noexcept {                    \
-    return dot_of<BYTES>(a, b, n);                                                                        \
-  }                                                                                                \
-  TARGET Misfit misfit(const double* x, const double* p, const double* weights,                    \
-                       const double* shares, double* spread, std::size_t n) noexcept {             \
-    return misfit_of<BYTES>(x, p, weights, shares, spread, n);                                            \
-  }                                                                                                \
-  constexpr Kernels all{                                                                           \
-      most_lines(BYTES), subtract, largest, multiply64, multiply32, moments, dot, misfit};         \
-  }                                                                                                \
+#define TACTILE_NET_KERNELS(NAME, BYTES, TARGET)                                                  \
+  namespace {                                                                                     \
+  namespace NAME {                                                                                \
+  TARGET std::uint64_t subtract(const double* g, const double* baseline, double* x,               \
+                                std::size_t n) noexcept {                                         \
+    return difference_of(g, baseline, x, n);                                                      \
+  }                                                                                               \
+  TARGET std::uint64_t largest(const double* x, std::size_t n) noexcept {                         \
+    return largest_magnitude(x, n);                                                               \
+  }                                                                                               \
+  TARGET [[gnu::noinline]] void factor64(const Panels<double>& a, const double* x,                \
+                                         double* y) noexcept {                                    \
+    multiply_factor<BYTES>(a, x, y);                                                              \
+  }                                                                                               \
+  TARGET [[gnu::noinline]] void factor32(const Panels<float>& a, const float* x,                  \
+                                         float* y) noexcept {                                     \
+    multiply_factor<BYTES>(a, x, y);                                                              \
+  }                                                                                               \
+  TARGET void multiply64(const ReadyProduct<double>& a, Difference x, double* y, double* scratch, \
+                         double magnitude, std::span<Moments> moments) noexcept {                 \
+    multiply<BYTES>(a, x, y, scratch, magnitude, moments, factor64);                              \
+  }                                                                                               \
+  TARGET void multiply32(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,   \
+                         double magnitude, std::span<Moments> moments) noexcept {                 \
+    multiply<BYTES>(a, x, y, scratch, magnitude, moments, factor32);                              \
+  }                                                                                               \
+  TARGET double dot(const double* a, const double* b, std::size_t n) noexcept {                   \
+    return dot_of<BYTES>(a, b, n);                                                                \
+  }                                                                                               \
+  TARGET Misfit misfit(const double* x, const double* p, const double* weights,                   \
+                       const double* shares, double* spread, std::size_t n) noexcept {            \
+    return misfit_of<BYTES>(x, p, weights, shares, spread, n);                                    \
+  }                                                                                               \
+  constexpr Kernels all{                                                                          \
+      most_lines(BYTES), subtract, largest, multiply64, multiply32, dot, misfit};                 \
+  }                                                                                               \
   }
 
 TACTILE_NET_KERNELS(baseline, 16, )

@@ -1,13 +1,14 @@
 /// @file
 /// The loops of a frame, each compiled once for every instruction set. Private.
 ///
-/// A matrix is stored in panels of a few cache lines of rows, as many as one set of instructions has
-/// registers for, column after column inside a panel. So the innermost loop adds a column's share
-/// to sums that stay in registers, and reads memory strictly forwards.
+/// A matrix is stored in panels of a few cache lines of rows, as many as one set of instructions
+/// has registers for, column after column inside a panel. So the innermost loop adds a column's
+/// share to sums that stay in registers, and reads memory strictly forwards.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "realtime/aligned.hpp"
@@ -49,6 +50,13 @@ struct ReadyProduct {
   }
 };
 
+/// The vector a - b. Taken where it is used: what was just written in other pieces is slow to read.
+struct Difference {
+  const double* a;
+  const double* b;
+  [[nodiscard]] double operator[](std::size_t i) const noexcept { return a[i] - b[i]; }
+};
+
 struct Moments {
   double sum = 0.0;    // sum f_j
   double first = 0.0;  // sum (j - (n - 1) / 2) f_j
@@ -67,12 +75,12 @@ struct Kernels {
                             std::size_t n) noexcept;
   /// Bits of the largest |x|, which order as the doubles do, NaN last.
   std::uint64_t (*largest)(const double* x, std::size_t n) noexcept;
-  /// y = A x; `magnitude`: 2^k >= |x| / 2 of every entry, by which float sums are scaled.
-  void (*multiply64)(const ReadyProduct<double>& a, const double* x, double* y, double* scratch,
-                     double magnitude) noexcept;
-  void (*multiply32)(const ReadyProduct<float>& a, const double* x, double* y, float* scratch,
-                     double magnitude) noexcept;
-  Moments (*moments)(const double* f, std::size_t n) noexcept;
+  /// y = A x; `magnitude`: 2^k >= |x| / 2 of every entry, by which float sums are scaled. Moments
+  /// of as many blocks of y as there is room for: none or all. y may be the memory of x.
+  void (*multiply64)(const ReadyProduct<double>& a, Difference x, double* y, double* scratch,
+                     double magnitude, std::span<Moments> moments) noexcept;
+  void (*multiply32)(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,
+                     double magnitude, std::span<Moments> moments) noexcept;
   double (*dot)(const double* a, const double* b, std::size_t n) noexcept;
   /// spread_i = (w_i (x_i - p_i))^2 share_i
   Misfit (*misfit)(const double* x, const double* p, const double* weights, const double* shares,
