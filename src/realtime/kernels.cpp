@@ -98,19 +98,26 @@ template <int Bytes, std::size_t lines, class T>
 template <int Bytes, class T>
 [[gnu::always_inline]] inline void multiply_factor(const Panels<T>& a, const T* x, T* y) noexcept {
   const T* p = a.values.data();
-  std::size_t left = padded<T>(a.rows) * sizeof(T) / cache_line;
-  for (std::size_t panels = a.panels; panels > 0; --panels) {
-    const std::size_t lines = left / panels;
-    if (lines == 1) p = multiply_panel<Bytes, 1>(p, a.columns, x, y);
-    if (lines == 2) p = multiply_panel<Bytes, 2>(p, a.columns, x, y);
-    if (lines == 3) p = multiply_panel<Bytes, 3>(p, a.columns, x, y);
-    if constexpr (most_lines(Bytes) == 6) {
-      if (lines == 4) p = multiply_panel<Bytes, 4>(p, a.columns, x, y);
-      if (lines == 5) p = multiply_panel<Bytes, 5>(p, a.columns, x, y);
-      if (lines == 6) p = multiply_panel<Bytes, 6>(p, a.columns, x, y);
+  for (std::size_t panel = 0; panel < a.panels; ++panel) {
+    const std::size_t lines = a.lines + (panel < a.narrow_panels ? 0 : 1);
+    switch (lines) {
+      case 1:
+        p = multiply_panel<Bytes, 1>(p, a.columns, x, y);
+        break;
+      case 2:
+        p = multiply_panel<Bytes, 2>(p, a.columns, x, y);
+        break;
+      case 3:
+        p = multiply_panel<Bytes, 3>(p, a.columns, x, y);
+        break;
+      default:
+        if constexpr (most_lines(Bytes) == 6) {
+          if (lines == 4) p = multiply_panel<Bytes, 4>(p, a.columns, x, y);
+          if (lines == 5) p = multiply_panel<Bytes, 5>(p, a.columns, x, y);
+          if (lines == 6) p = multiply_panel<Bytes, 6>(p, a.columns, x, y);
+        }
     }
     y += lines * cache_line / sizeof(T);
-    left -= lines;
   }
 }
 
@@ -167,16 +174,15 @@ template <int Bytes>
 
 /// Sums and differences of x = a - b, class by class; see product_plan.hpp.
 template <int Bytes, class T>
-[[gnu::always_inline]] inline void split(const std::vector<std::int8_t>& signs, std::size_t size,
+[[gnu::always_inline]] inline void split(const std::vector<std::int8_t>& signs, std::size_t n,
                                          Difference x, double factor, T* even, T* odd) noexcept {
   constexpr std::size_t lanes = Bytes / sizeof(double);
   constexpr int stored = static_cast<int>(lanes * sizeof(T));
   using Stored = typename Vector<T, stored>::type;
-  const std::size_t n = size / signs.size();
   const std::size_t half = n / 2;
   for (const std::int8_t sign : signs) {
-    T*& sums = sign > 0 ? even : odd;
-    T*& differences = sign > 0 ? odd : even;
+    T* const sums = sign > 0 ? even : odd;
+    T* const differences = sign > 0 ? odd : even;
     const auto values = [&](std::size_t i) { return load<Bytes>(x.a + i) - load<Bytes>(x.b + i); };
     cover<lanes>(
         half,
@@ -193,9 +199,9 @@ template <int Bytes, class T>
           sums[i] = static_cast<T>(a + b);
           differences[i] = static_cast<T>(a - b);
         });
-    sums += half;
-    differences += half;
-    if (n % 2 != 0) *sums++ = static_cast<T>(x[half] * factor);
+    if (n % 2 != 0) sums[half] = static_cast<T>(x[half] * factor);
+    even += sign > 0 ? n - half : half;
+    odd += sign > 0 ? half : n - half;
     x.a += n;
     x.b += n;
   }
@@ -203,18 +209,17 @@ template <int Bytes, class T>
 
 /// The way back: y from its classes, and the moments of each block if they are wanted.
 template <int Bytes, class T>
-[[gnu::always_inline]] inline void merge(const std::vector<std::int8_t>& signs, std::size_t size,
+[[gnu::always_inline]] inline void merge(const std::vector<std::int8_t>& signs, std::size_t n,
                                          const T* even, const T* odd, double factor, double* y,
                                          Moments* moments) noexcept {
   constexpr std::size_t lanes = Bytes / sizeof(double);
   constexpr int stored = static_cast<int>(lanes * sizeof(T));
   using V = typename Vector<double, Bytes>::type;
-  const std::size_t n = size / signs.size();
   const std::size_t half = n / 2;
   const double centre = 0.5 * static_cast<double>(n - 1);
   for (const std::int8_t sign : signs) {
-    const T*& sums = sign > 0 ? even : odd;
-    const T*& differences = sign > 0 ? odd : even;
+    const T* const sums = sign > 0 ? even : odd;
+    const T* const differences = sign > 0 ? odd : even;
     V sum{};
     V first{};
     Moments rest;
@@ -237,13 +242,13 @@ template <int Bytes, class T>
           rest.sum += s;
           rest.first += (static_cast<double>(i) - centre) * d;
         });
-    sums += half;
-    differences += half;
     double middle = 0.0;
     if (n % 2 != 0) {
-      middle = static_cast<double>(*sums++);
+      middle = static_cast<double>(sums[half]);
       y[half] = factor * middle;
     }
+    even += sign > 0 ? n - half : half;
+    odd += sign > 0 ? half : n - half;
     // A pair adds (s + d) + (s - d), and (i - c)((s + d) - (s - d)).
     if (moments != nullptr)
       *moments++ = {factor * (2.0 * (total(sum) + rest.sum) + middle),
@@ -275,9 +280,9 @@ template <int Bytes, class T>
     for (std::size_t i = 0; i < moments.size(); ++i)
       moments[i] = moments_of<Bytes>(y + i * (a.rows / moments.size()), a.rows / moments.size());
   } else {
-    T* const odd_input = input + padded<T>(a.factors[0].columns);
-    T* const odd_output = output + padded<T>(a.factors[low_rank ? 1 : 0].rows);
-    split<Bytes>(a.column_signs, a.columns, x, shrink, input, odd_input);
+    T* const odd_input = input + a.even_input_size;
+    T* const odd_output = output + a.even_output_size;
+    split<Bytes>(a.column_signs, a.column_block, x, shrink, input, odd_input);
     if (low_rank) {
       factor(a.factors[0], input, middle);
       factor(a.factors[1], middle, output);
@@ -287,7 +292,7 @@ template <int Bytes, class T>
       factor(a.factors[0], input, output);
       factor(a.factors[1], odd_input, odd_output);
     }
-    merge<Bytes>(a.row_signs, a.rows, output, odd_output, grow, y,
+    merge<Bytes>(a.row_signs, a.row_block, output, odd_output, grow, y,
                  moments.empty() ? nullptr : moments.data());
   }
 }
@@ -427,21 +432,19 @@ std::string_view name(InstructionSet set) noexcept {
 
 template <class T>
 Panels<T>::Panels(const Factor& factor, std::size_t most)
-    : rows(factor.rows),
-      columns(factor.columns),
-      panels((padded<T>(rows) * sizeof(T) / cache_line + most - 1) / most),
-      values(padded<T>(factor.rows) * factor.columns) {
+    : columns(factor.columns), values(padded<T>(factor.rows) * factor.columns) {
   constexpr std::size_t line = cache_line / sizeof(T);
+  const std::size_t all = padded<T>(factor.rows) / line;
+  panels = (all + most - 1) / most;
+  lines = all / panels;
+  narrow_panels = panels - all % panels;
   T* p = values.data();
-  std::size_t lines = padded<T>(rows) / line;
-  std::size_t row = 0;
-  for (std::size_t left = panels; left > 0; --left) {
-    const std::size_t width = lines / left * line;
+  for (std::size_t panel = 0, row = 0; panel < panels; ++panel) {
+    const std::size_t width = (lines + (panel < narrow_panels ? 0 : 1)) * line;
     for (std::size_t j = 0; j < columns; ++j, p += width)
-      for (std::size_t i = 0; i < width && row + i < rows; ++i)
+      for (std::size_t i = 0; i < width && row + i < factor.rows; ++i)
         p[i] = static_cast<T>(factor.values[(row + i) * columns + j]);
     row += width;
-    lines -= lines / left;
   }
 }
 
@@ -452,15 +455,19 @@ ReadyProduct<T>::ReadyProduct(const ProductPlan& plan, std::size_t most_lines)
       columns(plan.columns),
       row_signs(plan.row_signs),
       column_signs(plan.column_signs),
+      row_block(row_signs.empty() ? rows : rows / row_signs.size()),
+      column_block(column_signs.empty() ? columns : columns / column_signs.size()),
       scale(plan.scale),
       input_size(padded<T>(columns) + cache_line),
       middle_size(0),
       output_size(padded<T>(rows) + cache_line) {
   factors.reserve(plan.factors.size());
   for (const Factor& factor : plan.factors) factors.emplace_back(factor, most_lines);
-  if (is_low_rank(structure))
-    for (std::size_t i = 0; i < factors.size(); i += 2)
-      middle_size = std::max(middle_size, padded<T>(factors[i].rows));
+  const std::size_t last = is_low_rank(structure) ? 1 : 0;
+  for (std::size_t i = 0; i < factors.size() && last == 1; i += 2)
+    middle_size = std::max(middle_size, padded<T>(plan.factors[i].rows));
+  even_input_size = padded<T>(plan.factors[0].columns);
+  even_output_size = padded<T>(plan.factors[last].rows);
 }
 
 template struct Panels<double>;

@@ -21,9 +21,10 @@ struct Panels {
   /// @param most  cache lines of rows in a panel
   Panels(const Factor& factor, std::size_t most);
 
-  std::size_t rows;
   std::size_t columns;
-  std::size_t panels;
+  std::size_t panels = 0;
+  std::size_t lines = 0;  // of rows, in a narrow panel; one more in those after them
+  std::size_t narrow_panels = 0;
   Aligned<T> values;
 };
 
@@ -38,13 +39,17 @@ struct ReadyProduct {
   std::size_t columns;
   std::vector<std::int8_t> row_signs;
   std::vector<std::int8_t> column_signs;
+  std::size_t row_block;  // values to a sign
+  std::size_t column_block;
   std::vector<Panels<T>> factors;
   double scale;
 
   /// Scratch of one product: values of T.
-  std::size_t input_size;   // both classes of x, each padded
+  std::size_t input_size;  // both classes of x, each padded
+  std::size_t even_input_size = 0;
   std::size_t middle_size;  // between two factors
   std::size_t output_size;  // both classes of y, each padded
+  std::size_t even_output_size = 0;
   [[nodiscard]] std::size_t scratch_size() const noexcept {
     return input_size + middle_size + output_size;
   }
