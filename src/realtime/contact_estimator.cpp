@@ -37,6 +37,9 @@ double growth(const ProductPlan& plan) {
   return 2.0 * most;  // sums of two classes
 }
 
+/// For what was checked before. A dead reading that is filled in may be larger than any live one.
+constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+
 }  // namespace
 
 struct ContactEstimator::Ready {
@@ -179,17 +182,21 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
     return FrameStatus::wrong_size;
 
   double* const x = scratch.x.data();
-  Difference input{readings.data(), scratch.baseline.data()};
-  std::uint64_t largest = loops.subtract(input.a, input.b, x, n);
-  if (!scratch.unread.empty()) {
-    input = {x, scratch.zero.data()};
-    for (const std::size_t i : scratch.unread) x[i] = 0.0;
-    largest = loops.largest(x, n);
-  }
-  if (largest > std::bit_cast<std::uint64_t>(ready.limit)) {
+  auto limit = std::bit_cast<std::uint64_t>(ready.limit);
+  const auto refused = [&] {
     for (std::size_t i = 0; i < n; ++i)
       if (scratch.weights[i] > 0.0 && !std::isfinite(readings[i])) return FrameStatus::not_finite;
     return FrameStatus::too_large;
+  };
+  Difference input{readings.data(), scratch.baseline.data()};
+  if (ready.prediction || ready.product32 || !scratch.unread.empty()) {
+    if (loops.subtract(input.a, input.b, x, n) > limit && scratch.unread.empty()) return refused();
+    if (!scratch.unread.empty()) {
+      for (const std::size_t i : scratch.unread) x[i] = 0.0;
+      if (loops.largest(x, n) > limit) return refused();
+      input = {x, scratch.zero.data()};
+    }
+    limit = unlimited;
   }
 
   bool saturated = false;
@@ -204,12 +211,15 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   std::array<Moments, 2> each;
   const std::span<Moments> moments(each.data(), ready.unknowns);
   if (ready.product64) {
-    loops.multiply64(*ready.product64, input, f, scratch.product64.data(), 1.0, moments);
+    if (!loops.multiply64(*ready.product64, input, f, scratch.product64.data(), 1.0, moments,
+                          limit))
+      return refused();
   } else {
     const double size = std::bit_cast<double>(loops.largest(x, n));
     const double magnitude =
         size > 0.0 ? std::ldexp(1.0, std::clamp(std::ilogb(size), -1021, 1021)) : 1.0;
-    loops.multiply32(*ready.product32, input, f, scratch.product32.data(), magnitude, moments);
+    (void)loops.multiply32(*ready.product32, input, f, scratch.product32.data(), magnitude, moments,
+                           unlimited);
   }
 
   const Moments& normal = each[0];
@@ -242,8 +252,9 @@ void ContactEstimator::judge(ContactEstimate& estimate) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
   const std::size_t n = ready.readings();
-  ready.loops.multiply64(*ready.prediction, {scratch.x.data(), scratch.zero.data()},
-                         scratch.predicted.data(), scratch.product64.data(), 1.0, {});
+  (void)ready.loops.multiply64(*ready.prediction, {scratch.x.data(), scratch.zero.data()},
+                               scratch.predicted.data(), scratch.product64.data(), 1.0, {},
+                               unlimited);
   const Misfit misfit =
       ready.loops.misfit(scratch.x.data(), scratch.predicted.data(), scratch.weights.data(),
                          ready.shares.data(), scratch.spread.data(), n);
@@ -297,8 +308,8 @@ bool ContactEstimator::set_dead(std::size_t taxel) noexcept {
       std::fill_n(scratch.x.data(), n, 0.0);
       scratch.x[d] = 1.0;
       double* const row = scratch.dead_rows.data() + i * row_size;
-      ready.loops.multiply64(*ready.prediction, {scratch.x.data(), scratch.zero.data()}, row,
-                             scratch.product64.data(), 1.0, {});
+      (void)ready.loops.multiply64(*ready.prediction, {scratch.x.data(), scratch.zero.data()}, row,
+                                   scratch.product64.data(), 1.0, {}, unlimited);
       const double w = ready.weights[d];
       double* const factor = scratch.cholesky.data() + i * stride;
       for (std::size_t k = 0; k < i; ++k) {

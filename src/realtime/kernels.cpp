@@ -1,5 +1,6 @@
 #include "realtime/kernels.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -172,14 +173,27 @@ template <int Bytes>
   return {total(sum) + few.sum, total(first) + few.first};
 }
 
-/// Sums and differences of x = a - b, class by class; see product_plan.hpp.
+[[gnu::always_inline]] inline std::uint64_t magnitude_bits(double value) noexcept {
+  return std::bit_cast<std::uint64_t>(value) & 0x7fff'ffff'ffff'ffffU;
+}
+
+/// Sums and differences of x = a - b, class by class; see product_plan.hpp. Returns the bits of the
+/// largest |x|, as `largest_magnitude`.
 template <int Bytes, class T>
-[[gnu::always_inline]] inline void split(const std::vector<std::int8_t>& signs, std::size_t n,
-                                         Difference x, double factor, T* even, T* odd) noexcept {
+[[gnu::always_inline]] inline std::uint64_t split(const std::vector<std::int8_t>& signs,
+                                                  std::size_t n, Difference x, double factor,
+                                                  T* even, T* odd) noexcept {
   constexpr std::size_t lanes = Bytes / sizeof(double);
   constexpr int stored = static_cast<int>(lanes * sizeof(T));
   using Stored = typename Vector<T, stored>::type;
+  using Bits = typename Vector<std::int64_t, Bytes>::type;
   const std::size_t half = n / 2;
+  Bits most{};
+  std::uint64_t rest = 0;
+  const auto compare = [&](auto v) {
+    const Bits bits = reinterpret_cast<Bits>(v) & 0x7fff'ffff'ffff'ffff;
+    most = bits > most ? bits : most;
+  };
   for (const std::int8_t sign : signs) {
     T* const sums = sign > 0 ? even : odd;
     T* const differences = sign > 0 ? odd : even;
@@ -187,24 +201,34 @@ template <int Bytes, class T>
     cover<lanes>(
         half,
         [&](std::size_t i, std::size_t) {
-          const auto a = values(i) * factor;
-          const auto b =
-              reversed(values(n - i - lanes) * factor, std::make_index_sequence<lanes>());
+          const auto front = values(i);
+          const auto back = values(n - i - lanes);
+          compare(front);
+          compare(back);
+          const auto a = front * factor;
+          const auto b = reversed(back * factor, std::make_index_sequence<lanes>());
           store<stored>(sums + i, __builtin_convertvector(a + b, Stored));
           store<stored>(differences + i, __builtin_convertvector(a - b, Stored));
         },
         [&](std::size_t i) {
+          rest = std::max({rest, magnitude_bits(x[i]), magnitude_bits(x[n - 1 - i])});
           const double a = x[i] * factor;
           const double b = x[n - 1 - i] * factor;
           sums[i] = static_cast<T>(a + b);
           differences[i] = static_cast<T>(a - b);
         });
-    if (n % 2 != 0) sums[half] = static_cast<T>(x[half] * factor);
+    if (n % 2 != 0) {
+      rest = std::max(rest, magnitude_bits(x[half]));
+      sums[half] = static_cast<T>(x[half] * factor);
+    }
     even += sign > 0 ? n - half : half;
     odd += sign > 0 ? half : n - half;
     x.a += n;
     x.b += n;
   }
+  for (std::size_t k = 0; k < lanes; ++k)
+    rest = std::max(rest, static_cast<std::uint64_t>(most[k]));
+  return rest;
 }
 
 /// The way back: y from its classes, and the moments of each block if they are wanted.
@@ -259,9 +283,9 @@ template <int Bytes, class T>
 
 /// `factor(A, x, y)` multiplies by one factor.
 template <int Bytes, class T>
-[[gnu::always_inline]] inline void multiply(const ReadyProduct<T>& a, Difference x, double* y,
+[[gnu::always_inline]] inline bool multiply(const ReadyProduct<T>& a, Difference x, double* y,
                                             T* scratch, double magnitude,
-                                            std::span<Moments> moments,
+                                            std::span<Moments> moments, std::uint64_t limit,
                                             const auto& factor) noexcept {
   T* const input = scratch;
   T* const middle = scratch + a.input_size;
@@ -271,8 +295,14 @@ template <int Bytes, class T>
   const double grow = sizeof(T) == sizeof(double) ? a.scale : magnitude * a.scale;
   const bool low_rank = is_low_rank(a.structure);
   if (!has_parity(a.structure)) {
+    std::uint64_t largest = 0;
 #pragma GCC ivdep
-    for (std::size_t i = 0; i < a.columns; ++i) input[i] = static_cast<T>(x[i] * shrink);
+    for (std::size_t i = 0; i < a.columns; ++i) {
+      const double value = x[i];
+      largest = std::max(largest, magnitude_bits(value));
+      input[i] = static_cast<T>(value * shrink);
+    }
+    if (largest > limit) return false;
     if (low_rank) factor(a.factors[0], input, middle);
     factor(a.factors[low_rank ? 1 : 0], low_rank ? middle : input, output);
 #pragma GCC ivdep
@@ -282,7 +312,8 @@ template <int Bytes, class T>
   } else {
     T* const odd_input = input + a.even_input_size;
     T* const odd_output = output + a.even_output_size;
-    split<Bytes>(a.column_signs, a.column_block, x, shrink, input, odd_input);
+    if (split<Bytes>(a.column_signs, a.column_block, x, shrink, input, odd_input) > limit)
+      return false;
     if (low_rank) {
       factor(a.factors[0], input, middle);
       factor(a.factors[1], middle, output);
@@ -295,10 +326,7 @@ template <int Bytes, class T>
     merge<Bytes>(a.row_signs, a.row_block, output, odd_output, grow, y,
                  moments.empty() ? nullptr : moments.data());
   }
-}
-
-[[gnu::always_inline]] inline std::uint64_t magnitude_bits(double value) noexcept {
-  return std::bit_cast<std::uint64_t>(value) & 0x7fff'ffff'ffff'ffffU;
+  return true;
 }
 
 /// Bits of non-negative doubles order as the doubles do, and NaN is the largest: integers compare
@@ -372,13 +400,15 @@ template <int Bytes>
                                          float* y) noexcept {                                     \
     multiply_factor<BYTES>(a, x, y);                                                              \
   }                                                                                               \
-  TARGET void multiply64(const ReadyProduct<double>& a, Difference x, double* y, double* scratch, \
-                         double magnitude, std::span<Moments> moments) noexcept {                 \
-    multiply<BYTES>(a, x, y, scratch, magnitude, moments, factor64);                              \
+  TARGET bool multiply64(const ReadyProduct<double>& a, Difference x, double* y, double* scratch, \
+                         double magnitude, std::span<Moments> moments,                            \
+                         std::uint64_t limit) noexcept {                                          \
+    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor64);                \
   }                                                                                               \
-  TARGET void multiply32(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,   \
-                         double magnitude, std::span<Moments> moments) noexcept {                 \
-    multiply<BYTES>(a, x, y, scratch, magnitude, moments, factor32);                              \
+  TARGET bool multiply32(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,   \
+                         double magnitude, std::span<Moments> moments,                            \
+                         std::uint64_t limit) noexcept {                                          \
+    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor32);                \
   }                                                                                               \
   TARGET double dot(const double* a, const double* b, std::size_t n) noexcept {                   \
     return dot_of<BYTES>(a, b, n);                                                                \

@@ -82,10 +82,11 @@ struct Kernels {
   std::uint64_t (*largest)(const double* x, std::size_t n) noexcept;
   /// y = A x; `magnitude`: 2^k >= |x| / 2 of every entry, by which float sums are scaled. Moments
   /// of as many blocks of y as there is room for: none or all. y may be the memory of x.
-  void (*multiply64)(const ReadyProduct<double>& a, Difference x, double* y, double* scratch,
-                     double magnitude, std::span<Moments> moments) noexcept;
-  void (*multiply32)(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,
-                     double magnitude, std::span<Moments> moments) noexcept;
+  /// @return false, and y is untouched: an |x| is NaN or beyond `limit`, as `largest` has it
+  bool (*multiply64)(const ReadyProduct<double>& a, Difference x, double* y, double* scratch,
+                     double magnitude, std::span<Moments> moments, std::uint64_t limit) noexcept;
+  bool (*multiply32)(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,
+                     double magnitude, std::span<Moments> moments, std::uint64_t limit) noexcept;
   double (*dot)(const double* a, const double* b, std::size_t n) noexcept;
   /// spread_i = (w_i (x_i - p_i))^2 share_i
   Misfit (*misfit)(const double* x, const double* p, const double* weights, const double* shares,
