@@ -215,9 +215,10 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
                           limit))
       return refused();
   } else {
-    const double size = std::bit_cast<double>(loops.largest(x, n));
-    const double magnitude =
-        size > 0.0 ? std::ldexp(1.0, std::clamp(std::ilogb(size), -1021, 1021)) : 1.0;
+    // The power of two below the largest |x|; of its bits, the exponent.
+    const std::uint64_t exponent = loops.largest(x, n) & 0x7ff0'0000'0000'0000U;
+    const auto magnitude = std::bit_cast<double>(std::clamp(
+        exponent, std::bit_cast<std::uint64_t>(0x1p-1021), std::bit_cast<std::uint64_t>(0x1p1021)));
     (void)loops.multiply32(*ready.product32, input, f, scratch.product32.data(), magnitude, moments,
                            unlimited);
   }

@@ -95,33 +95,6 @@ template <int Bytes, std::size_t lines, class T>
   return p;
 }
 
-/// y = A x, y padded to whole cache lines.
-template <int Bytes, class T>
-[[gnu::always_inline]] inline void multiply_factor(const Panels<T>& a, const T* x, T* y) noexcept {
-  const T* p = a.values.data();
-  for (std::size_t panel = 0; panel < a.panels; ++panel) {
-    const std::size_t lines = a.lines + (panel < a.narrow_panels ? 0 : 1);
-    switch (lines) {
-      case 1:
-        p = multiply_panel<Bytes, 1>(p, a.columns, x, y);
-        break;
-      case 2:
-        p = multiply_panel<Bytes, 2>(p, a.columns, x, y);
-        break;
-      case 3:
-        p = multiply_panel<Bytes, 3>(p, a.columns, x, y);
-        break;
-      default:
-        if constexpr (most_lines(Bytes) == 6) {
-          if (lines == 4) p = multiply_panel<Bytes, 4>(p, a.columns, x, y);
-          if (lines == 5) p = multiply_panel<Bytes, 5>(p, a.columns, x, y);
-          if (lines == 6) p = multiply_panel<Bytes, 6>(p, a.columns, x, y);
-        }
-    }
-    y += lines * cache_line / sizeof(T);
-  }
-}
-
 alignas(cache_line) constexpr std::int64_t masks[] = {0,  0,  0,  0,  0,  0,  0,  0,
                                                       -1, -1, -1, -1, -1, -1, -1, -1};
 
@@ -149,6 +122,51 @@ alignas(cache_line) constexpr double numbers[] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 
 template <int Bytes>
 [[gnu::always_inline]] inline auto counted(std::size_t i, double centre) noexcept {
   return load<Bytes>(numbers) + (static_cast<double>(static_cast<std::int64_t>(i)) - centre);
+}
+
+template <int Bytes>
+[[gnu::always_inline]] inline double dot_of(const double* a, const double* b,
+                                            std::size_t n) noexcept {
+  constexpr std::size_t lanes = Bytes / sizeof(double);
+  typename Vector<double, Bytes>::type sum{};
+  double few = 0.0;
+  cover<lanes>(
+      n,
+      [&](std::size_t i, std::size_t fresh) {
+        sum += without(load<Bytes>(a + i), lanes - fresh) * load<Bytes>(b + i);
+      },
+      [&](std::size_t i) { few += a[i] * b[i]; });
+  return total(sum) + few;
+}
+
+/// y = A x, y padded to whole cache lines.
+template <int Bytes, class T>
+[[gnu::always_inline]] inline void multiply_factor(const Panels<T>& a, const T* x, T* y) noexcept {
+  const T* p = a.values.data();
+  for (std::size_t panel = 0; panel < a.panels; ++panel) {
+    const std::size_t lines = a.lines + (panel < a.narrow_panels ? 0 : 1);
+    switch (lines) {
+      case 1:
+        p = multiply_panel<Bytes, 1>(p, a.columns, x, y);
+        break;
+      case 2:
+        p = multiply_panel<Bytes, 2>(p, a.columns, x, y);
+        break;
+      case 3:
+        p = multiply_panel<Bytes, 3>(p, a.columns, x, y);
+        break;
+      default:
+        if constexpr (most_lines(Bytes) == 6) {
+          if (lines == 4) p = multiply_panel<Bytes, 4>(p, a.columns, x, y);
+          if (lines == 5) p = multiply_panel<Bytes, 5>(p, a.columns, x, y);
+          if (lines == 6) p = multiply_panel<Bytes, 6>(p, a.columns, x, y);
+        }
+    }
+    y += lines * cache_line / sizeof(T);
+  }
+  if constexpr (sizeof(T) == sizeof(double))
+    for (std::size_t row = 0; row < a.single_rows; ++row, p += padded<T>(a.columns))
+      y[row] = dot_of<Bytes>(p, x, a.columns);
 }
 
 template <int Bytes>
@@ -355,21 +373,6 @@ template <int Bytes, class T>
 }
 
 template <int Bytes>
-[[gnu::always_inline]] inline double dot_of(const double* a, const double* b,
-                                            std::size_t n) noexcept {
-  constexpr std::size_t lanes = Bytes / sizeof(double);
-  typename Vector<double, Bytes>::type sum{};
-  double few = 0.0;
-  cover<lanes>(
-      n,
-      [&](std::size_t i, std::size_t fresh) {
-        sum += without(load<Bytes>(a + i), lanes - fresh) * load<Bytes>(b + i);
-      },
-      [&](std::size_t i) { few += a[i] * b[i]; });
-  return total(sum) + few;
-}
-
-template <int Bytes>
 [[gnu::always_inline]] inline Misfit misfit_of(const double* x, const double* p,
                                                const double* weights, const double* shares,
                                                double* spread, std::size_t n) noexcept {
@@ -460,22 +463,38 @@ std::string_view name(InstructionSet set) noexcept {
   return "unknown";
 }
 
+/// One or two rows beyond whole cache lines are multiplied by themselves: 81 taxels would else
+/// stream 88 rows.
+template <class T>
+std::size_t rows_by_themselves(std::size_t rows) noexcept {
+  const std::size_t beyond = rows % (cache_line / sizeof(T));
+  return sizeof(T) == sizeof(double) && beyond <= 2 ? beyond : 0;
+}
+
 template <class T>
 Panels<T>::Panels(const Factor& factor, std::size_t most)
-    : columns(factor.columns), values(padded<T>(factor.rows) * factor.columns) {
+    : columns(factor.columns),
+      single_rows(rows_by_themselves<T>(factor.rows)),
+      values(padded<T>(factor.rows - single_rows) * columns + single_rows * padded<T>(columns)) {
   constexpr std::size_t line = cache_line / sizeof(T);
-  const std::size_t all = padded<T>(factor.rows) / line;
+  const std::size_t in_panels = factor.rows - single_rows;
+  const std::size_t all = padded<T>(in_panels) / line;
   panels = (all + most - 1) / most;
-  lines = all / panels;
-  narrow_panels = panels - all % panels;
+  if (panels > 0) {
+    lines = all / panels;
+    narrow_panels = panels - all % panels;
+  }
   T* p = values.data();
   for (std::size_t panel = 0, row = 0; panel < panels; ++panel) {
     const std::size_t width = (lines + (panel < narrow_panels ? 0 : 1)) * line;
     for (std::size_t j = 0; j < columns; ++j, p += width)
-      for (std::size_t i = 0; i < width && row + i < factor.rows; ++i)
+      for (std::size_t i = 0; i < width && row + i < in_panels; ++i)
         p[i] = static_cast<T>(factor.values[(row + i) * columns + j]);
     row += width;
   }
+  for (std::size_t row = in_panels; row < factor.rows; ++row, p += padded<T>(columns))
+    for (std::size_t j = 0; j < columns; ++j)
+      p[j] = static_cast<T>(factor.values[row * columns + j]);
 }
 
 template <class T>

@@ -22,6 +22,7 @@ struct Panels {
   Panels(const Factor& factor, std::size_t most);
 
   std::size_t columns;
+  std::size_t single_rows;  // after the panels, each for itself
   std::size_t panels = 0;
   std::size_t lines = 0;  // of rows, in a narrow panel; one more in those after them
   std::size_t narrow_panels = 0;
