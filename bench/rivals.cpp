@@ -68,8 +68,8 @@ Rivals::Rivals(const double* kernel, const double* normal, std::size_t rows, std
   parts_->factors.compute(parts_->normal);
   parts_->right.resize(n);
   parts_->padded = (rows * columns + 7) / 8 * 8;
-  parts_->matrix.reset(static_cast<double*>(
-      ::operator new (parts_->padded * sizeof(double), std::align_val_t{64})));
+  parts_->matrix.reset(
+      static_cast<double*>(::operator new (parts_->padded * sizeof(double), std::align_val_t{64})));
   std::fill_n(parts_->matrix.get(), parts_->padded, 0.0);
   Eigen::Map<Eigen::MatrixXd>(parts_->matrix.get(), n, m) =
       parts_->factors.solve(parts_->kernel.transpose());
