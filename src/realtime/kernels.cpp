@@ -62,7 +62,7 @@ constexpr std::size_t most_lines(int bytes) noexcept { return bytes >= 32 ? 6 : 
 
 /// y = panel x. Reads `sums` columns at a time into sums of their own: additions take four cycles
 /// and two start in each, so eight must be under way.
-template <int Bytes, std::size_t lines, class T>
+template <int Bytes, std::size_t lines, bool far, class T>
 [[gnu::always_inline]] inline const T* multiply_panel(const T* p, std::size_t columns, const T* x,
                                                       T* y) noexcept {
   using V = typename Vector<T, Bytes>::type;
@@ -72,12 +72,16 @@ template <int Bytes, std::size_t lines, class T>
   constexpr std::size_t sums = (8 + vectors - 1) / vectors;
   V sum[sums][vectors] = {};
   std::size_t j = 0;
-  for (; j + sums <= columns; j += sums, p += sums * width)
+  for (; j + sums <= columns; j += sums, p += sums * width) {
+    if constexpr (far)
+      for (std::size_t line = 0; line < sums * lines; ++line)
+        __builtin_prefetch(p + (4096 + line * cache_line) / sizeof(T));
 #pragma GCC unroll 8
     for (std::size_t s = 0; s < sums; ++s)
 #pragma GCC unroll 16
       for (std::size_t i = 0; i < vectors; ++i)
         sum[s][i] += *reinterpret_cast<const V*>(p + s * width + i * lanes) * x[j + s];
+  }
 #pragma GCC unroll 8
   for (std::size_t s = 0; s + 1 < sums; ++s) {
     if (j + s >= columns) break;
@@ -140,26 +144,26 @@ template <int Bytes>
 }
 
 /// y = A x, y padded to whole cache lines.
-template <int Bytes, class T>
-[[gnu::always_inline]] inline void multiply_factor(const Panels<T>& a, const T* x, T* y) noexcept {
+template <int Bytes, bool far, class T>
+[[gnu::always_inline]] inline void multiply_panels(const Panels<T>& a, const T* x, T* y) noexcept {
   const T* p = a.values.data();
   for (std::size_t panel = 0; panel < a.panels; ++panel) {
     const std::size_t lines = a.lines + (panel < a.narrow_panels ? 0 : 1);
     switch (lines) {
       case 1:
-        p = multiply_panel<Bytes, 1>(p, a.columns, x, y);
+        p = multiply_panel<Bytes, 1, far>(p, a.columns, x, y);
         break;
       case 2:
-        p = multiply_panel<Bytes, 2>(p, a.columns, x, y);
+        p = multiply_panel<Bytes, 2, far>(p, a.columns, x, y);
         break;
       case 3:
-        p = multiply_panel<Bytes, 3>(p, a.columns, x, y);
+        p = multiply_panel<Bytes, 3, far>(p, a.columns, x, y);
         break;
       default:
         if constexpr (most_lines(Bytes) == 6) {
-          if (lines == 4) p = multiply_panel<Bytes, 4>(p, a.columns, x, y);
-          if (lines == 5) p = multiply_panel<Bytes, 5>(p, a.columns, x, y);
-          if (lines == 6) p = multiply_panel<Bytes, 6>(p, a.columns, x, y);
+          if (lines == 4) p = multiply_panel<Bytes, 4, far>(p, a.columns, x, y);
+          if (lines == 5) p = multiply_panel<Bytes, 5, far>(p, a.columns, x, y);
+          if (lines == 6) p = multiply_panel<Bytes, 6, far>(p, a.columns, x, y);
         }
     }
     y += lines * cache_line / sizeof(T);
@@ -167,6 +171,14 @@ template <int Bytes, class T>
   if constexpr (sizeof(T) == sizeof(double))
     for (std::size_t row = 0; row < a.single_rows; ++row, p += padded<T>(a.columns))
       y[row] = dot_of<Bytes>(p, x, a.columns);
+}
+
+template <int Bytes, class T>
+[[gnu::always_inline]] inline void multiply_factor(const Panels<T>& a, const T* x, T* y) noexcept {
+  if (a.far)
+    multiply_panels<Bytes, true>(a, x, y);
+  else
+    multiply_panels<Bytes, false>(a, x, y);
 }
 
 template <int Bytes>
@@ -463,6 +475,10 @@ std::string_view name(InstructionSet set) noexcept {
   return "unknown";
 }
 
+/// Larger products come from beyond a core's own caches, where hardware fetches too late and not
+/// across pages: they are asked for a page ahead. Smaller ones arrive no sooner, and asking costs.
+constexpr std::size_t near_cache = std::size_t{1} << 20;
+
 /// One or two rows beyond whole cache lines are multiplied by themselves: 81 taxels would else
 /// stream 88 rows.
 template <class T>
@@ -472,9 +488,10 @@ std::size_t rows_by_themselves(std::size_t rows) noexcept {
 }
 
 template <class T>
-Panels<T>::Panels(const Factor& factor, std::size_t most)
+Panels<T>::Panels(const Factor& factor, std::size_t most, bool beyond)
     : columns(factor.columns),
       single_rows(rows_by_themselves<T>(factor.rows)),
+      far(beyond),
       values(padded<T>(factor.rows - single_rows) * columns + single_rows * padded<T>(columns)) {
   constexpr std::size_t line = cache_line / sizeof(T);
   const std::size_t in_panels = factor.rows - single_rows;
@@ -511,7 +528,8 @@ ReadyProduct<T>::ReadyProduct(const ProductPlan& plan, std::size_t most_lines)
       middle_size(0),
       output_size(padded<T>(rows) + cache_line) {
   factors.reserve(plan.factors.size());
-  for (const Factor& factor : plan.factors) factors.emplace_back(factor, most_lines);
+  for (const Factor& factor : plan.factors)
+    factors.emplace_back(factor, most_lines, streamed_bytes(plan) > near_cache);
   const std::size_t last = is_low_rank(structure) ? 1 : 0;
   for (std::size_t i = 0; i < factors.size() && last == 1; i += 2)
     middle_size = std::max(middle_size, padded<T>(plan.factors[i].rows));

@@ -18,11 +18,13 @@ namespace tactile_net {
 
 template <class T>
 struct Panels {
-  /// @param most  cache lines of rows in a panel
-  Panels(const Factor& factor, std::size_t most);
+  /// @param most    cache lines of rows in a panel
+  /// @param beyond  the caches of a core
+  Panels(const Factor& factor, std::size_t most, bool beyond);
 
   std::size_t columns;
   std::size_t single_rows;  // after the panels, each for itself
+  bool far;                 // read ahead by software
   std::size_t panels = 0;
   std::size_t lines = 0;  // of rows, in a narrow panel; one more in those after them
   std::size_t narrow_panels = 0;
