@@ -14,7 +14,10 @@ namespace tactile_net {
 namespace {
 
 /// What one factor costs besides its bytes, in bytes: loop ends, and waiting for the one before.
-constexpr double cost_of_a_factor = 512.0;
+constexpr double cost_of_a_factor = 1600.0;
+
+/// What scaling a frame for floats costs, and converting it there and back.
+constexpr double cost_of_floats = 4096.0;
 
 /// What a transform of m real values costs, in bytes over m log2(m): measured (bench/fft_bench).
 constexpr double cost_of_a_transform = 25.0;
@@ -288,7 +291,8 @@ class Planner {
     }
     candidate.bytes = streamed_bytes(plan);
     candidate.cost += static_cast<double>(candidate.bytes) +
-                      cost_of_a_factor * static_cast<double>(plan.factors.size());
+                      cost_of_a_factor * static_cast<double>(plan.factors.size()) +
+                      (precision == Precision::float32 ? cost_of_floats : 0.0);
     candidate.error_bound = std::max((error.matrix + error.rounding) / norm_,
                                      error.explained + error.rounding * explained_norm_);
     candidate.accurate = (structure == Structure::dense && precision == Precision::float64) ||

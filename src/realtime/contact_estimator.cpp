@@ -56,6 +56,20 @@ std::unique_ptr<Convolution> cloned(const std::unique_ptr<Convolution>& convolut
   return convolution ? convolution->clone() : nullptr;
 }
 
+/// Of what is not known before the convolution is added.
+Moments moments_of(std::span<const double> f) noexcept {
+  Moments moments;
+  const double centre = 0.5 * static_cast<double>(f.size() - 1);
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    moments.sum += f[i];
+    moments.first += (static_cast<double>(i) - centre) * f[i];
+  }
+  return moments;
+}
+
+/// For what was checked before. A dead reading that is filled in may be larger than any live one.
+constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+
 }  // namespace
 
 struct ContactEstimator::Ready {
@@ -75,14 +89,14 @@ struct ContactEstimator::Ready {
         set(std::min(chosen, widest_instruction_set())),
         loops(kernels(set)) {
     if (plan.reconstruction.precision == Precision::float64)
-      product64.emplace(plan.reconstruction);
+      product64.emplace(plan.reconstruction, loops.most_lines);
     else
-      product32.emplace(plan.reconstruction);
+      product32.emplace(plan.reconstruction, loops.most_lines);
     double most = growth(plan.reconstruction) * static_cast<double>(plan.tractions()) *
                   static_cast<double>(plan.count) * std::max(1.0, plan.pitch * plan.pitch) *
                   (1.0 + plan.friction_coefficient.value_or(0.0));
     if (plan.prediction) {
-      prediction.emplace(*plan.prediction);
+      prediction.emplace(*plan.prediction, loops.most_lines);
       const double weight = *std::max_element(weights.begin(), weights.end());
       const double residual =
           2.0 * growth(*plan.prediction) * std::max(1.0, weight);  // its square must not overflow
@@ -117,6 +131,7 @@ struct ContactEstimator::Ready {
 struct ContactEstimator::Scratch {
   explicit Scratch(const Ready& ready)
       : baseline(ready.readings()),
+        zero(ready.readings()),
         x(ready.readings()),
         predicted(ready.prediction ? ready.readings() : 0),
         spread(ready.prediction ? ready.readings() : 0),
@@ -165,7 +180,7 @@ struct ContactEstimator::Scratch {
     }
   }
 
-  Aligned<double> baseline, x, predicted, spread, weights;  // weights: 0 for what is dead
+  Aligned<double> baseline, zero, x, predicted, spread, weights;  // weights: 0 for what is dead
   Aligned<double> remaining;  // 1 - h_i, of the live readings' own problem
   Aligned<double> shares;     // 1 / remaining of what may be an outlier, else 0
   Aligned<double> product64;
@@ -231,13 +246,21 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
     return FrameStatus::wrong_size;
 
   double* const x = scratch.x.data();
-  loops.subtract(readings.data(), scratch.baseline.data(), x, n);
-  for (const std::size_t i : scratch.unread) x[i] = 0.0;
-  const std::uint64_t largest = loops.largest(x, n);
-  if (largest > std::bit_cast<std::uint64_t>(ready.limit)) {
+  auto limit = std::bit_cast<std::uint64_t>(ready.limit);
+  const auto refused = [&] {
     for (std::size_t i = 0; i < n; ++i)
       if (scratch.weights[i] > 0.0 && !std::isfinite(readings[i])) return FrameStatus::not_finite;
     return FrameStatus::too_large;
+  };
+  Difference input{readings.data(), scratch.baseline.data()};
+  if (ready.prediction || ready.product32 || scratch.convolution || !scratch.unread.empty()) {
+    if (loops.subtract(input.a, input.b, x, n) > limit && scratch.unread.empty()) return refused();
+    if (!scratch.unread.empty()) {
+      for (const std::size_t i : scratch.unread) x[i] = 0.0;
+      if (loops.largest(x, n) > limit) return refused();
+      input = {x, scratch.zero.data()};
+    }
+    limit = unlimited;
   }
 
   bool saturated = false;
@@ -253,37 +276,55 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   }
 
   double* const f = estimate.tractions.data();
+  std::array<Moments, 2> each;
+  const std::span<Moments> moments(each.data(), ready.unknowns);
   if (ready.product64) {
-    loops.multiply64(*ready.product64, x, f, scratch.product64.data(), 1.0);
-    if (scratch.convolution) scratch.convolution->add(x, f);
+    if (!loops.multiply64(*ready.product64, input, f, scratch.product64.data(), 1.0, moments,
+                          limit))
+      return refused();
+    if (scratch.convolution) {
+      scratch.convolution->add(x, f);
+      for (std::size_t u = 0; u < ready.unknowns; ++u)
+        moments[u] = moments_of({f + u * count, count});
+    }
   } else {
-    const double size = std::bit_cast<double>(loops.largest(x, n));
-    const double magnitude =
-        size > 0.0 ? std::ldexp(1.0, std::clamp(std::ilogb(size), -1021, 1021)) : 1.0;
-    loops.multiply32(*ready.product32, x, f, scratch.product32.data(), magnitude);
+    // The power of two below the largest |x|; of its bits, the exponent.
+    const std::uint64_t exponent = loops.largest(x, n) & 0x7ff0'0000'0000'0000U;
+    const auto magnitude = std::bit_cast<double>(std::clamp(
+        exponent, std::bit_cast<std::uint64_t>(0x1p-1021), std::bit_cast<std::uint64_t>(0x1p1021)));
+    (void)loops.multiply32(*ready.product32, input, f, scratch.product32.data(), magnitude, moments,
+                           unlimited);
   }
 
-  ContactEstimate next{.tractions = estimate.tractions, .time = time, .saturated = saturated};
-  const Moments normal = loops.moments(f, count);
-  next.normal_force = ready.pitch * normal.sum;
-  next.contact = next.normal_force > 0.0;
-  if (next.contact) next.centre = ready.pitch * (normal.first / normal.sum);
+  const Moments& normal = each[0];
+  estimate.time = time;
+  estimate.normal_force = ready.pitch * normal.sum;
+  estimate.tangential_force = ContactEstimate::unknown;
+  estimate.centre = ContactEstimate::unknown;
+  estimate.angle = ContactEstimate::unknown;
+  estimate.friction_margin = ContactEstimate::unknown;
+  estimate.residual_rms = ContactEstimate::unknown;
+  estimate.contact = estimate.normal_force > 0.0;
+  estimate.saturated = saturated;
+  estimate.outlier = -1;
+  if (estimate.contact) estimate.centre = ready.pitch * (normal.first / normal.sum);
   if (ready.unknowns == 2) {
-    next.tangential_force = ready.pitch * loops.moments(f + count, count).sum;
-    if (next.contact) next.angle = std::atan2(next.tangential_force, next.normal_force);
+    estimate.tangential_force = ready.pitch * each[1].sum;
+    if (estimate.contact)
+      estimate.angle = std::atan2(estimate.tangential_force, estimate.normal_force);
     if (ready.friction)
-      next.friction_margin = *ready.friction * next.normal_force - std::abs(next.tangential_force);
+      estimate.friction_margin =
+          *ready.friction * estimate.normal_force - std::abs(estimate.tangential_force);
   }
-  if (ready.prediction) judge(next);
-  estimate = next;
+  if (ready.prediction) judge(estimate);
   return FrameStatus::ok;
 }
 
 /// What the tractions explain of scratch_->x.
 void ContactEstimator::predict(double* explained) noexcept {
   Scratch& scratch = *scratch_;
-  ready_->loops.multiply64(*ready_->prediction, scratch.x.data(), explained,
-                           scratch.product64.data(), 1.0);
+  (void)ready_->loops.multiply64(*ready_->prediction, {scratch.x.data(), scratch.zero.data()},
+                                 explained, scratch.product64.data(), 1.0, {}, unlimited);
   if (scratch.prediction_convolution)
     scratch.prediction_convolution->add(scratch.x.data(), explained);
 }

@@ -1,8 +1,14 @@
 #include "realtime/kernels.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <type_traits>
+#include <utility>
+
+// Vectors go through functions that are always inlined: no call's convention is concerned.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace tactile_net {
 namespace {
@@ -15,148 +21,342 @@ struct Vector {
   static constexpr std::size_t lanes = Bytes / sizeof(T);
 };
 
-/// y = panel x. Reads `sums` columns at a time into sums of their own, so that additions need not
-/// wait for each other.
-template <int Bytes, std::size_t lines, std::size_t sums, class T>
-[[gnu::always_inline]] inline const T* multiply_panel(const T* a, std::size_t columns, const T* x,
+/// One that need not be aligned.
+template <class T, int Bytes>
+struct [[gnu::packed, gnu::may_alias]] Unaligned {
+  typename Vector<T, Bytes>::type v;
+};
+
+template <int Bytes, class T>
+[[gnu::always_inline]] inline typename Vector<T, Bytes>::type load(const T* p) noexcept {
+  return reinterpret_cast<const Unaligned<T, Bytes>*>(p)->v;
+}
+template <int Bytes, class T, class V>
+[[gnu::always_inline]] inline void store(T* p, V v) noexcept {
+  reinterpret_cast<Unaligned<T, Bytes>*>(p)->v = v;
+}
+
+template <class V, std::size_t... k>
+[[gnu::always_inline]] inline V reversed(V v, std::index_sequence<k...>) noexcept {
+  using Index = std::make_signed_t<std::size_t>;
+  typedef Index Mask __attribute__((vector_size(sizeof(V))));
+  return __builtin_shuffle(v, Mask{static_cast<Index>(sizeof...(k) - 1 - k)...});
+}
+
+/// Calls `step(i, fresh)` for vectors that cover 0 ... size - 1, the last one overlapping the one
+/// before, so that only its last `fresh` lanes are new: for steps that write what depends on
+/// nothing written. `single(i)` where not even one fits.
+template <std::size_t lanes>
+[[gnu::always_inline]] inline void cover(std::size_t size, const auto& step,
+                                         const auto& single) noexcept {
+  if (size < lanes) {
+    for (std::size_t i = 0; i < size; ++i) single(i);
+    return;
+  }
+  for (std::size_t i = 0; i + lanes <= size; i += lanes) step(i, lanes);
+  if (size % lanes != 0) step(size - lanes, size % lanes);
+}
+
+/// Lines of rows that a panel has at most: their sums stay in registers, with x_j in one more.
+constexpr std::size_t most_lines(int bytes) noexcept { return bytes >= 32 ? 6 : 3; }
+
+/// y = panel x. Reads `sums` columns at a time into sums of their own: additions take four cycles
+/// and two start in each, so eight must be under way.
+template <int Bytes, std::size_t lines, bool far, class T>
+[[gnu::always_inline]] inline const T* multiply_panel(const T* p, std::size_t columns, const T* x,
                                                       T* y) noexcept {
   using V = typename Vector<T, Bytes>::type;
   constexpr std::size_t lanes = Vector<T, Bytes>::lanes;
   constexpr std::size_t width = lines * cache_line / sizeof(T);
-  // Baseline x86-64 has 16 registers: a panel of four lines goes in two passes.
-  constexpr std::size_t passes = Bytes == 16 && lines == 4 ? 2 : 1;
-  constexpr std::size_t vectors = width / lanes / passes;
-  constexpr std::size_t ahead = 4096 / sizeof(T);  // the next page, which hardware does not fetch
-  for (std::size_t pass = 0; pass < passes; ++pass) {
-    const T* p = a + pass * vectors * lanes;
-    T* out = y + pass * vectors * lanes;
-    V sum[sums][vectors] = {};
-    std::size_t j = 0;
-    for (; j + sums <= columns; j += sums, p += sums * width) {
+  constexpr std::size_t vectors = width / lanes;
+  constexpr std::size_t sums = (8 + vectors - 1) / vectors;
+  V sum[sums][vectors] = {};
+  std::size_t j = 0;
+  for (; j + sums <= columns; j += sums, p += sums * width) {
+    if constexpr (far)
       for (std::size_t line = 0; line < sums * lines; ++line)
-        __builtin_prefetch(p + ahead + line * cache_line / sizeof(T));
+        __builtin_prefetch(p + (4096 + line * cache_line) / sizeof(T));
 #pragma GCC unroll 8
-      for (std::size_t s = 0; s < sums; ++s)
-#pragma GCC unroll 8
-        for (std::size_t i = 0; i < vectors; ++i)
-          sum[s][i] += *reinterpret_cast<const V*>(p + s * width + i * lanes) * x[j + s];
-    }
-    for (; j < columns; ++j, p += width)
-#pragma GCC unroll 8
+    for (std::size_t s = 0; s < sums; ++s)
+#pragma GCC unroll 16
       for (std::size_t i = 0; i < vectors; ++i)
-        sum[0][i] += *reinterpret_cast<const V*>(p + i * lanes) * x[j];
-#pragma GCC unroll 8
-    for (std::size_t s = 1; s < sums; ++s)
-#pragma GCC unroll 8
-      for (std::size_t i = 0; i < vectors; ++i) sum[0][i] += sum[s][i];
-#pragma GCC unroll 8
-    for (std::size_t i = 0; i < vectors; ++i) *reinterpret_cast<V*>(out + i * lanes) = sum[0][i];
+        sum[s][i] += *reinterpret_cast<const V*>(p + s * width + i * lanes) * x[j + s];
   }
-  return a + columns * width;
+#pragma GCC unroll 8
+  for (std::size_t s = 0; s + 1 < sums; ++s) {
+    if (j + s >= columns) break;
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < vectors; ++i)
+      sum[s][i] += *reinterpret_cast<const V*>(p + i * lanes) * x[j + s];
+    p += width;
+  }
+#pragma GCC unroll 8
+  for (std::size_t s = 1; s < sums; ++s)
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < vectors; ++i) sum[0][i] += sum[s][i];
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i < vectors; ++i) *reinterpret_cast<V*>(y + i * lanes) = sum[0][i];
+  return p;
+}
+
+alignas(cache_line) constexpr std::int64_t masks[] = {0,  0,  0,  0,  0,  0,  0,  0,
+                                                      -1, -1, -1, -1, -1, -1, -1, -1};
+
+/// v in the lanes from `zeros` on, else 0.
+template <class V>
+[[gnu::always_inline]] inline V without(V v, std::size_t zeros) noexcept {
+  const auto mask = load<sizeof(V)>(masks + 8 - zeros);
+  return reinterpret_cast<V>(reinterpret_cast<decltype(mask)>(v) & mask);
+}
+
+/// Sum of the lanes.
+template <class V>
+[[gnu::always_inline]] inline double total(V v) noexcept {
+  constexpr std::size_t lanes = sizeof(V) / sizeof(double);
+  double one[lanes];
+  std::memcpy(one, &v, sizeof v);
+  for (std::size_t half = lanes / 2; half > 0; half /= 2)
+    for (std::size_t k = 0; k < half; ++k) one[k] += one[k + half];
+  return one[0];
+}
+
+alignas(cache_line) constexpr double numbers[] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+
+/// i - centre, and the numbers that follow it.
+template <int Bytes>
+[[gnu::always_inline]] inline auto counted(std::size_t i, double centre) noexcept {
+  return load<Bytes>(numbers) + (static_cast<double>(static_cast<std::int64_t>(i)) - centre);
+}
+
+template <int Bytes>
+[[gnu::always_inline]] inline double dot_of(const double* a, const double* b,
+                                            std::size_t n) noexcept {
+  constexpr std::size_t lanes = Bytes / sizeof(double);
+  typename Vector<double, Bytes>::type sum{};
+  double few = 0.0;
+  cover<lanes>(
+      n,
+      [&](std::size_t i, std::size_t fresh) {
+        sum += without(load<Bytes>(a + i), lanes - fresh) * load<Bytes>(b + i);
+      },
+      [&](std::size_t i) { few += a[i] * b[i]; });
+  return total(sum) + few;
 }
 
 /// y = A x, y padded to whole cache lines.
+template <int Bytes, bool far, class T>
+[[gnu::always_inline]] inline void multiply_panels(const Panels<T>& a, const T* x, T* y) noexcept {
+  const T* p = a.values.data();
+  for (std::size_t panel = 0; panel < a.panels; ++panel) {
+    const std::size_t lines = a.lines + (panel < a.narrow_panels ? 0 : 1);
+    switch (lines) {
+      case 1:
+        p = multiply_panel<Bytes, 1, far>(p, a.columns, x, y);
+        break;
+      case 2:
+        p = multiply_panel<Bytes, 2, far>(p, a.columns, x, y);
+        break;
+      case 3:
+        p = multiply_panel<Bytes, 3, far>(p, a.columns, x, y);
+        break;
+      default:
+        if constexpr (most_lines(Bytes) == 6) {
+          if (lines == 4) p = multiply_panel<Bytes, 4, far>(p, a.columns, x, y);
+          if (lines == 5) p = multiply_panel<Bytes, 5, far>(p, a.columns, x, y);
+          if (lines == 6) p = multiply_panel<Bytes, 6, far>(p, a.columns, x, y);
+        }
+    }
+    y += lines * cache_line / sizeof(T);
+  }
+  if constexpr (sizeof(T) == sizeof(double))
+    for (std::size_t row = 0; row < a.single_rows; ++row, p += padded<T>(a.columns))
+      y[row] = dot_of<Bytes>(p, x, a.columns);
+}
+
 template <int Bytes, class T>
 [[gnu::always_inline]] inline void multiply_factor(const Panels<T>& a, const T* x, T* y) noexcept {
-  constexpr std::size_t line = cache_line / sizeof(T);
-  const T* p = a.values.data();
-  std::size_t lines = padded<T>(a.rows) / line;
-  for (; lines >= 4; lines -= 4, y += 4 * line)
-    p = multiply_panel < Bytes, 4, Bytes == 64 ? 2 : 1 > (p, a.columns, x, y);
-  for (; lines >= 2; lines -= 2, y += 2 * line) p = multiply_panel<Bytes, 2, 2>(p, a.columns, x, y);
-  for (; lines >= 1; --lines, y += line) p = multiply_panel<Bytes, 1, 4>(p, a.columns, x, y);
+  if (a.far)
+    multiply_panels<Bytes, true>(a, x, y);
+  else
+    multiply_panels<Bytes, false>(a, x, y);
 }
 
-/// Sums and differences of x, class by class; see product_plan.hpp.
-template <class T>
-[[gnu::always_inline]] inline void split(const std::vector<std::int8_t>& signs, std::size_t size,
-                                         const double* x, double factor, T* even, T* odd) noexcept {
-  const std::size_t n = size / signs.size();
-  const std::size_t half = n / 2;
-  for (const std::int8_t sign : signs) {
-    T*& sums = sign > 0 ? even : odd;
-    T*& differences = sign > 0 ? odd : even;
-    const double* last = x + n - 1;
-    for (std::size_t i = 0; i < half; ++i) {
-      const double a = x[i] * factor;
-      const double b = *(last - i) * factor;
-      sums[i] = static_cast<T>(a + b);
-      differences[i] = static_cast<T>(a - b);
-    }
-    sums += half;
-    differences += half;
-    if (n % 2 != 0) *sums++ = static_cast<T>(x[half] * factor);
-    x += n;
-  }
-}
-
-/// The way back: y from its classes.
-template <class T>
-[[gnu::always_inline]] inline void merge(const std::vector<std::int8_t>& signs, std::size_t size,
-                                         const T* even, const T* odd, double factor,
-                                         double* y) noexcept {
-  const std::size_t n = size / signs.size();
-  const std::size_t half = n / 2;
-  for (const std::int8_t sign : signs) {
-    const T*& sums = sign > 0 ? even : odd;
-    const T*& differences = sign > 0 ? odd : even;
-    double* last = y + n - 1;
-    for (std::size_t i = 0; i < half; ++i) {
-      const double s = static_cast<double>(sums[i]);
-      const double d = static_cast<double>(differences[i]);
-      y[i] = factor * (s + d);
-      *(last - i) = factor * (s - d);
-    }
-    sums += half;
-    differences += half;
-    if (n % 2 != 0) y[half] = factor * static_cast<double>(*sums++);
-    y += n;
-  }
-}
-
-template <int Bytes, class T>
-[[gnu::always_inline]] inline void multiply(const ReadyProduct<T>& a, const double* x, double* y,
-                                            T* scratch, double magnitude) noexcept {
-  T* const input = scratch;
-  T* const middle = scratch + a.input_size;
-  T* const output = middle + a.middle_size;
-  const double shrink = 1.0 / magnitude;
-  const double grow = magnitude * a.scale;
-  if (!has_parity(a.structure)) {
-    const T* in = input;
-    if constexpr (sizeof(T) == sizeof(double))
-      in = x;  // magnitude is 1
-    else
-      for (std::size_t i = 0; i < a.columns; ++i) input[i] = static_cast<T>(x[i] * shrink);
-    if (is_low_rank(a.structure)) {
-      multiply_factor<Bytes>(a.factors[0], in, middle);
-      multiply_factor<Bytes>(a.factors[1], middle, output);
-    } else {
-      multiply_factor<Bytes>(a.factors[0], in, output);
-    }
-    for (std::size_t i = 0; i < a.rows; ++i) y[i] = grow * static_cast<double>(output[i]);
-    return;
-  }
-  const std::size_t per_class = is_low_rank(a.structure) ? 2 : 1;
-  T* const odd_input = input + padded<T>(a.factors[0].columns);
-  T* const odd_output = output + padded<T>(a.factors[per_class - 1].rows);
-  split(a.column_signs, a.columns, x, shrink, input, odd_input);
-  for (std::size_t c = 0; c < 2; ++c) {
-    const Panels<T>* factor = a.factors.data() + c * per_class;
-    const T* in = c == 0 ? input : odd_input;
-    T* out = c == 0 ? output : odd_output;
-    if (per_class == 2) {
-      multiply_factor<Bytes>(factor[0], in, middle);
-      multiply_factor<Bytes>(factor[1], middle, out);
-    } else {
-      multiply_factor<Bytes>(factor[0], in, out);
-    }
-  }
-  merge(a.row_signs, a.rows, output, odd_output, grow, y);
+template <int Bytes>
+[[gnu::always_inline]] inline Moments moments_of(const double* f, std::size_t n) noexcept {
+  constexpr std::size_t lanes = Bytes / sizeof(double);
+  using V = typename Vector<double, Bytes>::type;
+  const double centre = 0.5 * static_cast<double>(n - 1);
+  V sum{};
+  V first{};
+  Moments few;
+  cover<lanes>(
+      n,
+      [&](std::size_t i, std::size_t fresh) {
+        const V v = without(load<Bytes>(f + i), lanes - fresh);
+        sum += v;
+        first += counted<Bytes>(i, centre) * v;
+      },
+      [&](std::size_t i) {
+        few.sum += f[i];
+        few.first += (static_cast<double>(i) - centre) * f[i];
+      });
+  return {total(sum) + few.sum, total(first) + few.first};
 }
 
 [[gnu::always_inline]] inline std::uint64_t magnitude_bits(double value) noexcept {
   return std::bit_cast<std::uint64_t>(value) & 0x7fff'ffff'ffff'ffffU;
+}
+
+/// Sums and differences of x = a - b, class by class; see product_plan.hpp. Returns the bits of the
+/// largest |x|, as `largest_magnitude`.
+template <int Bytes, class T>
+[[gnu::always_inline]] inline std::uint64_t split(const std::vector<std::int8_t>& signs,
+                                                  std::size_t n, Difference x, double factor,
+                                                  T* even, T* odd) noexcept {
+  constexpr std::size_t lanes = Bytes / sizeof(double);
+  constexpr int stored = static_cast<int>(lanes * sizeof(T));
+  using Stored = typename Vector<T, stored>::type;
+  using Bits = typename Vector<std::int64_t, Bytes>::type;
+  const std::size_t half = n / 2;
+  Bits most{};
+  std::uint64_t rest = 0;
+  const auto compare = [&](auto v) {
+    const Bits bits = reinterpret_cast<Bits>(v) & 0x7fff'ffff'ffff'ffff;
+    most = bits > most ? bits : most;
+  };
+  for (const std::int8_t sign : signs) {
+    T* const sums = sign > 0 ? even : odd;
+    T* const differences = sign > 0 ? odd : even;
+    const auto values = [&](std::size_t i) { return load<Bytes>(x.a + i) - load<Bytes>(x.b + i); };
+    cover<lanes>(
+        half,
+        [&](std::size_t i, std::size_t) {
+          const auto front = values(i);
+          const auto back = values(n - i - lanes);
+          compare(front);
+          compare(back);
+          const auto a = front * factor;
+          const auto b = reversed(back * factor, std::make_index_sequence<lanes>());
+          store<stored>(sums + i, __builtin_convertvector(a + b, Stored));
+          store<stored>(differences + i, __builtin_convertvector(a - b, Stored));
+        },
+        [&](std::size_t i) {
+          rest = std::max({rest, magnitude_bits(x[i]), magnitude_bits(x[n - 1 - i])});
+          const double a = x[i] * factor;
+          const double b = x[n - 1 - i] * factor;
+          sums[i] = static_cast<T>(a + b);
+          differences[i] = static_cast<T>(a - b);
+        });
+    if (n % 2 != 0) {
+      rest = std::max(rest, magnitude_bits(x[half]));
+      sums[half] = static_cast<T>(x[half] * factor);
+    }
+    even += sign > 0 ? n - half : half;
+    odd += sign > 0 ? half : n - half;
+    x.a += n;
+    x.b += n;
+  }
+  for (std::size_t k = 0; k < lanes; ++k)
+    rest = std::max(rest, static_cast<std::uint64_t>(most[k]));
+  return rest;
+}
+
+/// The way back: y from its classes, and the moments of each block if they are wanted.
+template <int Bytes, class T>
+[[gnu::always_inline]] inline void merge(const std::vector<std::int8_t>& signs, std::size_t n,
+                                         const T* even, const T* odd, double factor, double* y,
+                                         Moments* moments) noexcept {
+  constexpr std::size_t lanes = Bytes / sizeof(double);
+  constexpr int stored = static_cast<int>(lanes * sizeof(T));
+  using V = typename Vector<double, Bytes>::type;
+  const std::size_t half = n / 2;
+  const double centre = 0.5 * static_cast<double>(n - 1);
+  for (const std::int8_t sign : signs) {
+    const T* const sums = sign > 0 ? even : odd;
+    const T* const differences = sign > 0 ? odd : even;
+    V sum{};
+    V first{};
+    Moments rest;
+    cover<lanes>(
+        half,
+        [&](std::size_t i, std::size_t fresh) {
+          const V s = __builtin_convertvector(load<stored>(sums + i), V);
+          const V d = __builtin_convertvector(load<stored>(differences + i), V);
+          store<Bytes>(y + i, factor * (s + d));
+          store<Bytes>(y + n - i - lanes,
+                       reversed(factor * (s - d), std::make_index_sequence<lanes>()));
+          sum += without(s, lanes - fresh);
+          first += counted<Bytes>(i, centre) * without(d, lanes - fresh);
+        },
+        [&](std::size_t i) {
+          const double s = static_cast<double>(sums[i]);
+          const double d = static_cast<double>(differences[i]);
+          y[i] = factor * (s + d);
+          y[n - 1 - i] = factor * (s - d);
+          rest.sum += s;
+          rest.first += (static_cast<double>(i) - centre) * d;
+        });
+    double middle = 0.0;
+    if (n % 2 != 0) {
+      middle = static_cast<double>(sums[half]);
+      y[half] = factor * middle;
+    }
+    even += sign > 0 ? n - half : half;
+    odd += sign > 0 ? half : n - half;
+    // A pair adds (s + d) + (s - d), and (i - c)((s + d) - (s - d)).
+    if (moments != nullptr)
+      *moments++ = {factor * (2.0 * (total(sum) + rest.sum) + middle),
+                    factor * 2.0 * (total(first) + rest.first)};
+    y += n;
+  }
+}
+
+/// `factor(A, x, y)` multiplies by one factor.
+template <int Bytes, class T>
+[[gnu::always_inline]] inline bool multiply(const ReadyProduct<T>& a, Difference x, double* y,
+                                            T* scratch, double magnitude,
+                                            std::span<Moments> moments, std::uint64_t limit,
+                                            const auto& factor) noexcept {
+  T* const input = scratch;
+  T* const middle = scratch + a.input_size;
+  T* const output = middle + a.middle_size;
+  // Doubles need no scaling, nor the wait for a division.
+  const double shrink = sizeof(T) == sizeof(double) ? 1.0 : 1.0 / magnitude;
+  const double grow = sizeof(T) == sizeof(double) ? a.scale : magnitude * a.scale;
+  const bool low_rank = is_low_rank(a.structure);
+  if (!has_parity(a.structure)) {
+    std::uint64_t largest = 0;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < a.columns; ++i) {
+      const double value = x[i];
+      largest = std::max(largest, magnitude_bits(value));
+      input[i] = static_cast<T>(value * shrink);
+    }
+    if (largest > limit) return false;
+    if (low_rank) factor(a.factors[0], input, middle);
+    factor(a.factors[low_rank ? 1 : 0], low_rank ? middle : input, output);
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < a.rows; ++i) y[i] = grow * static_cast<double>(output[i]);
+    for (std::size_t i = 0; i < moments.size(); ++i)
+      moments[i] = moments_of<Bytes>(y + i * (a.rows / moments.size()), a.rows / moments.size());
+  } else {
+    T* const odd_input = input + a.even_input_size;
+    T* const odd_output = output + a.even_output_size;
+    if (split<Bytes>(a.column_signs, a.column_block, x, shrink, input, odd_input) > limit)
+      return false;
+    if (low_rank) {
+      factor(a.factors[0], input, middle);
+      factor(a.factors[1], middle, output);
+      factor(a.factors[2], odd_input, middle);
+      factor(a.factors[3], middle, odd_output);
+    } else {
+      factor(a.factors[0], input, output);
+      factor(a.factors[1], odd_input, odd_output);
+    }
+    merge<Bytes>(a.row_signs, a.row_block, output, odd_output, grow, y,
+                 moments.empty() ? nullptr : moments.data());
+  }
+  return true;
 }
 
 /// Bits of non-negative doubles order as the doubles do, and NaN is the largest: integers compare
@@ -171,44 +371,26 @@ template <int Bytes, class T>
   return largest;
 }
 
-constexpr std::size_t lanes = 8;  // independent sums: the same order of additions on every machine
-
-[[gnu::always_inline]] inline double total(const double* sums) noexcept {
-  return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
-}
-
-[[gnu::always_inline]] inline Moments moments_of(const double* f, std::size_t n) noexcept {
-  double sum[lanes] = {};
-  double first[lanes] = {};
-  const double centre = 0.5 * static_cast<double>(n - 1);
-  std::size_t i = 0;
-  for (; i + lanes <= n; i += lanes)
-    for (std::size_t k = 0; k < lanes; ++k) {
-      sum[k] += f[i + k];
-      first[k] += (static_cast<double>(static_cast<std::int32_t>(i + k)) - centre) * f[i + k];
-    }
-  for (std::size_t k = 0; i < n; ++i, ++k) {
-    sum[k] += f[i];
-    first[k] += (static_cast<double>(i) - centre) * f[i];
+/// x = a - b, and the largest magnitude.
+[[gnu::always_inline]] inline std::uint64_t difference_of(const double* a, const double* b,
+                                                          double* x, std::size_t n) noexcept {
+  std::uint64_t largest = 0;
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < n; ++i) {
+    x[i] = a[i] - b[i];
+    const std::uint64_t bits = magnitude_bits(x[i]);
+    largest = bits > largest ? bits : largest;
   }
-  return {total(sum), total(first)};
+  return largest;
 }
 
-[[gnu::always_inline]] inline double dot_of(const double* a, const double* b,
-                                            std::size_t n) noexcept {
-  double sum[lanes] = {};
-  std::size_t i = 0;
-  for (; i + lanes <= n; i += lanes)
-    for (std::size_t k = 0; k < lanes; ++k) sum[k] += a[i + k] * b[i + k];
-  for (std::size_t k = 0; i < n; ++i, ++k) sum[k] += a[i] * b[i];
-  return total(sum);
-}
-
+template <int Bytes>
 [[gnu::always_inline]] inline Misfit misfit_of(const double* x, const double* p,
                                                const double* weights, const double* shares,
                                                double* spread, std::size_t n) noexcept {
   for (std::size_t i = 0; i < n; ++i) spread[i] = weights[i] * x[i];
-  const double size = dot_of(spread, spread, n);
+  const double size = dot_of<Bytes>(spread, spread, n);
+  constexpr std::size_t lanes = 8;
   double objective[lanes] = {};
   double squares[lanes] = {};
   const auto add = [&](std::size_t i, std::size_t k) __attribute__((always_inline)) {
@@ -221,40 +403,55 @@ constexpr std::size_t lanes = 8;  // independent sums: the same order of additio
   for (; i + lanes <= n; i += lanes)
     for (std::size_t k = 0; k < lanes; ++k) add(i + k, k);
   for (std::size_t k = 0; i < n; ++i, ++k) add(i, k);
-  return {total(squares), total(objective), size, largest_magnitude(spread, n)};
+  Misfit misfit{.size = size, .largest = largest_magnitude(spread, n)};
+  for (std::size_t k = 0; k < lanes; ++k) {
+    misfit.sum_of_squares += squares[k];
+    misfit.objective += objective[k];
+  }
+  return misfit;
 }
 
 }  // namespace
 
 // One set of entries for each instruction set; the attribute is all that differs.
-#define TACTILE_NET_KERNELS(NAME, BYTES, TARGET)                                                   \
-  namespace {                                                                                      \
-  namespace NAME {                                                                                 \
-  TARGET void subtract(const double* g, const double* baseline, double* x,                         \
-                       std::size_t n) noexcept {                                                   \
-    for (std::size_t i = 0; i < n; ++i) x[i] = g[i] - baseline[i];                                 \
-  }                                                                                                \
-  TARGET std::uint64_t largest(const double* x, std::size_t n) noexcept {                          \
-    return largest_magnitude(x, n);                                                                \
-  }                                                                                                \
-  TARGET void multiply64(const ReadyProduct<double>& a, const double* x, double* y,                \
-                         double* scratch, double magnitude) noexcept {                             \
-    multiply<BYTES>(a, x, y, scratch, magnitude);                                                  \
-  }                                                                                                \
-  TARGET void multiply32(const ReadyProduct<float>& a, const double* x, double* y, float* scratch, \
-                         double magnitude) noexcept {                                              \
-    multiply<BYTES>(a, x, y, scratch, magnitude);                                                  \
-  }                                                                                                \
-  TARGET Moments moments(const double* f, std::size_t n) noexcept { return moments_of(f, n); }     \
-  TARGET double dot(const double* a, const double* b, std::size_t n) noexcept {                    \
-    return dot_of(a, b, n);                                                                        \
-  }                                                                                                \
-  TARGET Misfit misfit(const double* x, const double* p, const double* weights,                    \
-                       const double* shares, double* spread, std::size_t n) noexcept {             \
-    return misfit_of(x, p, weights, shares, spread, n);                                            \
-  }                                                                                                \
-  constexpr Kernels all{subtract, largest, multiply64, multiply32, moments, dot, misfit};          \
-  }                                                                                                \
+#define TACTILE_NET_KERNELS(NAME, BYTES, TARGET)                                                  \
+  namespace {                                                                                     \
+  namespace NAME {                                                                                \
+  TARGET std::uint64_t subtract(const double* g, const double* baseline, double* x,               \
+                                std::size_t n) noexcept {                                         \
+    return difference_of(g, baseline, x, n);                                                      \
+  }                                                                                               \
+  TARGET std::uint64_t largest(const double* x, std::size_t n) noexcept {                         \
+    return largest_magnitude(x, n);                                                               \
+  }                                                                                               \
+  TARGET [[gnu::noinline]] void factor64(const Panels<double>& a, const double* x,                \
+                                         double* y) noexcept {                                    \
+    multiply_factor<BYTES>(a, x, y);                                                              \
+  }                                                                                               \
+  TARGET [[gnu::noinline]] void factor32(const Panels<float>& a, const float* x,                  \
+                                         float* y) noexcept {                                     \
+    multiply_factor<BYTES>(a, x, y);                                                              \
+  }                                                                                               \
+  TARGET bool multiply64(const ReadyProduct<double>& a, Difference x, double* y, double* scratch, \
+                         double magnitude, std::span<Moments> moments,                            \
+                         std::uint64_t limit) noexcept {                                          \
+    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor64);                \
+  }                                                                                               \
+  TARGET bool multiply32(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,   \
+                         double magnitude, std::span<Moments> moments,                            \
+                         std::uint64_t limit) noexcept {                                          \
+    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor32);                \
+  }                                                                                               \
+  TARGET double dot(const double* a, const double* b, std::size_t n) noexcept {                   \
+    return dot_of<BYTES>(a, b, n);                                                                \
+  }                                                                                               \
+  TARGET Misfit misfit(const double* x, const double* p, const double* weights,                   \
+                       const double* shares, double* spread, std::size_t n) noexcept {            \
+    return misfit_of<BYTES>(x, p, weights, shares, spread, n);                                    \
+  }                                                                                               \
+  constexpr Kernels all{                                                                          \
+      most_lines(BYTES), subtract, largest, multiply64, multiply32, dot, misfit};                 \
+  }                                                                                               \
   }
 
 TACTILE_NET_KERNELS(baseline, 16, )
@@ -295,38 +492,66 @@ std::string_view name(InstructionSet set) noexcept {
   return "unknown";
 }
 
+/// Larger products come from beyond a core's own caches, where hardware fetches too late and not
+/// across pages: they are asked for a page ahead. Smaller ones arrive no sooner, and asking costs.
+constexpr std::size_t near_cache = std::size_t{1} << 20;
+
+/// One or two rows beyond whole cache lines are multiplied by themselves: 81 taxels would else
+/// stream 88 rows.
 template <class T>
-Panels<T>::Panels(const Factor& factor)
-    : rows(factor.rows), columns(factor.columns), values(padded<T>(factor.rows) * factor.columns) {
-  constexpr std::size_t line = cache_line / sizeof(T);
-  T* p = values.data();
-  std::size_t lines = padded<T>(rows) / line;
-  for (std::size_t row = 0; lines > 0;) {
-    const std::size_t taken = lines >= 4 ? 4 : lines >= 2 ? 2 : 1;
-    const std::size_t width = taken * line;
-    for (std::size_t j = 0; j < columns; ++j, p += width)
-      for (std::size_t i = 0; i < width && row + i < rows; ++i)
-        p[i] = static_cast<T>(factor.values[(row + i) * columns + j]);
-    row += width;
-    lines -= taken;
-  }
+std::size_t rows_by_themselves(std::size_t rows) noexcept {
+  const std::size_t beyond = rows % (cache_line / sizeof(T));
+  return sizeof(T) == sizeof(double) && beyond <= 2 ? beyond : 0;
 }
 
 template <class T>
-ReadyProduct<T>::ReadyProduct(const ProductPlan& plan)
+Panels<T>::Panels(const Factor& factor, std::size_t most, bool beyond)
+    : columns(factor.columns),
+      single_rows(rows_by_themselves<T>(factor.rows)),
+      far(beyond),
+      values(padded<T>(factor.rows - single_rows) * columns + single_rows * padded<T>(columns)) {
+  constexpr std::size_t line = cache_line / sizeof(T);
+  const std::size_t in_panels = factor.rows - single_rows;
+  const std::size_t all = padded<T>(in_panels) / line;
+  panels = (all + most - 1) / most;
+  if (panels > 0) {
+    lines = all / panels;
+    narrow_panels = panels - all % panels;
+  }
+  T* p = values.data();
+  for (std::size_t panel = 0, row = 0; panel < panels; ++panel) {
+    const std::size_t width = (lines + (panel < narrow_panels ? 0 : 1)) * line;
+    for (std::size_t j = 0; j < columns; ++j, p += width)
+      for (std::size_t i = 0; i < width && row + i < in_panels; ++i)
+        p[i] = static_cast<T>(factor.values[(row + i) * columns + j]);
+    row += width;
+  }
+  for (std::size_t row = in_panels; row < factor.rows; ++row, p += padded<T>(columns))
+    for (std::size_t j = 0; j < columns; ++j)
+      p[j] = static_cast<T>(factor.values[row * columns + j]);
+}
+
+template <class T>
+ReadyProduct<T>::ReadyProduct(const ProductPlan& plan, std::size_t most_lines)
     : structure(plan.structure),
       rows(plan.rows),
       columns(plan.columns),
       row_signs(plan.row_signs),
       column_signs(plan.column_signs),
-      factors(plan.factors.begin(), plan.factors.end()),
+      row_block(row_signs.empty() ? rows : rows / row_signs.size()),
+      column_block(column_signs.empty() ? columns : columns / column_signs.size()),
       scale(plan.scale),
       input_size(padded<T>(columns) + cache_line),
       middle_size(0),
       output_size(padded<T>(rows) + cache_line) {
-  if (is_low_rank(structure))
-    for (std::size_t i = 0; i < factors.size(); i += 2)
-      middle_size = std::max(middle_size, padded<T>(factors[i].rows));
+  factors.reserve(plan.factors.size());
+  for (const Factor& factor : plan.factors)
+    factors.emplace_back(factor, most_lines, streamed_bytes(plan) > near_cache);
+  const std::size_t last = is_low_rank(structure) ? 1 : 0;
+  for (std::size_t i = 0; i < factors.size() && last == 1; i += 2)
+    middle_size = std::max(middle_size, padded<T>(plan.factors[i].rows));
+  even_input_size = padded<T>(plan.factors[0].columns);
+  even_output_size = padded<T>(plan.factors[last].rows);
 }
 
 template struct Panels<double>;

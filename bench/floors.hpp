@@ -1,0 +1,48 @@
+/// @file
+/// Floors that a benchmark holds.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace bench {
+
+/// As printf.
+std::string text(const char* format, auto... values) {
+  char buffer[400];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+/// What lies between two floors: shown as it comes.
+inline void progress(const std::string& line) {
+  std::printf("  %s\n", line.c_str());
+  std::fflush(stdout);
+}
+
+/// Prints each floor beside its limit and remembers whether all of them hold.
+class Floors {
+ public:
+  void at_most(const std::string& what, double value, double limit) {
+    print(what, value, "at most", limit, value <= limit);
+  }
+  void at_least(const std::string& what, double value, double limit) {
+    print(what, value, "at least", limit, value >= limit);
+  }
+  void broken(const std::string& what) {
+    std::printf("%s: MISS\n", what.c_str());
+    all_hold_ = false;
+  }
+  [[nodiscard]] bool all_hold() const noexcept { return all_hold_; }
+
+ private:
+  void print(const std::string& what, double value, const char* sense, double limit, bool holds) {
+    std::printf("%s: %.3g (limit: %s %g) %s\n", what.c_str(), value, sense, limit,
+                holds ? "pass" : "MISS");
+    std::fflush(stdout);
+    all_hold_ = all_hold_ && holds;
+  }
+  bool all_hold_ = true;
+};
+
+}  // namespace bench

@@ -1,0 +1,50 @@
+/// @file
+/// What else turns readings into tractions, for the machine at hand (-march=native): a library of
+/// its own, so that Eigen's functions for this machine never meet those for every machine.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace bench {
+
+/// Every product takes g, `rows` readings, to f, `columns` tractions.
+class [[gnu::visibility("default")]] Rivals {
+ public:
+  /// @param kernel  K, rows x columns, row-major
+  /// @param normal  P = K'K + ..., columns x columns
+  Rivals(const double* kernel, const double* normal, std::size_t rows, std::size_t columns);
+  ~Rivals();
+  Rivals(const Rivals&) = delete;
+  Rivals& operator=(const Rivals&) = delete;
+
+  /// M = P^-1 K', column-major, columns x rows.
+  [[nodiscard]] const double* matrix() const noexcept;
+
+  void eigen_product(const double* g, double* f) const noexcept;
+  void openblas_product(const double* g, double* f) const noexcept;
+  /// K' g and P's factors.
+  void ldlt(const double* g, double* f) const noexcept;
+  /// P's factors alone, given b = K' g.
+  void ldlt_solve(const double* b, double* f) const noexcept;
+  /// Factors P in every frame.
+  void factor_and_solve(const double* g, double* f);
+
+  /// Reads M once and sums it up: no product can be faster than its matrix arrives. Two ways, of
+  /// which the faster counts.
+  [[nodiscard]] double stream() const noexcept;
+  [[nodiscard]] double stream_with_prefetch() const noexcept;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Sums `count` doubles on a cache line, a multiple of eight, as `Rivals::stream` does.
+[[gnu::visibility("default")]] double sum(const double* values, std::size_t count) noexcept;
+
+/// OpenBLAS' version and kernels; empty: not installed.
+[[gnu::visibility("default")]] std::string openblas();
+
+}  // namespace bench
