@@ -20,6 +20,7 @@ void add_solve(CLI::App& app);
 void add_identify(CLI::App& app);
 void add_certify(CLI::App& app);
 void add_plan(CLI::App& app);
+void add_grasp(CLI::App& app);
 
 /// Which simulator, and for how long.
 struct SimulatorChoice {

@@ -48,6 +48,26 @@ std::vector<std::string> reading_columns(const SensorArray& array) {
   return columns;
 }
 
+std::vector<bool> unread_columns(const Scene& scene) {
+  std::vector<bool> unread(channels(scene.sensor).size() * scene.sensor.count);
+  for (std::size_t i = 0; i < unread.size(); ++i)
+    for (const std::size_t taxel : scene.dead_taxels)
+      if (i % scene.sensor.count == taxel) unread[i] = true;
+  return unread;
+}
+
+std::ifstream open_csv(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    throw InputError({{.file = path.string(), .message = "is a folder, not a CSV file"}});
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw InputError({{.file = path.string(),
+                       .message = "cannot be opened",
+                       .hint = "recorded frames are a CSV file, or - for standard input"}});
+  return file;
+}
+
 FrameReader::FrameReader(std::istream& in, std::string file, std::span<const std::string> columns,
                          std::vector<bool> unread)
     : in_(in), file_(std::move(file)), unread_(std::move(unread)), buffer_(longest_line) {

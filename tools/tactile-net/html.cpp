@@ -4,6 +4,7 @@ namespace tactile_net::tool {
 namespace {
 
 constexpr std::string_view style = R"(
+:root { color-scheme: light dark; }
 body { font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 70rem; margin: 2rem auto;
        padding: 0 1rem; }
 h1 { font-size: 1.6rem; margin-bottom: 0; } h2 { font-size: 1.15rem; margin-top: 2rem; }
@@ -12,8 +13,15 @@ th, td { text-align: left; padding: .25rem .8rem .25rem 0; border-bottom: 1px so
          white-space: nowrap; font-variant-numeric: tabular-nums; }
 .note { color: #7a4b00; background: #fff6e5; padding: .4rem .8rem; border-left: 4px solid #e69f00; }
 .bad { color: #8a1c00; background: #fdecea; padding: .4rem .8rem; border-left: 4px solid #d55e00; }
+figure { margin: 1rem 0; } figcaption { max-width: 46rem; }
 svg { max-width: 100%; height: auto; } footer { color: #666; margin-top: 3rem; font-size: .9rem; }
+@media (prefers-color-scheme: dark) {
+  body { color: #ddd; background: #16181a; } th, td { border-color: #444; } footer { color: #999; }
+  .note { color: #ffd9a0; background: #3a2c10; } .bad { color: #ffb9a6; background: #3d1710; }
+  figure.plot { background: #fff; color: #222; } }
 )";
+
+}  // namespace
 
 std::string escaped(std::string_view text) {
   std::string out;
@@ -31,8 +39,6 @@ std::string escaped(std::string_view text) {
   }
   return out;
 }
-
-}  // namespace
 
 std::string element(std::string_view tag, std::string_view content, std::string_view type) {
   std::string out = "<" + std::string(tag);
@@ -56,13 +62,13 @@ std::string html_table(const std::vector<std::vector<std::string>>& rows) {
   return out + "</table></div>\n";
 }
 
-std::string html_page(std::string_view title, std::string_view body) {
+std::string html_page(std::string_view title, std::string_view body, std::string_view extra_style) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width\">\n" +
-         element("title", title) + "<style>" + std::string(style) + "</style></head>\n<body>\n" +
-         std::string(body) +
+         element("title", title) + "<style>" + std::string(style) + std::string(extra_style) +
+         "</style></head>\n<body>\n" + std::string(body) +
          element("footer", "Written by tactile-net " TACTILE_NET_VERSION
-                           ". Lengths, forces and tractions are in the scene's units.") +
+                           ". Lengths, forces and tractions are in the input's units.") +
          "</body>\n</html>\n";
 }
 

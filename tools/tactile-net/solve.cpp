@@ -152,16 +152,7 @@ void run(const Options& options) {
 
   const bool live = options.readings == "-";
   std::ifstream file;
-  if (!live) {
-    std::error_code error;
-    if (std::filesystem::is_directory(options.readings, error))
-      throw InputError({{.file = options.readings, .message = "is a folder, not a CSV file"}});
-    file.open(options.readings, std::ios::binary);
-    if (!file)
-      throw InputError({{.file = options.readings,
-                         .message = "cannot be opened",
-                         .hint = "readings are a CSV file, or - for standard input"}});
-  }
+  if (!live) file = open_csv(options.readings);
   const std::string name = live ? "<stdin>" : options.readings;
   const std::vector<std::string> columns = reading_columns(scene.sensor);
   FrameReader reader(live ? std::cin : file, name, columns, unread_columns(scene));
