@@ -7,6 +7,7 @@
 #include <string>
 
 #include "grasp/grasp_map.hpp"
+#include "grasp/least_torques.hpp"
 #include "inverse/eigen.hpp"
 
 namespace tactile_net {
@@ -29,6 +30,10 @@ void check(std::span<const Finger> fingers, std::span<const ContactPlace> contac
   require(std::isfinite(options.grasping_force.value_or(0.0)) &&
               std::isfinite(options.squeeze.value_or(0.0)),
           "the grasping force must be finite");
+  require(options.friction.empty() || options.friction.size() == fingers.size(),
+          "there must be one coefficient of friction for each finger, or none");
+  for (const double friction : options.friction)
+    require(friction > 0.0 && std::isfinite(friction), "friction must be > 0 and finite");
   for (std::size_t i = 0; i < fingers.size(); ++i) check(fingers[i], contacts[i]);
 }
 
@@ -48,25 +53,21 @@ void check(std::span<const Finger> fingers, const GraspMap& map, bool squeezed) 
   }
 }
 
-/// min |T f|^2 under C f = d, as one linear system that squares no condition number:
-///     I s       + T f = 0
-///                 C f = d
-///     T's + C'l       = 0
-struct LeastTorques {
-  Eigen::MatrixXd t;  // divided by the grasp's length, as moments are
-  Eigen::MatrixXd c;
-  Eigen::VectorXd d;
-
-  [[nodiscard]] Eigen::MatrixXd system() const {
-    const Eigen::Index n = t.rows() + c.rows();
-    Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n + t.cols(), n + t.cols());
-    k.topLeftCorner(t.rows(), t.rows()).setIdentity();
-    k.topRightCorner(t.rows(), t.cols()) = t;
-    k.block(t.rows(), n, c.rows(), c.cols()) = c;
-    k.bottomLeftCorner(t.cols(), n) << t.transpose(), c.transpose();
-    return k;
+/// The edges of the fingers' cones of friction, as unit forces on the object; without friction the
+/// palm's axes.
+Eigen::MatrixXd edges(const GraspMap& map, const std::vector<double>& friction) {
+  const auto n = static_cast<Eigen::Index>(2 * map.contacts());
+  Eigen::MatrixXd b = Eigen::MatrixXd::Identity(n, n);
+  for (std::size_t i = 0; i < friction.size(); ++i) {
+    const FingerPose& pose = map.pose(i);
+    const double scale = 1.0 / std::hypot(1.0, friction[i]);
+    const auto at = static_cast<Eigen::Index>(2 * i);
+    const Vector2 one = -scale * (pose.inward + friction[i] * pose.along);
+    const Vector2 other = -scale * (pose.inward - friction[i] * pose.along);
+    b.block<2, 2>(at, at) << one.x, other.x, one.y, other.y;
   }
-};
+  return b;
+}
 
 }  // namespace
 
@@ -83,38 +84,49 @@ HeldGrasp hold(std::span<const Finger> fingers, std::span<const ContactPlace> co
 
   const double size = map.spread();
   const Eigen::MatrixXd t = map.torques();
+  const Eigen::MatrixXd b = edges(map, options.friction);
   const Eigen::Index joints = t.rows();
-  LeastTorques least{t / size, Eigen::MatrixXd(squeezed ? 4 : 3, forces),
-                     Eigen::VectorXd(squeezed ? 4 : 3)};
-  least.c.topRows<3>() = map.wrench(map.middle());
-  least.c.row(2) /= size;
-  least.d.head<3>() << -load.force.x, -load.force.y,
+  Eigen::MatrixXd c(squeezed ? 4 : 3, forces);
+  Eigen::VectorXd d(c.rows());
+  c.topRows<3>() = map.wrench(map.middle());
+  c.row(2) /= size;
+  d.head<3>() << -load.force.x, -load.force.y,
       -(load.torque + cross(load.point - map.middle(), load.force)) / size;
   // Of the two fingers' line; the load presses one of them with |e.f_e|.
   const double pressed = options.grasping_force ? dot(map.inward(0), load.force) : 0.0;
   if (squeezed) {
     for (std::size_t i = 0; i < m; ++i) {
       const Vector2 e = map.inward(i);
-      least.c.block<1, 2>(3, static_cast<Eigen::Index>(2 * i)) << e.x, e.y;
+      c.block<1, 2>(3, static_cast<Eigen::Index>(2 * i)) << e.x, e.y;
     }
-    least.d(3) = options.squeeze ? *options.squeeze : *options.grasping_force + std::abs(pressed);
+    d(3) = options.squeeze ? *options.squeeze : *options.grasping_force + std::abs(pressed);
   }
+  const LeastTorques least{t * b / size, c * b, d, !options.friction.empty()};
 
-  const Eigen::MatrixXd k = least.system();
-  const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(k).singularValues();
   HeldGrasp result;
-  result.condition = singular(0) / singular(singular.size() - 1);
-  if (!(result.condition < degenerate))
+  const auto condition_of = [](const Eigen::MatrixXd& k) {
+    const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(k).singularValues();
+    return singular(0) / singular(singular.size() - 1);
+  };
+  if (!(condition_of(least.system()) < degenerate))
     throw std::domain_error(
         "the torques do not determine the contact forces: some forces of the fingers against each "
         "other pass through their joints and cost none");
+  const auto held = least.held_bounds();
+  if (!held)
+    throw std::domain_error(
+        "no forces within the friction cones carry the load with the squeeze that is asked for");
+  const Eigen::MatrixXd k = least.system(*held);
+  result.condition = condition_of(k);
   const Eigen::FullPivLU<Eigen::MatrixXd> lu(k);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(k.rows());
-  right.segment(joints, least.d.size()) = least.d;
+  right.segment(joints, d.size()) = d;
   const Eigen::VectorXd z = lu.solve(right);
-  const Eigen::VectorXd f = z.tail(forces);
+  Eigen::VectorXd v = z.tail(forces);
+  for (const Eigen::Index i : *held) v(i) = 0.0;
+  const Eigen::VectorXd f = b * v;
 
-  // K dz = d(right) - dK z, for each contact's place.
+  // K dz = d(right) - dK z, for each contact's place; the cones' edges stay as they are.
   Eigen::MatrixXd by_places(forces, static_cast<Eigen::Index>(m));
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(by_places.cols(), by_places.cols());
   for (std::size_t by = 0; by < m; ++by) {
@@ -124,19 +136,21 @@ HeldGrasp hold(std::span<const Finger> fingers, std::span<const ContactPlace> co
     const double change = map.torque_change(by, force_of(f, by)) / size;
     const Vector2 turn = quarter_turn(map.pose(by).along);
     Eigen::VectorXd rest = Eigen::VectorXd::Zero(k.rows());
+    Eigen::VectorXd on_forces = Eigen::VectorXd::Zero(forces);  // before B'
     rest.segment(first, count).array() -= change;
     rest(joints + 2) -= change;
     const double moment = (z.segment(first, count).sum() + z(joints + 2)) / size;
-    rest.tail(forces).segment<2>(2 * column) -= moment * Eigen::Vector2d(turn.x, turn.y);
+    on_forces.segment<2>(2 * column) -= moment * Eigen::Vector2d(turn.x, turn.y);
     for (std::size_t i = 0; squeezed && i < m; ++i) {
       const Vector2 e = map.inward_change(i, by);
       rest(joints + 3) -= dot(e, force_of(f, i));
-      rest.tail(forces).segment<2>(static_cast<Eigen::Index>(2 * i)) -=
+      on_forces.segment<2>(static_cast<Eigen::Index>(2 * i)) -=
           z(joints + 3) * Eigen::Vector2d(e.x, e.y);
     }
     if (options.grasping_force)
       rest(joints + 3) += std::copysign(1.0, pressed) * dot(map.inward_change(0, by), load.force);
-    by_places.col(column) = lu.solve(rest).tail(forces);
+    rest.tail(forces) = b.transpose() * on_forces;
+    by_places.col(column) = b * lu.solve(rest).tail(forces);
     covariance(column, column) = contacts[by].deviation * contacts[by].deviation;
   }
   Eigen::MatrixXd torques_by = t * by_places;

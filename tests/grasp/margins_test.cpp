@@ -47,7 +47,8 @@ TEST_CASE("the distance is how far the force can move before the edge", "[grasp]
 TEST_CASE("a force outside the cone slips, one that does not press pulls", "[grasp]") {
   CHECK(friction_margin(action(1.0, 0.6), 0.5).verdict == ContactVerdict::slips);
   CHECK(friction_margin(action(1.0, -0.6), 0.5).distance.value < 0.0);
-  CHECK(friction_margin(action(0.0, 0.0), 0.5).verdict == ContactVerdict::pulls);
+  CHECK(friction_margin(action(0.0, 0.0), 0.5).verdict == ContactVerdict::idle);
+  CHECK(friction_margin(action(0.0, 1.0), 0.5).verdict == ContactVerdict::pulls);
   CHECK(friction_margin(action(-1.0, 0.0), 0.5).verdict == ContactVerdict::pulls);
   CHECK(std::isinf(friction_margin(action(-1.0, 0.0), 0.5).used));
 }

@@ -9,13 +9,20 @@
 
 namespace tactile_net {
 
-/// `pulls`: the finger would have to pull. `slips`: the force is outside the cone of friction.
-enum class ContactVerdict { holds, slips, pulls };
+/// `idle`: no force at all. `slips`: the force is outside the cone of friction. `pulls`: the finger
+/// would have to pull.
+enum class ContactVerdict { holds, idle, slips, pulls };
+
+[[nodiscard]] inline bool is_idle(const FingerAction& action) noexcept {
+  return action.normal == 0.0 && action.tangential == 0.0;
+}
 
 [[nodiscard]] constexpr const char* name(ContactVerdict verdict) noexcept {
   switch (verdict) {
     case ContactVerdict::holds:
       return "holds";
+    case ContactVerdict::idle:
+      return "idle";
     case ContactVerdict::slips:
       return "slips";
     case ContactVerdict::pulls:
@@ -29,7 +36,7 @@ struct FrictionMargin {
   /// (mu F_v - |F_t|) / sqrt(1 + mu^2): the force's distance from the cone's nearer edge, as a
   /// force; < 0 outside. Its deviation is that of the nearer edge.
   Uncertain distance{};
-  double used = 0.0;   ///< |F_t| / (mu F_v); infinite where nothing presses
+  double used = 0.0;   ///< |F_t| / (mu F_v); infinite where nothing presses; 0 where idle
   double angle = 0.0;  ///< atan mu - |atan2(F_t, F_v)| [rad]; < 0 outside
 };
 
@@ -46,9 +53,13 @@ struct FrictionMargin {
                           by_normal * by_tangential * (c[1] + c[2]);
   FrictionMargin margin;
   margin.distance = {by_normal * action.normal - scale * size, std::sqrt(std::fmax(variance, 0.0))};
-  margin.used = action.normal > 0.0 ? size / (friction * action.normal) : INFINITY;
+  margin.used = is_idle(action)       ? 0.0
+                : action.normal > 0.0 ? size / (friction * action.normal)
+                                      : INFINITY;
   margin.angle = std::atan(friction) - std::abs(std::atan2(action.tangential, action.normal));
-  if (!(action.normal > 0.0))
+  if (is_idle(action))
+    margin.verdict = ContactVerdict::idle;
+  else if (!(action.normal > 0.0))
     margin.verdict = ContactVerdict::pulls;
   else if (margin.distance.value < 0.0)
     margin.verdict = ContactVerdict::slips;
