@@ -81,8 +81,8 @@ std::vector<FingerAction> GraspMap::actions(const Eigen::VectorXd& f,
     FingerAction& action = actions[i];
     action.point = points_[i];
     action.force = force_of(f, i);
-    action.normal = -dot(action.force, pose.inward);
-    action.tangential = -dot(action.force, pose.along);
+    action.normal = 0.0 - dot(action.force, pose.inward);  // no negative zero
+    action.tangential = 0.0 - dot(action.force, pose.along);
     Eigen::Matrix2d axes;
     axes << pose.inward.x, pose.inward.y, pose.along.x, pose.along.y;
     const Eigen::MatrixXd felt =

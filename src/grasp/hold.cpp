@@ -115,7 +115,8 @@ HeldGrasp hold(std::span<const Finger> fingers, std::span<const ContactPlace> co
   const auto held = least.held_bounds();
   if (!held)
     throw std::domain_error(
-        "no forces within the friction cones carry the load with the squeeze that is asked for");
+        squeezed ? "no forces within the friction cones carry the load with that squeeze"
+                 : "no forces within the friction cones carry the load");
   const Eigen::MatrixXd k = least.system(*held);
   result.condition = condition_of(k);
   const Eigen::FullPivLU<Eigen::MatrixXd> lu(k);
@@ -150,7 +151,9 @@ HeldGrasp hold(std::span<const Finger> fingers, std::span<const ContactPlace> co
     if (options.grasping_force)
       rest(joints + 3) += std::copysign(1.0, pressed) * dot(map.inward_change(0, by), load.force);
     rest.tail(forces) = b.transpose() * on_forces;
-    by_places.col(column) = b * lu.solve(rest).tail(forces);
+    Eigen::VectorXd by_place = lu.solve(rest).tail(forces);
+    for (const Eigen::Index i : *held) by_place(i) = 0.0;
+    by_places.col(column) = b * by_place;
     covariance(column, column) = contacts[by].deviation * contacts[by].deviation;
   }
   Eigen::MatrixXd torques_by = t * by_places;

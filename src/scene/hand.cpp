@@ -25,6 +25,8 @@ std::optional<Table> table_of(const std::optional<Value>& value) {
   return value ? value->table() : std::nullopt;
 }
 
+constexpr Rule share{"must be > 0 and <= 1", [](double x) noexcept { return x > 0.0 && x <= 1.0; }};
+
 double number_or(const std::optional<Value>& value, const Rule& rule, double otherwise) {
   return value ? value->number(rule).value_or(otherwise) : otherwise;
 }
@@ -262,6 +264,15 @@ void read_grasp(Table table, Hand& hand) {
     if (const auto mu = friction->number(positive))
       for (HandFinger& finger : hand.fingers)
         if (!finger.friction) finger.friction = *mu;
+  if (const auto used = table.value("friction_used")) {
+    hand.friction_used = used->number(share);
+    for (const HandFinger& finger : hand.fingers)
+      if (!finger.friction) {
+        used->problem("needs the friction of finger '" + finger.finger.name + "'",
+                      "friction = 0.6 under [grasp] holds for every finger");
+        break;
+      }
+  }
   table.finish();
 }
 

@@ -28,7 +28,9 @@ void judge(GraspStudy& study, const std::vector<FingerAction>& actions,
   for (std::size_t i = 0; i < actions.size(); ++i) {
     const std::string finger = which + ": finger '" + study.tips[i].finger.name + "' ";
     const auto& friction = margins[i].friction;
-    if (!(actions[i].normal > 0.0))
+    if (is_idle(actions[i]))
+      study.warnings.push_back(finger + "is not needed: it carries nothing");
+    else if (!(actions[i].normal > 0.0))
       study.failures.push_back(finger + "would have to pull with " + brief(-actions[i].normal));
     else if (friction && friction->verdict == ContactVerdict::slips)
       study.failures.push_back(finger + "slips: its force is " + brief(-friction->distance.value) +
@@ -71,7 +73,16 @@ void hold_load(GraspStudy& study, const std::vector<Finger>& fingers) {
   const ExternalLoad load = hand.load.value_or(ExternalLoad{});
   std::vector<ContactPlace> places;
   for (const Fingertip& tip : study.tips) places.push_back(tip.place);
-  study.held = hold(fingers, places, load, hand.squeeze);
+  HoldOptions options = hand.squeeze;
+  if (hand.friction_used)
+    for (const HandFinger& finger : hand.fingers)
+      options.friction.push_back(*hand.friction_used * *finger.friction);
+  try {
+    study.held = hold(fingers, places, load, options);
+  } catch (const std::domain_error& error) {
+    study.failures.push_back(std::string("to hold: ") + error.what());
+    return;
+  }
   require_finite(study.held->fingers);
   study.held_margins = margins_of(hand, study.held->fingers);
   judge(study, study.held->fingers, study.held_margins, "to hold");
@@ -113,7 +124,7 @@ GraspStudy study_grasp(const Hand& hand) {
   if (known) measure(study, fingers);
   const bool asked = hand.load || hand.squeeze.grasping_force || hand.squeeze.squeeze;
   if (asked && fingers.size() >= 2) hold_load(study, fingers);
-  if (!study.measured && !study.held)
+  if (!study.measured && !(asked && fingers.size() >= 2))
     throw std::invalid_argument(
         "nothing to compute: no contact's force is known, and there is neither a [load] nor a "
         "squeeze for two fingers to hold");

@@ -38,6 +38,7 @@ Cells contact_cells(const GraspStudy& study, const std::vector<FingerAction>& ac
                     friction ? uncertain(friction->distance) : "-",
                     friction ? degrees(friction->angle) : "-",
                     friction              ? name(friction->verdict)
+                    : is_idle(action)     ? "idle"
                     : action.normal > 0.0 ? "pushes"
                                           : "pulls"});
   }
@@ -119,6 +120,9 @@ std::vector<std::string> hold_in_words(const GraspStudy& study) {
   else
     lines.push_back("by the least torques (least sum of squares); squeeze " +
                     brief(study.held->squeeze));
+  if (study.hand.friction_used)
+    lines.push_back("every force within " + percent(*study.hand.friction_used) +
+                    " of its friction");
   if (study.thesis)
     lines.push_back("the thesis' four equations (6.23) give the same torques to " +
                     brief(study.thesis_difference) + "; condition number " +

@@ -85,7 +85,7 @@ class Picture {
   [[nodiscard]] std::string finish(const std::string& title) const {
     constexpr double margin = 16.0;
     const Vector2 size = high_ - low_;
-    return "<svg class=\"hand\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"" +
+    return "<svg class=\"hand\" preserveAspectRatio=\"xMinYMin\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"" +
            px(low_.x - margin) + ' ' + px(low_.y - margin) + ' ' + px(size.x + 2.0 * margin) + ' ' +
            px(size.y + 2.0 * margin) + "\">\n" + element("title", title) + svg_ + "</svg>\n";
   }
@@ -246,7 +246,7 @@ std::string draw_hand(const GraspStudy& study) {
 std::string drawing_style() {
   return R"(
 .hand { --ink: #333; --link: #b9bec4; --pad: #e6b8a2; --measured: #0072b2; --held: #d55e00;
-        --load: #009e73; --paper: #fff; width: 100%; max-width: 46rem; }
+        --load: #009e73; --paper: #fff; width: 100%; max-width: 46rem; max-height: 38rem; }
 @media (prefers-color-scheme: dark) {
   .hand { --ink: #ddd; --link: #5c636a; --pad: #8a5a44; --measured: #56b4e9; --held: #ff9d57;
           --load: #35d0a5; --paper: #16181a; } }

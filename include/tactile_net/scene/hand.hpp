@@ -49,7 +49,10 @@ struct Hand {
   std::string title{};
   std::vector<HandFinger> fingers{};
   std::optional<ExternalLoad> load{};
-  HoldOptions squeeze{};
+  HoldOptions squeeze{};  ///< without `friction`
+  /// Share of every finger's friction that holding may use, > 0 and <= 1; absent: forces are found
+  /// without regard to friction.
+  std::optional<double> friction_used{};
 };
 
 /// @throw InputError  every problem of the file at once, as `read_scene`; and fingers that are
