@@ -67,4 +67,11 @@ bool is_straight(const FingerPose& pose, Vector2 contact) {
   });
 }
 
+void check_bent(const Finger& finger, const FingerPose& pose, Vector2 contact) {
+  if (is_straight(pose, contact))
+    throw std::invalid_argument("finger '" + finger.name +
+                                "': it is straight: its joints and the contact lie on one line, "
+                                "along which its torques cannot push");
+}
+
 }  // namespace tactile_net

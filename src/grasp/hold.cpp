@@ -40,15 +40,11 @@ void check(std::span<const Finger> fingers, std::span<const ContactPlace> contac
 void check(std::span<const Finger> fingers, const GraspMap& map, bool squeezed) {
   if (!map.has_spread()) throw std::invalid_argument("the contacts coincide: no line joins them");
   for (std::size_t i = 0; i < fingers.size(); ++i) {
-    const std::string finger = "finger '" + fingers[i].name + "': ";
-    if (is_straight(map.pose(i), map.point(i)))
-      throw std::invalid_argument(finger +
-                                  "it is straight: its joints and the contact lie on one line, "
-                                  "along which its torques cannot push");
+    check_bent(fingers[i], map.pose(i), map.point(i));
     if (squeezed && std::isnan(map.inward(i).x))
       throw std::invalid_argument(
-          finger +
-          "its contact is in the middle of all contacts, where no direction "
+          "finger '" + fingers[i].name +
+          "': its contact is in the middle of all contacts, where no direction "
           "is inward to squeeze");
   }
 }

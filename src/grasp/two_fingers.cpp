@@ -30,10 +30,7 @@ struct Fingertip {
     check(finger, ContactPlace{centre, 0.0});
     const FingerPose pose = pose_of(finger);
     const Vector2 origin = contact_point(pose, centre);
-    if (is_straight(pose, origin))
-      throw std::invalid_argument("finger '" + finger.name +
-                                  "': it is straight: its joints and the contact lie on one line, "
-                                  "along which its torques cannot push");
+    check_bent(finger, pose, origin);
     const Vector2 x = -quarter_turn(pose.along);
     from_palm.a << x.x, x.y, pose.along.x, pose.along.y;
     from_palm.b = -from_palm.a * in_eigen(origin);

@@ -62,6 +62,28 @@ TEST_CASE("the torques hold the object in equilibrium and squeeze as asked", "[g
   }
 }
 
+TEST_CASE("the printed equations hold the opposite torque, and scale the grasping force",
+          "[grasp][erratum]") {
+  Random random(7);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Hand hand = random_hand(random, 2, 2);
+    const TwoFingerTorques torques = solve(hand, 3.0);
+    const std::vector<Complex> f = forces_of(hand, torques);
+    const Complex o_l = placed(hand.fingers[0], hand.contacts[0].centre).contact;
+    const Complex o_r = placed(hand.fingers[1], hand.contacts[1].centre).contact;
+    const Complex f_e = complex_of(hand.load.force);
+    const double limit = 1e-11 * torques.condition * (std::abs(f[0]) + std::abs(f[1]) + 1.0);
+    // 6.8 with r_rl from O_r to O_l and r_e from B to O_l: true for -t_e.
+    const double printed =
+        moment(o_l - o_r, f[1]) + moment(o_l - complex_of(hand.load.point), f_e) + hand.load.torque;
+    CHECK_THAT(printed, WithinAbs(2.0 * hand.load.torque, limit));
+    // 6.10, with r_rl as it is.
+    const auto along = [&](Complex v) { return (std::conj(o_l - o_r) * v).real(); };
+    CHECK_THAT(-along(f[0]) + along(f[1]) - std::abs(along(f_e)),
+               WithinAbs(3.0 * std::abs(o_l - o_r), limit));
+  }
+}
+
 TEST_CASE("joints do the work that the object's motion takes from the load", "[grasp][property]") {
   // The object moves as a rigid body, and the contact points with it; how the joints follow comes
   // from differences of the kinematics, not from a Jacobian.

@@ -9,27 +9,22 @@ namespace {
 
 Json point(Vector2 v) { return {v.x, v.y}; }
 
-Json uncertain(const Uncertain& number) {
-  return {{"value", number.value}, {"deviation", number.deviation}};
-}
-
-Json uncertain_or_null(const std::optional<Uncertain>& number) {
-  return number ? uncertain(*number) : Json(nullptr);
-}
-
 Json finger_json(const Fingertip& tip, const FingerPose& pose) {
   Json joints = Json::array();
   for (const Vector2 joint : pose.joints) joints.push_back(point(joint));
-  Json json = {
-      {"name", tip.finger.name}, {"joints", joints},
-      {"tip", point(pose.tip)},  {"contact", point(contact_point(pose, tip.place.centre))},
-      {"source", tip.source},    {"centre", uncertain({tip.place.centre, tip.place.deviation})},
-      {"normal", nullptr},       {"tangential", nullptr},
-      {"covariance", nullptr}};
+  Json json = {{"name", tip.finger.name},
+               {"joints", joints},
+               {"tip", point(pose.tip)},
+               {"contact", point(contact_point(pose, tip.place.centre))},
+               {"source", tip.source},
+               {"centre", uncertain_json({tip.place.centre, tip.place.deviation})},
+               {"normal", nullptr},
+               {"tangential", nullptr},
+               {"covariance", nullptr}};
   if (tip.force) {
     const auto& c = tip.force->covariance;
-    json["normal"] = uncertain({tip.force->normal, std::sqrt(c[0])});
-    json["tangential"] = uncertain({tip.force->tangential, std::sqrt(c[4])});
+    json["normal"] = uncertain_json({tip.force->normal, std::sqrt(c[0])});
+    json["tangential"] = uncertain_json({tip.force->tangential, std::sqrt(c[4])});
     json["covariance"] = c;
   }
   return json;
@@ -38,7 +33,7 @@ Json finger_json(const Fingertip& tip, const FingerPose& pose) {
 Json action_json(const FingerAction& action, const FingerMargins& margins) {
   Json torques = Json::array();
   for (std::size_t j = 0; j < action.torques.size(); ++j) {
-    Json torque = uncertain(action.torques[j]);
+    Json torque = uncertain_json(action.torques[j]);
     const bool limited = !margins.torques.empty();
     torque["left"] = limited ? Json(margins.torques[j].left) : Json(nullptr);
     torque["used"] = limited ? Json(margins.torques[j].used) : Json(nullptr);
@@ -46,15 +41,14 @@ Json action_json(const FingerAction& action, const FingerMargins& margins) {
   }
   Json friction = nullptr;
   if (margins.friction) {
-    const double used = margins.friction->used;
     friction = {{"verdict", name(margins.friction->verdict)},
-                {"distance", uncertain(margins.friction->distance)},
-                {"used", std::isfinite(used) ? Json(used) : Json(nullptr)},
+                {"distance", uncertain_json(margins.friction->distance)},
+                {"used", finite_or_null(margins.friction->used)},
                 {"angle", margins.friction->angle}};
   }
   return {{"force", point(action.force)},
-          {"normal", uncertain({action.normal, std::sqrt(action.covariance[0])})},
-          {"tangential", uncertain({action.tangential, std::sqrt(action.covariance[3])})},
+          {"normal", uncertain_json({action.normal, std::sqrt(action.covariance[0])})},
+          {"tangential", uncertain_json({action.tangential, std::sqrt(action.covariance[3])})},
           {"covariance", action.covariance},
           {"friction", friction},
           {"torques", torques}};
@@ -80,11 +74,11 @@ Json measured_json(const GraspStudy& study) {
   return {{"fingers", actions_json(measured.fingers, study.measured_margins)},
           {"torque_covariance", matrix_json(measured.torque_covariance)},
           {"unbalanced",
-           {{"force_x", uncertain(x)},
-            {"force_y", uncertain(y)},
-            {"moment", uncertain(moment)},
+           {{"force_x", uncertain_json(x)},
+            {"force_y", uncertain_json(y)},
+            {"moment", uncertain_json(moment)},
             {"share", measured.unbalanced_share},
-            {"chi_squared", measured.chi_squared ? Json(*measured.chi_squared) : Json(nullptr)},
+            {"chi_squared", number_or_null(measured.chi_squared)},
             {"limit", balanced_limit},
             {"balanced", study.balanced ? Json(*study.balanced) : Json(nullptr)}}},
           {"squeeze", uncertain_or_null(measured.squeeze)},

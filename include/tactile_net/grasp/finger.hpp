@@ -58,4 +58,7 @@ void check(const Finger& finger);
 /// is.
 [[nodiscard]] bool is_straight(const FingerPose& pose, Vector2 contact);
 
+/// @throw std::invalid_argument  the finger is straight; the text names it
+void check_bent(const Finger& finger, const FingerPose& pose, Vector2 contact);
+
 }  // namespace tactile_net
