@@ -14,6 +14,8 @@ void require(bool holds, const Finger& finger, const char* rule) {
 }  // namespace
 
 FingertipForce fingertip_force(const UncertainResultant& resultant, double breadth) {
+  if (!(breadth > 0.0) || !std::isfinite(breadth))
+    throw std::invalid_argument("the pad's breadth must be > 0 and finite");
   if (!resultant.centre)
     throw std::domain_error("the normal force must be > 0: nothing presses on the pad");
   FingertipForce force;

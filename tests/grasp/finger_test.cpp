@@ -106,5 +106,6 @@ TEST_CASE("a fingertip that does not press, or beside its pad, is refused by nam
                     ContainsSubstring("covariance"));
   CHECK_THROWS_WITH(check(finger, ContactPlace{NAN, 0.0}), ContainsSubstring("on the fingertip"));
   CHECK_THROWS_WITH(check(finger, ContactPlace{0.0, -1.0}), ContainsSubstring("deviation"));
+  CHECK_THROWS_WITH(fingertip_force(UncertainResultant{}, 0.0), ContainsSubstring("breadth"));
   CHECK_THROWS_WITH(fingertip_force(UncertainResultant{}, 1.0), ContainsSubstring("must be > 0"));
 }

@@ -48,14 +48,6 @@ std::vector<std::string> reading_columns(const SensorArray& array) {
   return columns;
 }
 
-std::vector<bool> unread_columns(const Scene& scene) {
-  std::vector<bool> unread(channels(scene.sensor).size() * scene.sensor.count);
-  for (std::size_t i = 0; i < unread.size(); ++i)
-    for (const std::size_t taxel : scene.dead_taxels)
-      if (i % scene.sensor.count == taxel) unread[i] = true;
-  return unread;
-}
-
 std::ifstream open_csv(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
@@ -64,7 +56,7 @@ std::ifstream open_csv(const std::filesystem::path& path) {
   if (!file)
     throw InputError({{.file = path.string(),
                        .message = "cannot be opened",
-                       .hint = "recorded frames are a CSV file, or - for standard input"}});
+                       .hint = "recorded frames are a CSV file"}});
   return file;
 }
 

@@ -11,15 +11,12 @@
 #include <string_view>
 #include <vector>
 
-#include "tactile_net/scene/scene.hpp"
+#include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net::tool {
 
 /// "strain_x_0" ... for every channel of an array, in the order of its readings.
 [[nodiscard]] std::vector<std::string> reading_columns(const SensorArray& array);
-
-/// Which of those columns hold the readings of dead taxels.
-[[nodiscard]] std::vector<bool> unread_columns(const Scene& scene);
 
 /// @throw InputError  a folder, or it cannot be opened
 [[nodiscard]] std::ifstream open_csv(const std::filesystem::path& path);

@@ -41,8 +41,7 @@ struct Alpha {
 
 /// The middle of what the scene's rule chooses on recorded frames: a plan has one alpha for all.
 Alpha alpha_of_frames(const Scene& scene, const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError({{.file = path, .message = "cannot be opened"}});
+  std::ifstream file = open_csv(path);
   const InverseProblem problem = problem_of(scene);
   FrameReader reader(file, path, reading_columns(scene.sensor), unread_columns(scene));
   const TikhonovFamily family(problem);

@@ -19,7 +19,8 @@ struct FingertipForce {
 };
 
 /// @param breadth  of the pad out of plane [m], > 0; 1: forces stay per unit length
-/// @throw std::domain_error  F_v <= 0: there is no point of action
+/// @throw std::invalid_argument  the breadth is not > 0 and finite
+/// @throw std::domain_error      F_v <= 0: there is no point of action
 [[nodiscard]] FingertipForce fingertip_force(const UncertainResultant& resultant, double breadth);
 
 /// The place of a contact, without the force.
