@@ -23,7 +23,8 @@ constexpr std::array advice = {
     Advice{"saw ','", "one key a line; the decimal sign is a point: 0.5"},
     Advice{"expected a comment or whitespace", "one key a line, and no unit behind a number"},
     Advice{"expected '='", "a line is key = value"},
-    Advice{"expected ']'", "a table begins with [name], a contact with [[contact]], a finger with [[finger]]"},
+    Advice{"expected ']'",
+           "a table begins with [name], a contact with [[contact]], a finger with [[finger]]"},
     Advice{"parsing inline table", "{ a = 1, b = 2 } stands on one line"},
     Advice{"control characters", "text ends on the line where it began"},
 };

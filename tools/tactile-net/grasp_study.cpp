@@ -116,8 +116,7 @@ GraspStudy study_grasp(const Hand& hand) {
     const Fingertip& tip = study.tips.back();
     fingers.push_back(tip.finger);
     study.poses.push_back(pose_of(tip.finger));
-    check_bent(tip.finger, study.poses.back(),
-               contact_point(study.poses.back(), tip.place.centre));
+    check_bent(tip.finger, study.poses.back(), contact_point(study.poses.back(), tip.place.centre));
     for (const std::string& warning : tip.warnings)
       study.warnings.push_back("finger '" + tip.finger.name + "': " + warning);
   }

@@ -85,7 +85,8 @@ class Picture {
   [[nodiscard]] std::string finish(const std::string& title) const {
     constexpr double margin = 16.0;
     const Vector2 size = high_ - low_;
-    return "<svg class=\"hand\" preserveAspectRatio=\"xMinYMin\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"" +
+    return "<svg class=\"hand\" preserveAspectRatio=\"xMinYMin\" "
+           "xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"" +
            px(low_.x - margin) + ' ' + px(low_.y - margin) + ' ' + px(size.x + 2.0 * margin) + ' ' +
            px(size.y + 2.0 * margin) + "\">\n" + element("title", title) + svg_ + "</svg>\n";
   }
