@@ -6,6 +6,7 @@
 
 #include "inverse/stacked.hpp"
 #include "inverse/standard_form.hpp"
+#include "tactile_net/sensing/resultant.hpp"
 
 namespace tactile_net {
 
@@ -63,6 +64,10 @@ double TractionCovariance::deviation(std::span<const double> weights) const {
   return (factor_->root.transpose() * as_eigen(weights)).norm();
 }
 
+double TractionCovariance::covariance(std::span<const double> a, std::span<const double> b) const {
+  return (factor_->root.transpose() * as_eigen(a)).dot(factor_->root.transpose() * as_eigen(b));
+}
+
 double TractionCovariance::degrees_of_freedom() const noexcept { return factor_->degrees; }
 
 NoiseEstimate estimate_noise(const InverseProblem& problem, std::span<const double> readings,
@@ -92,42 +97,40 @@ UncertainResultant resultant_of(const InverseProblem& problem, std::span<const d
                                 const TractionCovariance& covariance, double noise_rms) {
   const std::size_t n = problem.count;
   const double d = problem.pitch;
-  const auto place = [&](std::size_t i) {
-    return (static_cast<double>(i) - 0.5 * static_cast<double>(n - 1)) * d;
-  };
-  double normal = 0.0;
-  double moment = 0.0;
-  double tangential = 0.0;
+  const bool two = problem.unknowns == 2;
+  const Resultant sum =
+      resultant_of(tractions.first(n), tractions.subspan(n, two ? n : std::size_t{0}), d);
+  // The gradient of each result by the tractions, made of three: F_v, F_t and the centre.
+  std::array<std::vector<double>, 3> gradients;
+  gradients.fill(std::vector<double>(tractions.size()));
+  auto& [on_normal, on_tangential, on_centre] = gradients;
+  const std::optional<double> centre = sum.centre();
   for (std::size_t i = 0; i < n; ++i) {
-    normal += d * tractions[i];
-    moment += d * place(i) * tractions[i];
-    if (problem.unknowns == 2) tangential += d * tractions[n + i];
+    on_normal[i] = d;
+    if (two) on_tangential[n + i] = d;
+    const double place = (static_cast<double>(i) - 0.5 * static_cast<double>(n - 1)) * d;
+    if (centre) on_centre[i] = d * (place - *centre) / sum.normal;
   }
-  // The gradient of each result by the tractions: `on_normal` at every place, `on_tangential`.
-  const auto uncertain = [&](double value, const auto& on_normal, double on_tangential) {
-    std::vector<double> gradient(tractions.size());
-    for (std::size_t i = 0; i < n; ++i) {
-      gradient[i] = on_normal(i);
-      if (problem.unknowns == 2) gradient[n + i] = on_tangential;
-    }
+  const auto uncertain = [&](double value, std::span<const double> gradient) {
     return Uncertain{value, covariance.deviation(gradient) * noise_rms};
   };
-  const auto nowhere = [](std::size_t) { return 0.0; };
 
   UncertainResultant result;
-  result.normal = uncertain(
-      normal, [&](std::size_t) { return d; }, 0.0);
-  if (problem.unknowns == 2) result.tangential = uncertain(tangential, nowhere, d);
-  if (!(normal > 0.0)) return result;
-  const double centre = moment / normal;
-  result.centre = uncertain(
-      centre, [&](std::size_t i) { return d * (place(i) - centre) / normal; }, 0.0);
-  if (problem.unknowns == 2) {
-    const double slope = tangential / normal;
-    const double scale = d / normal / (1.0 + slope * slope);
-    result.angle = uncertain(
-        std::atan2(tangential, normal), [&](std::size_t) { return -slope * scale; }, scale);
+  result.normal = uncertain(sum.normal, on_normal);
+  if (two) result.tangential = uncertain(sum.tangential, on_tangential);
+  if (centre) result.centre = uncertain(*centre, on_centre);
+  if (centre && two) {
+    const double slope = sum.tangential / sum.normal;
+    const double scale = 1.0 / sum.normal / (1.0 + slope * slope);
+    std::vector<double> on_angle(tractions.size());
+    for (std::size_t i = 0; i < tractions.size(); ++i)
+      on_angle[i] = (on_tangential[i] - slope * on_normal[i]) * scale;
+    result.angle = uncertain(*sum.angle(), on_angle);
   }
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      result.covariance[3 * i + j] = result.covariance[3 * j + i] =
+          covariance.covariance(gradients[i], gradients[j]) * noise_rms * noise_rms;
   return result;
 }
 

@@ -20,8 +20,8 @@ std::string cut(std::string_view text) {
 
 }  // namespace
 
-Problems::Problems(std::string file, std::string_view text)
-    : file_{std::move(file)}, text_{text}, line_starts_{0} {
+Problems::Problems(std::string file, std::string_view text, const FileKind& kind)
+    : file_{std::move(file)}, text_{text}, kind_{kind}, line_starts_{0} {
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == '\n') line_starts_.push_back(i + 1);
 }

@@ -17,10 +17,23 @@ struct Place {
   std::size_t column = 0;
 };
 
+/// What a file is, for messages.
+struct FileKind {
+  std::string_view name;      ///< "scene"
+  std::string_view smallest;  ///< what the smallest one holds
+};
+
+inline constexpr FileKind scene_file{
+    "scene",
+    "the smallest scene is [sensor] with count, pitch, depth and reads, and [material] with "
+    "youngs_modulus and poisson_ratio"};
+
 class Problems {
  public:
   /// `text` must outlive the object.
-  Problems(std::string file, std::string_view text);
+  Problems(std::string file, std::string_view text, const FileKind& kind = scene_file);
+
+  [[nodiscard]] const FileKind& kind() const noexcept { return kind_; }
 
   void add(Place place, std::string message, std::string hint = {});
 
@@ -37,6 +50,7 @@ class Problems {
 
   std::string file_;
   std::string_view text_;
+  FileKind kind_;
   std::vector<std::size_t> line_starts_;
   std::vector<Diagnostic> diagnostics_;
   std::size_t left_off_ = 0;

@@ -26,7 +26,7 @@ constexpr int most_key_parts = 8;  // toml++ allows 256 nested values: 2048 nest
 }
 
 [[noreturn]] void refuse_size(const std::filesystem::path& path) {
-  refuse(path, "is larger than 16 MiB", "is this really a scene? they have some hundred bytes");
+  refuse(path, "is larger than 16 MiB", "is this the right file? they have some hundred bytes");
 }
 
 /// Walks through a text and keeps count of lines and columns.
@@ -60,7 +60,8 @@ bool check_characters(std::string_view text, Problems& problems) {
   for (Cursor cursor{text}; !cursor.at_end(); cursor.advance()) {
     if (cursor.here() == '\0') {
       problems.add(cursor.place(), "the file is not text: it holds a zero byte",
-                   "a scene is a text file; is this a binary file or UTF-16?");
+                   "a " + std::string{problems.kind().name} +
+                       " is a text file; is this a binary file or UTF-16?");
       return false;
     }
     if (cursor.size() == 0) {
@@ -110,7 +111,7 @@ void check_key_parts(std::string_view text, Problems& problems) {
     }
     if (c == '.' && ++parts > most_key_parts) {
       problems.add(cursor.place(), "this key has too many parts",
-                   "no key of a scene has more than three: noise.rms.strain_x");
+                   "no key has more than three: noise.rms.strain_x");
       return;
     }
     if (c != '.' && !belongs_to_key(c)) parts = 1;
@@ -124,9 +125,8 @@ bool check_not_empty(std::string_view text, Problems& problems) {
     if (cursor.at_end()) break;
     if (std::string_view{" \t\r\n"}.find(cursor.here()) == std::string_view::npos) return true;
   }
-  problems.add({}, "the scene is empty",
-               "the smallest scene is [sensor] with count, pitch, depth and reads, and [material] "
-               "with youngs_modulus and poisson_ratio");
+  problems.add({}, "the " + std::string{problems.kind().name} + " is empty",
+               std::string{problems.kind().smallest});
   return false;
 }
 
@@ -138,9 +138,9 @@ std::string source_text(const std::filesystem::path& path) {
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) refuse(path, "no such file");
   if (status.type() == fs::file_type::none) refuse(path, "cannot be read: " + error.message());
-  if (fs::is_directory(status)) refuse(path, "is a folder", "name the scene file inside it");
+  if (fs::is_directory(status)) refuse(path, "is a folder", "name the file inside it");
   if (!fs::is_regular_file(status))
-    refuse(path, "is not a regular file", "save the scene to a file first");
+    refuse(path, "is not a regular file", "save it to a file first");
   const std::uintmax_t size = fs::file_size(path, error);
   if (!error && size > largest_file) refuse_size(path);
 

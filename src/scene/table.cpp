@@ -62,7 +62,7 @@ void Table::report_unknown(const toml::key& key, const toml::node& node, std::st
   if (!near.empty()) {
     hint = "did you mean " + std::string{near} + '?';
   } else {
-    hint = path_.empty() ? "a scene has" : path_ + " has";
+    hint = path_.empty() ? "a " + std::string{problems_->kind().name} + " has" : path_ + " has";
     for (const std::string_view known : on_offer_)
       hint += (known == on_offer_.front() ? " " : ", ") + std::string{known};
   }

@@ -33,7 +33,7 @@ TEST_CASE("wrong usage is told with what was meant", "[cli]") {
 }
 
 TEST_CASE("help and version are no failures", "[cli]") {
-  for (const char* command : {"run", "gen", "relax", "solve"})
+  for (const char* command : {"run", "gen", "relax", "solve", "grasp"})
     CHECK(tool({command, "--help"}).code == 0);
   CHECK(tool({"--help"}).code == 0);
   CHECK_THAT(tool({"--version"}).output, StartsWith("tactile-net "));

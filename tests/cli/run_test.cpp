@@ -11,7 +11,8 @@ namespace {
 std::vector<std::string> shipped_scenes() {
   std::vector<std::string> scenes;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(SCENES))
-    if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "recorded")
+    if (const auto folder = entry.path().parent_path().filename();
+        entry.path().extension() == ".toml" && folder != "recorded" && folder != "hands")
       scenes.push_back(entry.path().string());
   std::sort(scenes.begin(), scenes.end());
   return scenes;

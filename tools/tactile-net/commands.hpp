@@ -21,6 +21,7 @@ void add_solve(CLI::App& app);
 void add_identify(CLI::App& app);
 void add_certify(CLI::App& app);
 void add_plan(CLI::App& app);
+void add_grasp(CLI::App& app);
 void add_tradeoff(CLI::App& app);
 
 /// "100us", "1 ms", "2e-5" [s]. @throw CLI::ValidationError  it is no time > 0

@@ -12,7 +12,7 @@ constexpr std::string_view style = R"(
 @media (prefers-color-scheme: dark) {
   :root { --ink: #e6e6e6; --paper: #161616; --rule: #444; --quiet: #aaa;
           --note: #33270f; --note-ink: #ffd58a; --bad: #3a1712; --bad-ink: #ffb4a3; }
-  figure svg { filter: invert(.92) hue-rotate(180deg); }
+  figure.plot svg { filter: invert(.92) hue-rotate(180deg); }
   a { color: #8ab4f8; }
 }
 body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper);
@@ -34,6 +34,8 @@ footer { color: var(--quiet); margin-top: 3rem; font-size: .9rem; }
                figure svg { min-width: 0; } }
 )";
 
+}  // namespace
+
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -50,8 +52,6 @@ std::string escaped(std::string_view text) {
   }
   return out;
 }
-
-}  // namespace
 
 std::string element(std::string_view tag, std::string_view content, std::string_view type) {
   std::string out = "<" + std::string(tag);
@@ -75,13 +75,13 @@ std::string html_table(const std::vector<std::vector<std::string>>& rows) {
   return out + "</table></div>\n";
 }
 
-std::string html_page(std::string_view title, std::string_view body) {
+std::string html_page(std::string_view title, std::string_view body, std::string_view extra_style) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width\">\n" +
-         element("title", title) + "<style>" + std::string(style) + "</style></head>\n<body>\n" +
-         std::string(body) +
+         element("title", title) + "<style>" + std::string(style) + std::string(extra_style) +
+         "</style></head>\n<body>\n" + std::string(body) +
          element("footer", "Written by tactile-net " TACTILE_NET_VERSION
-                           ". Lengths, forces and tractions are in the scene's units.") +
+                           ". Lengths, forces and tractions are in the input's units.") +
          "</body>\n</html>\n";
 }
 

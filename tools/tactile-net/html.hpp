@@ -8,6 +8,9 @@
 
 namespace tactile_net::tool {
 
+/// Text as HTML.
+[[nodiscard]] std::string escaped(std::string_view text);
+
 /// <tag class="type">content</tag>, the content escaped.
 [[nodiscard]] std::string element(std::string_view tag, std::string_view content,
                                   std::string_view type = {});
@@ -17,7 +20,8 @@ namespace tactile_net::tool {
 /// The first row is the header.
 [[nodiscard]] std::string html_table(const std::vector<std::vector<std::string>>& rows);
 
-/// A whole page around `body`, which is HTML.
-[[nodiscard]] std::string html_page(std::string_view title, std::string_view body);
+/// A whole page around `body`, which is HTML; `extra_style` is CSS.
+[[nodiscard]] std::string html_page(std::string_view title, std::string_view body,
+                                    std::string_view extra_style = {});
 
 }  // namespace tactile_net::tool

@@ -42,6 +42,7 @@ int run(int argc, char** argv) {
   tactile_net::tool::add_identify(app);
   tactile_net::tool::add_plan(app);
   tactile_net::tool::add_tradeoff(app);
+  tactile_net::tool::add_grasp(app);
   try {
     check_command(app, argc, argv);
     app.parse(argc, argv);

@@ -13,6 +13,7 @@
 #include "progress.hpp"
 #include "solver.hpp"
 #include "stopwatch.hpp"
+#include "tactile_net/control/fftw_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
@@ -93,7 +94,7 @@ std::optional<Enum> named(const std::string& text, const char* option,
 /// What a frame of the plan takes on this machine.
 Seconds frame_of(const EstimatorPlan& plan) {
   const Pinned pinned;
-  ContactEstimator estimator(plan);
+  ContactEstimator estimator(plan, fftw_convolutions());
   const std::vector<double> readings(plan.readings(), 1.0);
   std::vector<double> tractions(plan.tractions());
   ContactEstimate estimate;

@@ -152,7 +152,8 @@ Report report_html(const Experiment& experiment) {
     html += html_table(rule_cells(*experiment.sweep));
   }
   if (!report.missing.empty()) html += element("p", report.missing, "note");
-  for (const std::string& picture : pictures) html += "<figure>" + picture + "</figure>\n";
+  for (const std::string& picture : pictures)
+    html += "<figure class=\"plot\">" + picture + "</figure>\n";
   if (experiment.relaxation) html += network_section(*experiment.relaxation);
   html = html_page(scene.file + " - tactile-net", html);
   return report;

@@ -7,28 +7,12 @@
 namespace tactile_net::tool {
 namespace {
 
-Json number_or_null(const std::optional<double>& number) {
-  return number ? Json(*number) : Json(nullptr);
-}
-
-Json list_or_null(const std::vector<double>& values) {
-  return values.empty() ? Json(nullptr) : Json(values);
-}
-
 Json component(const Component& component) {
   return {{"mean_abs", component.mean_abs}, {"relative_l2", component.relative_l2}};
 }
 
-Json uncertain(const Uncertain& number) {
-  return {{"value", number.value}, {"deviation", number.deviation}};
-}
-
-Json uncertain_or_null(const std::optional<Uncertain>& number) {
-  return number ? uncertain(*number) : Json(nullptr);
-}
-
 Json resultant(const UncertainResultant& resultant) {
-  return {{"normal", uncertain(resultant.normal)},
+  return {{"normal", uncertain_json(resultant.normal)},
           {"tangential", uncertain_or_null(resultant.tangential)},
           {"centre", uncertain_or_null(resultant.centre)},
           {"angle", uncertain_or_null(resultant.angle)}};
@@ -92,9 +76,6 @@ Json elements_of(const ElementCounts& elements) {
           {"capacitors", elements.capacitors}, {"devices", elements.devices},
           {"sources", elements.sources}};
 }
-
-/// Null for what is infinite: unstable, or not definite.
-Json finite_or_null(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
 
 Json certificate(const Certificate& c) {
   Json json = {{"realization", name(c.realization)},

@@ -287,7 +287,7 @@ StudyReport study_html(const Study& study) {
   if (!report.page.missing.empty()) html += element("p", report.page.missing, "note");
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     report.pictures.emplace_back(figures[i].file, pictures[i]);
-    html += "<figure>" + pictures[i] + element("figcaption", figures[i].caption) + "</figure>\n";
+    html += "<figure class=\"plot\">" + pictures[i] + element("figcaption", figures[i].caption) + "</figure>\n";
   }
   const auto simulated = simulator_cells(study);
   if (simulated.size() > 1) {

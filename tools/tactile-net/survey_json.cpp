@@ -8,10 +8,6 @@
 namespace tactile_net::tool {
 namespace {
 
-Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 Json modes_of(const Identifiability& result) {
   Json modes = Json::array();
   for (const ModeSpace* space : {&result.null_space, &result.nearly_null})
@@ -19,7 +15,7 @@ Json modes_of(const Identifiability& result) {
       modes.push_back({{"unknown", !mode.unknown                       ? "both"
                                    : *mode.unknown == Traction::normal ? "normal"
                                                                        : "tangential"},
-                       {"wavelength", or_null(mode.wavelength)},
+                       {"wavelength", number_or_null(mode.wavelength)},
                        {"description", mode.description},
                        {"singular_value", mode.singular_value},
                        {"exact", space == &result.null_space}});
@@ -49,7 +45,8 @@ Json choice_json(const SensorChoice& choice) {
           {"null_space", space_json(result.null_space)},
           {"nearly_null", space_json(result.nearly_null)},
           {"resolvable_wavelength",
-           {{"normal", or_null(choice.normal)}, {"tangential", or_null(choice.tangential)}}}};
+           {{"normal", number_or_null(choice.normal)},
+            {"tangential", number_or_null(choice.tangential)}}}};
 }
 
 }  // namespace

@@ -174,7 +174,8 @@ Report survey_html(const Scene& scene, const Survey& survey) {
   for (std::size_t i = 1; i < verdict.size(); ++i) body += element("p", verdict[i]);
   body += html_list(singular_values_in_words(survey.own.identifiability));
   if (!result.missing.empty()) body += element("p", result.missing, "note");
-  for (const std::string& picture : pictures) body += "<figure>" + picture + "</figure>\n";
+  for (const std::string& picture : pictures)
+    body += "<figure class=\"plot\">" + picture + "</figure>\n";
   body += element("h2", "Which quantities, at which depth");
   body += element("p", cells_in_words(scene, survey));
   body += html_table(survey_cells(survey));

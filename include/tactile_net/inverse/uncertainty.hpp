@@ -15,6 +15,7 @@
 /// positions) is not in it; `NoiseEstimate` shows it apart.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -49,6 +50,10 @@ class TractionCovariance {
 
   /// Standard deviation of sum_i weights_i f_i per unit of `noise_rms`.
   [[nodiscard]] double deviation(std::span<const double> weights) const;
+
+  /// Covariance of a sum with weights `a` and one with weights `b`, per unit of `noise_rms`
+  /// squared.
+  [[nodiscard]] double covariance(std::span<const double> a, std::span<const double> b) const;
 
   /// tr H: how many of the readings' degrees of freedom the tractions use up.
   [[nodiscard]] double degrees_of_freedom() const noexcept;
@@ -89,6 +94,8 @@ struct UncertainResultant {
   std::optional<Uncertain> tangential{};  ///< F_t [N/m]; absent with one unknown
   std::optional<Uncertain> centre{};      ///< sum y f_v / sum f_v [m]; absent if F_v <= 0
   std::optional<Uncertain> angle{};  ///< atan2(F_t, F_v) [rad]; absent with one unknown or F_v <= 0
+  /// Of (F_v, F_t, centre), row-major; zero where one of the two is absent.
+  std::array<double, 9> covariance{};
 };
 
 /// @param noise_rms  of one weighted reading

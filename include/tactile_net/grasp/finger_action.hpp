@@ -1,0 +1,29 @@
+/// @file
+/// What one finger does in a grasp, and the load it is done against.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tactile_net/grasp/vector2.hpp"
+#include "tactile_net/inverse/uncertainty.hpp"
+
+namespace tactile_net {
+
+/// What acts on the object besides the fingers, in the palm's frame.
+struct ExternalLoad {
+  Vector2 force{};      ///< f_e [N, or N/m out of plane: as the fingers' forces]
+  double torque = 0.0;  ///< t_e, counter-clockwise
+  Vector2 point{};      ///< B, where the force acts [m]
+};
+
+struct FingerAction {
+  Vector2 point{};          ///< O: the point of contact, in the palm's frame [m]
+  Vector2 force{};          ///< f: of the finger on the object, in the palm's frame
+  double normal = 0.0;      ///< the same force as the pad feels it, reversed: F_v, into the pad
+  double tangential = 0.0;  ///< F_t, along the sensor's y
+  std::array<double, 4> covariance{};  ///< of (normal, tangential), row-major
+  std::vector<Uncertain> torques{};    ///< J' f: of the joints, base first, counter-clockwise
+};
+
+}  // namespace tactile_net

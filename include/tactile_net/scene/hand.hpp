@@ -1,0 +1,65 @@
+/// @file
+/// A hand and its grasp as plain data: what a HAND file says (format: docs/hand.md).
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "tactile_net/grasp/finger.hpp"
+#include "tactile_net/grasp/finger_action.hpp"
+#include "tactile_net/grasp/fingertip_force.hpp"
+#include "tactile_net/grasp/hold.hpp"
+#include "tactile_net/scene/diagnostic.hpp"
+
+namespace tactile_net {
+
+/// Tractions from a CSV file as `tactile-net solve` writes them.
+struct TractionFile {
+  std::filesystem::path file{};
+  double pitch = 0.0;     ///< [m]
+  std::size_t frame = 0;  ///< row, from 0
+};
+
+/// A fingertip that is a scene of its own: recorded readings, or the scene's contacts.
+struct FingertipScene {
+  std::filesystem::path scene{};
+  std::optional<std::filesystem::path> readings{};
+  std::size_t frame = 0;  ///< row of the readings, from 0
+};
+
+/// Where a finger's contact is known from. `ContactPlace`: it is not measured, only assumed.
+using ContactSource = std::variant<ContactPlace, FingertipForce, TractionFile, FingertipScene>;
+
+struct HandFinger {
+  Finger finger{};                      ///< its pad's half width is 0 where the array's is meant
+  double breadth = 1.0;                 ///< of the pad out of plane [m]; 1: forces per unit length
+  std::optional<double> friction{};     ///< mu, > 0
+  std::vector<double> torque_limits{};  ///< one per joint, > 0, or none
+  ContactSource contact{};
+};
+
+struct Hand {
+  std::string file{};              ///< name of the file, without its folder
+  std::filesystem::path folder{};  ///< what its paths are relative to
+  std::string title{};
+  std::vector<HandFinger> fingers{};
+  std::optional<ExternalLoad> load{};
+  HoldOptions squeeze{};  ///< without `friction`
+  /// Share of every finger's friction that holding may use, > 0 and <= 1; absent: forces are found
+  /// without regard to friction.
+  std::optional<double> friction_used{};
+};
+
+/// @throw InputError  every problem of the file at once, as `read_scene`; and fingers that are
+///                    straight, where their contacts' places are in the file
+[[nodiscard]] Hand read_hand(const std::filesystem::path& path);
+
+/// As `read_hand`, from text already in memory; `file` is the name in messages.
+[[nodiscard]] Hand parse_hand(std::string_view toml, const std::string& file);
+
+}  // namespace tactile_net

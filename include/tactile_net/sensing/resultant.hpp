@@ -1,0 +1,45 @@
+/// @file
+/// The concentrated force that a traction field amounts to (thesis 6.3-6.5).
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace tactile_net {
+
+/// Sums over the taxels, with y = 0 at the array's middle. Tractions on a flat surface have no
+/// moment about their centre of pressure: the tangential ones act along the very line on which it
+/// lies, and a torsional moment about the surface's normal does not exist in the plane.
+struct Resultant {
+  double normal = 0.0;      ///< F_v = D sum f_v [N/m]
+  double tangential = 0.0;  ///< F_t = D sum f_t [N/m]
+  double moment = 0.0;      ///< D sum y f_v, about y = 0 [N]
+
+  /// y* = moment / normal [m]; absent if F_v <= 0, where no point of action exists.
+  [[nodiscard]] std::optional<double> centre() const noexcept {
+    return normal > 0.0 ? std::optional(moment / normal) : std::nullopt;
+  }
+  /// atan2(F_t, F_v) from the surface's normal [rad]; absent if F_v <= 0.
+  [[nodiscard]] std::optional<double> angle() const noexcept {
+    return normal > 0.0 ? std::optional(std::atan2(tangential, normal)) : std::nullopt;
+  }
+};
+
+/// @param tangential  of the same size as `normal`, or empty: frictionless
+/// @param pitch       D, distance of the taxels [m]
+[[nodiscard]] inline Resultant resultant_of(std::span<const double> normal,
+                                            std::span<const double> tangential,
+                                            double pitch) noexcept {
+  Resultant sum;
+  const double middle = 0.5 * (static_cast<double>(normal.size()) - 1.0);
+  for (std::size_t i = 0; i < normal.size(); ++i) {
+    sum.normal += pitch * normal[i];
+    sum.moment += pitch * ((static_cast<double>(i) - middle) * pitch) * normal[i];
+  }
+  for (const double traction : tangential) sum.tangential += pitch * traction;
+  return sum;
+}
+
+}  // namespace tactile_net

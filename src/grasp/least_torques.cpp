@@ -1,0 +1,104 @@
+#include "grasp/least_torques.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace tactile_net {
+namespace {
+
+constexpr double rounding = 1e-12;     // of a violation, over the largest force
+constexpr double independent = 1e-10;  // what of a bound's normal the other rows must leave
+
+/// Rows of C, then those of the bounds that are held.
+Eigen::MatrixXd rows_of(const LeastTorques& problem, const std::vector<Eigen::Index>& held) {
+  const Eigen::Index c = problem.c.rows();
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(c + std::ssize(held), problem.c.cols());
+  rows.topRows(c) = problem.c;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    rows(c + static_cast<Eigen::Index>(i), held[i]) = 1.0;
+  return rows;
+}
+
+/// How the minimum moves, and the multipliers of what is held, as one more bound is pushed on.
+struct Push {
+  Eigen::VectorXd way;    ///< of v; empty: it cannot move
+  Eigen::VectorXd share;  ///< of the bound's normal, that each held one takes over
+};
+
+Push push(const LeastTorques& problem, const std::vector<Eigen::Index>& held, Eigen::Index bound) {
+  const Eigen::MatrixXd rows = rows_of(problem, held);
+  const Eigen::VectorXd normal = Eigen::VectorXd::Unit(rows.cols(), bound);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows.transpose());
+  const Eigen::VectorXd shares = qr.solve(normal);
+  if ((normal - rows.transpose() * shares).norm() <= independent)
+    return {{}, shares.tail(std::ssize(held))};
+  const Eigen::MatrixXd k = problem.system(held);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(k.rows());
+  right.tail(rows.cols()) = -normal;
+  const Eigen::VectorXd z = k.fullPivLu().solve(right);
+  return {z.tail(rows.cols()), -z.segment(problem.t.rows() + problem.c.rows(), std::ssize(held))};
+}
+
+}  // namespace
+
+Eigen::MatrixXd LeastTorques::system(const std::vector<Eigen::Index>& held) const {
+  const Eigen::MatrixXd rows = rows_of(*this, held);
+  const Eigen::Index n = t.rows() + rows.rows();
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n + t.cols(), n + t.cols());
+  k.topLeftCorner(t.rows(), t.rows()).setIdentity();
+  k.topRightCorner(t.rows(), t.cols()) = t;
+  k.block(t.rows(), n, rows.rows(), rows.cols()) = rows;
+  k.bottomLeftCorner(t.cols(), n) << t.transpose(), rows.transpose();
+  return k;
+}
+
+std::optional<std::vector<Eigen::Index>> LeastTorques::held_bounds() const {
+  std::vector<Eigen::Index> held;
+  if (!bounded) return held;
+  std::vector<double> multipliers;
+  const Eigen::MatrixXd k = system();
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(k.rows());
+  right.segment(t.rows(), d.size()) = d;
+  Eigen::VectorXd v = k.fullPivLu().solve(right).tail(t.cols());
+
+  for (Eigen::Index steps = 0; steps < 100 * v.size(); ++steps) {
+    Eigen::Index worst = 0;
+    if (v.minCoeff(&worst) >= -rounding * v.cwiseAbs().maxCoeff()) return held;
+    double own = 0.0;
+    for (bool reached = false; !reached; ++steps) {
+      const Push one = push(*this, held, worst);
+      double step = std::numeric_limits<double>::infinity();
+      std::size_t dropped = held.size();
+      for (std::size_t i = 0; i < held.size(); ++i) {
+        const double share = one.share(static_cast<Eigen::Index>(i));
+        if (share > rounding && multipliers[i] / share < step) {
+          step = multipliers[i] / share;
+          dropped = i;
+        }
+      }
+      if (one.way.size() > 0 && -v(worst) / one.way(worst) <= step) {
+        step = -v(worst) / one.way(worst);
+        reached = true;
+      }
+      if (step == std::numeric_limits<double>::infinity()) return std::nullopt;
+      if (one.way.size() > 0) v += step * one.way;
+      own += step;
+      for (std::size_t i = 0; i < held.size(); ++i)
+        multipliers[i] -= step * one.share(static_cast<Eigen::Index>(i));
+      if (reached) {
+        held.push_back(worst);
+        multipliers.push_back(own);
+      } else {
+        held.erase(held.begin() + static_cast<std::ptrdiff_t>(dropped));
+        multipliers.erase(multipliers.begin() + static_cast<std::ptrdiff_t>(dropped));
+      }
+      if (steps > 100 * v.size()) break;
+    }
+  }
+  throw std::domain_error("the least torques within the friction cones were not found");
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,37 @@
+/// @file
+/// A grasp's study as text: cells and sentences that the terminal and the report share.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "grasp_study.hpp"
+
+namespace tactile_net::tool {
+
+using Cells = std::vector<std::vector<std::string>>;
+
+/// One row per finger: the force at its contact, its friction, and whether it holds.
+[[nodiscard]] Cells contact_cells(const GraspStudy& study, const std::vector<FingerAction>& actions,
+                                  const std::vector<FingerMargins>& margins);
+
+/// One row per joint: its torque, and what is left to its limit.
+[[nodiscard]] Cells torque_cells(const GraspStudy& study, const std::vector<FingerAction>& actions,
+                                 const std::vector<FingerMargins>& margins);
+
+/// "load (0, -10) at (0, 0.08), torque 0"; "no load".
+[[nodiscard]] std::string load_in_words(const GraspStudy& study);
+
+/// Where each finger's contact comes from.
+[[nodiscard]] std::vector<std::string> sources_in_words(const GraspStudy& study);
+
+/// How well the measured forces carry the load, and how they squeeze.
+[[nodiscard]] std::vector<std::string> balance_in_words(const GraspStudy& study);
+
+/// What was held: by which squeeze, and what is least.
+[[nodiscard]] std::vector<std::string> hold_in_words(const GraspStudy& study);
+
+void print_grasp(std::ostream& out, const GraspStudy& study);
+
+}  // namespace tactile_net::tool
