@@ -18,6 +18,7 @@
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/sensing/exact.hpp"
+#include "tactile_net/sensing/spectral.hpp"
 #include "text.hpp"
 
 namespace tactile_net::tool {
@@ -308,12 +309,8 @@ StudySection forward_models(const StudyInput& input) {
     return exact_readings(scene.sensor, scene.material, scene.contacts, {.error_limit = any});
   });
   add("readings by the discrete sum", "", [&] {
-    Scene sampled = scene;
-    sampled.forward = ForwardModel::sampled;
-    sampled.noise.reset();
-    sampled.quantization.reset();
-    sampled.dead_taxels.clear();
-    return simulate(sampled).readings;
+    return fast_sampled_readings(scene.sensor, scene.material,
+                                 sample(scene.contacts, scene.sensor));
   });
   return section;
 }
