@@ -388,26 +388,37 @@ template <int Bytes>
 [[gnu::always_inline]] inline Misfit misfit_of(const double* x, const double* p,
                                                const double* weights, const double* shares,
                                                double* spread, std::size_t n) noexcept {
-  for (std::size_t i = 0; i < n; ++i) spread[i] = weights[i] * x[i];
-  const double size = dot_of<Bytes>(spread, spread, n);
-  constexpr std::size_t lanes = 8;
-  double objective[lanes] = {};
-  double squares[lanes] = {};
-  const auto add = [&](std::size_t i, std::size_t k) __attribute__((always_inline)) {
-    const double r = weights[i] * (x[i] - p[i]);
-    objective[k] += spread[i] * r;
-    squares[k] += r * r;
-    spread[i] = r * r * shares[i];
-  };
-  std::size_t i = 0;
-  for (; i + lanes <= n; i += lanes)
-    for (std::size_t k = 0; k < lanes; ++k) add(i + k, k);
-  for (std::size_t k = 0; i < n; ++i, ++k) add(i, k);
-  Misfit misfit{.size = size, .largest = largest_magnitude(spread, n)};
-  for (std::size_t k = 0; k < lanes; ++k) {
-    misfit.sum_of_squares += squares[k];
-    misfit.objective += objective[k];
-  }
+  constexpr std::size_t lanes = Bytes / sizeof(double);
+  using V = typename Vector<double, Bytes>::type;
+  V squares{};
+  V objective{};
+  V size{};
+  Misfit misfit;
+  cover<lanes>(
+      n,
+      [&](std::size_t i, std::size_t fresh) {
+        const V w = load<Bytes>(weights + i);
+        const V a = load<Bytes>(x + i);
+        const V r = w * (a - load<Bytes>(p + i));
+        store<Bytes>(spread + i, r * r * load<Bytes>(shares + i));
+        const V added = without(r, lanes - fresh);
+        const V reading = without(w * a, lanes - fresh);
+        squares += added * added;
+        objective += reading * added;
+        size += reading * reading;
+      },
+      [&](std::size_t i) {
+        const double r = weights[i] * (x[i] - p[i]);
+        const double reading = weights[i] * x[i];
+        spread[i] = r * r * shares[i];
+        misfit.sum_of_squares += r * r;
+        misfit.objective += reading * r;
+        misfit.size += reading * reading;
+      });
+  misfit.sum_of_squares += total(squares);
+  misfit.objective += total(objective);
+  misfit.size += total(size);
+  misfit.largest = largest_magnitude(spread, n);
   return misfit;
 }
 
