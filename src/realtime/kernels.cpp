@@ -38,9 +38,7 @@ template <int Bytes, class T, class V>
 
 template <class V, std::size_t... k>
 [[gnu::always_inline]] inline V reversed(V v, std::index_sequence<k...>) noexcept {
-  using Index = std::make_signed_t<std::size_t>;
-  typedef Index Mask __attribute__((vector_size(sizeof(V))));
-  return __builtin_shuffle(v, Mask{static_cast<Index>(sizeof...(k) - 1 - k)...});
+  return __builtin_shufflevector(v, v, (sizeof...(k) - 1 - k)...);
 }
 
 /// Calls `step(i, fresh)` for vectors that cover 0 ... size - 1, the last one overlapping the one
@@ -326,7 +324,6 @@ template <int Bytes, class T>
   const bool low_rank = is_low_rank(a.structure);
   if (!has_parity(a.structure)) {
     std::uint64_t largest = 0;
-#pragma GCC ivdep
     for (std::size_t i = 0; i < a.columns; ++i) {
       const double value = x[i];
       largest = std::max(largest, magnitude_bits(value));
@@ -335,7 +332,6 @@ template <int Bytes, class T>
     if (largest > limit) return false;
     if (low_rank) factor(a.factors[0], input, middle);
     factor(a.factors[low_rank ? 1 : 0], low_rank ? middle : input, output);
-#pragma GCC ivdep
     for (std::size_t i = 0; i < a.rows; ++i) y[i] = grow * static_cast<double>(output[i]);
     for (std::size_t i = 0; i < moments.size(); ++i)
       moments[i] = moments_of<Bytes>(y + i * (a.rows / moments.size()), a.rows / moments.size());
@@ -375,7 +371,6 @@ template <int Bytes, class T>
 [[gnu::always_inline]] inline std::uint64_t difference_of(const double* a, const double* b,
                                                           double* x, std::size_t n) noexcept {
   std::uint64_t largest = 0;
-#pragma GCC ivdep
   for (std::size_t i = 0; i < n; ++i) {
     x[i] = a[i] - b[i];
     const std::uint64_t bits = magnitude_bits(x[i]);
@@ -388,26 +383,37 @@ template <int Bytes>
 [[gnu::always_inline]] inline Misfit misfit_of(const double* x, const double* p,
                                                const double* weights, const double* shares,
                                                double* spread, std::size_t n) noexcept {
-  for (std::size_t i = 0; i < n; ++i) spread[i] = weights[i] * x[i];
-  const double size = dot_of<Bytes>(spread, spread, n);
-  constexpr std::size_t lanes = 8;
-  double objective[lanes] = {};
-  double squares[lanes] = {};
-  const auto add = [&](std::size_t i, std::size_t k) __attribute__((always_inline)) {
-    const double r = weights[i] * (x[i] - p[i]);
-    objective[k] += spread[i] * r;
-    squares[k] += r * r;
-    spread[i] = r * r * shares[i];
-  };
-  std::size_t i = 0;
-  for (; i + lanes <= n; i += lanes)
-    for (std::size_t k = 0; k < lanes; ++k) add(i + k, k);
-  for (std::size_t k = 0; i < n; ++i, ++k) add(i, k);
-  Misfit misfit{.size = size, .largest = largest_magnitude(spread, n)};
-  for (std::size_t k = 0; k < lanes; ++k) {
-    misfit.sum_of_squares += squares[k];
-    misfit.objective += objective[k];
-  }
+  constexpr std::size_t lanes = Bytes / sizeof(double);
+  using V = typename Vector<double, Bytes>::type;
+  V squares{};
+  V objective{};
+  V size{};
+  Misfit misfit;
+  cover<lanes>(
+      n,
+      [&](std::size_t i, std::size_t fresh) {
+        const V w = load<Bytes>(weights + i);
+        const V a = load<Bytes>(x + i);
+        const V r = w * (a - load<Bytes>(p + i));
+        store<Bytes>(spread + i, r * r * load<Bytes>(shares + i));
+        const V added = without(r, lanes - fresh);
+        const V reading = without(w * a, lanes - fresh);
+        squares += added * added;
+        objective += reading * added;
+        size += reading * reading;
+      },
+      [&](std::size_t i) {
+        const double r = weights[i] * (x[i] - p[i]);
+        const double reading = weights[i] * x[i];
+        spread[i] = r * r * shares[i];
+        misfit.sum_of_squares += r * r;
+        misfit.objective += reading * r;
+        misfit.size += reading * reading;
+      });
+  misfit.sum_of_squares += total(squares);
+  misfit.objective += total(objective);
+  misfit.size += total(size);
+  misfit.largest = largest_magnitude(spread, n);
   return misfit;
 }
 
