@@ -305,7 +305,7 @@ Hand parse_named(std::string_view text, const std::string& file,
   const toml::table toml = parse_document(text, file, problems);
   Hand hand;
   hand.file = path.filename().string();
-  hand.folder = path.parent_path();
+  hand.folder = path.has_parent_path() ? path.parent_path() : ".";  // never "-", standard input
   Table root{toml, "", problems};
   read_hand_tables(root, hand);
   problems.throw_if_any();

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "experiment.hpp"
+#include "frame_files.hpp"
 #include "frame_uncertainty.hpp"
-#include "frames.hpp"
+#include "simulation.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -17,40 +17,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Row `frame` of a CSV file, from 0.
-std::vector<double> read_frame(const fs::path& path, const std::vector<std::string>& columns,
-                               const std::vector<bool>& unread, std::size_t frame) {
-  std::ifstream file = open_csv(path);
-  CsvFrames reader(file, path.string(), columns, unread);
-  std::vector<double> values(columns.size());
+/// Frame `number` of a source, from 0.
+std::vector<double> frame_of(FrameSource& source, const std::string& file, std::size_t values,
+                             std::size_t number) {
+  std::vector<double> frame(values);
   std::size_t frames = 0;
-  while (reader.next(values))
-    if (frames++ == frame) return values;
+  while (source.next(frame))
+    if (frames++ == number) return frame;
   throw InputError(
-      {{.file = path.string(),
-        .message = "has no frame " + std::to_string(frame),
+      {{.file = file,
+        .message = "has no frame " + std::to_string(number),
         .hint = "it has " + std::to_string(frames) + " frames; the first is frame 0"}});
 }
 
-/// normal_0 ..., then tangential_0 ... if the file has them.
-std::vector<std::string> traction_columns(const fs::path& path) {
-  std::ifstream file = open_csv(path);
+/// The columns of tractions that a CSV file's header names; of the normal one at least the first.
+std::vector<std::string> columns_of(const std::string& path) {
+  std::ifstream file = open_frames(path);
   std::string header;
   std::getline(file, header);
-  header = ',' + header;
   for (char& c : header)
     if (c == ' ' || c == '\t' || c == '"' || c == '\r') c = ',';
-  header += ',';
+  header = ',' + header + ',';
   const auto has = [&](const std::string& name) {
     return header.find(',' + name + ',') != std::string::npos;
   };
-  std::vector<std::string> columns = {"normal_0"};
-  while (has("normal_" + std::to_string(columns.size())))
-    columns.push_back("normal_" + std::to_string(columns.size()));
-  const std::size_t count = columns.size();
-  if (has("tangential_0"))
-    for (std::size_t i = 0; i < count; ++i) columns.push_back("tangential_" + std::to_string(i));
-  return columns;
+  std::size_t count = 1;
+  while (has("normal_" + std::to_string(count))) ++count;
+  return traction_columns(count, has("tangential_0"));
 }
 
 void fill_half_width(Fingertip& tip, std::size_t count, double pitch) {
@@ -87,10 +80,11 @@ void press(Fingertip& tip, const UncertainResultant& resultant, double breadth) 
 
 void read_tractions(Fingertip& tip, const TractionFile& source, const fs::path& folder,
                     double breadth) {
-  const fs::path path = folder / source.file;
-  const std::vector<std::string> columns = traction_columns(path);
-  const std::vector<double> f =
-      read_frame(path, columns, std::vector<bool>(columns.size()), source.frame);
+  const std::string path = (folder / source.file).string();
+  const std::vector<std::string> columns = columns_of(path);
+  std::ifstream file = open_frames(path);
+  CsvFrames frames(file, path, columns, std::vector<bool>(columns.size()));
+  const std::vector<double> f = frame_of(frames, path, columns.size(), source.frame);
   const bool tangential = columns.back().starts_with("tangential");
   const std::size_t count = tangential ? columns.size() / 2 : columns.size();
   fill_half_width(tip, count, source.pitch);
@@ -105,8 +99,9 @@ void reconstruct(Fingertip& tip, const FingertipScene& source, const fs::path& f
   fill_half_width(tip, scene.sensor.count, scene.sensor.pitch);
   std::vector<double> readings;
   if (source.readings) {
-    readings = read_frame(folder / *source.readings, reading_columns(scene.sensor),
-                          unread_columns(scene), source.frame);
+    const std::string path = (folder / *source.readings).string();
+    FrameFile file(path, scene);
+    readings = frame_of(file.source(), path, reading_columns(scene.sensor).size(), source.frame);
   } else if (scene.contacts.empty()) {
     throw InputError({{.file = (folder / source.scene).string(),
                        .message = "nothing presses on this fingertip",

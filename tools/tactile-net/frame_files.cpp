@@ -10,20 +10,24 @@
 
 namespace tactile_net::tool {
 
+std::ifstream open_frames(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    throw InputError({{.file = path, .message = "is a folder, not a file of readings"}});
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw InputError({{.file = path,
+                       .message = "cannot be opened",
+                       .hint = "readings are a CSV or .npy file, or - for standard input"}});
+  return file;
+}
+
 FrameFile::FrameFile(const std::string& path, const Scene& scene) : name_(path) {
   const bool live = path == "-";
-  if (live) {
+  if (live)
     name_ = "<stdin>";
-  } else {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error))
-      throw InputError({{.file = path, .message = "is a folder, not a file of readings"}});
-    file_.open(path, std::ios::binary);
-    if (!file_)
-      throw InputError({{.file = path,
-                         .message = "cannot be opened",
-                         .hint = "readings are a CSV or .npy file, or - for standard input"}});
-  }
+  else
+    file_ = open_frames(path);
   const std::vector<std::string> columns = reading_columns(scene.sensor);
   if (!live && (is_npy_name(path) || begins_like_npy(file_)))
     source_ = std::make_unique<NpyFrames>(file_, name_, columns, unread_columns(scene));

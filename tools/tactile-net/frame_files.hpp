@@ -13,6 +13,9 @@
 
 namespace tactile_net::tool {
 
+/// @throw InputError  a folder, or it cannot be opened
+[[nodiscard]] std::ifstream open_frames(const std::string& path);
+
 /// Recorded readings of a scene's sensor: CSV or .npy by what the file begins with, CSV from
 /// standard input for "-".
 class FrameFile {
