@@ -58,18 +58,6 @@ std::vector<std::string> traction_columns(std::size_t count, bool with_tangentia
   return columns;
 }
 
-std::ifstream open_csv(const std::filesystem::path& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw InputError({{.file = path.string(), .message = "is a folder, not a CSV file"}});
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw InputError({{.file = path.string(),
-                       .message = "cannot be opened",
-                       .hint = "recorded frames are a CSV file"}});
-  return file;
-}
-
 CsvFrames::CsvFrames(std::istream& in, std::string file, std::span<const std::string> columns,
                      std::vector<bool> unread)
     : in_(in), file_(std::move(file)), unread_(std::move(unread)), buffer_(longest_line) {

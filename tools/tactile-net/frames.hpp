@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
 #include <iosfwd>
 #include <span>
 #include <string>
@@ -41,9 +39,6 @@ class FrameSource {
   /// Columns of the file that are not read.
   [[nodiscard]] virtual std::span<const std::string> ignored() const noexcept { return {}; }
 };
-
-/// @throw InputError  a folder, or it cannot be opened
-[[nodiscard]] std::ifstream open_csv(const std::filesystem::path& path);
 
 /// CSV; columns are found by name.
 class CsvFrames final : public FrameSource {
