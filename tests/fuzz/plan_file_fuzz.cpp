@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <random>
 #include <span>
 #include <stdexcept>
@@ -23,6 +24,23 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 
 namespace {
 
+/// Stands in for the FFT, which is not in this library: adds the first spectral value times x.
+class Direct : public Convolution {
+ public:
+  explicit Direct(const ProductPlan& plan)
+      : factor_(plan.spectra[0]), size_(std::min(plan.rows, plan.columns)) {}
+  void add(const double* x, double* y) noexcept override {
+    for (std::size_t i = 0; i < size_; ++i) y[i] += factor_ * x[i];
+  }
+  [[nodiscard]] std::unique_ptr<Convolution> clone() const override {
+    return std::make_unique<Direct>(*this);
+  }
+
+ private:
+  double factor_;
+  std::size_t size_;
+};
+
 constexpr std::size_t header = 20;
 constexpr std::size_t checksum = 8;
 
@@ -34,7 +52,8 @@ void require(bool holds, const char* rule) {
 
 /// What is answered with `ok` is finite, however odd the plan.
 void run_frames(const EstimatorPlan& plan, InstructionSet set) {
-  ContactEstimator estimator(plan, set);
+  ContactEstimator estimator(
+      plan, [](const ProductPlan& product) { return std::make_unique<Direct>(product); }, set);
   std::vector<double> readings(estimator.readings());
   std::vector<double> tractions(estimator.tractions());
   ContactEstimate estimate{.tractions = tractions};
@@ -84,7 +103,18 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     shape.structure = static_cast<Structure>(random() % 4);
     shape.precision = static_cast<Precision>(random() % 2);
     shape.diagnostics = random() % 2 == 0;
-    const std::vector<std::byte> bytes = encode_plan(made_plan(shape, seed));
+    EstimatorPlan plan = made_plan(shape, seed);
+    if (random() % 4 == 0) {
+      shape.structure = Structure::parity_low_rank;
+      shape.precision = Precision::float64;
+      plan = made_plan(shape, seed);
+      ProductPlan& product = plan.reconstruction;
+      product.structure = Structure::fft;
+      product.scale = 1.0;
+      product.transform_size = 8;
+      product.spectra.assign(shape.unknowns * shape.channels * 5, 0.5);
+    }
+    const std::vector<std::byte> bytes = encode_plan(plan);
     if (bytes.size() <= most) {
       std::memcpy(data, bytes.data(), bytes.size());
       return bytes.size();

@@ -196,8 +196,10 @@ TEST_CASE("a bad frame is reported and leaves every member of the estimate alone
           "[contact_estimator]") {
   const Precision precision = GENERATE(Precision::float64, Precision::float32);
   const bool diagnostics = GENERATE(true, false);
-  ContactEstimator estimator(
-      made_plan({.unknowns = 2, .precision = precision, .diagnostics = diagnostics}));
+  const Structure structure = GENERATE(Structure::dense, Structure::low_rank, Structure::parity,
+                                       Structure::parity_low_rank);
+  ContactEstimator estimator(made_plan(
+      {.unknowns = 2, .structure = structure, .precision = precision, .diagnostics = diagnostics}));
   const std::vector<double> good = random_values(estimator.readings(), 1);
   const auto refused = [&](const std::vector<double>& readings, FrameStatus status) {
     Answer kept(estimator);
@@ -349,9 +351,14 @@ TEST_CASE("the smallest readings are answered, without NaN where a number is due
 }
 
 TEST_CASE("tractions may take the place of the readings", "[contact_estimator]") {
+  const bool diagnostics = GENERATE(true, false);
+  const std::size_t count = GENERATE(13U, 130U);
   for (const Structure structure : structures)
     for (const Precision precision : {Precision::float64, Precision::float32}) {
-      ContactEstimator estimator(made_plan({.structure = structure, .precision = precision}));
+      ContactEstimator estimator(made_plan({.count = count,
+                                            .structure = structure,
+                                            .precision = precision,
+                                            .diagnostics = diagnostics}));
       std::vector<double> g = random_values(estimator.readings(), 6);
       g[5] = 2e9;  // saturated, which is judged by the reading
       Answer apart = answer(estimator, g, 1.0);
@@ -384,7 +391,12 @@ TEST_CASE("equal frames give equal bits, whatever came between", "[contact_estim
 }
 
 TEST_CASE("the baseline is subtracted, and a bad one leaves the old", "[contact_estimator]") {
-  ContactEstimator estimator(made_plan({.unknowns = 2}));
+  const bool diagnostics = GENERATE(true, false);
+  const Structure structure = GENERATE(Structure::dense, Structure::low_rank, Structure::parity,
+                                       Structure::parity_low_rank);
+  const Precision precision = GENERATE(Precision::float64, Precision::float32);
+  ContactEstimator estimator(made_plan(
+      {.unknowns = 2, .structure = structure, .precision = precision, .diagnostics = diagnostics}));
   std::vector<double> g(estimator.readings());
   std::vector<double> baseline(estimator.readings());
   for (std::size_t i = 0; i < g.size(); ++i) {

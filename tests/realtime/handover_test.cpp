@@ -1,6 +1,7 @@
 #include "tactile_net/realtime/handover.hpp"
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <thread>
 
@@ -66,7 +67,8 @@ TEST_CASE("a second offer replaces the first, and nothing offered withdraws it",
   CHECK(Part::alive == 0);
 }
 
-TEST_CASE("nothing is exchanged before the maker has collected", "[handover]") {
+TEST_CASE("an offer collects what came back, and what nobody collects goes with the handover",
+          "[handover]") {
   {
     Handover<Part> handover;
     auto current = std::make_unique<Part>(1);
@@ -82,9 +84,44 @@ TEST_CASE("nothing is exchanged before the maker has collected", "[handover]") {
   CHECK(Part::alive == 0);  // what was never collected goes with the handover
 }
 
+TEST_CASE("nothing is exchanged before the maker has collected", "[handover]") {
+  // The loop's exchange between the two steps of an offer, played by what the first step destroys.
+  struct Hooked {
+    explicit Hooked(int number) : value(number) { ++alive; }
+    ~Hooked() {
+      --alive;
+      if (at_end) at_end();
+    }
+    int value;
+    std::function<void()> at_end{};
+    int& alive = count();
+    static int& count() {
+      static int living = 0;
+      return living;
+    }
+  };
+  {
+    Handover<Hooked> handover;
+    auto current = std::make_unique<Hooked>(1);
+    current->at_end = [&] {
+      handover.offer(std::make_unique<Hooked>(3));
+      handover.exchange(current);
+    };
+    handover.offer(std::make_unique<Hooked>(2));
+    REQUIRE(handover.exchange(current));
+    handover.offer(std::make_unique<Hooked>(4));  // collects 1; the loop takes 3, gives back 2
+    CHECK(current->value == 3);
+    CHECK_FALSE(handover.exchange(current));  // or 2 would be lost
+    handover.collect();
+    CHECK(handover.exchange(current));
+    CHECK(current->value == 4);
+  }
+  CHECK(Hooked::count() == 0);
+}
+
 TEST_CASE("a maker and a loop: no object is lost, seen half made, or freed in the loop",
           "[handover][threads]") {
-  constexpr int offers = 20000;
+  constexpr int offers = 200000;
   int taken = 0;
   int torn = 0;
   int backwards = 0;
@@ -109,7 +146,7 @@ TEST_CASE("a maker and a loop: no object is lost, seen half made, or freed in th
     while (!ready) std::this_thread::yield();
     for (int i = 1; i <= offers; ++i) {
       handover.offer(std::make_unique<Part>(i));
-      if (i % 64 == 0) std::this_thread::yield();
+      if (i % 1024 == 0) std::this_thread::yield();
     }
     done = true;
     loop.join();

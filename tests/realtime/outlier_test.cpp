@@ -5,6 +5,7 @@
 
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/sensing/exact.hpp"
@@ -210,4 +211,39 @@ TEST_CASE("what the others cannot predict is not judged", "[outlier]") {
   std::vector<double> g(21, 0.0);
   g[9] = 1.0;
   CHECK(outlier(estimator, g) == -1);
+}
+
+TEST_CASE("what the plan's own accuracy explains is not an outlier", "[outlier]") {
+  const Sensor sensor = sensors().front();
+  const std::vector<double> g = contacts(sensor).front();
+  PlannerOptions options{.accuracy = 1e-12, .structure = Structure::dense};
+  EstimatorPlan plan = plan_estimator(sensor.problem(), 1e-10, options).plan;
+  // A prediction that is wrong for one reading, by as much as an accuracy of 1e-4 allows.
+  const double size = l2_norm(g);
+  REQUIRE(plan.prediction->structure == Structure::parity);
+  const EstimatorPlan whole = [&] {
+    EstimatorPlan dense = plan;
+    ProductPlan& prediction = *dense.prediction;
+    const std::size_t n = g.size();
+    Factor factor{n, n, std::vector<double>(n * n)};
+    for (std::size_t j = 0; j < n; ++j) {
+      std::vector<double> unit(n, 0.0);
+      unit[j] = 1.0;
+      const std::vector<double> column = by_definition(*plan.prediction, unit);
+      for (std::size_t i = 0; i < n; ++i) factor.values[i * n + j] = column[i];
+    }
+    for (std::size_t j = 0; j < n; ++j) factor.values[17 * n + j] += 0.9e-4 * g[j] / size;
+    prediction.structure = Structure::dense;
+    prediction.row_signs.clear();
+    prediction.column_signs.clear();
+    prediction.factors = {factor};
+    prediction.scale = 1.0;
+    return dense;
+  }();
+  ContactEstimator trusting(whole);
+  CHECK(outlier(trusting, g) == 17);
+  EstimatorPlan coarse = whole;
+  coarse.accuracy = 1e-4;
+  ContactEstimator knowing(coarse);
+  CHECK(outlier(knowing, g) == -1);
 }
