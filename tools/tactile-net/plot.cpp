@@ -89,7 +89,7 @@ std::string script(const Plot& plot) {
   std::string text = "set terminal svg size 760," + std::to_string(350 + 18 * rows) +
                      " dynamic noenhanced font 'sans-serif,13' background '#ffffff'\nset title " +
                      literal(plot.title) + "\nset xlabel " + literal(plot.x_label) +
-                     "\nset ylabel " + literal(plot.y_label) + axes(plot) + "\n";
+                     " offset 0,0.4" + "\nset ylabel " + literal(plot.y_label) + axes(plot) + "\n";
   // Bands first: they lie under every line.
   std::string bands;
   std::string lines;

@@ -161,9 +161,12 @@ std::vector<Curve> crossover_curves(const Study& study, const std::vector<WorkPo
   if (curves.empty() || !frame) return curves;
   curves.push_back(level_line("this machine", 1e6, 100e6, *frame, false));
   if (study.clock > 0.0)
-    for (const double clock : {400e6, 100e6})
-      curves.push_back(level_line("a controller of " + brief(clock / 1e6) + " MHz", 1e6, 100e6,
-                                  *frame * study.clock / clock, true));
+    for (const double clock : {400e6, 100e6}) {
+      Curve line = level_line("a controller of " + brief(clock / 1e6) + " MHz", 1e6, 100e6,
+                              *frame * study.clock / clock, true);
+      line.colour = clock > 200e6 ? 5 : 0;
+      curves.push_back(std::move(line));
+    }
   return curves;
 }
 
@@ -287,7 +290,8 @@ StudyReport study_html(const Study& study) {
   if (!report.page.missing.empty()) html += element("p", report.page.missing, "note");
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     report.pictures.emplace_back(figures[i].file, pictures[i]);
-    html += "<figure class=\"plot\">" + pictures[i] + element("figcaption", figures[i].caption) + "</figure>\n";
+    html += "<figure class=\"plot\">" + pictures[i] + element("figcaption", figures[i].caption) +
+            "</figure>\n";
   }
   const auto simulated = simulator_cells(study);
   if (simulated.size() > 1) {
