@@ -135,16 +135,16 @@ std::optional<double> margin_of(const Reduction& reduction, const Equations& equ
 
 Dynamics dynamics_of(const Circuit& circuit, double accuracy) {
   const StateSpace system = state_space(circuit);
-  const std::vector<std::complex<double>> all = poles(system);
-  Dynamics dynamics{.states = system.states(), .slowest = all.front().real()};
-  for (const auto& pole : all)
+  Dynamics dynamics{.states = system.states(), .poles = poles(system)};
+  dynamics.slowest = dynamics.poles.front().real();
+  for (const auto& pole : dynamics.poles)
     if (std::abs(pole) > 0.0)
       dynamics.damping = std::min(dynamics.damping, -pole.real() / std::abs(pole));
   if (dynamics.slowest < 0.0)
     dynamics.settling_seconds = settling_time(system, accuracy, dynamics.slowest);
   else
     dynamics.mode = slowest_mode(system);
-  dynamics.rings = all.front().imag() != 0.0;
+  dynamics.rings = dynamics.poles.front().imag() != 0.0;
   return dynamics;
 }
 
@@ -236,12 +236,11 @@ Certificate certify(Realization realization, const NetworkProblem& problem,
   c.theorem = theorem_of(realization, options, definite);
   c.elements = count_elements(circuit);
 
-  c.least_ohm = std::numeric_limits<double>::infinity();
-  for (const Resistor& r : flattened(circuit).resistors) {
-    c.least_ohm = std::min(c.least_ohm, std::abs(1.0 / r.siemens));
-    c.greatest_ohm = std::max(c.greatest_ohm, std::abs(1.0 / r.siemens));
+  for (const double ohm : resistances(circuit)) {
+    const double size = std::abs(ohm);
+    c.least_ohm = c.least_ohm == 0.0 ? size : std::min(c.least_ohm, size);
+    c.greatest_ohm = std::max(c.greatest_ohm, size);
   }
-  if (c.greatest_ohm == 0.0) c.least_ohm = 0.0;
 
   if (realization == Realization::lc || realization == Realization::ndr) {
     c.stability = !definite                        ? Stability::not_definite

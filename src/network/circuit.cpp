@@ -82,6 +82,12 @@ Circuit flattened(const Circuit& circuit) {
   return flat;
 }
 
+std::vector<double> resistances(const Circuit& circuit) {
+  std::vector<double> ohms;
+  for (const Resistor& r : flattened(circuit).resistors) ohms.push_back(1.0 / r.siemens);
+  return ohms;
+}
+
 ElementCounts count_elements(const Circuit& circuit) {
   const Circuit flat = flattened(circuit);
   const auto negative = [](const Resistor& resistor) { return resistor.siemens < 0.0; };

@@ -266,33 +266,71 @@ std::vector<double> operating_voltages(const Circuit& circuit) {
   return outputs;
 }
 
+namespace {
+
+/// Of the outputs from their end: C (x - x_end), which begins at -x_end and follows exp(A t).
+class Deviation {
+ public:
+  explicit Deviation(const StateSpace& system)
+      : a_(as_eigen(system.dynamics)),
+        c_(as_eigen(system.output)),
+        start_(a_.partialPivLu().solve(as_eigen(std::span(system.drive)))),
+        end_((c_ * start_ - as_eigen(std::span(system.direct))).norm()) {}
+
+  /// |v_end|_2
+  [[nodiscard]] double end() const noexcept { return end_; }
+
+  /// |v - v_end|_2 at t = 0, step, ... : exact at each, however far apart they are.
+  [[nodiscard]] std::vector<double> sizes(double step, std::size_t steps) const {
+    const Eigen::MatrixXd advance = (a_ * step).exp();
+    Eigen::VectorXd x = start_;
+    std::vector<double> sizes = {(c_ * x).norm()};
+    while (sizes.size() <= steps) {
+      x = advance * x;
+      sizes.push_back((c_ * x).norm());
+    }
+    return sizes;
+  }
+
+ private:
+  Eigen::MatrixXd a_;
+  Eigen::MatrixXd c_;
+  Eigen::VectorXd start_;
+  double end_;
+};
+
+}  // namespace
+
+std::vector<double> step_errors(const StateSpace& system, double step, std::size_t steps) {
+  if (!(step > 0.0) || !std::isfinite(step)) throw std::invalid_argument("a step must be > 0");
+  const Deviation deviation(system);
+  if (deviation.end() == 0.0) throw std::domain_error("the outputs rest at 0: no relative error");
+  std::vector<double> errors = deviation.sizes(step, steps);
+  for (double& error : errors) error /= deviation.end();
+  return errors;
+}
+
 std::optional<double> settling_time(const StateSpace& system, double accuracy, double slowest) {
   if (!(slowest < 0.0)) return std::nullopt;
-  const Eigen::MatrixXd a = as_eigen(system.dynamics);
-  const Eigen::MatrixXd c = as_eigen(system.output);
-  // The deviation from the end, x - x_end, begins at -x_end and follows exp(A t).
-  const Eigen::VectorXd start = a.partialPivLu().solve(as_eigen(std::span(system.drive)));
-  const double size = (c * start - as_eigen(std::span(system.direct))).norm();
-  if (size == 0.0) return 0.0;
+  const Deviation deviation(system);
+  if (deviation.end() == 0.0) return 0.0;
 
-  constexpr int points = 4000;
+  constexpr std::size_t points = 4000;
+  const double limit = accuracy * deviation.end();
   double horizon = (4.0 - std::log(accuracy)) / -slowest;
   for (int refinement = 0; refinement < 40; ++refinement) {
-    const double step = horizon / points;
-    const Eigen::MatrixXd advance = (a * step).exp();
-    Eigen::VectorXd x = start;
-    double before = (c * x).norm();
+    const double step = horizon / static_cast<double>(points);
+    const std::vector<double> sizes = deviation.sizes(step, points);
     double settled = 0.0;
-    for (int k = 1; k <= points; ++k) {
-      x = advance * x;
-      const double now = (c * x).norm();
-      const double limit = accuracy * size;
+    for (std::size_t k = 1; k <= points; ++k) {
+      const double before = sizes[k - 1];
+      const double now = sizes[k];
+      const auto end = static_cast<double>(k);
       if (before > limit && now <= limit)  // on a straight line between logarithms
-        settled =
-            step * (k - 1 + std::log(before / limit) / std::log(before / std::max(now, 1e-300)));
+        settled = step *
+                  (end - 1.0 + std::log(before / limit) / std::log(before / std::max(now, 1e-300)));
       else if (now > limit)
-        settled = step * k;
-      before = now;
+        settled = step * end;
     }
     if (settled >= horizon) {  // far from normal: it grows before it decays
       horizon *= 4.0;

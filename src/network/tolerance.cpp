@@ -73,10 +73,8 @@ Eigen::VectorXd outputs_of(const Reduction& reduction, const Equations& equation
   return z.head(static_cast<Eigen::Index>(reduction.outputs()));
 }
 
-double quantile(std::vector<double> values, double q) {
-  const auto place = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1) + 0.5);
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
+double quantile(const std::vector<double>& ascending, double q) {
+  return ascending[static_cast<std::size_t>(q * static_cast<double>(ascending.size() - 1) + 0.5)];
 }
 
 /// The first-order part of a result.
@@ -184,7 +182,7 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
   ToleranceResult result{.trials = options.relative ? options.trials : 1};
   const std::vector<double> parts = printed(reduction, options);
   std::vector<double> siemens;
-  std::vector<double> errors;
+  std::vector<double>& errors = result.errors;
   Equations equations;
   for (std::size_t trial = 0; trial < result.trials; ++trial) {
     siemens = parts;
@@ -198,6 +196,7 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
     errors.push_back((outputs_of(reduction, equations) - v).norm() / v.norm());
     if (errors.back() <= options.accuracy) ++result.accurate;
   }
+  std::sort(errors.begin(), errors.end());
   result.median = quantile(errors, 0.5);
   result.p95 = quantile(errors, 0.95);
   predict(reduction, options, nominal, result);

@@ -32,6 +32,8 @@ TEST_CASE("a definite P is certified by the theorem of its realisation", "[certi
     CHECK(c.theorem.condition.empty());
     REQUIRE(c.dynamics);
     CHECK(c.dynamics->slowest < 0.0);
+    CHECK(c.dynamics->poles.size() == c.dynamics->states);
+    CHECK(c.dynamics->poles.front().real() == c.dynamics->slowest);
     CHECK(c.dynamics->settling_seconds.value() > 0.0);
     CHECK(c.tolerance_margin.value() > 0.0);
     CHECK(c.warnings.empty());

@@ -35,6 +35,42 @@ TEST_CASE("a resistor and a capacitor settle as exp(-t/RC)", "[state_space]") {
   CHECK_THAT(settling_time(system, 1e-3, -1e6).value(), WithinRel(std::log(1e3) * 1e-6, 1e-3));
 }
 
+TEST_CASE("the error after a step falls as the exponential it is", "[state_space]") {
+  Circuit circuit;
+  const Node a = add_node(circuit, "n0");
+  circuit.outputs = {a};
+  circuit.resistors = {{"R0", a, 0, 1e-3}};
+  circuit.capacitors = {{"C0", a, 0, 1e-9}};
+  circuit.sources = {{"I0", a, 2e-3}};
+  const std::vector<double> errors = step_errors(state_space(circuit), 0.5e-6, 20);
+  REQUIRE(errors.size() == 21);
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    CHECK_THAT(errors[k], WithinRel(std::exp(-0.5 * static_cast<double>(k)), 1e-12));
+  CHECK_THROWS_AS(step_errors(state_space(circuit), 0.0, 1), std::invalid_argument);
+
+  circuit.resistors[0].siemens = -1e-3;  // it leaves its rest as exp(t/RC)
+  const std::vector<double> grows = step_errors(state_space(circuit), 0.5e-6, 4);
+  for (std::size_t k = 0; k < grows.size(); ++k)
+    CHECK_THAT(grows[k], WithinRel(std::exp(0.5 * static_cast<double>(k)), 1e-12));
+
+  circuit.sources.clear();
+  CHECK_THROWS_AS(step_errors(state_space(circuit), 1e-6, 1), std::domain_error);
+}
+
+TEST_CASE("settling is where the error after a step passes its accuracy", "[state_space]") {
+  const ArrayNetwork network = array_network(11, 1e-3);
+  for (const Realization one : {Realization::nic, Realization::least_squares}) {
+    const StateSpace system = state_space(realize(
+        one, network.problem, {.opamp = one_pole, .node_capacitance = 1e-12}));
+    const double settled = settling_time(system, 1e-3, poles(system).front().real()).value();
+    const std::vector<double> errors = step_errors(system, settled / 500.0, 1000);
+    CAPTURE(name(one));
+    CHECK_THAT(errors.front(), WithinRel(1.0, 1e-9));
+    CHECK_THAT(errors[500], WithinRel(1e-3, 0.02));
+    for (std::size_t k = 505; k < errors.size(); ++k) CHECK(errors[k] < 1e-3);
+  }
+}
+
 TEST_CASE("an inverter's pole is at half its op-amp's bandwidth", "[state_space]") {
   Circuit circuit;
   circuit.amplifiers = {{"opamp", one_pole, Outputs::single}};

@@ -1,9 +1,11 @@
 #include "tactile_net/network/tolerance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
+#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/network/certificate.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/problems.hpp"
@@ -43,6 +45,10 @@ TEST_CASE("first order predicts the errors of small tolerances", "[tolerance][pr
       square += std::pow(try_out(reduction, drawn(reduction, options, trial)).error, 2);
     const ToleranceResult result = tolerate(reduction, options);
     CHECK_THAT(std::sqrt(square / 400.0), WithinRel(result.predicted, 0.1));
+    REQUIRE(result.errors.size() == 400);
+    CHECK(std::is_sorted(result.errors.begin(), result.errors.end()));
+    CHECK_THAT(l2_norm(result.errors), WithinRel(std::sqrt(square), 1e-12));
+    CHECK(result.median == result.errors[200]);
     CHECK(result.stable == 400);
     CHECK(result.yield() == 1.0);
     REQUIRE(result.worst.size() == 5);
@@ -89,7 +95,11 @@ TEST_CASE("least squares bears errors that unsettle the others", "[tolerance]") 
   const auto of = [&](Realization one) {
     return tolerate(Reduction(realize(one, network.problem)), options);
   };
-  CHECK(of(Realization::nic).stable < 5);
+  const ToleranceResult worst = of(Realization::nic);
+  CHECK(worst.stable < 5);
+  REQUIRE(worst.errors.size() == 40);  // those that are unstable too
+  CHECK(std::isinf(worst.errors[worst.stable]));
+  CHECK((worst.stable == 0 || std::isfinite(worst.errors[worst.stable - 1])));
   const ToleranceResult best = of(Realization::least_squares);
   CHECK(best.stable == 40);
   CHECK(best.median < 0.02);

@@ -3,6 +3,7 @@
 /// its components it bears, and what it asks of its amplifiers.
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -36,8 +37,9 @@ struct Dynamics {
   std::size_t states = 0;
   double slowest = 0.0;  ///< largest real part of a pole [1/s]
   double damping = 1.0;  ///< least -Re/|s| of the poles; 1: no ringing; < 0: growth
-  std::optional<double> settling_seconds{};  ///< absent: it does not settle
-  bool rings = false;                        ///< the slowest pole is one of a complex pair
+  std::optional<double> settling_seconds{};   ///< absent: it does not settle
+  bool rings = false;                         ///< the slowest pole is one of a complex pair
+  std::vector<std::complex<double>> poles{};  ///< [1/s], the slowest first
   std::vector<double> mode{};  ///< unstable: the growing mode in the outputs, 2-norm 1
 };
 

@@ -95,6 +95,12 @@ Node add_node(Circuit& circuit, std::string name);
 /// @throw std::invalid_argument  an instance names no sub-circuit, or has the wrong number of pins
 [[nodiscard]] Circuit flattened(const Circuit& circuit);
 
+/// Every resistor [ohm], those inside sub-circuits after the circuit's own; negative: a negative
+/// resistor.
+///
+/// @throw std::invalid_argument  as `flattened`
+[[nodiscard]] std::vector<double> resistances(const Circuit& circuit);
+
 /// What the circuit is made of, sub-circuits' contents included.
 struct ElementCounts {
   std::size_t resistors = 0;           ///< all, negative ones included

@@ -51,6 +51,16 @@ struct StateSpace {
 /// @throw std::domain_error      it has no unique operating point
 [[nodiscard]] std::vector<double> operating_voltages(const Circuit& circuit);
 
+/// From rest at t = 0: |v - v_end|_2 / |v_end|_2 at t = 0, step, ..., steps * step, by the exact
+/// solution; of an unstable circuit, from the rest that it leaves. Not 1 at first where nodes
+/// without capacitance jump.
+///
+/// @param step  [s], > 0
+/// @throw std::invalid_argument  the step is not > 0 and finite
+/// @throw std::domain_error      the outputs rest at 0
+[[nodiscard]] std::vector<double> step_errors(const StateSpace& system, double step,
+                                              std::size_t steps);
+
 /// From rest at t = 0: when |v - v_end|_2 <= accuracy |v_end|_2 for good [s], to a thousandth of
 /// itself, by the exact solution on a grid of time. `slowest` is the largest real part of the
 /// poles. Nothing if that is not negative.

@@ -56,8 +56,9 @@ struct Contribution {
 struct ToleranceResult {
   std::size_t trials = 0;
   std::size_t stable = 0;
-  std::size_t accurate = 0;  ///< stable, and the error within the accuracy asked for
-  double median = 0.0;       ///< of the errors; unstable trials count as infinite
+  std::size_t accurate = 0;      ///< stable, and the error within the accuracy asked for
+  std::vector<double> errors{};  ///< of every trial, ascending; infinite: unstable
+  double median = 0.0;           ///< of the errors
   double p95 = 0.0;
   double predicted = 0.0;  ///< root mean square of the error, to first order in the tolerances
   std::vector<Contribution> worst{};  ///< the five that count most, to first order
