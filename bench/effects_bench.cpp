@@ -3,6 +3,8 @@
 // file (no_effects/). Limit to hold: a bare scene, every effect compiled in but absent, takes at
 // most 1 % more. Below it, what each effect takes for one reading of one frame, beside the
 // operations that run --explain says.
+//
+// usage: bench_effects [FILE.csv]   the same numbers, as docs/effects.gnuplot draws them
 #include <array>
 #include <fstream>
 #include <string>
@@ -50,6 +52,12 @@ double instructions(const std::string& tool, const std::string& toml) {
   throw std::runtime_error("callgrind has counted nothing");
 }
 
+std::string number(const std::string& name, double count) {
+  char text[32];
+  std::snprintf(text, sizeof text, ",%.2f\n", count);
+  return name + text;
+}
+
 double operations(const std::string& toml, std::string_view effect) {
   const tactile_net::Scene parsed = tactile_net::parse_scene(toml, "bench");
   for (const tactile_net::PlannedEffect& one : tactile_net::make_plan(parsed).effects)
@@ -59,8 +67,13 @@ double operations(const std::string& toml, std::string_view effect) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  if (std::system("valgrind --version >/dev/null 2>&1") != 0) {
+    std::fputs("bench_effects counts with valgrind: tools/install-dependencies valgrind\n", stderr);
+    return 2;
+  }
   bool held = true;
+  std::string csv = "what,instructions\n";
   std::printf("effects, %d taxels, one channel; instructions of the whole command\n", taxels);
   for (const auto& [name, toml] :
        {std::pair<const char*, std::string>{"one frame", scene("", still, "")},
@@ -69,6 +82,10 @@ int main() {
     const double ours = instructions(TOOL, toml);
     const double without = instructions(TOOL_WITHOUT_EFFECTS, toml);
     held = held && ours <= 1.01 * without;
+    if (toml.find("trajectory") != std::string::npos) {
+      csv += number("a bare scene", without / (frames * taxels));
+      csv += number("all effects absent", (ours - without) / (frames * taxels));
+    }
     std::printf("bare scene, %-24s %11.0f, without effects' files %11.0f: %+.3f %%\n", name, ours,
                 without, 100.0 * (ours / without - 1.0));
   }
@@ -99,8 +116,12 @@ int main() {
   };
   const double bare = per_reading("");
   std::printf("%-16s %24.1f %21s\n", "(bare)", bare, "-");
-  for (const auto& [name, table] : effects)
-    std::printf("%-16s %24.1f %21.1f\n", std::string(name).c_str(), per_reading(table) - bare,
+  for (const auto& [name, table] : effects) {
+    const double own = per_reading(table) - bare;
+    std::printf("%-16s %24.1f %21.1f\n", std::string(name).c_str(), own,
                 operations(scene(frames_at_100, still, table), name));
+    csv += number(std::string(name), own);
+  }
+  if (argc > 1) write(argv[1], csv);
   return held ? 0 : 1;
 }
