@@ -16,6 +16,10 @@ const std::string small_circuit =
 
 constexpr const char* all[] = {"ideal", "nic", "rail", "crossbar", "least_squares", "lc", "ndr"};
 
+const std::string ringing_converters =
+    "realization = \"nic\"\nopamp = { bandwidth = 10e6 }\n"
+    "parasitic = { node = 1e-11, input = 1e-11 }\n";
+
 }  // namespace
 
 TEST_CASE("every realisation is generated, runs in plain ngspice and is relaxed from its deck",
@@ -125,10 +129,7 @@ TEST_CASE("certify says what is stable, what is not, and what to choose", "[cli]
              ContainsSubstring("crossbar: stable") && ContainsSubstring("theorem T5") &&
                  ContainsSubstring("settles within 0.001 in") && ContainsSubstring("realisation") &&
                  ContainsSubstring("With parts of 1 %"));
-  const std::string ringing = folder.write(
-      "s.toml", small_circuit +
-                    "realization = \"nic\"\nopamp = { bandwidth = 10e6 }\nparasitic = { node = "
-                    "1e-11, input = 1e-11 }\n");
+  const std::string ringing = folder.write("s.toml", small_circuit + ringing_converters);
   const ProcessResult bad = tool({"certify", ringing});
   CHECK(bad.code == 1);
   CHECK_THAT(bad.output, ContainsSubstring("UNSTABLE") &&
@@ -161,4 +162,38 @@ TEST_CASE("settling that nothing models is said, not invented", "[cli][spice]") 
              ContainsSubstring("nothing here takes a time that is modelled"));
   for (const char* bandwidth : {"-1", "0", "inf", "nan"})
     CHECK(tool({"relax", path, "--bandwidth", bandwidth}).code == 2);
+}
+
+TEST_CASE("certify writes a page and the numbers behind its plots", "[cli]") {
+  const Folder folder;
+  const ProcessResult result =
+      tool({"certify", scene("circuits/least-squares.toml"), "--out", folder / "out"});
+  CHECK(result.code == 0);
+  CHECK(result.errors.empty());
+  CHECK_THAT(result.output, ContainsSubstring("report: "));
+  const std::string html = read_text(folder / "out/report.html");
+  CHECK_THAT(html, ContainsSubstring("least_squares: stable") && ContainsSubstring("yield"));
+  const auto lines = [&](const char* name) {
+    const std::string text = read_text(folder / ("out/" + std::string(name)));
+    CHECK_THAT(html, ContainsSubstring("href=\"" + std::string(name) + "\""));
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  CHECK(lines("poles.csv") == 1 + 42);  // as many as states
+  CHECK(lines("settling.csv") == 1 + 401);
+  CHECK(lines("builds.csv") > 500);
+  CHECK(lines("resistors.csv") > 10);
+  CHECK(read_text(folder / "out/certificate.json") ==
+        tool({"certify", scene("circuits/least-squares.toml"), "--json", "-"}).output);
+}
+
+TEST_CASE("certify draws an unstable circuit too, and fails", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_circuit + ringing_converters);
+  CHECK(tool({"certify", path, "--out", folder / "out"}).code == 1);
+  CHECK_THAT(read_text(folder / "out/report.html"),
+             ContainsSubstring("UNSTABLE") && ContainsSubstring("href=\"settling.csv\""));
+  CHECK_THAT(read_text(folder / "out/poles.csv"), ContainsSubstring("\ngrows,"));
+  const std::string settling = read_text(folder / "out/settling.csv");
+  const std::size_t last = settling.rfind('\n', settling.size() - 2) + 1;
+  CHECK(std::stod(settling.substr(settling.find(',', last) + 1)) > 10.0);  // it grows
 }

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -15,6 +15,7 @@ namespace {
 
 struct Options {
   std::string scene;
+  std::string folder;
   std::string json;
   NetworkChoice network;
 };
@@ -23,34 +24,43 @@ void run(const Options& options) {
   refuse_deck(options.scene);
   Scene scene = read_scene(options.scene);
   apply(options.network, scene);
+  std::unique_ptr<OutputFolder> folder;
+  if (!options.folder.empty()) folder = std::make_unique<OutputFolder>(options.folder);
   Progress progress;
-  const CircuitPlan plan = plan_circuit(scene, simulate(scene).readings);
+  const std::vector<double> readings = simulate(scene).readings;
+  Certification c{.scene = scene, .plan = plan_circuit(scene, readings)};
   progress.step("certifying ...");
-  const Certificate certificate = certify(plan);
-  std::optional<ToleranceResult> tolerance;
-  const bool loaded =
-      std::any_of(plan.direct.begin(), plan.direct.end(), [](double f) { return f != 0.0; });
-  if (loaded && calls_for_tolerance(plan.options)) {
+  c.certificate = certify(c.plan);
+  if (c.loaded() && calls_for_tolerance(c.plan.options)) {
     progress.step("drawing components ...");
-    tolerance = tolerate(plan);
+    c.tolerance = tolerate(c.plan);
   }
   progress.step("comparing realisations ...");
-  Recommendation recommendation;
-  if (loaded)
-    recommendation = recommend(plan);
+  if (c.loaded())
+    c.recommendation = recommend(c.plan);
   else
-    recommendation.text = "There is no load: nothing for errors of components to change.";
+    c.recommendation.text = "There is no load: nothing for errors of components to change.";
+  if (folder) {
+    progress.step("drawing the report ...");
+    const Report report = certificate_html(c);
+    folder->write("certificate.json", certificate_json(c));
+    folder->write("report.html", report.html);
+    for (const auto& [file, content] : report.files) folder->write(file, content);
+    folder->commit();
+    if (!report.missing.empty()) std::cerr << "note: " << report.missing << '\n';
+  }
   progress.clear();
-  if (options.json != "-")
-    print_certificate(std::cout, certificate, tolerance,
-                      plan.options.tolerance.value_or(ToleranceOptions{}), recommendation);
+  if (options.json != "-") print_certificate(std::cout, c);
   if (!options.json.empty()) {
     OutputFile output(options.json);
-    output.stream() << certificate_json(scene, certificate, tolerance, recommendation);
+    output.stream() << certificate_json(c);
     output.commit();
   }
-  if (certificate.stability == Stability::unstable ||
-      certificate.stability == Stability::not_definite)
+  if (folder && options.json != "-")
+    std::cout << "report: " << (std::filesystem::path(options.folder) / "report.html").string()
+              << '\n';
+  if (c.certificate.stability == Stability::unstable ||
+      c.certificate.stability == Stability::not_definite)
     throw CheckFailed("the circuit is not stable");
 }
 
@@ -63,6 +73,8 @@ void add_certify(CLI::App& app) {
       "Say, without a simulator, whether the scene's circuit is stable, how fast it settles, which "
       "errors of components it bears, and which realisation to choose");
   command->add_option("SCENE", options->scene, "Scene file (TOML)")->required();
+  command->add_option("--out", options->folder,
+                      "Folder for report.html, certificate.json and the plots' data (CSV)");
   command->add_option("--json", options->json,
                       "Write the certificate as JSON (- = standard output)");
   add_network_options(*command, options->network);

@@ -1,5 +1,6 @@
 #include "grasp_report.hpp"
 
+#include "figure.hpp"
 #include "grasp_words.hpp"
 #include "hand_drawing.hpp"
 #include "html.hpp"
@@ -12,7 +13,7 @@ std::string key(const std::string& type, const std::string& words) {
 }
 
 std::string caption(const GraspStudy& study) {
-  std::string html = "<figcaption>Forces on the object: ";
+  std::string html = "Forces on the object: ";
   if (study.measured)
     html += key("measured", study.held ? "as measured (thin arrows, blue)" : "as measured (blue)");
   if (study.measured && study.held) html += ", ";
@@ -31,8 +32,7 @@ std::string caption(const GraspStudy& study) {
     html +=
         " Where thin and thick arrows of a finger part, the fingers do not press as the load "
         "asks.";
-  return html +
-         " Lengths are to scale in both directions; dashes join the contacts.</figcaption>\n";
+  return html + " Lengths are to scale in both directions; dashes join the contacts.";
 }
 
 std::string answer(const GraspStudy& study, const std::string& title,
@@ -51,7 +51,7 @@ std::string grasp_report_html(const GraspStudy& study) {
   const Hand& hand = study.hand;
   std::string html = element("h1", hand.title.empty() ? hand.file : hand.title);
   if (!hand.title.empty()) html += element("p", hand.file);
-  html += "<figure>\n" + draw_hand(study) + caption(study) + "</figure>\n";
+  html += figure_html("hand", draw_hand(study), caption(study), "result.json");
   for (const std::string& failure : study.failures) html += element("p", failure, "bad");
   for (const std::string& warning : study.warnings) html += element("p", warning, "note");
   html += element("h2", "The grasp");

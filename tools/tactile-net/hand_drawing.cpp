@@ -248,10 +248,9 @@ std::string drawing_style() {
   return R"(
 .hand { --ink: #333; --link: #b9bec4; --pad: #e6b8a2; --measured: #0072b2; --held: #d55e00;
         --load: #009e73; width: 100%; max-width: 46rem; max-height: 38rem; }
-@media (prefers-color-scheme: dark) {
+@media screen and (prefers-color-scheme: dark) {
   .hand { --ink: #ddd; --link: #5c636a; --pad: #8a5a44; --measured: #56b4e9; --held: #ff9d57;
           --load: #35d0a5; } }
-figure svg.hand { filter: none; min-width: 0; max-width: 46rem; }
 .hand polyline { fill: none; stroke-linecap: round; stroke-linejoin: round; }
 .hand .palm { stroke: var(--link); stroke-width: 22; opacity: .55; }
 .hand .link { stroke: var(--link); stroke-width: 13; }

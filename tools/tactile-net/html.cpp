@@ -4,21 +4,21 @@ namespace tactile_net::tool {
 namespace {
 
 /// Light and dark, from a telephone's width on. Plots are drawn on white: in the dark they are
-/// turned to light lines on black, hues kept. On a narrow screen they scroll rather than shrink
-/// below what can be read.
+/// turned to light lines on black, hues kept. Two of them stand in a row where there is room.
 constexpr std::string_view style = R"(
-:root { color-scheme: light dark; --ink: #222; --paper: #fff; --rule: #ddd; --quiet: #666;
-        --note: #fff6e5; --note-ink: #7a4b00; --bad: #fdecea; --bad-ink: #8a1c00; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e6e6e6; --paper: #161616; --rule: #444; --quiet: #aaa;
-          --note: #33270f; --note-ink: #ffd58a; --bad: #3a1712; --bad-ink: #ffb4a3; }
-  figure.plot svg { filter: invert(.92) hue-rotate(180deg); }
-  a { color: #8ab4f8; }
+:root { color-scheme: light dark; --ink: #222; --paper: #fff; --rule: #ddd; --quiet: #595959;
+        --note: #fff6e5; --note-ink: #7a4b00; --bad: #fdecea; --bad-ink: #8a1c00; --link: #0059a3; }
+@media screen and (prefers-color-scheme: dark) {
+  :root { --ink: #e6e6e6; --paper: #191919; --rule: #444; --quiet: #aaa;
+          --note: #33270f; --note-ink: #ffd58a; --bad: #3a1712; --bad-ink: #ffb4a3; --link: #8ab4f8; }
+  .plot svg { filter: invert(.93) hue-rotate(180deg) brightness(1.4); }
 }
 body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper);
        max-width: 70rem; margin: 2rem auto; padding: 0 1rem; overflow-wrap: break-word; }
-h1 { font-size: 1.6rem; margin-bottom: 0; } h2 { font-size: 1.15rem; margin-top: 2rem; }
-table { border-collapse: collapse; } .wide { overflow-x: auto; }
+h1 { font-size: 1.6rem; line-height: 1.25; margin-bottom: 0; }
+h2 { font-size: 1.15rem; margin-top: 2rem; } a { color: var(--link); }
+p, ul { max-width: 50rem; }
+table { border-collapse: collapse; } .wide { overflow-x: auto; margin: 1rem 0; }
 th, td { text-align: left; padding: .25rem .8rem .25rem 0; border-bottom: 1px solid var(--rule);
          white-space: nowrap; font-variant-numeric: tabular-nums; }
 .note { color: var(--note-ink); background: var(--note); padding: .4rem .8rem;
@@ -26,12 +26,17 @@ th, td { text-align: left; padding: .25rem .8rem .25rem 0; border-bottom: 1px so
 .bad { color: var(--bad-ink); background: var(--bad); padding: .4rem .8rem;
        border-left: 4px solid #d55e00; }
 .answer { font-size: 1.1rem; border-left: 4px solid #0072b2; padding: .2rem .8rem; }
-figure { margin: 1.5rem 0; overflow-x: auto; }
-figure svg { width: 100%; min-width: 36rem; max-width: 60rem; height: auto; }
-figcaption { color: var(--quiet); font-size: .95rem; max-width: 50rem; }
+.figures { display: grid; gap: 1.5rem 2rem; margin: 1.5rem 0;
+           grid-template-columns: repeat(auto-fill, minmax(min(100%, 32rem), 1fr)); }
+figure { margin: 0; min-width: 0; max-width: 40rem; } .plot svg { display: block; width: 100%; height: auto; }
+figcaption { color: var(--quiet); font-size: .95rem; margin-top: .3rem; }
 footer { color: var(--quiet); margin-top: 3rem; font-size: .9rem; }
-@media print { body { max-width: none; margin: 0; } figure { break-inside: avoid; }
-               figure svg { min-width: 0; } }
+@media print {
+  body { font-size: 10pt; max-width: none; margin: 0; padding: 0; } h2 { break-after: avoid; }
+  .figures { grid-template-columns: 1fr 1fr; gap: 1rem; } figure, tr { break-inside: avoid; }
+  figcaption { font-size: 9pt; } table { font-size: 8.5pt; } th, td { padding-right: .5rem; }
+  .wide { overflow: visible; }
+}
 )";
 
 }  // namespace

@@ -55,6 +55,7 @@ void run(const Options& options) {
     const Report report = survey_html(scene, result);
     folder->write("result.json", survey_json(scene, result));
     folder->write("report.html", report.html);
+    for (const auto& [file, content] : report.files) folder->write(file, content);
     folder->commit();
     if (!report.missing.empty()) std::cerr << "note: " << report.missing << '\n';
   }
@@ -80,7 +81,8 @@ void add_identify(CLI::App& app) {
       "Before any reading: which tractions the scene's sensors can tell apart, and which others "
       "could");
   command->add_option("SCENE", options->scene, "Scene file (TOML)")->required();
-  command->add_option("--out", options->folder, "Folder for report.html and result.json");
+  command->add_option("--out", options->folder,
+                      "Folder for report.html, result.json and the plots' data (CSV)");
   command->add_option("--json", options->json, "Write the result as JSON (- = standard output)");
   command->add_option("--traction", options->survey.traction,
                       "Amplitude of the ripple to be told (default: the contacts' peak, or 1)");

@@ -17,8 +17,8 @@ namespace {
 constexpr std::array<std::string_view, 6> colours = {"#000000", "#0072b2", "#d55e00",
                                                      "#009e73", "#cc79a7", "#e69f00"};
 
-/// Each curve is thinner than the one it covers, so that equal answers are seen to be equal.
-const std::array<std::string, 6> widths = {"1.5", "4.5", "2.5", "1", "1", "1"};
+/// Answers that may be equal: each is thinner than the one it covers, so that all are seen.
+const std::array<std::string, 6> widths = {"2", "5.5", "3", "1.5", "1.5", "1.5"};
 
 /// A gnuplot string: single-quoted, quotes doubled.
 std::string literal(std::string_view text) {
@@ -48,16 +48,60 @@ std::string labels_along(const std::vector<double>& x) {  // of a plot whose cur
   return "\nset format x '%g'\nset xtics (" + labels + ")";
 }
 
+/// One axis through zero, as asinh(value / plot.linear_within), labelled at powers of ten.
+std::string signed_axis(const Plot& plot, char axis, std::vector<double> Curve::*values) {
+  double low = 0.0;
+  double high = 0.0;
+  for (const Curve& curve : plot.curves)
+    for (const double value : curve.*values) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  const double within = plot.linear_within;
+  const double largest = std::max({-low, high, within});
+  const int first = static_cast<int>(std::ceil(std::log10(within)));
+  const int last = static_cast<int>(std::floor(std::log10(largest)));
+  const int sides = low < 0.0 && high > 0.0 ? 2 : 1;
+  const int step = (last - first + 1) * sides / 6 + 1;
+  const bool few = last - first < 2;  // then 3 and 30 are labelled too
+  std::string labels = "'0' 0";
+  for (int power = last; power >= first - 1; power -= step)
+    for (const int digit : {3, 1})
+      for (const double end : {low, high}) {
+        const double tick = digit * std::pow(10.0, power);
+        if ((digit == 3 && !few) || tick < within || tick > 1.5 * std::abs(end)) continue;
+        labels += std::string(", '") + (end < 0.0 ? "-" : "") + std::to_string(digit) + "e" +
+                  std::to_string(power) + "' " + number(std::copysign(tick, end));
+      }
+  const std::string scale = number(within);
+  const std::string name(1, axis);
+  const std::string from = number(low < 0.0 ? 2.0 * low : -within);
+  const std::string to = number(high > 0.0 ? 2.0 * high : within);
+  // The other axis' zero line, which gnuplot 5.4 misplaces on a nonlinear axis.
+  const std::string zero = axis == 'x' ? "set arrow 1 from " + from + ",0 to " + to + ",0"
+                                       : "set arrow 2 from 0," + from + " to 0," + to;
+  return "\nset nonlinear " + name + " via asinh(" + name + "/" + scale + ") inverse " + scale +
+         "*sinh(" + name + ")\nset " + name + "tics (" + labels + ")\nset " + name + "range [" +
+         from + ":" + to + "]\nunset " + name + "zeroaxis\n" + zero +
+         " nohead lc rgb '#999999' dt 3";
+}
+
 std::string axes(const Plot& plot) {
-  return (plot.logarithmic_x
-              ? "\nset logscale x\nset format x '1e%T'" +
-                    (plot.x.empty() ? "\nset autoscale x\nset xtics auto\nset offsets graph 0.03, "
-                                      "graph 0.03, graph 0.03, graph 0.03"
-                                    : "\nset autoscale xfix\nset offsets" + labels_along(plot.x))
-              : "\nunset logscale x\nset format x '%h'\nset autoscale x"
-                "\nset xtics auto\nset offsets") +
+  if (plot.linear_within > 0.0)
+    return signed_axis(plot, 'x', &Curve::x) + signed_axis(plot, 'y', &Curve::y);
+  std::string text = "\nunset logscale x\nset format x '%h'\nset autoscale x\nset xtics auto";
+  if (plot.logarithmic_x)
+    text = "\nset logscale x\nset format x '1e%T'" +
+           (plot.x.empty() ? "\nset autoscale x\nset xtics auto"
+                           : "\nset autoscale xfix" + labels_along(plot.x));
+  text += "\nset offsets";
+  if (plot.logarithmic_x && plot.x.empty())
+    text +=
+        " graph 0.03, graph 0.03, graph 0.03, graph " + std::string(plot.from_zero ? "0" : "0.03");
+  return text +
          (plot.logarithmic_y ? "\nset logscale y\nset format y '1e%T'"
-                             : "\nunset logscale y\nset format y '%h'");
+                             : "\nunset logscale y\nset format y '%h'") +
+         (plot.from_zero ? "\nset yrange [0:*]" : "\nset yrange [*:*]");
 }
 
 /// A curve's points as a named block of data.
@@ -74,22 +118,34 @@ std::string data_block(const Plot& plot, const Curve& curve, std::size_t index) 
   return text + "EOD\n";
 }
 
-std::string style_of(const Curve& curve) {
+std::string style_of(const Curve& curve, bool alone) {
   const std::size_t index = curve.colour % colours.size();
   if (curve.dots) return " with points pt 7 ps 0.5";
   // Beyond the colours the marks' shapes go on.
   const std::string mark = " pt " + std::to_string(4 + curve.colour % 9) + " ps 0.6";
-  return curve.marks ? " with linespoints lw 1.5" + mark
-                     : " with lines lw " + (curve.dashed ? "1.5 dt 2" : widths[index]);
+  if (curve.marks) return " with linespoints lw 1.5" + mark;
+  return " with lines lw " + (curve.dashed ? "1.5 dt 2" : alone ? "2.5" : widths[index]);
 }
 
 std::string script(const Plot& plot) {
-  // The key stands under the plot, two labels in a row, and the picture grows with it.
-  const std::size_t rows = (plot.curves.size() + 1) / 2;
-  std::string text = "set terminal svg size 760," + std::to_string(350 + 18 * rows) +
-                     " dynamic noenhanced font 'sans-serif,13' background '#ffffff'\nset title " +
-                     literal(plot.title) + "\nset xlabel " + literal(plot.x_label) +
-                     " offset 0,0.4" + "\nset ylabel " + literal(plot.y_label) + axes(plot) + "\n";
+  // The key stands under the plot, two short labels in a row, and the picture grows with it. On
+  // a telephone 560 units are 370 pixels: the text is large enough to be read there.
+  std::size_t longest = 0;
+  for (const Curve& curve : plot.curves) longest = std::max(longest, curve.label.size());
+  const bool wide = longest > 24;
+  const std::size_t rows = wide ? plot.curves.size() : (plot.curves.size() + 1) / 2;
+  const auto key = static_cast<double>(25 * rows);
+  const double height = key + 375.0;
+  std::string text =
+      "set terminal svg size 560," + number(height) +
+      " dynamic noenhanced font 'sans-serif,15' background '#ffffff'" + "\nset bmargin at screen " +
+      number((key + 65.0) / height) + "\nset key at screen 0.02, " + number((key + 8.0) / height) +
+      " left top Left reverse samplen 1.5 spacing 1.1 maxrows " + std::to_string(rows) +
+      "\nset title " + literal(plot.title) + "\nset xlabel " + literal(plot.x_label) +
+      " offset 0,0.3" + "\nset ylabel " + literal(plot.y_label) + axes(plot) + "\n";
+  const auto sharing = std::count_if(plot.curves.begin(), plot.curves.end(), [](const Curve& c) {
+    return c.x.empty() && !c.dots && !c.dashed;
+  });
   // Bands first: they lie under every line.
   std::string bands;
   std::string lines;
@@ -99,20 +155,25 @@ std::string script(const Plot& plot) {
     const std::string data = "$c" + std::to_string(i);
     const std::string colour =
         " lc rgb '" + std::string(colours[curve.colour % colours.size()]) + "'";
-    lines += (lines.empty() ? "" : ", ") + data + " using 1:2" + style_of(curve) + colour +
-             " title " + literal(curve.label);
+    lines += (lines.empty() ? "" : ", ") + data + " using 1:2" + style_of(curve, sharing < 2) +
+             colour + " title " + literal(curve.label);
     if (!curve.half_width.empty())
       bands += data + " using 1:3:4 with filledcurves fs transparent solid 0.18 noborder" + colour +
                " notitle, ";
   }
-  return text + "plot " + bands + lines + "\n";
+  return text + "plot " + bands + lines + "\n" +
+         (plot.linear_within > 0.0
+              ? "unset nonlinear x\nunset nonlinear y\nunset arrow\nset zeroaxis lc rgb "
+                "'#999999'\nset xrange [*:*]\nset yrange [*:*]\n"
+                "set ytics auto\n"
+              : "");
 }
 
 }  // namespace
 
 std::vector<std::string> draw(std::span<const Plot> plots) {
   std::string input =
-      "set encoding utf8\nset grid lc rgb '#dddddd'\nset key below left Left reverse samplen 2\n"
+      "set encoding utf8\nset title offset 0,-0.4\nset grid lc rgb '#dddddd'\n"
       "set zeroaxis lc rgb '#999999'\n";
   for (const Plot& plot : plots) input += script(plot);
 
@@ -128,7 +189,12 @@ std::vector<std::string> draw(std::span<const Plot> plots) {
     const std::size_t begin = result.output.find("<svg", at);
     const std::size_t end = result.output.find(end_mark, at);
     if (begin == std::string::npos || end == std::string::npos) break;
-    pictures.push_back(result.output.substr(begin, end + end_mark.size() - begin));
+    std::string picture = result.output.substr(begin, end + end_mark.size() - begin);
+    // A browser would show it under the pointer.
+    constexpr std::string_view anonymous = "<title>Gnuplot</title>";
+    const std::size_t title = picture.find(anonymous);
+    if (title != std::string::npos) picture.erase(title, anonymous.size());
+    pictures.push_back(std::move(picture));
     at = end + end_mark.size();
   }
   if (pictures.size() != plots.size())

@@ -27,6 +27,9 @@ struct Plot {
   std::vector<Curve> curves;
   bool logarithmic_x = false;
   bool logarithmic_y = false;  ///< values <= 0: a gap
+  bool from_zero = false;      ///< the y axis begins at 0
+  /// > 0: both axes are linear up to about this, and logarithmic beyond it on both sides of zero.
+  double linear_within = 0.0;
 };
 
 /// SVG of every plot, in order, from one run of gnuplot.

@@ -291,8 +291,12 @@ Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progre
   return result;
 }
 
+ToleranceOptions drawn_options(const CircuitPlan& plan) {
+  return plan.options.tolerance.value_or(ToleranceOptions{.relative = 0.01});
+}
+
 Recommendation recommend(const CircuitPlan& plan) {
-  ToleranceOptions options = plan.options.tolerance.value_or(ToleranceOptions{.relative = 0.01});
+  ToleranceOptions options = drawn_options(plan);
   // Enough to tell 95 of 100; fewer where a trial of a large network takes its time.
   const std::size_t nodes = plan.direct.size();
   options.trials = std::min<std::size_t>(options.trials, nodes <= 60    ? 200

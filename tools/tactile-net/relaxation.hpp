@@ -80,6 +80,9 @@ struct Relaxation {
 /// of components where a tolerance is given. @throw SimulatorError
 [[nodiscard]] Relaxation relax(const CircuitPlan& plan, Simulator& simulator, Progress& progress);
 
+/// The plan's tolerances; parts of 1 % where it has none.
+[[nodiscard]] ToleranceOptions drawn_options(const CircuitPlan& plan);
+
 /// What the draws of a plan's tolerances do. @pre plan.options.tolerance
 [[nodiscard]] ToleranceResult tolerate(const CircuitPlan& plan);
 

@@ -3,25 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "html.hpp"
 #include "network_words.hpp"
-#include "plot.hpp"
 #include "table.hpp"
 #include "text.hpp"
 
 namespace tactile_net::tool {
 namespace {
 
+constexpr std::string_view answer = "answer";
+constexpr std::string_view choice = "choice";
+constexpr std::string_view readings = "readings";
+
 /// One component of every answer, with bands of two standard deviations, under the truth.
-void add_component(std::vector<Plot>& plots, const Experiment& experiment,
-                   Component MethodResult::*which, const std::string& title,
-                   const std::vector<double>& truth) {
+void add_component(std::vector<Figure>& figures, const Experiment& experiment,
+                   Component MethodResult::*which, const std::string& file,
+                   const std::string& title, const std::vector<double>& truth) {
   const std::vector<double> y = positions(experiment.scene.sensor);
-  Plot tractions{title + " traction: truth and reconstructions", "y", "traction", y, {}};
+  Plot tractions{title + " traction", "y [unit of the pitch]", "traction [unit of E]", y, {}};
   Plot errors{
-      title + " traction: error of each reconstruction", "y", "reconstruction - truth", y, {}};
+      title + " traction: error", "y [unit of the pitch]", "answer - truth [unit of E]", y, {}};
+  bool bands = false;
   std::size_t colour = 0;
   for (const MethodResult& result : experiment.results) {
     const Component& component = result.*which;
@@ -33,20 +36,31 @@ void add_component(std::vector<Plot>& plots, const Experiment& experiment,
     for (std::size_t i = 0; i < error.size(); ++i) error[i] -= truth[i];
     Curve difference{label, std::move(error), colour};
     for (const double deviation : component.deviation) curve.half_width.push_back(2.0 * deviation);
+    bands = bands || !curve.half_width.empty();
     tractions.curves.push_back(std::move(curve));
     errors.curves.push_back(std::move(difference));
   }
-  const bool any = !errors.curves.empty();
   tractions.curves.push_back({"truth", truth, 0, true});  // last: on top
-  plots.push_back(std::move(tractions));
-  if (any) plots.push_back(std::move(errors));
+  figures.push_back({file, std::string(answer),
+                     "The truth at the taxels (dots) and every method's answer. Where answers are "
+                     "equal the thinner line lies on the thicker." +
+                         std::string(bands ? " Bands are two standard deviations, of noise and of "
+                                             "what alpha smooths away together: look for dots "
+                                             "outside them, at a contact's steep edges first."
+                                           : ""),
+                     std::move(tractions)});
+  figures.push_back({file + "-error", std::string(answer),
+                     "Each answer minus the truth. Swings at a contact's edge that die away from "
+                     "it are smoothing, and a smaller alpha narrows them; a ripple of one size all "
+                     "along the array is noise, and a larger alpha lowers it.",
+                     std::move(errors)});
 }
 
 /// What each rule minimises over alpha, each between 0 and 1.
-Plot rules_plot(const AlphaSweep& sweep) {
-  Plot plot{"Rules for alpha: what each makes least, scaled to 0 ... 1",
-            "alpha",
-            "criterion",
+Figure rules_figure(const AlphaSweep& sweep) {
+  Plot plot{"What each rule for alpha makes least",
+            "alpha [unit of K'K]",
+            "criterion, 0 to 1",
             sweep.alphas,
             {},
             true};
@@ -63,41 +77,52 @@ Plot rules_plot(const AlphaSweep& sweep) {
     plot.curves.push_back({std::string(name(curve.rule)) + " " + brief(curve.choice.alpha), values,
                            plot.curves.size()});
   }
-  return plot;
+  return {"alpha", std::string(choice),
+          "Every rule's criterion over alpha, each scaled to run from 0 to 1; a rule chooses where "
+          "its own curve is lowest, at the value in the key. A flat valley means that other values "
+          "do as well; valleys far apart mean that the rules disagree.",
+          std::move(plot)};
 }
 
-std::vector<Plot> plots_of(const Experiment& experiment) {
+std::vector<Figure> figures_of(const Experiment& experiment) {
   const Scene& scene = experiment.scene;
   const std::vector<double> y = positions(scene.sensor);
   const TractionField& truth = experiment.simulation.truth;
-  std::vector<Plot> plots;
-  add_component(plots, experiment, &MethodResult::normal, "Normal", truth.normal);
+  std::vector<Figure> figures;
+  add_component(figures, experiment, &MethodResult::normal, "normal", "Normal", truth.normal);
   const bool tangential =
       std::any_of(experiment.results.begin(), experiment.results.end(),
                   [](const MethodResult& result) { return !result.tangential.traction.empty(); });
   if (tangential)
-    add_component(plots, experiment, &MethodResult::tangential, "Tangential",
+    add_component(figures, experiment, &MethodResult::tangential, "tangential", "Tangential",
                   truth.tangential.empty() ? std::vector<double>(y.size()) : truth.tangential);
-  if (experiment.sweep) plots.push_back(rules_plot(*experiment.sweep));
+  if (experiment.sweep) figures.push_back(rules_figure(*experiment.sweep));
   auto begin = experiment.simulation.readings.begin();
   for (const Channel& channel : channels(scene.sensor)) {
     const auto end = begin + static_cast<std::ptrdiff_t>(y.size());
-    plots.push_back({"Readings: " + channel.name + " at depth " + brief(channel.depth),
-                     "y",
-                     std::string(name(channel.quantity)),
-                     y,
-                     {{channel.name, {begin, end}, 0, true}}});
+    const std::string quantity(name(channel.quantity));
+    figures.push_back(
+        {"readings-" + channel.name,
+         std::string(readings),
+         "What the taxels read: all that the methods are given. Where it has not died away at the "
+         "array's ends, a part of the load's trace is missed.",
+         {channel.name + " at depth " + brief(channel.depth),
+          "y [unit of the pitch]",
+          quantity + (quantity.starts_with("strain") ? " [1]" : " [unit of E]"),
+          y,
+          {{channel.name, {begin, end}, 0, true}}},
+         "readings.csv"});
     begin = end;
   }
-  return plots;
+  return figures;
 }
 
 std::string network_section(const Relaxation& relaxation) {
   return element("h2", "The circuit") +
          element("p", "Realisation " + std::string(name(relaxation.realization)) + ": " +
                           std::to_string(relaxation.nodes) + " nodes, " +
-                          elements_in_words(relaxation.elements) +
-                          ". Its deck is network.cir beside this file: ngspice -b network.cir.") +
+                          elements_in_words(relaxation.elements) + ".") +
+         "<p>Its deck: <a href=\"network.cir\">network.cir</a>, to be run by ngspice -b.</p>\n" +
          html_list(in_words(relaxation)) +
          (relaxation.failure().empty() ? "" : element("p", relaxation.failure(), "bad"));
 }
@@ -106,13 +131,8 @@ std::string network_section(const Relaxation& relaxation) {
 
 Report report_html(const Experiment& experiment) {
   const Scene& scene = experiment.scene;
-  Report report;
-  std::vector<std::string> pictures;
-  try {
-    pictures = draw(plots_of(experiment));
-  } catch (const std::runtime_error& error) {
-    report.missing = std::string("the report has no plots: ") + error.what();
-  }
+  const Figures figures(figures_of(experiment));
+  Report report{.missing = figures.missing(), .files = figures.data()};
 
   std::string& html = report.html;
   html += element("h1", scene.title.empty() ? scene.file : scene.title);
@@ -130,6 +150,7 @@ Report report_html(const Experiment& experiment) {
   for (const std::string& warning : experiment.simulation.warnings)
     html += element("p", warning, "note");
 
+  if (!report.missing.empty()) html += element("p", report.missing, "note");
   html += element("h2", "Methods compared");
   html += html_table(comparison_cells(experiment));
   html += element("p", "Force of the contacts: " + brief(experiment.force) + " exact, " +
@@ -146,14 +167,15 @@ Report report_html(const Experiment& experiment) {
       html += element("p", method + warning, "note");
     if (!result.failure.empty()) html += element("p", method + result.failure, "bad");
   }
+  html += figures.html(answer);
   if (experiment.sweep) {
     html += element("h2", "The choice of alpha");
     html += element("p", "Every rule on these readings; " + rule_used(scene) + ".");
     html += html_table(rule_cells(*experiment.sweep));
+    html += figures.html(choice);
   }
-  if (!report.missing.empty()) html += element("p", report.missing, "note");
-  for (const std::string& picture : pictures)
-    html += "<figure class=\"plot\">" + picture + "</figure>\n";
+  if (const std::string drawn = figures.html(readings); !drawn.empty())
+    html += element("h2", "The readings") + drawn;
   if (experiment.relaxation) html += network_section(*experiment.relaxation);
   html = html_page(scene.file + " - tactile-net", html);
   return report;

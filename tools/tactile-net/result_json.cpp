@@ -191,20 +191,18 @@ std::string relaxation_json(const Scene& scene, const Relaxation& relaxation) {
   return json.dump(1) + '\n';
 }
 
-std::string certificate_json(const Scene& scene, const Certificate& c,
-                             const std::optional<ToleranceResult>& tolerance,
-                             const Recommendation& recommendation) {
-  Json json = scene_json(scene);
-  json["certificate"] = certificate(c);
-  json["tolerance"] = tolerance ? tolerance_json(*tolerance) : Json(nullptr);
+std::string certificate_json(const Certification& c) {
+  Json json = scene_json(c.scene);
+  json["certificate"] = certificate(c.certificate);
+  json["tolerance"] = c.tolerance ? tolerance_json(*c.tolerance) : Json(nullptr);
   Json candidates = Json::array();
-  for (const auto& one : recommendation.candidates) {
+  for (const auto& one : c.recommendation.candidates) {
     Json row = tolerance_json(one.tolerance);
     row["realization"] = name(one.realization);
     row["opamps"] = one.opamps;
     candidates.push_back(row);
   }
-  json["recommendation"] = {{"text", recommendation.text}, {"candidates", candidates}};
+  json["recommendation"] = {{"text", c.recommendation.text}, {"candidates", candidates}};
   return json.dump(1) + '\n';
 }
 

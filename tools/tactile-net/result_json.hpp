@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "certificate_report.hpp"
 #include "deck_file.hpp"
 #include "experiment.hpp"
 
@@ -14,9 +15,7 @@ namespace tactile_net::tool {
 /// The same document with the network alone.
 [[nodiscard]] std::string relaxation_json(const Scene& scene, const Relaxation& relaxation);
 
-[[nodiscard]] std::string certificate_json(const Scene& scene, const Certificate& certificate,
-                                           const std::optional<ToleranceResult>& tolerance,
-                                           const Recommendation& recommendation);
+[[nodiscard]] std::string certificate_json(const Certification& certification);
 
 [[nodiscard]] std::string deck_answer_json(const std::string& file, const DeckAnswer& answer);
 

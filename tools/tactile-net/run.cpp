@@ -63,6 +63,7 @@ void write_results(const Experiment& experiment, const OutputFolder& folder) {
   if (!experiment.deck.empty()) folder.write("network.cir", experiment.deck);
   const Report report = report_html(experiment);
   folder.write("report.html", report.html);
+  for (const auto& [file, content] : report.files) folder.write(file, content);
   if (!report.missing.empty()) std::cerr << "note: " << report.missing << '\n';
 }
 

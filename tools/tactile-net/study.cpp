@@ -9,6 +9,7 @@
 #include "experiment.hpp"
 #include "solver.hpp"
 #include "stopwatch.hpp"
+#include "tactile_net/control/fftw_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/constrained.hpp"
@@ -49,8 +50,7 @@ WorkPoint point(const StudyInput& input, std::string curve, std::string knob,
   result.seconds = seconds.median;
   result.seconds_low = seconds.low;
   result.seconds_high = seconds.high;
-  // Nothing below the references' own agreement can be told.
-  result.error_to_solution = std::max(relative_l2_error(f, input.solution), input.agreement);
+  result.error_to_solution = std::max(relative_l2_error(f, input.solution), input.resolution());
   result.error_to_truth = error_to_truth(input, f);
   return result;
 }
@@ -80,10 +80,11 @@ void planned_point(StudySection& section, const StudyInput& input, const Inverse
   const std::string structure(name(*options.structure));
   std::string curve = structure + ' ' + std::string(name(*options.precision));
   std::replace(curve.begin(), curve.end(), '_', ' ');
+  if (options.structure == Structure::fft) curve = "FFT, ends corrected";
   attempt(section, curve, "", [&] {
     const PlannedEstimator planned =
         plan_estimator(problem, *input.scene.reconstruct.alpha, options);
-    ContactEstimator estimator(planned.plan);
+    ContactEstimator estimator(planned.plan, fftw_convolutions());
     std::vector<double> f(estimator.tractions());
     ContactEstimate estimate;
     estimate.tractions = f;
@@ -133,6 +134,14 @@ StudySection products(const StudyInput& input) {
       planned_point(section, input, problem, options);
     }
   }
+  for (double accuracy = 0.3; accuracy > 1e-13; accuracy *= 0.1) {
+    PlannerOptions options;
+    options.accuracy = accuracy;
+    options.structure = fft;
+    options.precision = Precision::float64;
+    planned_point(section, input, problem, options);
+    if (!section.points.back().measured()) break;
+  }
   return section;
 }
 
@@ -158,7 +167,7 @@ StudySection by_fft(const StudyInput& input) {
   StudySection section;
   const Scene& scene = input.scene;
   const double alpha = *scene.reconstruct.alpha;
-  const std::string filter = "FFT filter, array as a ring";
+  const std::string filter = "FFT, array as a ring";
   attempt(section, filter, "", [&] {
     DftTikhonov inverse(scene.sensor, scene.material, problem_options(scene));
     std::vector<double> f(input.solution.size());

@@ -40,6 +40,9 @@ struct StudyInput {
   double noise_rms = 0.0;       ///< of a reading, as for `noise_floor`
   bool noise_stated = false;    ///< by the scene; else one hundredth of the largest reading
   double noise_floor = 0.0;     ///< what that noise does to f*: root mean square, over |f*|
+
+  /// The smallest error that can be told: both references may err by more than they differ.
+  [[nodiscard]] double resolution() const noexcept { return 10.0 * agreement; }
 };
 
 struct Study {
@@ -75,6 +78,11 @@ struct StudyJob {
 
 /// What a user has to know first, a sentence each: recommendations and where a circuit is faster.
 [[nodiscard]] std::vector<std::string> in_words(const Study& study);
+
+/// The circuits of op-amps of 10 MHz, the fastest first: when each settles to 1 %, below which clock
+/// a controller that needs this machine's cycles is slower, from which bandwidth on this machine is,
+/// and how far parts of 1 % leave it. The headings alone: none was simulated.
+[[nodiscard]] std::vector<std::vector<std::string>> circuit_cells(const Study& study);
 
 /// The answer to a demand, with its margins.
 [[nodiscard]] std::string answer(const Study& study, const Requirement& requirement);

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "html.hpp"
-#include "plot.hpp"
 #include "text.hpp"
 
 namespace tactile_net::tool {
@@ -85,12 +83,6 @@ Plot plot_of(std::string title, std::string x_label, std::string y_label,
   return plot;
 }
 
-struct Figure {
-  std::string file;
-  std::string caption;
-  Plot plot;
-};
-
 constexpr double level = 0.01;  // at which circuits are compared with arithmetic
 
 /// The fastest frame within 1 %.
@@ -130,8 +122,8 @@ std::vector<Curve> circuit_curves(const Study& study, const std::vector<WorkPoin
       for (std::size_t i = 0; i < circuits; ++i)
         if (floor.relative == 0.01 && floor.median && *floor.median < 1.0 &&
             curves[i].label.starts_with(floor.realization + ","))
-          curves.push_back(border(floor.realization + ", parts of 1 %", *floor.median, curves,
-                                  curves[i].colour));
+          curves.push_back(
+              border(floor.realization + ", 1 % parts", *floor.median, curves, curves[i].colour));
   if (const auto frame = fastest_frame(points))
     curves.push_back(level_line("arithmetic here, " + duration(*frame), 1e-4, 1.0, *frame, false));
   return curves;
@@ -173,12 +165,10 @@ std::vector<Curve> crossover_curves(const Study& study, const std::vector<WorkPo
 std::vector<Figure> figures_of(const Study& study) {
   const StudyInput& input = study.input;
   const std::vector<WorkPoint> points = study.points();
-  const std::string noise =
-      input.noise_stated ? "the scene's noise" : "noise of 1 % of the largest reading";
+  const std::string noise = input.noise_stated ? "the scene's noise" : "noise of 1 %";
   std::vector<Figure> figures;
   const auto add = [&](std::string file, std::string caption, Plot plot) {
-    if (!plot.curves.empty())
-      figures.push_back({std::move(file), std::move(caption), std::move(plot)});
+    figures.push_back({std::move(file), "", std::move(caption), std::move(plot)});
   };
 
   std::vector<Curve> frames = curves_of(points, to_solution, TimeOf::frame);
@@ -186,17 +176,20 @@ std::vector<Figure> figures_of(const Study& study) {
     frames.push_back(border(noise, input.noise_floor, frames, 0));
     frames.push_back(front_curve(points, to_solution, TimeOf::frame));
   }
-  add("error-to-solution.svg",
+  add("error-to-solution",
       "What an algorithm adds: its distance from the exact solution of the same regularised "
-      "problem, and what a frame costs on this machine. Left and down is better; the black line "
-      "joins what nothing beats. An error left of the dashed line is smaller than what noise does.",
+      "problem, and what a frame costs on this machine. Left and down is better; the heavy line "
+      "joins what nothing beats. An error left of the dashed line is smaller than what " +
+          std::string(input.noise_stated ? "the scene's noise"
+                                         : "noise of 1 % of the largest reading") +
+          " does.",
       plot_of("Error against the exact solution of the same problem", "|f - f*| / |f*|",
               "time of a frame [s]", std::move(frames)));
 
   std::vector<Curve> truths = curves_of(points, to_truth, TimeOf::frame);
   if (!truths.empty() && std::isfinite(input.solution_error))
     truths.push_back(border("the exact solution", input.solution_error, truths, 0));
-  add("error-to-truth.svg",
+  add("error-to-truth",
       "What a user gets: the distance from the true tractions. Methods of one problem stand on the "
       "dashed line, however exact they are: regularisation, sampling and noise set it. Fewer "
       "taxels "
@@ -204,31 +197,27 @@ std::vector<Figure> figures_of(const Study& study) {
       plot_of("Error against the truth", "|f - truth| / |truth|", "time of a frame [s]",
               std::move(truths)));
 
-  add("circuits.svg",
+  add("circuits",
       "From a step of all inputs until the voltages stay within an error of the exact solution, by "
-      "ngspice's waveform, for op-amps of 10 MHz. The black line is the fastest arithmetic on this "
+      "ngspice's waveform, for op-amps of 10 MHz. The heavy line is the fastest arithmetic on this "
       "machine: a circuit is faster where it lies below. Dashed: with parts of 1 % a circuit comes "
       "no closer (median).",
       plot_of("Circuits: error over settling time", "|f - f*| / |f*|", "time to settle [s]",
               circuit_curves(study, points)));
-  add("crossover.svg",
+  add("crossover",
       "When is the circuit's answer immediate? Time to settle to 1 % over the op-amps' bandwidth, "
       "beside a frame's arithmetic on this machine, and on controllers of 400 and 100 MHz that "
       "need as many cycles. Right of a crossing the circuit is faster.",
       plot_of("Circuit against controller, to 1 %", "gain-bandwidth of the op-amps [Hz]",
               "time [s]", crossover_curves(study, points)));
 
-  add("forward.svg",
+  add("forward",
       "The way there: readings of the scene's contacts by the integral, with panels of more and "
       "more points, and by the thesis' discrete sum, against the integral itself.",
       plot_of("Forward model: error of the readings", "|g - g exact| / |g exact|", "time [s]",
               curves_of(points, to_truth, TimeOf::forward)));
   return figures;
 }
-
-}  // namespace
-
-namespace {
 
 std::vector<std::vector<std::string>> simulator_cells(const Study& study) {
   std::vector<std::vector<std::string>> rows = {{"realisation", "ngspice", "difference"}};
@@ -263,20 +252,13 @@ std::vector<std::string> failures_in_words(const Study& study) {
   return text;
 }
 
-StudyReport study_html(const Study& study) {
-  StudyReport report;
+Report study_html(const Study& study) {
   const Scene& scene = study.input.scene;
-  const std::vector<Figure> figures = figures_of(study);
-  std::vector<Plot> plots;
-  for (const Figure& figure : figures) plots.push_back(figure.plot);
-  std::vector<std::string> pictures;
-  try {
-    pictures = draw(plots);
-  } catch (const std::runtime_error& error) {
-    report.page.missing = std::string("the report has no plots: ") + error.what();
-  }
+  const Figures figures(figures_of(study));
+  Report report{.missing = figures.missing(), .files = figures.data()};
+  for (auto& picture : figures.pictures()) report.files.push_back(std::move(picture));
 
-  std::string& html = report.page.html;
+  std::string& html = report.html;
   html += element("h1", "What accuracy costs in time");
   html += element("p", (scene.title.empty() ? "" : scene.title + ". ") + scene.file + ": " +
                            sensor_in_words(scene) + "; " + material_in_words(scene) + "; alpha " +
@@ -287,11 +269,17 @@ StudyReport study_html(const Study& study) {
   html += element("p", answers.front(), "answer");
   answers.erase(answers.begin());
   html += html_list(answers);
-  if (!report.page.missing.empty()) html += element("p", report.page.missing, "note");
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    report.pictures.emplace_back(figures[i].file, pictures[i]);
-    html += "<figure class=\"plot\">" + pictures[i] + element("figcaption", figures[i].caption) +
-            "</figure>\n";
+  if (!report.missing.empty()) html += element("p", report.missing, "note");
+  html += figures.html("");
+  const auto circuits = circuit_cells(study);
+  if (circuits.size() > 1) {
+    html += element("h2", "When a circuit is faster");
+    html += element("p",
+                    "Circuits of op-amps of 10 MHz. A controller that needs as many cycles as this "
+                    "machine is slower than the circuit below the clock named; this machine is, if "
+                    "the op-amps have the bandwidth named. The last column is the error that parts "
+                    "of 1 % leave, median: waiting longer does not lessen it.");
+    html += html_table(circuits);
   }
   const auto simulated = simulator_cells(study);
   if (simulated.size() > 1) {
@@ -317,7 +305,7 @@ StudyReport study_html(const Study& study) {
                        "singular values agrees to " +
                        brief(study.input.agreement) + ".");
   html +=
-      "<p>Data: <a href=\"tradeoff.csv\">tradeoff.csv</a>, "
+      "<p>Every point: <a href=\"tradeoff.csv\">tradeoff.csv</a>, "
       "<a href=\"tradeoff.json\">tradeoff.json</a>.</p>\n";
   html = html_page(scene.file + " - tactile-net tradeoff", html);
   return report;

@@ -3,10 +3,9 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "report.hpp"
+#include "figure.hpp"
 #include "study.hpp"
 
 namespace tactile_net::tool {
@@ -17,11 +16,7 @@ namespace tactile_net::tool {
 /// What did not work, and why.
 [[nodiscard]] std::vector<std::string> failures_in_words(const Study& study);
 
-/// The pictures as files: name and SVG. Empty, and `missing` says why, without gnuplot.
-struct StudyReport {
-  Report page;
-  std::vector<std::pair<std::string, std::string>> pictures;
-};
-[[nodiscard]] StudyReport study_html(const Study& study);
+/// Its files are the pictures (SVG) and their data (CSV).
+[[nodiscard]] Report study_html(const Study& study);
 
 }  // namespace tactile_net::tool

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 
 #include "study.hpp"
 #include "text.hpp"
@@ -37,37 +37,80 @@ std::string demand_in_words(const Requirement& requirement) {
   return text;
 }
 
+/// A factor, without an exponent up to a million: "4000", "9.12", "2.1e+07".
+std::string times(double factor) {
+  if (factor < 1e3 || factor >= 1e6) return brief(factor);
+  const double step = factor < 1e4 ? 100.0 : factor < 1e5 ? 1e3 : 1e4;
+  return exact(step * std::round(factor / step));
+}
+
+/// A circuit of op-amps of 10 MHz, from a step of its inputs to 1 %.
+struct SettledCircuit {
+  std::string name;
+  double seconds;
+  std::optional<double> parts{};  ///< error that parts of 1 % leave (median); infinite: unstable
+};
+
+constexpr double bandwidth = 10e6;  // settling goes with its inverse: others are the same, scaled
+
+std::vector<SettledCircuit> settled_circuits(const Study& study,
+                                             const std::vector<WorkPoint>& points) {
+  std::vector<SettledCircuit> circuits;
+  for (const WorkPoint& point : points) {
+    const auto comma = point.curve.find(", 10 MHz");
+    if (point.time_of != TimeOf::settling || !point.measured() ||
+        point.error_to_solution != percent || comma == std::string::npos)
+      continue;
+    SettledCircuit circuit{point.curve.substr(0, comma), point.seconds};
+    for (const StudySection& section : study.sections)
+      for (const PartsFloor& floor : section.floors)
+        if (floor.relative == percent && floor.realization == circuit.name)
+          circuit.parts = floor.median.value_or(std::numeric_limits<double>::infinity());
+    circuits.push_back(std::move(circuit));
+  }
+  std::stable_sort(circuits.begin(), circuits.end(),
+                   [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+  return circuits;
+}
+
+/// The fastest frame that is as accurate as the circuits are compared at.
+std::optional<double> fastest_frame(const std::vector<WorkPoint>& points) {
+  const Choice choice = choose(points, to_solution, TimeOf::frame, {.accuracy = percent});
+  return choice.point ? std::optional(points[*choice.point].seconds) : std::nullopt;
+}
+
+std::string parts_in_words(const SettledCircuit& circuit) {
+  if (!circuit.parts) return "-";
+  return std::isfinite(*circuit.parts) ? in_percent(*circuit.parts) : "unstable";
+}
+
+/// The fastest circuit, and the one that bears its parts best.
 void add_circuits(std::vector<std::string>& text, const Study& study,
                   const std::vector<WorkPoint>& points) {
-  const Choice digital = choose(points, to_solution, TimeOf::frame, {.accuracy = percent});
-  if (!digital.point) return;
-  const double frame = points[*digital.point].seconds;
-  for (const WorkPoint& point : points) {
-    if (point.time_of != TimeOf::settling || !point.measured() ||
-        point.error_to_solution != percent)
-      continue;
-    const auto comma = point.curve.find(", 10 MHz");
-    if (comma == std::string::npos) continue;  // others are the same, scaled
-    const std::string circuit = point.curve.substr(0, comma);
-    std::string sentence =
-        circuit + " with op-amps of 10 MHz settles to 1 % in " + duration(point.seconds) + "; ";
+  const std::vector<SettledCircuit> circuits = settled_circuits(study, points);
+  if (circuits.empty()) return;
+  const SettledCircuit& fastest = circuits.front();
+  std::string sentence = "the fastest circuit, " + fastest.name +
+                         " with op-amps of 10 MHz, settles to 1 % in " + duration(fastest.seconds);
+  if (const auto frame = fastest_frame(points)) {
     if (study.clock > 0.0)
       sentence +=
-          "a controller that needs as many cycles as this machine is slower below a clock of " +
-          frequency(study.clock * frame / point.seconds) + ", and ";
-    sentence += "this machine's " + duration(frame) + " is beaten from a bandwidth of " +
-                frequency(10e6 * point.seconds / frame) + " on";
-    text.push_back(std::move(sentence));
+          ": sooner than a controller that needs as many cycles as this machine and is "
+          "clocked below " +
+          frequency(study.clock * *frame / fastest.seconds);
+    sentence += "; this machine's " + duration(*frame) + " it beats from a bandwidth of " +
+                frequency(bandwidth * fastest.seconds / *frame) + " on";
   }
-  std::string floors;
-  for (const StudySection& section : study.sections)
-    for (const PartsFloor& floor : section.floors)
-      if (floor.relative == percent)
-        floors += (floors.empty() ? "" : ", ") + floor.realization + ' ' +
-                  (floor.median ? in_percent(*floor.median) : "unstable");
-  if (!floors.empty())
-    text.push_back("with parts of 1 % no circuit comes closer than its parts let it (median): " +
-                   floors);
+  text.push_back(std::move(sentence));
+  const auto least =
+      std::min_element(circuits.begin(), circuits.end(), [](const auto& a, const auto& b) {
+        return a.parts.value_or(HUGE_VAL) < b.parts.value_or(HUGE_VAL);
+      });
+  if (least->parts && std::isfinite(*least->parts)) {
+    std::string errors = least->name + " errs by " + parts_in_words(*least) + " (median)";
+    if (least->name != fastest.name) errors += ", " + fastest.name + ": " + parts_in_words(fastest);
+    text.push_back("with parts of 1 % the best circuit, " + errors);
+  }
 }
 
 }  // namespace
@@ -81,10 +124,10 @@ std::string answer(const Study& study, const Requirement& requirement) {
     text += timed(point);
     std::vector<std::string> margins;
     if (requirement.deadline)
-      margins.push_back(brief(*requirement.deadline / point.seconds) +
+      margins.push_back(times(*requirement.deadline / point.seconds) +
                         " times inside the deadline");
     if (requirement.accuracy)
-      margins.push_back(brief(*requirement.accuracy / *point.error_to_solution) +
+      margins.push_back(times(*requirement.accuracy / *point.error_to_solution) +
                         " times inside the error");
     return margins.empty() ? text : text + " (" + join(margins, ", ") + ")";
   }
@@ -119,6 +162,19 @@ std::vector<std::string> in_words(const Study& study) {
                  ": more accuracy than that cannot be seen");
   add_circuits(text, study, points);
   return text;
+}
+
+std::vector<std::vector<std::string>> circuit_cells(const Study& study) {
+  const std::vector<WorkPoint> points = study.points();
+  const std::optional<double> frame = fastest_frame(points);
+  std::vector<std::vector<std::string>> rows = {{"circuit", "settles to 1 %", "beats a clock below",
+                                                 "beats this machine from", "parts of 1 % leave"}};
+  for (const SettledCircuit& circuit : settled_circuits(study, points))
+    rows.push_back(
+        {circuit.name, duration(circuit.seconds),
+         frame && study.clock > 0.0 ? frequency(study.clock * *frame / circuit.seconds) : "-",
+         frame ? frequency(bandwidth * circuit.seconds / *frame) : "-", parts_in_words(circuit)});
+  return rows;
 }
 
 }  // namespace tactile_net::tool

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "html.hpp"
-#include "plot.hpp"
 #include "text.hpp"
 #include "verdict.hpp"
 
@@ -22,8 +20,7 @@ std::string condition_in_words(const Identifiability& result) {
 }
 
 Plot singular_value_plot(const Identifiability& result) {
-  Plot plot{
-      "Singular values of the scene's sensors", "number", "singular value", {}, {}, false, true};
+  Plot plot{"Singular values", "number", "singular value [1 / unit of E]", {}, {}, false, true};
   Curve values{"singular values", {}, 1, true};
   for (const double value : result.singular_values) {
     plot.x.push_back(static_cast<double>(plot.x.size() + 1));
@@ -48,9 +45,9 @@ std::vector<const SensorChoice*> drawn(const Survey& survey) {
 
 Plot deviation_plot(const Survey& survey, Traction component) {
   Plot plot{std::string(component == Traction::normal ? "Normal" : "Tangential") +
-                " traction: standard deviation of a ripple's amplitude",
-            "wavelength",
-            "deviation / traction",
+                " traction: what noise hides",
+            "wavelength of a ripple [unit of the pitch]",
+            "standard deviation / ripple",
             {},
             {},
             true,
@@ -77,16 +74,29 @@ Plot deviation_plot(const Survey& survey, Traction component) {
       }
     plot.curves.push_back(std::move(line));
   }
-  plot.curves.push_back({"the traction itself", std::vector<double>(plot.x.size(), 1.0), 0});
+  plot.curves.push_back({"the ripple itself", std::vector<double>(plot.x.size(), 1.0), 0});
   return plot;
 }
 
-std::vector<Plot> plots_of(const Survey& survey) {
-  std::vector<Plot> plots = {singular_value_plot(survey.own.identifiability),
-                             deviation_plot(survey, Traction::normal)};
-  if (survey.own.unknowns == 2) plots.push_back(deviation_plot(survey, Traction::tangential));
-  std::erase_if(plots, [](const Plot& plot) { return plot.x.empty(); });
-  return plots;
+std::vector<Figure> figures_of(const Survey& survey) {
+  const std::string ripples =
+      "How far noise leaves the amplitude of a ripple uncertain in one frame, for the scene's "
+      "sensors (now) and the best of the others in their place. A ripple stands out of the noise "
+      "where a curve lies below the heavy line: the further left it crosses, the finer the detail "
+      "that can be told.";
+  std::vector<Figure> figures = {
+      {"singular-values", "scene",
+       "How strongly the combinations of tractions show in the readings, in units of the noise, "
+       "strongest first. The lower a dot, the more its combination is drowned; those on or below "
+       "the heavy line are lost to rounding, whatever the noise; one of exactly 0 has no place "
+       "here.",
+       singular_value_plot(survey.own.identifiability)},
+      {"resolution-normal", "others", ripples, deviation_plot(survey, Traction::normal)}};
+  if (survey.own.unknowns == 2)
+    figures.push_back({"resolution-tangential", "others", "The same for the tangential traction.",
+                       deviation_plot(survey, Traction::tangential)});
+  std::erase_if(figures, [](const Figure& figure) { return figure.plot.x.empty(); });
+  return figures;
 }
 
 }  // namespace
@@ -156,13 +166,8 @@ std::vector<std::string> singular_values_in_words(const Identifiability& result)
 }
 
 Report survey_html(const Scene& scene, const Survey& survey) {
-  Report result;
-  std::vector<std::string> pictures;
-  try {
-    pictures = draw(plots_of(survey));
-  } catch (const std::runtime_error& error) {
-    result.missing = std::string("the report has no plots: ") + error.what();
-  }
+  const Figures figures(figures_of(survey));
+  Report result{.missing = figures.missing(), .files = figures.data()};
 
   std::string body = element("h1", scene.title.empty() ? scene.file : scene.title);
   body += element(
@@ -174,11 +179,12 @@ Report survey_html(const Scene& scene, const Survey& survey) {
   for (std::size_t i = 1; i < verdict.size(); ++i) body += element("p", verdict[i]);
   body += html_list(singular_values_in_words(survey.own.identifiability));
   if (!result.missing.empty()) body += element("p", result.missing, "note");
-  for (const std::string& picture : pictures)
-    body += "<figure class=\"plot\">" + picture + "</figure>\n";
+  body += figures.html("scene");
   body += element("h2", "Which quantities, at which depth");
   body += element("p", cells_in_words(scene, survey));
   body += html_table(survey_cells(survey));
+  body += figures.html("others");
+  body += "<p>All numbers: <a href=\"result.json\">result.json</a>.</p>\n";
   result.html = html_page(scene.file + " - tactile-net identify", body);
   return result;
 }

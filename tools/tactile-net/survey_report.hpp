@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report.hpp"
+#include "figure.hpp"
 #include "survey.hpp"
 
 namespace tactile_net::tool {

@@ -87,19 +87,18 @@ void print_relaxation(std::ostream& out, const Relaxation& relaxation) {
   for (const std::string& line : in_words(relaxation)) out << "  " << line << '\n';
 }
 
-void print_certificate(std::ostream& out, const Certificate& certificate,
-                       const std::optional<ToleranceResult>& tolerance,
-                       const ToleranceOptions& options, const Recommendation& recommendation) {
+void print_certificate(std::ostream& out, const Certification& c) {
   std::string indent;
-  for (const std::string& line : in_words(certificate)) {
+  for (const std::string& line : in_words(c.certificate)) {
     out << indent << line << '\n';
     indent = "  ";
   }
-  if (tolerance)
-    for (const std::string& line : in_words(options, *tolerance)) out << "  " << line << '\n';
+  if (c.tolerance)
+    for (const std::string& line : in_words(drawn_options(c.plan), *c.tolerance))
+      out << "  " << line << '\n';
   out << '\n';
-  print_cells(out, cells(recommendation));
-  out << recommendation.text << '\n';
+  print_cells(out, cells(c.recommendation));
+  out << c.recommendation.text << '\n';
 }
 
 void print_deck_answer(std::ostream& out, const std::string& file, const DeckAnswer& answer) {

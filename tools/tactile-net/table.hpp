@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "certificate_report.hpp"
 #include "deck_file.hpp"
 #include "experiment.hpp"
 
@@ -28,9 +29,7 @@ void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>&
 
 void print_experiment(std::ostream& out, const Experiment& experiment);
 void print_relaxation(std::ostream& out, const Relaxation& relaxation);
-void print_certificate(std::ostream& out, const Certificate& certificate,
-                       const std::optional<ToleranceResult>& tolerance,
-                       const ToleranceOptions& options, const Recommendation& recommendation);
+void print_certificate(std::ostream& out, const Certification& certification);
 /// With the five nodes that are furthest off, if the difference is more than is allowed.
 void print_deck_answer(std::ostream& out, const std::string& file, const DeckAnswer& answer);
 

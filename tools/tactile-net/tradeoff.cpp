@@ -196,17 +196,22 @@ void run(const Options& options) {
   runner.publish();
 
   if (!options.out.empty()) {
-    const StudyReport report = study_html(study);
+    const Report report = study_html(study);
     write(folder / "tradeoff.csv", study_csv(study));
-    for (const auto& [name, picture] : report.pictures) write(folder / name, picture);
-    write(folder / "report.html", report.page.html);
-    if (!report.page.missing.empty()) std::cerr << "warning: " << report.page.missing << '\n';
+    for (const auto& [name, content] : report.files) write(folder / name, content);
+    write(folder / "report.html", report.html);
+    if (!report.missing.empty()) std::cerr << "warning: " << report.missing << '\n';
   }
   if (!options.json.empty())
     write(options.json == "-" ? "" : options.json, study_json(study, scene_text));
   if (options.json != "-") {
     print_cells(std::cout, front_cells(study));
     std::cout << '\n';
+    if (const auto circuits = circuit_cells(study); circuits.size() > 1) {
+      std::cout << "circuits of op-amps of 10 MHz:\n";
+      print_cells(std::cout, circuits);
+      std::cout << '\n';
+    }
     for (const std::string& sentence : in_words(study)) std::cout << sentence << '\n';
     for (const std::string& failure : failures_in_words(study))
       std::cout << "failed: " << failure << '\n';
@@ -231,8 +236,9 @@ void add_tradeoff(CLI::App& app) {
       "What accuracy costs in time: every method and every circuit, timed on this "
       "machine, and which to choose");
   command->add_option("SCENE", options->scene, "Scene file (TOML)")->required();
-  command->add_option("--out", options->out,
-                      "Folder for report.html, tradeoff.csv, tradeoff.json and the plots (SVG)");
+  command->add_option(
+      "--out", options->out,
+      "Folder for report.html, tradeoff.csv, tradeoff.json and the plots (SVG, CSV)");
   command->add_option("--json", options->json, "Write the study as JSON (- = standard output)");
   command->add_option("--deadline", options->deadline,
                       "A frame must be done within this: 100us, 1ms, ...");

@@ -1,0 +1,26 @@
+/// @file
+/// report.html of `certify`.
+#pragma once
+
+#include <optional>
+
+#include "figure.hpp"
+#include "relaxation.hpp"
+
+namespace tactile_net::tool {
+
+/// What `certify` found of a scene's circuit.
+struct Certification {
+  Scene scene;
+  CircuitPlan plan;
+  Certificate certificate{};
+  std::optional<ToleranceResult> tolerance{};
+  Recommendation recommendation{};
+
+  /// Whether there is an answer for the circuit to settle to.
+  [[nodiscard]] bool loaded() const noexcept;
+};
+
+[[nodiscard]] Report certificate_html(const Certification& certification);
+
+}  // namespace tactile_net::tool
