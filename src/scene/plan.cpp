@@ -44,6 +44,7 @@ class Planner {
     methods();
     errors();
     circuit();
+    time_course();
     add(Computation::report, request_.report, request_.report ? "--out asks for files" : "no --out",
         "plots by gnuplot, tables");
     return std::move(plan_);
@@ -178,6 +179,17 @@ class Planner {
          network.tolerance ? count_of(network.tolerance->trials, "draw") : "");
   }
 
+  void time_course() {
+    const bool matrix = uses(Method::tikhonov) || uses(Method::closed_form);
+    const std::size_t frames = scene_.time ? scene_.time->frames : 1;
+    add(Computation::time_course, request_.report && frames > 1 && matrix,
+        frames == 1        ? "one frame"
+        : !request_.report ? "no --out"
+        : !matrix          ? "neither tikhonov nor closed_form is asked for"
+                           : "the report draws the resultant over the scene's time",
+        "every frame simulated and solved, at most 400 solved");
+  }
+
   const Scene& scene_;
   const ReconstructOptions& options_;
   PlanRequest request_;
@@ -217,6 +229,8 @@ std::string_view name(Computation computation) noexcept {
       return "transient";
     case Computation::tolerance:
       return "tolerance";
+    case Computation::time_course:
+      return "time_course";
     case Computation::report:
       return "report";
   }

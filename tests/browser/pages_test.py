@@ -19,6 +19,7 @@ WIDTHS = (400, 1400)
 COMMANDS = [
     ("run", 4, ["run", "thesis/cylinder.toml", "--compare-rules"]),
     ("run with friction", 6, ["run", "dragged-two-depths.toml"]),
+    ("run over time", 7, ["run", "effects/everything.toml"]),
     ("run with a failure", 1, ["run", "thesis/example-3.2.toml", "--ngspice", "no-such-ngspice",
                                "--realization", "nic"]),
     ("identify", 2, ["identify", "thesis/cylinder.toml"]),

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <sstream>
 
@@ -48,6 +50,21 @@ std::string without_time(const std::string& csv) {
   std::string out;
   for (std::string line; std::getline(in, line);) out += line.substr(line.find(',') + 1) + '\n';
   return out;
+}
+
+/// The numbers of a CSV below its header, row by row; an empty field is NaN.
+std::vector<std::vector<double>> rows_of(const std::string& csv) {
+  std::istringstream in(csv);
+  std::string line;
+  std::getline(in, line);
+  std::vector<std::vector<double>> rows;
+  while (std::getline(in, line)) {
+    std::istringstream fields(line + ',');
+    rows.emplace_back();
+    for (std::string field; std::getline(fields, field, ',');)
+      rows.back().push_back(field.empty() ? std::nan("") : std::stod(field));
+  }
+  return rows;
 }
 
 }  // namespace
@@ -104,6 +121,41 @@ TEST_CASE("what simulate writes solve reads, CSV and .npy alike", "[cli]") {
     named.replace(at, 7, "stress_x_");
   CHECK(tool({"solve", path, "--readings", folder / "f.npy"}).output ==
         tool({"solve", path, "--readings", folder.write("f2.csv", named)}).output);
+}
+
+TEST_CASE("the course over time that run draws is what simulate and solve give", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write(
+      "s.toml",
+      small_scene +
+          "[time]\nrate = 10.0\nduration = 1.0\n"
+          "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\n"
+          "trajectory = [{ t = 0.0, force = 0.0, center = -0.2 }, { t = 0.5, force = 1.0, center = "
+          "0.3 }]\n[noise]\nrms = 0.01\n[low_pass]\ncutoff = 3.0\n");
+  REQUIRE(tool({"run", path, "--frame", "4", "--out", folder / "out"}).code == 0);
+  const auto force = rows_of(read_text(folder / "out/force-over-time.csv"));
+  const auto centre = rows_of(read_text(folder / "out/centre-over-time.csv"));
+  REQUIRE(tool({"simulate", path, "-o", folder / "g.csv"}).code == 0);
+  const auto solved =
+      rows_of(tool({"solve", path, "--readings", folder / "g.csv"}).output);  // t, three tractions
+  REQUIRE(solved.size() == 11);
+  REQUIRE(force.size() == 11);
+  REQUIRE(centre.size() == 11);
+  for (std::size_t k = 0; k < 11; ++k) {
+    CAPTURE(k);
+    const double load = std::min(1.0, static_cast<double>(k) / 5.0);
+    const double sum = solved[k][1] + solved[k][2] + solved[k][3];
+    CHECK(force[k][0] == solved[k][0]);
+    CHECK_THAT(force[k][1], WithinAbs(sum, 1e-12));
+    CHECK_THAT(force[k][2], WithinAbs(load, 1e-12));
+    CHECK(std::isnan(centre[k][1]) == (k == 0 || sum <= 0.0));
+    if (k > 0 && sum > 0.0)
+      CHECK_THAT(centre[k][1], WithinAbs((solved[k][3] - solved[k][1]) / sum, 1e-12));
+  }
+  CHECK_THAT(read_text(folder / "out/report.html"),
+             ContainsSubstring("href=\"force-over-time.csv"));
+  CHECK_THAT(tool({"run", path, "--explain"}).output,
+             ContainsSubstring("time_course") && ContainsSubstring("no --out"));
 }
 
 TEST_CASE(".npy by hand, of any version and of floats, is read", "[cli]") {

@@ -84,6 +84,10 @@ TEST_CASE("the second unknown and the layer's integrals come only where they are
   CHECK_FALSE(make_plan(parse(alpha)).does(history));
   CHECK(make_plan(parse(alpha + "[time]\nrate = 1\nframes = 3\n")).does(history));
   CHECK(make_plan(parse(alpha), {.report = true}).does(Computation::report));
+  CHECK_FALSE(make_plan(parse(alpha), {.report = true}).does(time_course));
+  const std::string time = "[time]\nrate = 1\nframes = 3\n";
+  CHECK(make_plan(parse(alpha + time), {.report = true}).does(time_course));
+  CHECK_FALSE(make_plan(parse(alpha + time)).does(time_course));
 }
 
 TEST_CASE("an effect costs operations only where it is simulated and has a strength", "[plan]") {

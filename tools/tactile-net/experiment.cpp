@@ -189,6 +189,7 @@ Experiment run_experiment(const Scene& scene, const ScenePlan& plan, Simulator& 
                         .sweep = {},
                         .results = {},
                         .relaxation = {},
+                        .course = {},
                         .deck = {}};
   experiment.sampled_force = sampled_force(experiment.simulation.truth.normal, scene.sensor.pitch);
   if (plan.does(Computation::rule_comparison)) {
@@ -200,6 +201,15 @@ Experiment run_experiment(const Scene& scene, const ScenePlan& plan, Simulator& 
     experiment.results.push_back(method == Method::network
                                      ? by_network(scene, simulator, experiment, progress)
                                      : reconstruct(scene, method, experiment));
+  }
+  if (plan.does(Computation::time_course)) {
+    const auto solved = std::find_if(
+        experiment.results.begin(), experiment.results.end(), [](const MethodResult& result) {
+          return result.has_answer() &&
+                 (result.method == Method::tikhonov || result.method == Method::closed_form);
+        });
+    if (solved != experiment.results.end())
+      experiment.course = time_course(scene, solved->method, progress);
   }
   return experiment;
 }

@@ -12,6 +12,7 @@
 #include "solver.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/scene/plan.hpp"
+#include "time_course.hpp"
 
 namespace tactile_net::tool {
 
@@ -55,6 +56,7 @@ struct Experiment {
   std::optional<AlphaSweep> sweep;  ///< every rule for alpha, where the plan compares them
   std::vector<MethodResult> results;
   std::optional<Relaxation> relaxation;
+  std::optional<TimeCourse> course;
   std::string deck;  ///< as `gen` writes it; empty if the network is not a method
 
   /// True if every method has an answer and the circuit agrees with the direct solve.

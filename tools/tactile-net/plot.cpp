@@ -101,7 +101,10 @@ std::string axes(const Plot& plot) {
   return text +
          (plot.logarithmic_y ? "\nset logscale y\nset format y '1e%T'"
                              : "\nunset logscale y\nset format y '%h'") +
-         (plot.from_zero ? "\nset yrange [0:*]" : "\nset yrange [*:*]");
+         (plot.from_zero          ? "\nset yrange [0:*]"
+          : plot.y_at_least > 0.0 ? "\nset yrange [*<-" + number(plot.y_at_least) + ":" +
+                                        number(plot.y_at_least) + "<*]"
+                                  : "\nset yrange [*:*]");
 }
 
 /// A curve's points as a named block of data.

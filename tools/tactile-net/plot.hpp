@@ -28,6 +28,7 @@ struct Plot {
   bool logarithmic_x = false;
   bool logarithmic_y = false;  ///< values <= 0: a gap
   bool from_zero = false;      ///< the y axis begins at 0
+  double y_at_least = 0.0;     ///< > 0: the y axis reaches from minus this to this, or further
   /// > 0: both axes are linear up to about this, and logarithmic beyond it on both sides of zero.
   double linear_within = 0.0;
 };

@@ -15,6 +15,7 @@ namespace {
 constexpr std::string_view answer = "answer";
 constexpr std::string_view choice = "choice";
 constexpr std::string_view readings = "readings";
+constexpr std::string_view over_time = "over time";
 
 /// One component of every answer, with bands of two standard deviations, under the truth.
 void add_component(std::vector<Figure>& figures, const Experiment& experiment,
@@ -84,6 +85,55 @@ Figure rules_figure(const AlphaSweep& sweep) {
           std::move(plot)};
 }
 
+/// Force and centre over the scene's time.
+void add_course(std::vector<Figure>& figures, const TimeCourse& course, double pitch) {
+  const std::string method(name(course.method));
+  const auto of = [](const std::vector<Resultant>& resultants, double Resultant::*which) {
+    std::vector<double> values;
+    for (const Resultant& one : resultants) values.push_back(one.*which);
+    return values;
+  };
+  Plot forces{"Force over time", "time [s]", "force [unit of E x pitch]", course.time, {}};
+  forces.curves.push_back({method + ", normal", of(course.found, &Resultant::normal), 1});
+  if (course.tangential)
+    forces.curves.push_back({method + ", tangential", of(course.found, &Resultant::tangential), 2});
+  const std::vector<double> pressed = of(course.truth, &Resultant::normal);
+  forces.curves.push_back({"truth, normal", pressed, 0});
+  forces.curves.back().dashed = true;
+  if (course.tangential) {
+    forces.curves.push_back({"truth, tangential", of(course.truth, &Resultant::tangential), 3});
+    forces.curves.back().dashed = true;
+  }
+  figures.push_back({"force-over-time", std::string(over_time),
+                     "What presses on the array (dashed) and what " + method +
+                         " finds in every frame by itself. Where a line leaves its dashes by more "
+                         "than its own ripple, an effect that the method does not know of is at "
+                         "work: creep, hysteresis, drift, a filter.",
+                     std::move(forces)});
+
+  // A force that is small beside the readings' noise has its centre anywhere.
+  const double least = 0.05 * *std::max_element(pressed.begin(), pressed.end());
+  const auto centres = [&](const std::vector<Resultant>& resultants) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < resultants.size(); ++k)
+      values.push_back(pressed[k] > least ? resultants[k].centre().value_or(
+                                                std::numeric_limits<double>::quiet_NaN())
+                                          : std::numeric_limits<double>::quiet_NaN());
+    return values;
+  };
+  if (!(least > 0.0)) return;
+  Plot centre{"Centre of pressure over time", "time [s]", "y [unit of the pitch]", course.time, {}};
+  centre.y_at_least = pitch;
+  centre.curves.push_back({method, centres(course.found), 1});
+  centre.curves.push_back({"truth", centres(course.truth), 0});
+  centre.curves.back().dashed = true;
+  figures.push_back(
+      {"centre-over-time", std::string(over_time),
+       "Where the force acts, while it is more than a twentieth of its largest: below "
+       "that noise alone decides. Dashed: the truth.",
+       std::move(centre)});
+}
+
 std::vector<Figure> figures_of(const Experiment& experiment) {
   const Scene& scene = experiment.scene;
   const std::vector<double> y = positions(scene.sensor);
@@ -97,6 +147,7 @@ std::vector<Figure> figures_of(const Experiment& experiment) {
     add_component(figures, experiment, &MethodResult::tangential, "tangential", "Tangential",
                   truth.tangential.empty() ? std::vector<double>(y.size()) : truth.tangential);
   if (experiment.sweep) figures.push_back(rules_figure(*experiment.sweep));
+  if (experiment.course) add_course(figures, *experiment.course, scene.sensor.pitch);
   auto begin = experiment.simulation.readings.begin();
   for (const Channel& channel : channels(scene.sensor)) {
     const auto end = begin + static_cast<std::ptrdiff_t>(y.size());
@@ -168,6 +219,8 @@ Report report_html(const Experiment& experiment) {
     if (!result.failure.empty()) html += element("p", method + result.failure, "bad");
   }
   html += figures.html(answer);
+  if (const std::string drawn = figures.html(over_time); !drawn.empty())
+    html += element("h2", "Over time") + drawn;
   if (experiment.sweep) {
     html += element("h2", "The choice of alpha");
     html += element("p", "Every rule on these readings; " + rule_used(scene) + ".");

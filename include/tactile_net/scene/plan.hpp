@@ -43,6 +43,7 @@ enum class Computation {
   certificate,
   transient,
   tolerance,
+  time_course,  ///< the resultant in every frame
   report,
 };
 
