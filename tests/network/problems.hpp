@@ -44,4 +44,15 @@ inline Circuit swapped(const Circuit& circuit) {
   return flat;
 }
 
+/// 1 kilo-ohm and 1 nF from one node to ground, driven by 2 mA: 2 V after some microseconds.
+inline Circuit resistor_and_capacitor() {
+  Circuit circuit;
+  const Node a = add_node(circuit, "n0");
+  circuit.outputs = {a};
+  circuit.resistors = {{"R0", a, 0, 1e-3}};
+  circuit.capacitors = {{"C0", a, 0, 1e-9}};
+  circuit.sources = {{"I0", a, 2e-3}};
+  return circuit;
+}
+
 }  // namespace tactile_net

@@ -23,12 +23,7 @@ double slowest(const Circuit& circuit) { return poles(state_space(circuit)).fron
 }  // namespace
 
 TEST_CASE("a resistor and a capacitor settle as exp(-t/RC)", "[state_space]") {
-  Circuit circuit;
-  const Node a = add_node(circuit, "n0");
-  circuit.outputs = {a};
-  circuit.resistors = {{"R0", a, 0, 1e-3}};
-  circuit.capacitors = {{"C0", a, 0, 1e-9}};
-  circuit.sources = {{"I0", a, 2e-3}};
+  const Circuit circuit = resistor_and_capacitor();
   const StateSpace system = state_space(circuit);
   CHECK_THAT(slowest(circuit), WithinRel(-1e6, 1e-12));
   CHECK_THAT(steady_state(system)[0], WithinRel(2.0, 1e-12));
@@ -36,12 +31,7 @@ TEST_CASE("a resistor and a capacitor settle as exp(-t/RC)", "[state_space]") {
 }
 
 TEST_CASE("the error after a step falls as the exponential it is", "[state_space]") {
-  Circuit circuit;
-  const Node a = add_node(circuit, "n0");
-  circuit.outputs = {a};
-  circuit.resistors = {{"R0", a, 0, 1e-3}};
-  circuit.capacitors = {{"C0", a, 0, 1e-9}};
-  circuit.sources = {{"I0", a, 2e-3}};
+  Circuit circuit = resistor_and_capacitor();
   const std::vector<double> errors = step_errors(state_space(circuit), 0.5e-6, 20);
   REQUIRE(errors.size() == 21);
   for (std::size_t k = 0; k < errors.size(); ++k)

@@ -46,12 +46,7 @@ double overlap(const std::vector<double>& a, const std::vector<double>& b) {
 }  // namespace
 
 TEST_CASE("a capacitor charges as the exponential does", "[spice][step_response]") {
-  Circuit circuit;
-  const Node a = add_node(circuit, "n0");
-  circuit.outputs = {a};
-  circuit.resistors = {{"R0", a, 0, 1e-3}};
-  circuit.capacitors = {{"C0", a, 0, 1e-9}};
-  circuit.sources = {{"I0", a, 2e-3}};
+  const Circuit circuit = resistor_and_capacitor();
   Ngspice ngspice;
   const Waveforms waveforms = step_response(ngspice, circuit, {.step = 1e-8, .stop = 1e-5});
   for (std::size_t k = 0; k < waveforms.time.size(); k += 50)
