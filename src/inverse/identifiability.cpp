@@ -112,7 +112,9 @@ std::string in_words(const ModeSpace& space) {
   std::ostringstream text;
   text.precision(3);
   text << space.modes.front().description;
-  if (space.dimension > 1) text << "; and " << space.dimension - 1 << " combinations more";
+  if (space.dimension > 1)
+    text << "; and " << space.dimension - 1 << " combination" << (space.dimension > 2 ? "s" : "")
+         << " more";
   if (space.dimension > 1 && space.longest > 0.0) {
     if (std::isinf(space.longest))
       text << ", from constant ones to wavelength " << space.shortest;

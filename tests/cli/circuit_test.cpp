@@ -193,6 +193,8 @@ TEST_CASE("certify draws an unstable circuit too, and fails", "[cli]") {
   CHECK_THAT(read_text(folder / "out/report.html"),
              ContainsSubstring("UNSTABLE") && ContainsSubstring("href=\"settling.csv\""));
   CHECK_THAT(read_text(folder / "out/poles.csv"), ContainsSubstring("\ngrows,"));
+  CHECK_THAT(tool({"certify", scene("circuits/lc.toml"), "--bandwidth", "1e6"}).errors,
+             ContainsSubstring("lc has no op-amps"));
   const std::string settling = read_text(folder / "out/settling.csv");
   const std::size_t last = settling.rfind('\n', settling.size() - 2) + 1;
   CHECK(std::stod(settling.substr(settling.find(',', last) + 1)) > 10.0);  // it grows

@@ -100,6 +100,60 @@ TEST_CASE("an existing folder keeps what is not a result", "[cli]") {
     CHECK(entry.path().filename().string().find("partial") == std::string::npos);
 }
 
+TEST_CASE("files of another run are left, and named", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_scene);
+  REQUIRE(tool({"run", path, "--compare-rules", "--out", folder / "out"}).errors.empty());
+  folder.write("out/mine.csv", "1");
+  const ProcessResult again = tool({"run", path, "--out", folder / "out"});
+  CHECK_THAT(again.errors, ContainsSubstring("holds files of another run too: mine.csv\n"));
+  CHECK(read_text(folder / "out/mine.csv") == "1");
+
+  std::filesystem::remove(folder / "out/result.json");
+  std::filesystem::create_directory(folder / "out/result.json");
+  const std::string before = read_text(folder / "out/report.html");
+  folder.write("s.toml", "title = \"another\"\n" + small_scene);
+  const ProcessResult refused = tool({"run", path, "--out", folder / "out"});
+  CHECK(refused.code == 2);
+  CHECK_THAT(refused.errors, ContainsSubstring("result.json: error: is a folder"));
+  CHECK(read_text(folder / "out/report.html") == before);
+}
+
+TEST_CASE("readings of zero leave the rules nothing, and the plots all they have", "[cli]") {
+  const Folder folder;
+  std::string ruled = small_scene;
+  ruled.erase(ruled.find("[reconstruct]"));
+  const ProcessResult result =
+      tool({"run", folder.write("s.toml", ruled), "--out", folder / "out"});
+  CHECK(result.code == 0);
+  CHECK(result.errors.empty());
+  const std::string html = read_text(folder / "out/report.html");
+  CHECK_THAT(html, ContainsSubstring("href=\"normal.csv\"") && !ContainsSubstring("no plots"));
+}
+
+TEST_CASE("an alpha that explains nothing is not ok", "[cli]") {
+  const Folder folder;
+  std::string far = small_scene;
+  far.replace(far.find("1e-3"), 4, "1e10");
+  const ProcessResult result =
+      tool({"run", folder.write("s.toml", far + "[[contact]]\nshape = \"cylinder\"\n"
+                                                "half_width = 1.0\nforce = 1.0\n")});
+  CHECK_THAT(result.output, ContainsSubstring("oversmoothed") &&
+                                ContainsSubstring("100 % of the readings unexplained"));
+}
+
+TEST_CASE("a file's name may be any bytes, and output that is lost is a failure", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s\xff.toml", small_scene);
+  const ProcessResult result = tool({"run", path, "--json", "-", "--out", folder / "out"});
+  CHECK(result.code == 0);
+  CHECK(result.errors.empty());
+  CHECK_THAT(result.output, ContainsSubstring("\"scene\": \"s\xef\xbf\xbd.toml\""));
+  const ProcessResult lost = run_process({"sh", "-c", TOOL " run '" + path + "' > /dev/full"});
+  CHECK(lost.code == 1);
+  CHECK_THAT(lost.errors, ContainsSubstring("standard output could not be written"));
+}
+
 TEST_CASE("an unloaded sensor has no traction and no relative error", "[cli][spice]") {
   const Folder folder;
   const std::string path =

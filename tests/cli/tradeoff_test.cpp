@@ -175,8 +175,78 @@ TEST_CASE("a study's bad options are refused", "[cli][tradeoff]") {
   };
   refused({"tradeoff", file, "--deadline", "soon"}, "is no time > 0");
   refused({"tradeoff", file, "--deadline", "-1ms"}, "is no time > 0");
+  refused({"tradeoff", file, "--deadline", ""}, "is no time > 0");
+  refused({"tradeoff", file, "--deadline", "inf"}, "is no time > 0");
+  refused({"tradeoff", file, "--digital", "--json", folder / "no/x.json"}, "cannot be created");
   refused({"tradeoff", file, "--accuracy", "0"}, "accuracy must be > 0");
   refused({"tradeoff", file, "--resume"}, "needs --out");
   refused({"tradeoff", folder.write("unloaded.toml", small_scene)}, "every reading is zero");
   refused({"tradeoff", file, "--digital", "--out", file}, "cannot be created as a folder");
+}
+
+TEST_CASE("a study that cannot be saved ends with the reason", "[cli][tradeoff]") {
+  const Folder folder;
+  std::filesystem::create_directories(folder / "out/tradeoff.json");
+  const ProcessResult result =
+      tool({"tradeoff", folder.write("s.toml", pressed), "--digital", "--out", folder / "out"});
+  CHECK(result.end == ProcessResult::End::exited);
+  CHECK(result.code == 2);
+  CHECK_THAT(result.errors, ContainsSubstring("tradeoff.json: error: is a folder"));
+}
+
+TEST_CASE("a study needs its simulator from the start, and --resume tries again what failed",
+          "[cli][tradeoff]") {
+  const Folder folder;
+  const std::string file = folder.write("s.toml", pressed);
+  const ProcessResult without = tool({"tradeoff", file, "--ngspice", "no-such-ngspice"});
+  CHECK(without.code == 1);
+  CHECK_THAT(without.errors, ContainsSubstring("not installed") && ContainsSubstring("--digital"));
+
+  const std::string out = folder / "out";
+  REQUIRE(tool({"tradeoff", file, "--digital", "--out", out}).code == 0);
+  Json study = Json::parse(read_text(out + "/tradeoff.json"));
+  const std::string kept = study.at("jobs").at(0).dump();
+  study.at("jobs").at(1).at("points").at(0).at("failure") = "the machine was asleep";
+  folder.write("out/tradeoff.json", study.dump());
+  REQUIRE(tool({"tradeoff", file, "--digital", "--out", out, "--resume"}).code == 0);
+  study = Json::parse(read_text(out + "/tradeoff.json"));
+  CHECK(study.at("jobs").at(0).dump() == kept);
+  CHECK(study.at("jobs").at(1).at("points").at(0).at("failure") == "");
+}
+
+TEST_CASE("three taxels: what the first instant reaches takes no time, and is no failure",
+          "[cli][tradeoff]") {
+  const Folder folder;
+  std::string three = pressed;
+  three.replace(three.find("count = 21"), 10, "count = 3");
+  three.replace(three.find("half_width = 2.0"), 16, "half_width = 0.5");
+  const ProcessResult result = tool({"tradeoff", folder.write("s.toml", three), "--json", "-"});
+  REQUIRE(result.code == 0);
+  const Json study = Json::parse(result.output);
+  std::set<std::string> settling;
+  for (const Json& job : study.at("jobs"))
+    for (const Json& point : job.at("points"))
+      if (point.at("time_of") == "settling") {
+        CAPTURE(point.dump());
+        CHECK(point.at("failure") == "");
+        CHECK(point.at("seconds").at("median").get<double>() >
+              1e-10);  // no artefact of a step's edge
+        settling.insert(point.at("curve"));
+      }
+  for (const char* curve : {"nic, 10 MHz", "rail, 1 MHz", "crossbar, 100 MHz"})
+    CHECK(settling.contains(curve));
+}
+
+TEST_CASE("a study says which problem it studied", "[cli][tradeoff]") {
+  const Folder folder;
+  const ProcessResult result =
+      tool({"tradeoff", folder.write("s.toml", pressed + "nonnegative = true\n"), "--digital"});
+  CHECK(result.code == 0);
+  CHECK_THAT(result.output, ContainsSubstring("is that without the scene's constraints"));
+  std::string noise = pressed;
+  noise.erase(noise.find("[[contact]]"), noise.find("[reconstruct]") - noise.find("[[contact]]"));
+  const ProcessResult silent =
+      tool({"tradeoff", folder.write("n.toml", noise + "[noise]\nrms = 1e-3\n"), "--digital"});
+  CHECK(silent.code == 0);
+  CHECK_THAT(silent.output, ContainsSubstring("the scene has no contact"));
 }

@@ -70,7 +70,8 @@ Figure settling_figure(const Certification& c) {
           dynamics.settling_seconds
               ? "The answer's error after the inputs step from 0, by the exact solution of the "
                 "circuit's linear equations; it has settled where it stays below the dashed line. "
-                "A straight slope is the slowest pole alone; waves are ringing."
+                "Waves are ringing. A straight slope is one pole: the slowest that the inputs "
+                "excite enough to be seen."
               : "The distance from the answer that the circuit should come to rest at: it grows, "
                 "in the end at the rate of its rightmost pole.",
           std::move(plot)};
@@ -85,6 +86,7 @@ void add_builds(Plot& plot, const std::string& label, std::size_t colour,
     curve.x.push_back(error);
     curve.y.push_back(static_cast<double>(curve.x.size()) / static_cast<double>(result.trials));
   }
+  curve.marks = curve.x.size() == 1;
   if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
 }
 
@@ -97,6 +99,7 @@ Figure builds_figure(const Certification& c) {
             {},
             true};
   plot.from_zero = true;
+  plot.y_end = 1.02;
   for (const auto& candidate : c.recommendation.candidates)
     if (!c.tolerance || candidate.realization != c.plan.options.realization)
       add_builds(plot, std::string(name(candidate.realization)),
@@ -113,7 +116,8 @@ Figure builds_figure(const Certification& c) {
       "builds", "parts",
       "The share of builds whose answer errs by at most so much, further left is better; a "
       "realisation's yield is where its curve crosses the dashed line. A curve that ends "
-      "below 1 is unstable in the rest of its builds, a realisation without a curve in every one.",
+      "below 1 is unstable in the rest of its builds, a realisation without a curve in all that "
+      "were drawn.",
       std::move(plot)};
 }
 
@@ -143,6 +147,13 @@ Figure resistors_figure(const Circuit& circuit) {
           std::move(plot)};
 }
 
+/// What the word "stable" does not say.
+std::string parts_note(const Certification& c) {
+  if (!c.tolerance || 2 * c.tolerance->stable > c.tolerance->trials) return {};
+  return "With exact parts. Of " + std::to_string(c.tolerance->trials) + " builds with real ones " +
+         std::to_string(c.tolerance->stable) + " are stable.";
+}
+
 std::vector<Figure> figures_of(const Certification& c) {
   std::vector<Figure> figures;
   if (c.certificate.dynamics) {
@@ -162,6 +173,14 @@ bool Certification::loaded() const noexcept {
   return std::any_of(plan.direct.begin(), plan.direct.end(), [](double f) { return f != 0.0; });
 }
 
+std::vector<std::string> tolerance_in_words(const Certification& c) {
+  std::vector<std::string> lines = in_words(drawn_options(c.plan), *c.tolerance);
+  if (c.certificate.stability == Stability::unstable && c.tolerance->stable > 0)
+    lines.push_back(
+        "the builds take op-amps for infinitely fast: the certificate's poles say otherwise");
+  return lines;
+}
+
 Report certificate_html(const Certification& c) {
   const Figures figures(figures_of(c));
   Report report{.missing = figures.missing(), .files = figures.data()};
@@ -174,18 +193,21 @@ Report certificate_html(const Certification& c) {
   html += element("p", c.scene.file + ": " + sensor_in_words(c.scene) + "; " +
                            material_in_words(c.scene) + ".");
   html += element("p", words.front(), bad ? "bad" : "answer");
+  if (const std::string note = parts_note(c); !bad && !note.empty())
+    html += element("p", note, "note");
   html += html_list({words.begin() + 1, words.end()});
   if (!report.missing.empty()) html += element("p", report.missing, "note");
 
   html += element("h2", "Over time");
   if (!c.certificate.dynamics)
-    html += element("p",
-                    "Nothing here takes a time that is modelled, or it has too many states: no "
-                    "poles, no settling.");
+    html += element("p", takes_time(c.plan.options.realization, c.plan.options.parts)
+                             ? "It has more than 1500 states: no poles, no settling."
+                             : "Nothing here takes a time that is modelled, neither op-amps with a "
+                               "bandwidth nor a capacitance: no poles, no settling.");
   html += figures.html("time");
 
   html += element("h2", "With real parts");
-  if (c.tolerance) html += html_list(in_words(drawn_options(c.plan), *c.tolerance));
+  if (c.tolerance) html += html_list(tolerance_in_words(c));
   if (!c.recommendation.candidates.empty()) html += html_table(cells(c.recommendation));
   html += element("p", c.recommendation.text, "answer");
   html += figures.html("parts");

@@ -21,6 +21,9 @@ struct Certification {
   [[nodiscard]] bool loaded() const noexcept;
 };
 
+/// What the draws say, and where the certificate's poles contradict it. @pre  there are draws
+[[nodiscard]] std::vector<std::string> tolerance_in_words(const Certification& certification);
+
 [[nodiscard]] Report certificate_html(const Certification& certification);
 
 }  // namespace tactile_net::tool

@@ -14,12 +14,12 @@ double deadline_of(const std::string& text) {
   }
   while (end < text.size() && text[end] == ' ') ++end;
   const std::string unit = text.substr(end);
-  const double scale = unit == "ns"                  ? 1e-9
-                       : unit == "us"                ? 1e-6
-                       : unit == "ms"                ? 1e-3
-                       : unit.empty() || unit == "s" ? 1.0
-                                                     : 0.0;
-  if (end == 0 || scale == 0.0 || !(value > 0.0))
+  const double scale = unit == "ns"                   ? 1e-9
+                       : unit == "us" || unit == "µs" ? 1e-6
+                       : unit == "ms"                 ? 1e-3
+                       : unit.empty() || unit == "s"  ? 1.0
+                                                      : 0.0;
+  if (end == 0 || scale == 0.0 || !(value > 0.0) || !std::isfinite(value))
     throw CLI::ValidationError("--deadline",
                                "'" + text + "' is no time > 0: write it as 100us, 1ms or 2e-5");
   return value * scale;
@@ -81,6 +81,10 @@ void apply(const NetworkChoice& choice, Scene& scene) {
   if (!choice.bandwidth) return;
   if (!(*choice.bandwidth >= 1e-3 && *choice.bandwidth <= 1e15))
     throw CLI::ValidationError("--bandwidth", "must be from 1e-3 to 1e15 Hz");
+  const Realization realization = scene.network.realization;
+  if (realization == Realization::ideal || realization == Realization::lc ||
+      realization == Realization::ndr)
+    std::cerr << "note: " << name(realization) << " has no op-amps: --bandwidth changes nothing\n";
   OpAmp& opamp = scene.network.parts.opamp;
   opamp.gain = opamp.dc_gain();
   opamp.bandwidth = choice.bandwidth;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "frame_uncertainty.hpp"
@@ -53,6 +54,22 @@ void measure(MethodResult& result, std::span<const double> f, const Scene& scene
         component(f.subspan(n), truth.tangential.empty() ? no_tangential : truth.tangential);
 }
 
+/// |W (K f - g)| / |W g|; 0 without readings.
+double unexplained(const InverseProblem& problem, std::span<const double> readings,
+                   std::span<const double> f) {
+  double left = 0.0;
+  double all = 0.0;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (problem.weights[i] == 0.0) continue;
+    const double reading = problem.weights[i] * readings[i];
+    const std::span<const double> row = problem.kernel.row(i);
+    const double rest = std::inner_product(row.begin(), row.end(), f.begin(), -reading);
+    left = std::hypot(left, rest);
+    all = std::hypot(all, reading);
+  }
+  return all > 0.0 ? left / all : 0.0;
+}
+
 /// What can be said about the errors of an answer of P f = b.
 void judge_errors(MethodResult& result, std::span<const double> f, const Scene& scene,
                   const FrameFacts& facts, const Experiment& experiment) {
@@ -74,7 +91,12 @@ void judge_errors(MethodResult& result, std::span<const double> f, const Scene& 
   // Under a friction limit f = E z, and E has the condition number max(limit, 1 / limit).
   if (const auto limit = scene.reconstruct.friction_limit; facts.constrained && limit)
     *result.error_bound *= std::max(*limit, 1.0 / *limit);
-  if (result.error_bound && *result.error_bound > 1e-3) {
+  if (const double left = unexplained(problem, readings, f); left > 0.5) {
+    if (result.verdict == "ok") result.verdict = "oversmoothed";
+    result.warnings.push_back("the answer leaves " + brief(100.0 * left) +
+                              " % of the readings unexplained: alpha is far too large, or they are "
+                              "noise");
+  } else if (result.error_bound && *result.error_bound > 1e-3) {
     if (result.verdict == "ok") result.verdict = "ill_conditioned";
     result.warnings.push_back("rounding alone may have moved the answer by " +
                               brief(*result.error_bound) + " of its size; raise alpha");

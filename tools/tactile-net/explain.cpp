@@ -11,7 +11,7 @@ namespace tactile_net::tool {
 void print_plan(std::ostream& out, const Scene& scene, const ScenePlan& plan) {
   out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n  ")
       << sensor_in_words(scene) << "; " << material_in_words(scene) << '\n';
-  if (scene.time) out << "  " << time_in_words(scene) << '\n';
+  if (scene.time) out << "  " << time_in_words(scene) << " (--frame takes another)\n";
   out << "\nEffects, in the order of the signal path:\n";
   std::vector<std::vector<std::string>> rows = {
       {"effect", "simulated", "operations a frame", "what it does"}};
@@ -42,7 +42,7 @@ std::string plan_json(const Scene& scene, const ScenePlan& plan) {
                             {"why", one.why},
                             {"cost", one.cost.empty() ? Json(nullptr) : Json(one.cost)}});
   json["plan"] = {{"effects", effects}, {"computations", computations}};
-  return json.dump(1) + '\n';
+  return text_of(json);
 }
 
 }  // namespace tactile_net::tool

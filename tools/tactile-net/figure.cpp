@@ -64,6 +64,11 @@ std::string csv_of(const Plot& plot) {
 }
 
 Figures::Figures(std::vector<Figure> figures) : figures_(std::move(figures)) {
+  for (Figure& figure : figures_)
+    std::erase_if(figure.plot.curves, [](const Curve& curve) {
+      return std::none_of(curve.y.begin(), curve.y.end(),
+                          [](double y) { return std::isfinite(y); });
+    });
   std::erase_if(figures_, [](const Figure& figure) { return figure.plot.curves.empty(); });
   std::vector<Plot> plots;
   for (const Figure& figure : figures_) plots.push_back(figure.plot);

@@ -33,8 +33,8 @@ struct Report {
 /// Every figure of a page, drawn by one run of gnuplot.
 class Figures {
  public:
-  /// Figures without a curve are left out. Without gnuplot all are, and `missing` says so; their
-  /// data is there all the same.
+  /// Curves without a finite value are left out, and figures without a curve. Without gnuplot all
+  /// are, and `missing` says so; their data is there all the same.
   explicit Figures(std::vector<Figure> figures);
 
   /// The section's figures, each with its caption and the link to its data; empty if it has none.

@@ -114,7 +114,7 @@ std::string grasp_json(const GraspStudy& study) {
   json["held"] = study.held ? held_json(study) : Json(nullptr);
   json["warnings"] = study.warnings;
   json["failures"] = study.failures;
-  return json.dump(1) + '\n';
+  return text_of(json);
 }
 
 }  // namespace tactile_net::tool

@@ -32,7 +32,8 @@ std::string caption(const GraspStudy& study) {
     html +=
         " Where thin and thick arrows of a finger part, the fingers do not press as the load "
         "asks.";
-  return html + " Lengths are to scale in both directions; dashes join the contacts.";
+  return html + " Lengths are to scale in both directions" +
+         (study.hand.fingers.size() > 1 ? "; dashes join the contacts." : ".");
 }
 
 std::string answer(const GraspStudy& study, const std::string& title,

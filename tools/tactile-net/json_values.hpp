@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "tactile_net/inverse/uncertainty.hpp"
@@ -12,6 +13,11 @@
 namespace tactile_net::tool {
 
 using Json = nlohmann::ordered_json;
+
+/// The document as text; bytes of a file's name that are not UTF-8 are replaced.
+inline std::string text_of(const Json& json, int indent = 1) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
 
 inline Json number_or_null(const std::optional<double>& number) {
   return number ? Json(*number) : Json(nullptr);

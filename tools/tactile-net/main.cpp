@@ -1,4 +1,5 @@
 #include <iostream>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -46,6 +47,7 @@ int run(int argc, char** argv) {
   try {
     check_command(app, argc, argv);
     app.parse(argc, argv);
+    if (!std::cout.flush()) throw std::runtime_error("standard output could not be written");
     return done;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version

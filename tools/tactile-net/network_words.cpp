@@ -32,11 +32,12 @@ std::string stability_in_words(const Certificate& c) {
 
 std::string dynamics_in_words(const Certificate& c) {
   const Dynamics& d = *c.dynamics;
-  std::string text =
-      std::to_string(d.states) + " states, slowest pole at " + brief(d.slowest) + " 1/s";
+  std::string text = std::to_string(d.states) + " states, " +
+                     (d.slowest < 0.0 ? "slowest pole at " : "a pole that does not decay at ") +
+                     brief(d.slowest) + " 1/s";
   if (d.slowest < 0.0)
     text += d.damping >= 0.999999 ? ", none rings" : ", least damping " + brief(d.damping);
-  if (d.settling_seconds)
+  if (d.settling_seconds.value_or(0.0) > 0.0)
     text += "; settles within " + brief(c.accuracy) + " in " + duration(*d.settling_seconds);
   return text;
 }

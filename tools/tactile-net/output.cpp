@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <iostream>
+#include <set>
 #include <system_error>
 
 #include "failure.hpp"
@@ -17,7 +18,7 @@ std::string suffix() { return ".partial-" + std::to_string(::getpid()); }
 
 [[noreturn]] void not_written(const fs::path& path) {
   const std::string reason = errno == 0 ? "" : ": " + std::generic_category().message(errno);
-  throw std::runtime_error(path.string() + ": error: could not be written" + reason +
+  throw std::runtime_error(path.string() + " could not be written" + reason +
                            "; nothing was changed there");
 }
 
@@ -98,14 +99,36 @@ void OutputFolder::write(std::string_view name, std::string_view content) const 
 }
 
 void OutputFolder::commit() {
-  if (fs::is_directory(path_)) {
-    for (const fs::directory_entry& entry : fs::directory_iterator(staging_))
-      fs::rename(entry.path(), path_ / entry.path().filename());
-    fs::remove(staging_);
-  } else {
+  if (!fs::is_directory(path_)) {
     fs::rename(staging_, path_);
+    staging_.clear();
+    return;
   }
+  std::set<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(staging_)) {
+    names.insert(entry.path().filename().string());
+    const fs::path target = path_ / entry.path().filename();
+    if (fs::is_directory(target))
+      throw CannotCreate(target.string() + ": error: is a folder; nothing was written");
+  }
+  for (const std::string& name : names) fs::rename(staging_ / name, path_ / name);
+  fs::remove(staging_);
   staging_.clear();
+  note_others(path_, names);
+}
+
+void note_others(const fs::path& folder, const std::set<std::string>& written) {
+  std::set<std::string> others;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string kind = entry.path().extension().string();
+    const std::string name = entry.path().filename().string();
+    if (!written.contains(name) && (kind == ".csv" || kind == ".svg" || kind == ".cir"))
+      others.insert(name);
+  }
+  if (others.empty()) return;
+  std::string list;
+  for (const std::string& name : others) list += (list.empty() ? "" : ", ") + name;
+  std::cerr << "note: " << folder.string() << " holds files of another run too: " << list << '\n';
 }
 
 }  // namespace tactile_net::tool

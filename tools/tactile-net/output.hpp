@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iosfwd>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -47,12 +48,16 @@ class OutputFolder {
   /// @throw std::runtime_error  not written: a full disk
   void write(std::string_view name, std::string_view content) const;
 
-  /// Moves every file into place, replacing those of an earlier run.
+  /// Moves every file into place, replacing those of an earlier run, and notes what else is there.
+  /// @throw CannotCreate  a folder stands where a file should
   void commit();
 
  private:
   std::filesystem::path path_;
   std::filesystem::path staging_;
 };
+
+/// Says on standard error which results a folder holds beside those just written.
+void note_others(const std::filesystem::path& folder, const std::set<std::string>& written);
 
 }  // namespace tactile_net::tool

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "commands.hpp"
 #include "experiment.hpp"
 #include "failure.hpp"
 #include "frame_files.hpp"
+#include "json_values.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "solver.hpp"
@@ -32,7 +32,7 @@ struct Options {
   std::string structure;
   std::string precision;
   std::string json;
-  std::string deadline;
+  std::optional<std::string> deadline;
   double accuracy = PlannerOptions{}.accuracy;
   std::optional<double> friction;
   bool no_diagnostics = false;
@@ -104,7 +104,7 @@ Seconds frame_of(const EstimatorPlan& plan) {
 
 void run(const Options& options) {
   std::optional<double> deadline;
-  if (!options.deadline.empty()) deadline = deadline_of(options.deadline);
+  if (options.deadline) deadline = deadline_of(*options.deadline);
   const Scene scene = read_scene(options.scene);
   using enum Structure;
   PlannerOptions planner;
@@ -155,7 +155,6 @@ void run(const Options& options) {
     out << "plan: " << options.output << ", " << bytes.size() << " bytes\n";
   }
   if (options.json.empty()) return;
-  using Json = nlohmann::ordered_json;
   Json candidates = Json::array();
   for (const Candidate& candidate : planned.candidates)
     candidates.push_back({{"structure", name(candidate.structure)},
@@ -167,19 +166,18 @@ void run(const Options& options) {
                           {"accurate", candidate.accurate},
                           {"chosen", candidate.chosen}});
   OutputFile summary(options.json);
-  summary.stream() << Json{{"tactile_net", TACTILE_NET_VERSION},
-                           {"scene", scene.file},
-                           {"readings", plan.readings()},
-                           {"tractions", plan.tractions()},
-                           {"alpha", plan.alpha},
-                           {"alpha_rule", alpha.source},
-                           {"accuracy", plan.accuracy},
-                           {"error_bound", plan.error_bound},
-                           {"asymmetry", planned.asymmetry},
-                           {"frame_seconds", frame.median},
-                           {"candidates", std::move(candidates)}}
-                          .dump(2)
-                   << '\n';
+  summary.stream() << text_of(Json{{"tactile_net", TACTILE_NET_VERSION},
+                                   {"scene", scene.file},
+                                   {"readings", plan.readings()},
+                                   {"tractions", plan.tractions()},
+                                   {"alpha", plan.alpha},
+                                   {"alpha_rule", alpha.source},
+                                   {"accuracy", plan.accuracy},
+                                   {"error_bound", plan.error_bound},
+                                   {"asymmetry", planned.asymmetry},
+                                   {"frame_seconds", frame.median},
+                                   {"candidates", std::move(candidates)}},
+                              2);
   summary.commit();
 }
 

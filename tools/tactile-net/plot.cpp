@@ -58,6 +58,11 @@ std::string signed_axis(const Plot& plot, char axis, std::vector<double> Curve::
       high = std::max(high, value);
     }
   const double within = plot.linear_within;
+  // Rounding beside poles of another size is no scale of its own.
+  if (std::max(-low, high) < within) {
+    high = std::pow(10.0, std::ceil(std::log10(within)));
+    low = -high;
+  }
   const double largest = std::max({-low, high, within});
   const int first = static_cast<int>(std::ceil(std::log10(within)));
   const int last = static_cast<int>(std::floor(std::log10(largest)));
@@ -86,25 +91,83 @@ std::string signed_axis(const Plot& plot, char axis, std::vector<double> Curve::
          " nohead lc rgb '#999999' dt 3";
 }
 
+/// The least and the greatest value of an axis, as far as lines reach; bands are cut off where they
+/// would hide the lines.
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  void add(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+/// Labels at powers of ten, at most nine of them, and small marks between where they are few.
+/// gnuplot's own begin anywhere if they are told their distance.
+std::string decades(char axis, const Range& range) {
+  const std::string name(1, axis);
+  if (!(range.low > 0.0) || !std::isfinite(range.high)) return "\nset " + name + "tics auto";
+  const int first = static_cast<int>(std::floor(std::log10(range.low))) - 1;
+  const int last = static_cast<int>(std::ceil(std::log10(range.high))) + 1;
+  const int step = (last - first - 2) / 8 + 1;
+  std::string labels;
+  for (int power = first - first % step; power <= last; ++power) {
+    const std::string exponent = "1e" + std::to_string(power);
+    const bool labelled = power % step == 0;
+    labels += (labels.empty() ? "'" : ", '") + (labelled ? exponent : "") + "' " + exponent +
+              (labelled ? "" : " 1");
+    if (last - first > 6) continue;
+    for (int digit = 2; digit < 10; ++digit)
+      labels += ", '' " + std::to_string(digit) + "e" + std::to_string(power) + " 1";
+  }
+  return "\nset " + name + "tics (" + labels + ")";
+}
+
+/// The y axis, so that lines can be told apart within wide bands.
+std::string y_range(const Plot& plot) {
+  if (plot.y_end > 0.0) return "\nset yrange [0:" + number(plot.y_end) + "]";
+  if (plot.from_zero) return "\nset yrange [0:*]";
+  if (plot.y_at_least > 0.0)
+    return "\nset yrange [*<-" + number(plot.y_at_least) + ":" + number(plot.y_at_least) + "<*]";
+  Range lines;
+  Range bands;
+  for (const Curve& curve : plot.curves)
+    for (std::size_t i = 0; i < curve.y.size(); ++i) {
+      lines.add(curve.y[i]);
+      if (curve.half_width.empty()) continue;
+      bands.add(curve.y[i] - curve.half_width[i]);
+      bands.add(curve.y[i] + curve.half_width[i]);
+    }
+  const double span = lines.high - lines.low;
+  if (!(span > 0.0) || (bands.high < lines.high + span && bands.low > lines.low - span))
+    return "\nset yrange [*:*]";
+  return "\nset yrange [" + number(std::max(bands.low, lines.low - 0.5 * span)) + ":" +
+         number(std::min(bands.high, lines.high + 0.5 * span)) + "]";
+}
+
 std::string axes(const Plot& plot) {
   if (plot.linear_within > 0.0)
     return signed_axis(plot, 'x', &Curve::x) + signed_axis(plot, 'y', &Curve::y);
+  Range x;
+  Range y;
+  for (const Curve& curve : plot.curves) {
+    for (const double value : curve.x.empty() ? plot.x : curve.x) x.add(value);
+    for (const double value : curve.y) y.add(value);
+  }
   std::string text = "\nunset logscale x\nset format x '%h'\nset autoscale x\nset xtics auto";
   if (plot.logarithmic_x)
     text = "\nset logscale x\nset format x '1e%T'" +
-           (plot.x.empty() ? "\nset autoscale x\nset xtics auto"
+           (plot.x.empty() ? "\nset autoscale x" + decades('x', x)
                            : "\nset autoscale xfix" + labels_along(plot.x));
   text += "\nset offsets";
   if (plot.logarithmic_x && plot.x.empty())
     text +=
         " graph 0.03, graph 0.03, graph 0.03, graph " + std::string(plot.from_zero ? "0" : "0.03");
   return text +
-         (plot.logarithmic_y ? "\nset logscale y\nset format y '1e%T'"
-                             : "\nunset logscale y\nset format y '%h'") +
-         (plot.from_zero          ? "\nset yrange [0:*]"
-          : plot.y_at_least > 0.0 ? "\nset yrange [*<-" + number(plot.y_at_least) + ":" +
-                                        number(plot.y_at_least) + "<*]"
-                                  : "\nset yrange [*:*]");
+         (plot.logarithmic_y ? "\nset logscale y\nset format y '1e%T'" + decades('y', y)
+                             : "\nunset logscale y\nset format y '%h'\nset ytics auto") +
+         y_range(plot);
 }
 
 /// A curve's points as a named block of data.
@@ -127,6 +190,7 @@ std::string style_of(const Curve& curve, bool alone) {
   // Beyond the colours the marks' shapes go on.
   const std::string mark = " pt " + std::to_string(4 + curve.colour % 9) + " ps 0.6";
   if (curve.marks) return " with linespoints lw 1.5" + mark;
+  if (curve.width > 0.0) return " with lines lw " + number(curve.width);
   return " with lines lw " + (curve.dashed ? "1.5 dt 2" : alone ? "2.5" : widths[index]);
 }
 
@@ -193,10 +257,9 @@ std::vector<std::string> draw(std::span<const Plot> plots) {
     const std::size_t end = result.output.find(end_mark, at);
     if (begin == std::string::npos || end == std::string::npos) break;
     std::string picture = result.output.substr(begin, end + end_mark.size() - begin);
-    // A browser would show it under the pointer.
-    constexpr std::string_view anonymous = "<title>Gnuplot</title>";
-    const std::size_t title = picture.find(anonymous);
-    if (title != std::string::npos) picture.erase(title, anonymous.size());
+    // Browsers would show gnuplot's names of its parts under the pointer.
+    for (std::size_t title; (title = picture.find("<title>")) != std::string::npos;)
+      picture.erase(title, picture.find("</title>", title) + 8 - title);
     pictures.push_back(std::move(picture));
     at = end + end_mark.size();
   }

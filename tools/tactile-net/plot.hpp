@@ -17,6 +17,7 @@ struct Curve {
   std::vector<double> x{};           ///< the curve's own; empty: the plot's
   bool marks = false;                ///< points on the line, of a shape of their own
   bool dashed = false;
+  double width = 0.0;  ///< of the line; 0: as the others'
 };
 
 struct Plot {
@@ -28,6 +29,7 @@ struct Plot {
   bool logarithmic_x = false;
   bool logarithmic_y = false;  ///< values <= 0: a gap
   bool from_zero = false;      ///< the y axis begins at 0
+  double y_end = 0.0;          ///< > 0: the y axis is 0 ... this
   double y_at_least = 0.0;     ///< > 0: the y axis reaches from minus this to this, or further
   /// > 0: both axes are linear up to about this, and logarithmic beyond it on both sides of zero.
   double linear_within = 0.0;

@@ -315,9 +315,11 @@ Recommendation recommend(const CircuitPlan& plan) {
   }
   std::stable_sort(result.candidates.begin(), result.candidates.end(),
                    [](const auto& a, const auto& b) { return a.opamps < b.opamps; });
-  const std::string parts_in_words = options.relative
-                                         ? "parts of " + brief(100.0 * *options.relative) + " %"
-                                         : "parts of the series";
+  std::string parts_in_words = options.relative
+                                   ? "parts of " + brief(100.0 * *options.relative) + " %"
+                                   : "parts of the series";
+  if (plan.options.parts.inverters)
+    parts_in_words += ", complementary outputs instead of the scene's inverters,";
   const std::string accuracy = brief(100.0 * options.accuracy) + " %";
   const auto good = std::find_if(result.candidates.begin(), result.candidates.end(),
                                  [](const auto& c) { return c.tolerance.yield() >= 0.95; });

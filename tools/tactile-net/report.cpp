@@ -58,7 +58,7 @@ void add_component(std::vector<Figure>& figures, const Experiment& experiment,
 }
 
 /// What each rule minimises over alpha, each between 0 and 1.
-Figure rules_figure(const AlphaSweep& sweep) {
+Figure rules_figure(const AlphaSweep& sweep, std::optional<AlphaRule> used) {
   Plot plot{"What each rule for alpha makes least",
             "alpha [unit of K'K]",
             "criterion, 0 to 1",
@@ -74,14 +74,17 @@ Figure rules_figure(const AlphaSweep& sweep) {
       low = std::min(low, value);
       high = std::max(high, value);
     }
+    if (!(high > low)) continue;  // without readings a rule has nothing to choose by
     for (double& value : values) value = (value - low) / (high - low);
-    plot.curves.push_back({std::string(name(curve.rule)) + " " + brief(curve.choice.alpha), values,
-                           plot.curves.size()});
+    Curve drawn{std::string(name(curve.rule)) + " " + brief(curve.choice.alpha), values,
+                1 + plot.curves.size()};
+    drawn.width = curve.rule == used ? 4.0 : 1.5;
+    plot.curves.push_back(std::move(drawn));
   }
   return {"alpha", std::string(choice),
           "Every rule's criterion over alpha, each scaled to run from 0 to 1; a rule chooses where "
-          "its own curve is lowest, at the value in the key. A flat valley means that other values "
-          "do as well; valleys far apart mean that the rules disagree.",
+          "its own curve is lowest, at the value in the key; the thick one was used. A flat valley "
+          "means that other values do as well; valleys far apart mean that the rules disagree.",
           std::move(plot)};
 }
 
@@ -146,7 +149,10 @@ std::vector<Figure> figures_of(const Experiment& experiment) {
   if (tangential)
     add_component(figures, experiment, &MethodResult::tangential, "tangential", "Tangential",
                   truth.tangential.empty() ? std::vector<double>(y.size()) : truth.tangential);
-  if (experiment.sweep) figures.push_back(rules_figure(*experiment.sweep));
+  if (experiment.sweep)
+    figures.push_back(rules_figure(
+        *experiment.sweep,
+        scene.reconstruct.alpha ? std::nullopt : std::optional(scene.reconstruct.alpha_rule)));
   if (experiment.course) add_course(figures, *experiment.course, scene.sensor.pitch);
   auto begin = experiment.simulation.readings.begin();
   for (const Channel& channel : channels(scene.sensor)) {
@@ -161,8 +167,7 @@ std::vector<Figure> figures_of(const Experiment& experiment) {
           "y [unit of the pitch]",
           quantity + (quantity.starts_with("strain") ? " [1]" : " [unit of E]"),
           y,
-          {{channel.name, {begin, end}, 0, true}}},
-         "readings.csv"});
+          {{channel.name, {begin, end}, 0, true}}}});
     begin = end;
   }
   return figures;
@@ -193,7 +198,8 @@ Report report_html(const Experiment& experiment) {
   html +=
       element("p", "Sensor: " + sensor_in_words(scene) + ". Material: " + material_in_words(scene) +
                        ". Forward model: " + std::string(name(scene.forward)) + ".");
-  if (scene.time) html += element("p", "This is " + time_in_words(scene) + ".");
+  if (scene.time)
+    html += element("p", "This is " + time_in_words(scene) + "; --frame takes another.");
   const std::vector<std::string> contacts = contacts_in_words(scene);
   html += contacts.empty() ? element("p", "No contact: an unloaded sensor.") : html_list(contacts);
   html += element("p", "Effects simulated: " + effects_in_words(scene, true) +

@@ -182,13 +182,13 @@ std::string experiment_json(const Experiment& experiment) {
   json["alpha_sweep"] = experiment.sweep ? alpha_sweep(*experiment.sweep) : Json(nullptr);
   json["network"] = experiment.relaxation ? network(*experiment.relaxation) : Json(nullptr);
   json["warnings"] = experiment.simulation.warnings;
-  return json.dump(1) + '\n';
+  return text_of(json);
 }
 
 std::string relaxation_json(const Scene& scene, const Relaxation& relaxation) {
   Json json = scene_json(scene);
   json["network"] = network(relaxation);
-  return json.dump(1) + '\n';
+  return text_of(json);
 }
 
 std::string certificate_json(const Certification& c) {
@@ -203,7 +203,7 @@ std::string certificate_json(const Certification& c) {
     candidates.push_back(row);
   }
   json["recommendation"] = {{"text", c.recommendation.text}, {"candidates", candidates}};
-  return json.dump(1) + '\n';
+  return text_of(json);
 }
 
 std::string deck_answer_json(const std::string& file, const DeckAnswer& answer) {
@@ -216,7 +216,7 @@ std::string deck_answer_json(const std::string& file, const DeckAnswer& answer) 
                      {"difference", finite_or_null(answer.difference)},
                      {"within", answer.within},
                      {"ngspice_seconds", answer.ngspice_seconds}};
-  return json.dump(1) + '\n';
+  return text_of(json);
 }
 
 }  // namespace tactile_net::tool

@@ -93,7 +93,7 @@ void run(const Options& options) {
   json["rate"] = scene.time ? Json(scene.time->rate) : Json(nullptr);
   json["columns"] = reading_columns(scene.sensor);
   json["frames_cut_off"] = cut_off;
-  summary.stream() << json.dump(1) << '\n';
+  summary.stream() << text_of(json);
   summary.commit();
 }
 

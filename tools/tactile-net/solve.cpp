@@ -3,11 +3,11 @@
 #include <iostream>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "frame_files.hpp"
 #include "frame_uncertainty.hpp"
+#include "json_values.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "solver.hpp"
@@ -173,28 +173,25 @@ void run(const Options& options) {
 
   if (options.json.empty()) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  using Json = nlohmann::ordered_json;
-  const auto or_null = [](const auto& value) { return value ? Json(*value) : Json(nullptr); };
   const bool ruled = facts.alpha && !scene.reconstruct.alpha;
   OutputFile summary(options.json);
-  summary.stream() << Json{{"tactile_net", TACTILE_NET_VERSION},
-                           {"scene", scene.file},
-                           {"readings", options.readings},
-                           {"frames", frames},
-                           {"method", options.method},
-                           {"alpha", ruled ? Json(nullptr) : or_null(facts.alpha)},
-                           {"alpha_rule",
-                            !facts.alpha ? Json(nullptr)
-                            : ruled      ? Json(tactile_net::name(scene.reconstruct.alpha_rule))
-                                         : Json("given")},
-                           {"verdict", verdicts.size() == 1 ? verdicts.begin()->first : "mixed"},
-                           {"verdicts", verdicts},
-                           {"condition", or_null(facts.condition)},
-                           {"warnings", facts.warnings},
-                           {"columns_ignored", ignored},
-                           {"seconds", elapsed.count()}}
-                          .dump(2)
-                   << '\n';
+  summary.stream() << text_of(
+      Json{{"tactile_net", TACTILE_NET_VERSION},
+           {"scene", scene.file},
+           {"readings", options.readings},
+           {"frames", frames},
+           {"method", options.method},
+           {"alpha", ruled ? Json(nullptr) : number_or_null(facts.alpha)},
+           {"alpha_rule", !facts.alpha ? Json(nullptr)
+                          : ruled      ? Json(tactile_net::name(scene.reconstruct.alpha_rule))
+                                       : Json("given")},
+           {"verdict", verdicts.size() == 1 ? verdicts.begin()->first : "mixed"},
+           {"verdicts", verdicts},
+           {"condition", number_or_null(facts.condition)},
+           {"warnings", facts.warnings},
+           {"columns_ignored", ignored},
+           {"seconds", elapsed.count()}},
+      2);
   summary.commit();
 }
 

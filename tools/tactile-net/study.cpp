@@ -205,7 +205,7 @@ StudySection by_fft(const StudyInput& input) {
 
 StudySection constrained(const StudyInput& input) {
   StudySection section;
-  const std::string curve = "f_v >= 0, active set";
+  const std::string curve(constrained_curve);
   const InverseProblem problem = problem_of(input.scene);
   const Constraints constraints = constraints_of(input.scene).value_or(Constraints{});
   std::optional<ConstrainedTikhonov> inverse;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "commands.hpp"
@@ -45,6 +46,9 @@ struct StudyInput {
   [[nodiscard]] double resolution() const noexcept { return 10.0 * agreement; }
 };
 
+/// The curve of the scene's constraints, or of f_v >= 0 where it has none.
+inline constexpr std::string_view constrained_curve = "f_v >= 0, active set";
+
 struct Study {
   StudyInput input;
   std::vector<StudySection> sections{};
@@ -79,9 +83,9 @@ struct StudyJob {
 /// What a user has to know first, a sentence each: recommendations and where a circuit is faster.
 [[nodiscard]] std::vector<std::string> in_words(const Study& study);
 
-/// The circuits of op-amps of 10 MHz, the fastest first: when each settles to 1 %, below which clock
-/// a controller that needs this machine's cycles is slower, from which bandwidth on this machine is,
-/// and how far parts of 1 % leave it. The headings alone: none was simulated.
+/// The circuits of op-amps of 10 MHz, the fastest first: when each settles to 1 %, below which
+/// clock a controller that needs this machine's cycles is slower, from which bandwidth on this
+/// machine is, and how far parts of 1 % leave it. The headings alone: none was simulated.
 [[nodiscard]] std::vector<std::vector<std::string>> circuit_cells(const Study& study);
 
 /// The answer to a demand, with its margins.

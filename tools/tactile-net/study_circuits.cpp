@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "commands.hpp"
+#include "interruption.hpp"
 #include "relaxation.hpp"
 #include "study.hpp"
 #include "tactile_net/inverse/comparison.hpp"
@@ -16,9 +17,8 @@ constexpr double levels[] = {0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4};
 Scene with(const StudyInput& input, Realization realization, std::optional<double> bandwidth) {
   Scene scene = input.scene;
   scene.network.tolerance.reset();
-  scene.network.settling_accuracy.reset();
   apply({.realization = std::string(name(realization)), .bandwidth = bandwidth}, scene);
-  scene.network.settling_accuracy.reset();
+  scene.network.settling_accuracy = levels[std::size(levels) - 1];
   return scene;
 }
 
@@ -53,27 +53,38 @@ void add_settling(StudySection& section, const std::string& curve, const Circuit
     failed("no settling: " + std::string(name(certificate.stability)));
     return;
   }
-  const StateSpace system = state_space(plan.circuit);
-  const double slowest = certificate.dynamics->slowest;
-  const std::optional<double> last = settling_time(system, levels[std::size(levels) - 1], slowest);
-  const std::optional<double> first = settling_time(system, levels[0], slowest);
-  if (!last || !first) {
-    failed("it does not settle");
+  const std::optional<double> last = certificate.dynamics->settling_seconds;
+  if (!last || !(*last > 0.0)) {
+    failed(last ? "it takes no time" : "it does not settle");
     return;
   }
+  if (Interruption::came()) return;
+  const StateSpace system = state_space(plan.circuit);
   std::vector<double> end = plan.direct;
   for (double& value : end) value *= plan.options.parts.scale.volts;
   try {
+    // Ten steps to the first level, but not beyond what ngspice can bear.
     const double stop = 1.2 * *last;
+    const double step = stop / 4000.0;
+    const std::vector<double> errors = step_errors(system, 4.0 * step, 1000);
+    const auto instant = [&](double level) {  // when the error is within it for good
+      const auto late =
+          std::find_if(errors.rbegin(), errors.rend(), [=](double error) { return error > level; });
+      return 4.0 * step * static_cast<double>(errors.rend() - late);
+    };
     const Waveforms waveforms = step_response(
-        simulator, plan.circuit, {.step = std::min(stop / 400.0, *first / 10.0), .stop = stop});
-    for (const double level : levels)
+        simulator, plan.circuit,
+        {.step = std::clamp(instant(levels[0]) / 10.0, step, stop / 400.0), .stop = stop});
+    for (const double level : levels) {
+      if (instant(level) == 0.0) continue;  // what the first instant reaches takes no time
       if (const auto seconds = settling_time(waveforms, end, level))
         section.points.push_back(settled(curve, level, *seconds, false));
+    }
   } catch (const SimulatorError& error) {
     if (error.cause() != SimulatorError::Cause::timed_out) throw;
     for (const double level : levels)
-      if (const auto seconds = settling_time(system, level, slowest))
+      if (const auto seconds = settling_time(system, level, certificate.dynamics->slowest);
+          seconds.value_or(0.0) > 0.0)
         section.points.push_back(settled(curve, level, *seconds, true));
   }
 }
@@ -150,6 +161,7 @@ StudySection parts(const StudyInput& input) {
   for (const Realization realization :
        {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares})
     for (const double relative : {0.01, 0.001}) {
+      if (Interruption::came()) return section;
       Scene scene = with(input, realization, std::nullopt);
       scene.network.tolerance = ToleranceOptions{.relative = relative, .trials = 40};
       const ToleranceResult result = tolerate(plan_circuit(scene, input.readings));

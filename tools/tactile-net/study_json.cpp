@@ -1,16 +1,12 @@
 #include "study_json.hpp"
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "json_values.hpp"
 #include "text.hpp"
 
 namespace tactile_net::tool {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 std::optional<double> optional_number(const Json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
@@ -22,8 +18,8 @@ Json json_of(const WorkPoint& point) {
           {"time_of", name(point.time_of)},
           {"seconds",
            {{"median", point.seconds}, {"low", point.seconds_low}, {"high", point.seconds_high}}},
-          {"error_to_solution", or_null(point.error_to_solution)},
-          {"error_to_truth", or_null(point.error_to_truth)},
+          {"error_to_solution", number_or_null(point.error_to_solution)},
+          {"error_to_truth", number_or_null(point.error_to_truth)},
           {"failure", point.failure}};
 }
 
@@ -65,28 +61,27 @@ std::string study_json(const Study& study, std::string_view scene_text) {
     for (const PartsFloor& floor : section.floors)
       floors.push_back({{"realization", floor.realization},
                         {"relative", floor.relative},
-                        {"median", or_null(floor.median)}});
+                        {"median", number_or_null(floor.median)}});
     jobs.push_back({{"job", section.job}, {"points", std::move(points)}});
     if (!floors.empty()) jobs.back()["parts"] = std::move(floors);
   }
-  return Json{{"tactile_net", TACTILE_NET_VERSION},
-              {"scene", input.scene.file},
-              {"complete", study.complete},
-              {"processor", study.processor},
-              {"clock", study.clock},
-              {"alpha", *input.scene.reconstruct.alpha},
-              {"reference_agreement", input.agreement},
-              {"solution_error_to_truth", input.solution_error},
-              {"noise",
-               {{"rms", input.noise_rms},
-                {"stated", input.noise_stated},
-                {"floor", input.noise_floor}}},
-              {"answers", in_words(study)},
-              {"pareto", std::move(fronts)},
-              {"jobs", std::move(jobs)},
-              {"scene_text", scene_text}}
-             .dump(2) +
-         '\n';
+  return text_of(Json{{"tactile_net", TACTILE_NET_VERSION},
+                      {"scene", input.scene.file},
+                      {"complete", study.complete},
+                      {"processor", study.processor},
+                      {"clock", study.clock},
+                      {"alpha", *input.scene.reconstruct.alpha},
+                      {"reference_agreement", input.agreement},
+                      {"solution_error_to_truth", input.solution_error},
+                      {"noise",
+                       {{"rms", input.noise_rms},
+                        {"stated", input.noise_stated},
+                        {"floor", input.noise_floor}}},
+                      {"answers", in_words(study)},
+                      {"pareto", std::move(fronts)},
+                      {"jobs", std::move(jobs)},
+                      {"scene_text", scene_text}},
+                 2);
 }
 
 std::string study_csv(const Study& study) {

@@ -16,6 +16,22 @@ constexpr double least_error = 1e-16;  // zero has no place on a logarithmic axi
 
 double drawn(double error) { return std::max(error, least_error); }
 
+/// A colour and a mark of its own for each method and each circuit: the same in every plot, and
+/// never black, which is what they are measured against.
+std::size_t colour_of(const std::vector<WorkPoint>& points, const WorkPoint& point) {
+  const auto name_of = [](const WorkPoint& one) {
+    return one.time_of == TimeOf::settling ? one.curve.substr(0, one.curve.find(", ")) : one.curve;
+  };
+  std::vector<std::string> names;
+  for (const WorkPoint& one : points)
+    if (one.time_of == point.time_of &&
+        std::find(names.begin(), names.end(), name_of(one)) == names.end())
+      names.push_back(name_of(one));
+  const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), name_of(point)) -
+                                           names.begin());
+  return at + at / 5 + 1;  // the colours are six, the first is black
+}
+
 /// Every measured curve of one kind of time, over one kind of error.
 std::vector<Curve> curves_of(const std::vector<WorkPoint>& points, ErrorOf error, TimeOf time_of) {
   std::vector<Curve> curves;
@@ -27,12 +43,12 @@ std::vector<Curve> curves_of(const std::vector<WorkPoint>& points, ErrorOf error
       Curve next;
       next.label = point.curve;
       next.marks = true;
+      next.colour = colour_of(points, point);
       curve = curves.insert(curves.end(), std::move(next));
     }
     curve->x.push_back(drawn(*(point.*error)));
     curve->y.push_back(point.seconds);
   }
-  for (std::size_t i = 0; i < curves.size(); ++i) curves[i].colour = i + 1;
   return curves;
 }
 
@@ -49,6 +65,7 @@ Curve front_curve(const std::vector<WorkPoint>& points, ErrorOf error, TimeOf ti
     curve.x.push_back(x);
     curve.y.push_back(points[i].seconds);
   }
+  curve.marks = curve.x.size() == 1;
   return curve;
 }
 
@@ -142,7 +159,7 @@ std::vector<Curve> crossover_curves(const Study& study, const std::vector<WorkPo
       Curve next;
       next.label = circuit;
       next.marks = true;
-      next.colour = curves.size() + 1;
+      next.colour = colour_of(points, point);
       curve = curves.insert(curves.end(), std::move(next));
     }
     const auto at = std::lower_bound(curve->x.begin(), curve->x.end(), bandwidth);
@@ -183,7 +200,7 @@ std::vector<Figure> figures_of(const Study& study) {
           std::string(input.noise_stated ? "the scene's noise"
                                          : "noise of 1 % of the largest reading") +
           " does.",
-      plot_of("Error against the exact solution of the same problem", "|f - f*| / |f*|",
+      plot_of("Time over error against the exact solution", "|f - f*| / |f*|",
               "time of a frame [s]", std::move(frames)));
 
   std::vector<Curve> truths = curves_of(points, to_truth, TimeOf::frame);
@@ -194,7 +211,7 @@ std::vector<Figure> figures_of(const Study& study) {
       "dashed line, however exact they are: regularisation, sampling and noise set it. Fewer "
       "taxels "
       "and constraints are other problems.",
-      plot_of("Error against the truth", "|f - truth| / |truth|", "time of a frame [s]",
+      plot_of("Time over error against the truth", "|f - truth| / |truth|", "time of a frame [s]",
               std::move(truths)));
 
   add("circuits",
@@ -202,12 +219,13 @@ std::vector<Figure> figures_of(const Study& study) {
       "ngspice's waveform, for op-amps of 10 MHz. The heavy line is the fastest arithmetic on this "
       "machine: a circuit is faster where it lies below. Dashed: with parts of 1 % a circuit comes "
       "no closer (median).",
-      plot_of("Circuits: error over settling time", "|f - f*| / |f*|", "time to settle [s]",
+      plot_of("Circuits: settling time over error", "|f - f*| / |f*|", "time to settle [s]",
               circuit_curves(study, points)));
   add("crossover",
       "When is the circuit's answer immediate? Time to settle to 1 % over the op-amps' bandwidth, "
       "beside a frame's arithmetic on this machine, and on controllers of 400 and 100 MHz that "
-      "need as many cycles. Right of a crossing the circuit is faster.",
+      "need as many cycles. Right of a crossing the circuit is faster. Parts are exact here; what "
+      "others leave is in the table below.",
       plot_of("Circuit against controller, to 1 %", "gain-bandwidth of the op-amps [Hz]",
               "time [s]", crossover_curves(study, points)));
 
@@ -262,7 +280,8 @@ Report study_html(const Study& study) {
   html += element("h1", "What accuracy costs in time");
   html += element("p", (scene.title.empty() ? "" : scene.title + ". ") + scene.file + ": " +
                            sensor_in_words(scene) + "; " + material_in_words(scene) + "; alpha " +
-                           brief(*scene.reconstruct.alpha) + ".");
+                           brief(*scene.reconstruct.alpha) + "." +
+                           (scene.time ? " Studied is " + time_in_words(scene) + "." : ""));
   if (!study.complete)
     html += element("p", "The study was stopped: this is a part of it. --resume goes on.", "note");
   std::vector<std::string> answers = in_words(study);

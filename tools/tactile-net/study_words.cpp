@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver.hpp"
 #include "study.hpp"
 #include "text.hpp"
 
@@ -9,6 +10,12 @@ namespace tactile_net::tool {
 namespace {
 
 constexpr ErrorOf to_solution = &WorkPoint::error_to_solution;
+bool any_measured(const std::vector<WorkPoint>& points, TimeOf time_of) {
+  return std::any_of(points.begin(), points.end(), [=](const WorkPoint& point) {
+    return point.measured() && point.time_of == time_of;
+  });
+}
+
 constexpr double percent = 0.01;  // the accuracy at which circuits are compared
 
 std::string in_percent(double share) { return brief(100.0 * share) + " %"; }
@@ -107,9 +114,10 @@ void add_circuits(std::vector<std::string>& text, const Study& study,
         return a.parts.value_or(HUGE_VAL) < b.parts.value_or(HUGE_VAL);
       });
   if (least->parts && std::isfinite(*least->parts)) {
-    std::string errors = least->name + " errs by " + parts_in_words(*least) + " (median)";
-    if (least->name != fastest.name) errors += ", " + fastest.name + ": " + parts_in_words(fastest);
-    text.push_back("with parts of 1 % the best circuit, " + errors);
+    std::string errors = parts_in_words(*least) + " (median) with parts of 1 %";
+    if (least->name != fastest.name)
+      errors += "; " + fastest.name + " with such parts: " + parts_in_words(fastest);
+    text.push_back("the most accurate circuit, " + least->name + ", errs by " + errors);
   }
 }
 
@@ -131,7 +139,9 @@ std::string answer(const Study& study, const Requirement& requirement) {
                         " times inside the error");
     return margins.empty() ? text : text + " (" + join(margins, ", ") + ")";
   }
-  text += "none meets both";
+  if (!choice.fastest && !choice.most_accurate && !any_measured(points, TimeOf::frame))
+    return text + "nothing is measured yet";
+  text += requirement.accuracy && requirement.deadline ? "none meets both" : "none";
   if (choice.fastest)
     text += "; accurate enough, and fastest of those: " + timed(points[*choice.fastest]);
   else
@@ -155,6 +165,14 @@ std::vector<std::string> in_words(const Study& study) {
     text.push_back("regularisation, sampling and the scene's own noise leave the exact solution " +
                    in_percent(input.solution_error) +
                    " from the truth: no arithmetic takes that back");
+  else
+    text.push_back(
+        "the scene has no contact: its readings are noise, alpha too if a rule chose it; times and "
+        "the errors against the exact solution stand, the rest says nothing of a touch");
+  if (constraints_of(input.scene))
+    text.push_back(
+        "the exact solution is that without the scene's constraints; with them: the curve " +
+        std::string(constrained_curve));
   text.push_back("noise of " + brief(input.noise_rms) +
                  (input.noise_stated ? " per weighted reading (the scene's)"
                                      : " per reading (1 % of the largest, an assumption)") +

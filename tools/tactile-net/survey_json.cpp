@@ -69,7 +69,7 @@ std::string survey_json(const Scene& scene, const Survey& survey) {
   json["alternatives"] = Json::array();
   for (const SensorChoice& choice : survey.alternatives)
     json["alternatives"].push_back(choice_json(choice));
-  return json.dump(1) + '\n';
+  return text_of(json);
 }
 
 }  // namespace tactile_net::tool

@@ -94,10 +94,9 @@ void print_certificate(std::ostream& out, const Certification& c) {
     indent = "  ";
   }
   if (c.tolerance)
-    for (const std::string& line : in_words(drawn_options(c.plan), *c.tolerance))
-      out << "  " << line << '\n';
+    for (const std::string& line : tolerance_in_words(c)) out << "  " << line << '\n';
   out << '\n';
-  print_cells(out, cells(c.recommendation));
+  if (!c.recommendation.candidates.empty()) print_cells(out, cells(c.recommendation));
   out << c.recommendation.text << '\n';
 }
 
@@ -122,14 +121,14 @@ void print_experiment(std::ostream& out, const Experiment& experiment) {
   out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n")
       << (scene.title.empty() ? "" : "  ") << sensor_in_words(scene) << "; "
       << material_in_words(scene) << '\n';
-  if (scene.time) out << "  " << time_in_words(scene) << '\n';
+  if (scene.time) out << "  " << time_in_words(scene) << " (--frame takes another)\n";
   for (const std::string& contact : contacts_in_words(scene)) out << "  " << contact << '\n';
   const auto all = effects(scene);
   const auto absent =
       std::count_if(all.begin(), all.end(), [](const auto& e) { return !e.second; });
   out << "  forward model " << name(scene.forward)
-      << "; effects simulated: " << effects_in_words(scene, true)
-      << "; absent, and free of cost: the other " << absent << '\n';
+      << "; effects simulated: " << effects_in_words(scene, true) << "; absent, and free of cost: "
+      << (absent == 0 ? "none" : "the other " + std::to_string(absent)) << '\n';
   for (const std::string& warning : experiment.simulation.warnings)
     out << "  warning: " << warning << '\n';
   out << '\n';

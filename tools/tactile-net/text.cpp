@@ -78,7 +78,7 @@ std::string time_in_words(const Scene& scene) {
   const bool last = scene.frame + 1 == timing.frames;
   return std::string(last ? "the last" : "one") + " of " + std::to_string(timing.frames) +
          " frames: frame " + std::to_string(scene.frame) +
-         " at t = " + brief(timing.time(scene.frame)) + (last ? " (--frame takes another)" : "");
+         " at t = " + brief(timing.time(scene.frame));
 }
 
 std::string material_in_words(const Scene& scene) {

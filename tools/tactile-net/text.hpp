@@ -31,7 +31,7 @@ inline void append_number(std::string& out, double number) {
 /// "81 taxels, pitch 0.25, reading strain_x at depth 1.5"
 [[nodiscard]] std::string sensor_in_words(const Scene& scene);
 
-/// "frame 200 of 0 ... 200, t = 2 s: the last": which frame of a scene with [time] is
+/// "the last of 201 frames: frame 200 at t = 2": which frame of a scene with [time] is
 /// reconstructed.
 [[nodiscard]] std::string time_in_words(const Scene& scene);
 

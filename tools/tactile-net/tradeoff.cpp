@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -6,6 +7,7 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "commands.hpp"
@@ -28,7 +30,7 @@ struct Options {
   std::string scene;
   std::string out;
   std::string json;
-  std::string deadline;
+  std::optional<std::string> deadline;
   std::optional<double> accuracy;
   bool digital = false;
   bool resume = false;
@@ -62,6 +64,12 @@ class Pace {
   double done_ = 0.0;
 };
 
+/// What failed is tried again: ngspice may be there by now, or have more time.
+bool whole(const StudySection& section) {
+  return std::all_of(section.points.begin(), section.points.end(),
+                     [](const WorkPoint& point) { return point.measured(); });
+}
+
 /// Runs the jobs that are left; `save` after each. Circuits run two at a time, arithmetic alone: it
 /// is timed.
 class Runner {
@@ -71,7 +79,7 @@ class Runner {
       : study_(study), jobs_(jobs), sections_(jobs.size()), save_(std::move(save)), pace_(jobs) {
     for (std::size_t i = 0; i < jobs.size(); ++i)
       for (StudySection& section : finished)
-        if (section.job == jobs[i].name) {
+        if (section.job == jobs[i].name && whole(section)) {
           sections_[i] = std::move(section);
           pace_.done(jobs[i]);
         }
@@ -80,7 +88,7 @@ class Runner {
   /// Jobs first ... last - 1, `workers` at a time.
   void run(std::size_t first, std::size_t last, std::size_t workers) {
     next_ = first;
-    std::vector<std::thread> threads;
+    std::vector<std::jthread> threads;  // joined however this ends
     running_ = workers;
     for (std::size_t k = 0; k < workers; ++k)
       threads.emplace_back([&, last] {
@@ -106,12 +114,17 @@ class Runner {
       for (const std::size_t i : finished_) pace_.done(jobs_[i]);
       const bool news = !finished_.empty();
       finished_.clear();
-      if (news) publish();
+      try {
+        if (news) publish();
+      } catch (...) {
+        next_ = last;  // the workers finish what they have begun, no more
+        throw;
+      }
       if (progress.due())
-        progress.step(pace_.text(jobs_[std::min<std::size_t>(next_, last) - 1].name));
+        progress.step(Interruption::came()
+                          ? "stopping, after what has begun ..."
+                          : pace_.text(jobs_[std::min<std::size_t>(next_, last) - 1].name));
     }
-    lock.unlock();
-    for (std::thread& thread : threads) thread.join();
   }
 
   void publish() {
@@ -144,6 +157,37 @@ void write(const std::filesystem::path& path, const std::string& content) {
   file.commit();
 }
 
+struct Written {
+  std::set<std::string> files;
+  std::string missing;  // what could not be drawn
+};
+
+/// Everything that a folder holds of a study, whole or a part.
+Written write_all(const std::filesystem::path& folder, const Study& study,
+                  const std::string& scene_text) {
+  Report report = study_html(study);
+  report.files.emplace_back("tradeoff.csv", study_csv(study));
+  report.files.emplace_back("tradeoff.json", study_json(study, scene_text));
+  report.files.emplace_back("report.html", report.html);
+  Written written{.files = {}, .missing = report.missing};
+  for (const auto& [name, content] : report.files) {
+    write(folder / name, content);
+    written.files.insert(name);
+  }
+  return written;
+}
+
+/// So that a study of minutes is not without its circuits for want of a program.
+void check_simulator(const SimulatorChoice& choice) {
+  try {
+    const std::vector<std::string> node = {"a"};
+    (void)operating_point(*make_simulator(choice), "a resistor\nI1 0 a 1\nR1 a 0 1\n.op\n.end\n",
+                          node);
+  } catch (const SimulatorError& error) {
+    throw CheckFailed(std::string(error.what()) + "; --digital leaves the circuits out");
+  }
+}
+
 std::vector<StudySection> earlier(const Options& options, const std::string& scene_text,
                                   const std::string& processor) {
   if (!options.resume) return {};
@@ -160,13 +204,16 @@ std::vector<StudySection> earlier(const Options& options, const std::string& sce
 
 void run(const Options& options) {
   Requirement requirement{.accuracy = options.accuracy};
-  if (!options.deadline.empty()) requirement.deadline = deadline_of(options.deadline);
+  if (options.deadline) requirement.deadline = deadline_of(*options.deadline);
   (void)choose({}, &WorkPoint::error_to_solution, TimeOf::frame, requirement);  // checks it
   if (options.resume && options.out.empty())
     throw CLI::ValidationError("--resume", "needs --out, the folder that holds the study's part");
   const Scene scene = read_scene(options.scene);
   const std::string scene_text = content_of(options.scene);
+  std::optional<OutputFile> json;
+  if (!options.json.empty()) json.emplace(options.json);
   (void)make_simulator(options.simulator);
+  if (!options.digital) check_simulator(options.simulator);
 
   Study study;
   study.processor = processor_name();
@@ -188,23 +235,22 @@ void run(const Options& options) {
       jobs.push_back(std::move(job));
   const std::filesystem::path folder = options.out;
   const Interruption interruption;
+  Written written;
   Runner runner(study, jobs, std::move(finished), [&] {
-    if (!options.out.empty()) write(folder / "tradeoff.json", study_json(study, scene_text));
+    if (!options.out.empty()) written = write_all(folder, study, scene_text);
   });
   runner.run(0, arithmetic, 1);
   runner.run(arithmetic, jobs.size(), 2);
   runner.publish();
 
-  if (!options.out.empty()) {
-    const Report report = study_html(study);
-    write(folder / "tradeoff.csv", study_csv(study));
-    for (const auto& [name, content] : report.files) write(folder / name, content);
-    write(folder / "report.html", report.html);
-    if (!report.missing.empty()) std::cerr << "warning: " << report.missing << '\n';
+  if (!written.missing.empty()) std::cerr << "note: " << written.missing << '\n';
+  if (!options.out.empty()) note_others(folder, written.files);
+  if (json) {
+    json->stream() << study_json(study, scene_text);
+    json->commit();
   }
-  if (!options.json.empty())
-    write(options.json == "-" ? "" : options.json, study_json(study, scene_text));
   if (options.json != "-") {
+    std::cout << "nothing beats these, of " << study.points().size() << " points:\n";
     print_cells(std::cout, front_cells(study));
     std::cout << '\n';
     if (const auto circuits = circuit_cells(study); circuits.size() > 1) {
@@ -214,7 +260,7 @@ void run(const Options& options) {
     }
     for (const std::string& sentence : in_words(study)) std::cout << sentence << '\n';
     for (const std::string& failure : failures_in_words(study))
-      std::cout << "failed: " << failure << '\n';
+      std::cout << "left out: " << failure << '\n';
     if (requirement.accuracy || requirement.deadline)
       std::cout << "\nasked " << answer(study, requirement) << '\n';
     if (!options.out.empty()) std::cout << "report: " << (folder / "report.html").string() << '\n';
