@@ -73,11 +73,11 @@ class Chromium:
                     raise RuntimeError(f"{method}: {answer['error']['message']}")
                 return answer["result"]
 
-    def open(self, url, width, dark):
+    def open(self, url, width, dark, medium="screen"):
         """Loads a page into a window of that width; returns the events until it is loaded."""
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=900,
                   deviceScaleFactor=1, mobile=False)
-        self.call("Emulation.setEmulatedMedia", features=[
+        self.call("Emulation.setEmulatedMedia", media=medium, features=[
             {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
         self._events.clear()
         self.call("Page.navigate", url=url)

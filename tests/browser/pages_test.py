@@ -1,4 +1,4 @@
-"""Every report, opened in a browser and measured: narrow and wide, light and dark.
+"""Every report, opened in a browser and measured: narrow and wide, light and dark, and printed.
 
 usage: pages_test.py TOOL SCENES CHROMIUM
 """
@@ -13,7 +13,9 @@ from chromium import Chromium
 
 TOOL, SCENES, CHROMIUM = sys.argv[1:4]
 FAULTS = (pathlib.Path(__file__).parent / "faults.js").read_text()
-WIDTHS = (400, 1400)
+# Window's width, whether dark is asked for, medium. Paper is A4 between its margins, and always white.
+VIEWS = [(400, False, "screen"), (400, True, "screen"), (1400, False, "screen"), (1400, True, "screen"),
+         (700, False, "print")]
 
 # Page, least number of its figures, command.
 COMMANDS = [
@@ -34,9 +36,9 @@ COMMANDS = [
 ]
 
 
-def faults_of(browser, page, width, dark):
+def faults_of(browser, page, width, dark, medium="screen"):
     """What is wrong with a page, as sentences that begin with the kind of fault."""
-    events = browser.open(page.as_uri(), width, dark)
+    events = browser.open(page.as_uri(), width, dark, medium)
     found = browser.evaluate(FAULTS)
     faults = list(found["faults"])
     for event in events:
@@ -79,14 +81,13 @@ class Pages(unittest.TestCase):
 
     def test_every_page_is_whole_at_every_width_in_both_lights(self):
         for name, figures, _ in COMMANDS:
-            for width in WIDTHS:
-                for dark in (False, True):
-                    with self.subTest(page=name, width=width, dark=dark):
-                        faults, found = faults_of(self.browser, self.pages[name], width, dark)
-                        self.assertEqual(faults, [])
-                        self.assertGreaterEqual(found["figures"], figures)
-                        self.assertGreater(found["labels"], 2)
-                        self.assertGreaterEqual(len(found["links"]), figures)
+            for view in VIEWS:
+                with self.subTest(page=name, view=view):
+                    faults, found = faults_of(self.browser, self.pages[name], *view)
+                    self.assertEqual(faults, [])
+                    self.assertGreaterEqual(found["figures"], figures)
+                    self.assertGreater(found["labels"], 2)
+                    self.assertGreaterEqual(len(found["links"]), figures)
 
     def test_every_file_beside_a_page_that_holds_a_figure_has_numbers(self):
         for name, page in self.pages.items():

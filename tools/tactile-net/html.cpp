@@ -34,7 +34,7 @@ footer { color: var(--quiet); margin-top: 3rem; font-size: .9rem; }
 @media print {
   body { font-size: 10pt; max-width: none; margin: 0; padding: 0; } h2 { break-after: avoid; }
   .figures { grid-template-columns: 1fr 1fr; gap: 1rem; } figure, tr { break-inside: avoid; }
-  figcaption { font-size: 9pt; } table { font-size: 8.5pt; } th, td { padding-right: .5rem; }
+  figcaption { font-size: 9pt; } table { font-size: 8.5pt; } th, td { padding-right: .5rem; white-space: normal; }
   .wide { overflow: visible; }
 }
 )";
