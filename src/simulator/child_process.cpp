@@ -92,6 +92,7 @@ End converse(pid_t child, Descriptor& input, Descriptor& output, Descriptor& err
     const auto left =
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
     if (left <= 0) return End::timed_out;
+    if (options.cancelled != nullptr && options.cancelled()) return End::cancelled;
     std::array<pollfd, 3> polled = {pollfd{input.get(), POLLOUT, 0},
                                     pollfd{output.get(), POLLIN, 0},
                                     pollfd{errors.get(), POLLIN, 0}};

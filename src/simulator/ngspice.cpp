@@ -19,12 +19,15 @@ Simulation Ngspice::run(const std::string& deck) {
                   {.folder = folder.path(),
                    .unset = {hidden_from_ngspice.begin(), hidden_from_ngspice.end()},
                    .time_limit = options_.time_limit,
-                   .output_limit = options_.output_limit});
+                   .output_limit = options_.output_limit,
+                   .cancelled = options_.cancelled});
   if (process.end == ProcessResult::End::not_found)
     throw SimulatorError(SimulatorError::Cause::not_installed,
                          "the simulator '" + options_.program +
                              "' is not installed or not in PATH: apt install ngspice",
                          {});
+  if (process.end == ProcessResult::End::cancelled)
+    throw SimulatorError(SimulatorError::Cause::cancelled, "ngspice was stopped on request", {});
   return judge(folder, process, options_.time_limit, options_.output_limit);
 }
 

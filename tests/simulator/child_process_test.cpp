@@ -88,3 +88,13 @@ TEST_CASE("no descriptor is leaked", "[child_process]") {
   (void)run_process({"no-such-program-at-all"});
   CHECK(open_descriptors() == before);
 }
+
+TEST_CASE("a process that is not wanted any more is killed, soon", "[child_process]") {
+  static int asked = 0;
+  asked = 0;
+  const ProcessResult result =
+      run_process({"sleep", "60"}, {.cancelled = [] { return ++asked > 3; }});
+  CHECK(result.end == ProcessResult::End::cancelled);
+  CHECK(asked == 4);
+  CHECK(result.seconds < 30.0);
+}

@@ -176,8 +176,10 @@ StudySection parts(const StudyInput& input) {
 
 std::vector<StudyJob> circuit_jobs(const StudyInput& input, const SimulatorChoice& choice) {
   std::vector<StudyJob> jobs;
+  SimulatorChoice interruptible = choice;
+  interruptible.ngspice.cancelled = Interruption::came;
   const auto add = [&](const std::string& name, double weight, const auto& work) {
-    jobs.push_back({name, weight, [name, work, choice] {
+    jobs.push_back({name, weight, [name, work, choice = interruptible] {
                       StudySection section;
                       try {
                         section = work(*make_simulator(choice));

@@ -98,7 +98,7 @@ class Runner {
           if (sections_[i]) continue;
           StudySection section = jobs_[i].run();
           const std::lock_guard lock(mutex_);
-          // Ctrl-C reaches ngspice too: what it left is no result.
+          // Ctrl-C ends ngspice too: what it left is no result.
           if (!Interruption::came()) sections_[i] = std::move(section);
           finished_.push_back(i);
           changed_.notify_one();

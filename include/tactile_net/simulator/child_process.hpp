@@ -17,10 +17,12 @@ struct ProcessOptions {
   std::chrono::milliseconds time_limit{60'000};   ///< then it and its children are killed
   std::size_t output_limit = 16U << 20;           ///< bytes kept; more kills it
   std::size_t file_limit = std::size_t{4} << 30;  ///< largest file it may write [bytes]
+  /// Asked about every 50 ms; true: it and its children are killed. Null: nobody is asked.
+  bool (*cancelled)() = nullptr;
 };
 
 struct ProcessResult {
-  enum class End { exited, signalled, timed_out, too_much_output, not_found };
+  enum class End { exited, signalled, timed_out, cancelled, too_much_output, not_found };
   End end = End::exited;
   int code = 0;          ///< exit status, or the number of the signal
   std::string output{};  ///< standard output

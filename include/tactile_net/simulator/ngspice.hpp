@@ -15,6 +15,7 @@ struct NgspiceOptions {
   std::string program = "ngspice";               ///< looked up in PATH
   std::chrono::milliseconds time_limit{60'000};  ///< > 0
   std::size_t output_limit = 16U << 20;          ///< of what it prints [bytes], > 0
+  bool (*cancelled)() = nullptr;                 ///< as `ProcessOptions::cancelled`
 };
 
 /// Runs `ngspice -b` on each deck, in a private temporary folder that is removed on success, and

@@ -19,6 +19,7 @@ class SimulatorError : public std::runtime_error {
   enum class Cause {
     not_installed,
     timed_out,
+    cancelled,
     too_much_output,
     crashed,
     diverged,  ///< a transient in which no time step is small enough: how ngspice says "unstable"
