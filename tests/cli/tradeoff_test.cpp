@@ -237,6 +237,17 @@ TEST_CASE("three taxels: what the first instant reaches takes no time, and is no
     CHECK(settling.contains(curve));
 }
 
+TEST_CASE("a family of methods that fails is listed, and leaves the others", "[cli][tradeoff]") {
+  const Folder folder;
+  std::string shallow = pressed;
+  shallow.replace(shallow.find("depth = 1.0"), 11, "depth = 1e-5");
+  shallow.replace(shallow.find("\"strain_x\""), 10, "\"shear_xy\", \"stress_x\"");
+  const ProcessResult result = tool({"tradeoff", folder.write("s.toml", shallow), "--digital"});
+  CHECK(result.code == 0);
+  CHECK_THAT(result.output, ContainsSubstring("left out: forward model: ") &&
+                                ContainsSubstring("the integral is known only to"));
+}
+
 TEST_CASE("a study says which problem it studied", "[cli][tradeoff]") {
   const Folder folder;
   const ProcessResult result =

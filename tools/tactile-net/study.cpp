@@ -377,7 +377,12 @@ std::vector<StudyJob> digital_jobs(const StudyInput& input) {
   const auto job = [&](const char* name, double weight, StudySection (*work)(const StudyInput&)) {
     return StudyJob{name, weight, [&input, name, work] {
                       const Pinned pinned;
-                      StudySection section = work(input);
+                      StudySection section;
+                      try {
+                        section = work(input);
+                      } catch (const std::exception& error) {
+                        section.points.push_back(failed(name, "", error.what()));
+                      }
                       section.job = name;
                       return section;
                     }};
