@@ -42,12 +42,9 @@ void run(const Options& options) {
     c.recommendation.text = "There is no load: nothing for errors of components to change.";
   if (folder) {
     progress.step("drawing the report ...");
-    const Report report = certificate_html(c);
     folder->write("certificate.json", certificate_json(c));
-    folder->write("report.html", report.html);
-    for (const auto& [file, content] : report.files) folder->write(file, content);
+    write(*folder, certificate_html(c));
     folder->commit();
-    if (!report.missing.empty()) std::cerr << "note: " << report.missing << '\n';
   }
   progress.clear();
   if (options.json != "-") print_certificate(std::cout, c);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <stdexcept>
 
 #include "html.hpp"
@@ -10,19 +11,12 @@
 namespace tactile_net::tool {
 namespace {
 
-/// A field of a CSV file, quoted where it must be (RFC 4180).
+/// A field of a CSV file, quoted where it must be.
 std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
+  return text.find_first_of(",\"\n") == std::string::npos ? text : csv_quoted(text);
 }
 
 std::string value(double number) { return std::isfinite(number) ? exact(number) : ""; }
-
-std::string data_of(const Figure& figure) {
-  return figure.data.empty() ? figure.name + ".csv" : figure.data;
-}
 
 }  // namespace
 
@@ -63,6 +57,12 @@ std::string csv_of(const Plot& plot) {
   return text;
 }
 
+void write(const OutputFolder& folder, const Report& report) {
+  folder.write("report.html", report.html);
+  for (const auto& [file, content] : report.files) folder.write(file, content);
+  if (!report.missing.empty()) std::cerr << "note: " << report.missing << '\n';
+}
+
 Figures::Figures(std::vector<Figure> figures) : figures_(std::move(figures)) {
   for (Figure& figure : figures_)
     std::erase_if(figure.plot.curves, [](const Curve& curve) {
@@ -85,7 +85,7 @@ std::string Figures::html(std::string_view section) const {
     const Figure& figure = figures_[i];
     if (figure.section != section) continue;
     html += figure_html(figure.name, "<div class=\"plot\">" + svg_[i] + "</div>",
-                        escaped(figure.caption), data_of(figure));
+                        escaped(figure.caption), figure.name + ".csv");
   }
   return html.empty() ? html : "<div class=\"figures\">\n" + html + "</div>\n";
 }
@@ -93,7 +93,7 @@ std::string Figures::html(std::string_view section) const {
 Files Figures::data() const {
   Files files;
   for (const Figure& figure : figures_)
-    if (figure.data.empty()) files.emplace_back(data_of(figure), csv_of(figure.plot));
+    files.emplace_back(figure.name + ".csv", csv_of(figure.plot));
   return files;
 }
 

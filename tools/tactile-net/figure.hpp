@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "output.hpp"
 #include "plot.hpp"
 
 namespace tactile_net::tool {
@@ -17,7 +18,6 @@ struct Figure {
   std::string section;  ///< where on the page it stands
   std::string caption;  ///< what to see, in a sentence or two
   Plot plot;
-  std::string data{};  ///< file that holds its numbers; empty: NAME.csv, written from the plot
 };
 
 /// Name and content of files that stand beside a page.
@@ -30,6 +30,9 @@ struct Report {
   Files files{};
 };
 
+/// report.html and its files; says on standard error what is missing.
+void write(const OutputFolder& folder, const Report& report);
+
 /// Every figure of a page, drawn by one run of gnuplot.
 class Figures {
  public:
@@ -41,7 +44,7 @@ class Figures {
   [[nodiscard]] std::string html(std::string_view section) const;
 
   [[nodiscard]] const std::string& missing() const noexcept { return missing_; }
-  [[nodiscard]] Files data() const;      ///< NAME.csv of each, but those that name a file
+  [[nodiscard]] Files data() const;      ///< NAME.csv of each
   [[nodiscard]] Files pictures() const;  ///< NAME.svg of each
 
  private:

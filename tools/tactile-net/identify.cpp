@@ -52,12 +52,9 @@ void run(const Options& options) {
   const Survey result = survey(scene, options.survey, progress);
   if (folder) {
     progress.step("drawing the report ...");
-    const Report report = survey_html(scene, result);
     folder->write("result.json", survey_json(scene, result));
-    folder->write("report.html", report.html);
-    for (const auto& [file, content] : report.files) folder->write(file, content);
+    write(*folder, survey_html(scene, result));
     folder->commit();
-    if (!report.missing.empty()) std::cerr << "note: " << report.missing << '\n';
   }
   progress.clear();
 

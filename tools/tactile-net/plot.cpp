@@ -48,15 +48,23 @@ std::string labels_along(const std::vector<double>& x) {  // of a plot whose cur
   return "\nset format x '%g'\nset xtics (" + labels + ")";
 }
 
+/// The least and the greatest of the values that are finite.
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  void add(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
 /// One axis through zero, as asinh(value / plot.linear_within), labelled at powers of ten.
 std::string signed_axis(const Plot& plot, char axis, std::vector<double> Curve::*values) {
-  double low = 0.0;
-  double high = 0.0;
+  Range range{0.0, 0.0};
   for (const Curve& curve : plot.curves)
-    for (const double value : curve.*values) {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
+    for (const double value : curve.*values) range.add(value);
+  auto& [low, high] = range;
   const double within = plot.linear_within;
   // Rounding beside poles of another size is no scale of its own.
   if (std::max(-low, high) < within) {
@@ -91,18 +99,6 @@ std::string signed_axis(const Plot& plot, char axis, std::vector<double> Curve::
          " nohead lc rgb '#999999' dt 3";
 }
 
-/// The least and the greatest value of an axis, as far as lines reach; bands are cut off where they
-/// would hide the lines.
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  void add(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
-
 /// Labels at powers of ten, at most nine of them, and small marks between where they are few.
 /// gnuplot's own begin anywhere if they are told their distance.
 std::string decades(char axis, const Range& range) {
@@ -124,7 +120,7 @@ std::string decades(char axis, const Range& range) {
   return "\nset " + name + "tics (" + labels + ")";
 }
 
-/// The y axis, so that lines can be told apart within wide bands.
+/// The y axis; bands are cut off where they would hide the lines.
 std::string y_range(const Plot& plot) {
   if (plot.y_end > 0.0) return "\nset yrange [0:" + number(plot.y_end) + "]";
   if (plot.from_zero) return "\nset yrange [0:*]";

@@ -61,10 +61,7 @@ void write_results(const Experiment& experiment, const OutputFolder& folder) {
       folder.write("tractions-" + std::string(name(result.method)) + ".csv",
                    tractions_csv(result.normal.traction, result.tangential.traction));
   if (!experiment.deck.empty()) folder.write("network.cir", experiment.deck);
-  const Report report = report_html(experiment);
-  folder.write("report.html", report.html);
-  for (const auto& [file, content] : report.files) folder.write(file, content);
-  if (!report.missing.empty()) std::cerr << "note: " << report.missing << '\n';
+  write(folder, report_html(experiment));
 }
 
 void run(Options& options) {

@@ -85,18 +85,13 @@ std::string study_json(const Study& study, std::string_view scene_text) {
 }
 
 std::string study_csv(const Study& study) {
-  const auto quoted = [](const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + '"';
-  };
   std::string text =
       "job,curve,knob,time_of,seconds,seconds_low,seconds_high,error_to_solution,error_to_truth,"
       "failure\n";
   for (const StudySection& section : study.sections)
     for (const WorkPoint& point : section.points) {
-      text += quoted(section.job) + ',' + quoted(point.curve) + ',' + quoted(point.knob) + ',' +
-              std::string(name(point.time_of)) + ',';
+      text += csv_quoted(section.job) + ',' + csv_quoted(point.curve) + ',' +
+              csv_quoted(point.knob) + ',' + std::string(name(point.time_of)) + ',';
       for (const double seconds : {point.seconds, point.seconds_low, point.seconds_high}) {
         append_number(text, seconds);
         text += ',';
@@ -105,7 +100,7 @@ std::string study_csv(const Study& study) {
         if (error) append_number(text, *error);
         text += ',';
       }
-      text += quoted(point.failure) + '\n';
+      text += csv_quoted(point.failure) + '\n';
     }
   return text;
 }

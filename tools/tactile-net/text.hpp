@@ -19,6 +19,9 @@ inline void append_number(std::string& out, double number) {
 /// The parts with the separator between them.
 [[nodiscard]] std::string join(const std::vector<std::string>& parts, std::string_view separator);
 
+/// As a field of a CSV file, its quotes doubled (RFC 4180).
+[[nodiscard]] std::string csv_quoted(const std::string& text);
+
 /// Shortest decimal text that reads back as the same number.
 [[nodiscard]] std::string exact(double number);
 
