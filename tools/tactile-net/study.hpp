@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -75,6 +76,17 @@ struct StudyJob {
 /// has a simulator of its own: they may run side by side.
 [[nodiscard]] std::vector<StudyJob> circuit_jobs(const StudyInput& input,
                                                  const SimulatorChoice& choice);
+
+/// Where circuits are compared with each other and with arithmetic: op-amps' gain-bandwidth [Hz],
+/// and the error, which is also the tolerance of the parts that are shown.
+inline constexpr double compared_bandwidth = 10e6;
+inline constexpr double percent = 0.01;
+
+/// Realisation and bandwidth [Hz] of a settling point's curve, "nic, 10 MHz"; 0: it has no op-amps.
+[[nodiscard]] std::pair<std::string, double> circuit_of(const WorkPoint& point);
+
+/// The fastest frame within one percent of the exact solution [s].
+[[nodiscard]] std::optional<double> fastest_frame(const std::vector<WorkPoint>& points);
 
 /// Cycles a second, by a chain of additions; 0 where it cannot be measured.
 [[nodiscard]] double processor_clock();

@@ -18,7 +18,7 @@ Scene with(const StudyInput& input, Realization realization, std::optional<doubl
   Scene scene = input.scene;
   scene.network.tolerance.reset();
   apply({.realization = std::string(name(realization)), .bandwidth = bandwidth}, scene);
-  scene.network.settling_accuracy = levels[std::size(levels) - 1];
+  scene.network.settling_accuracy.reset();
   return scene;
 }
 
@@ -41,8 +41,9 @@ WorkPoint settled(const std::string& curve, double level, double seconds, bool b
 }
 
 /// A circuit's answer to a step of all its inputs: when it has come within each level of f*.
-void add_settling(StudySection& section, const std::string& curve, const CircuitPlan& plan,
+void add_settling(StudySection& section, const std::string& curve, CircuitPlan plan,
                   Simulator& simulator) {
+  plan.options.settling_accuracy = levels[std::size(levels) - 1];
   const auto failed = [&](std::string why) {
     WorkPoint result = empty_point(curve, "", TimeOf::settling);
     result.failure = std::move(why);
@@ -93,7 +94,6 @@ void add_settling(StudySection& section, const std::string& curve, const Circuit
 /// is in units of 1/bandwidth: one simulation tells all.
 StudySection settling(const StudyInput& input, Realization realization, Simulator& simulator) {
   StudySection section;
-  constexpr double middle = 10e6;
   const auto curve = [&](double bandwidth) {
     return std::string(name(realization)) + ", " + brief(bandwidth / 1e6) + " MHz";
   };
@@ -101,7 +101,7 @@ StudySection settling(const StudyInput& input, Realization realization, Simulato
     const Scene scene = with(input, realization, bandwidth);
     add_settling(section, curve(bandwidth), plan_circuit(scene, input.readings), simulator);
   };
-  simulate(middle);
+  simulate(compared_bandwidth);
   const std::vector<WorkPoint> measured = section.points;
   const RealizationOptions& given = input.scene.network.parts;
   const bool alone =
@@ -115,7 +115,7 @@ StudySection settling(const StudyInput& input, Realization realization, Simulato
       if (!point.measured()) continue;
       point.curve = curve(bandwidth);
       point.knob += ", scaled from 10 MHz";
-      point.seconds *= middle / bandwidth;
+      point.seconds *= compared_bandwidth / bandwidth;
       point.seconds_low = point.seconds_high = point.seconds;
       section.points.push_back(std::move(point));
     }
@@ -173,6 +173,13 @@ StudySection parts(const StudyInput& input) {
 }
 
 }  // namespace
+
+std::pair<std::string, double> circuit_of(const WorkPoint& point) {
+  const std::size_t comma = point.curve.find(", ");
+  const bool opamps = point.curve.ends_with(" MHz");
+  return {point.curve.substr(0, comma),
+          opamps ? 1e6 * std::stod(point.curve.substr(comma + 2)) : 0.0};
+}
 
 std::vector<StudyJob> circuit_jobs(const StudyInput& input, const SimulatorChoice& choice) {
   std::vector<StudyJob> jobs;

@@ -20,7 +20,7 @@ double drawn(double error) { return std::max(error, least_error); }
 /// never black, which is what they are measured against.
 std::size_t colour_of(const std::vector<WorkPoint>& points, const WorkPoint& point) {
   const auto name_of = [](const WorkPoint& one) {
-    return one.time_of == TimeOf::settling ? one.curve.substr(0, one.curve.find(", ")) : one.curve;
+    return one.time_of == TimeOf::settling ? circuit_of(one).first : one.curve;
   };
   std::vector<std::string> names;
   for (const WorkPoint& one : points)
@@ -100,14 +100,6 @@ Plot plot_of(std::string title, std::string x_label, std::string y_label,
   return plot;
 }
 
-constexpr double level = 0.01;  // at which circuits are compared with arithmetic
-
-/// The fastest frame within 1 %.
-std::optional<double> fastest_frame(const std::vector<WorkPoint>& points) {
-  const Choice choice = choose(points, to_solution, TimeOf::frame, {.accuracy = level});
-  return choice.point ? std::optional(points[*choice.point].seconds) : std::nullopt;
-}
-
 Curve level_line(const std::string& label, double from, double to, double seconds, bool dashed) {
   Curve line;
   line.label = label;
@@ -117,19 +109,11 @@ Curve level_line(const std::string& label, double from, double to, double second
   return line;
 }
 
-/// Realisation and bandwidth [Hz] of a settling curve, "nic, 10 MHz"; 0: it has no op-amps.
-std::pair<std::string, double> circuit_of(const WorkPoint& point) {
-  const std::size_t comma = point.curve.find(", ");
-  const bool opamps = point.curve.ends_with(" MHz");
-  return {point.curve.substr(0, comma),
-          opamps ? 1e6 * std::stod(point.curve.substr(comma + 2)) : 0.0};
-}
-
 std::vector<Curve> circuit_curves(const Study& study, const std::vector<WorkPoint>& points) {
   std::vector<WorkPoint> shown;
   for (const WorkPoint& point : points)
     if (point.time_of == TimeOf::settling && point.measured() &&
-        (circuit_of(point).second == 10e6 || circuit_of(point).second == 0.0))
+        (circuit_of(point).second == compared_bandwidth || circuit_of(point).second == 0.0))
       shown.push_back(point);
   std::vector<Curve> curves = curves_of(shown, to_solution, TimeOf::settling);
   if (curves.empty()) return curves;
@@ -137,7 +121,7 @@ std::vector<Curve> circuit_curves(const Study& study, const std::vector<WorkPoin
   for (const StudySection& section : study.sections)
     for (const PartsFloor& floor : section.floors)
       for (std::size_t i = 0; i < circuits; ++i)
-        if (floor.relative == 0.01 && floor.median && *floor.median < 1.0 &&
+        if (floor.relative == percent && floor.median && *floor.median < 1.0 &&
             curves[i].label.starts_with(floor.realization + ","))
           curves.push_back(
               border(floor.realization + ", 1 % parts", *floor.median, curves, curves[i].colour));
@@ -149,7 +133,8 @@ std::vector<Curve> circuit_curves(const Study& study, const std::vector<WorkPoin
 std::vector<Curve> crossover_curves(const Study& study, const std::vector<WorkPoint>& points) {
   std::vector<Curve> curves;
   for (const WorkPoint& point : points) {
-    if (point.time_of != TimeOf::settling || !point.measured() || point.error_to_solution != level)
+    if (point.time_of != TimeOf::settling || !point.measured() ||
+        point.error_to_solution != percent)
       continue;
     const auto [circuit, bandwidth] = circuit_of(point);
     if (bandwidth == 0.0) continue;

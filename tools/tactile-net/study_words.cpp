@@ -10,13 +10,6 @@ namespace tactile_net::tool {
 namespace {
 
 constexpr ErrorOf to_solution = &WorkPoint::error_to_solution;
-bool any_measured(const std::vector<WorkPoint>& points, TimeOf time_of) {
-  return std::any_of(points.begin(), points.end(), [=](const WorkPoint& point) {
-    return point.measured() && point.time_of == time_of;
-  });
-}
-
-constexpr double percent = 0.01;  // the accuracy at which circuits are compared
 
 std::string in_percent(double share) { return brief(100.0 * share) + " %"; }
 
@@ -58,17 +51,16 @@ struct SettledCircuit {
   std::optional<double> parts{};  ///< error that parts of 1 % leave (median); infinite: unstable
 };
 
-constexpr double bandwidth = 10e6;  // settling goes with its inverse: others are the same, scaled
-
 std::vector<SettledCircuit> settled_circuits(const Study& study,
                                              const std::vector<WorkPoint>& points) {
   std::vector<SettledCircuit> circuits;
   for (const WorkPoint& point : points) {
-    const auto comma = point.curve.find(", 10 MHz");
     if (point.time_of != TimeOf::settling || !point.measured() ||
-        point.error_to_solution != percent || comma == std::string::npos)
+        point.error_to_solution != percent)
       continue;
-    SettledCircuit circuit{point.curve.substr(0, comma), point.seconds};
+    const auto [name, bandwidth] = circuit_of(point);
+    if (bandwidth != compared_bandwidth) continue;  // the others are the same, scaled
+    SettledCircuit circuit{name, point.seconds};
     for (const StudySection& section : study.sections)
       for (const PartsFloor& floor : section.floors)
         if (floor.relative == percent && floor.realization == circuit.name)
@@ -78,12 +70,6 @@ std::vector<SettledCircuit> settled_circuits(const Study& study,
   std::stable_sort(circuits.begin(), circuits.end(),
                    [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
   return circuits;
-}
-
-/// The fastest frame that is as accurate as the circuits are compared at.
-std::optional<double> fastest_frame(const std::vector<WorkPoint>& points) {
-  const Choice choice = choose(points, to_solution, TimeOf::frame, {.accuracy = percent});
-  return choice.point ? std::optional(points[*choice.point].seconds) : std::nullopt;
 }
 
 std::string parts_in_words(const SettledCircuit& circuit) {
@@ -106,7 +92,7 @@ void add_circuits(std::vector<std::string>& text, const Study& study,
           "clocked below " +
           frequency(study.clock * *frame / fastest.seconds);
     sentence += "; this machine's " + duration(*frame) + " it beats from a bandwidth of " +
-                frequency(bandwidth * fastest.seconds / *frame) + " on";
+                frequency(compared_bandwidth * fastest.seconds / *frame) + " on";
   }
   text.push_back(std::move(sentence));
   const auto least =
@@ -122,6 +108,11 @@ void add_circuits(std::vector<std::string>& text, const Study& study,
 }
 
 }  // namespace
+
+std::optional<double> fastest_frame(const std::vector<WorkPoint>& points) {
+  const Choice choice = choose(points, to_solution, TimeOf::frame, {.accuracy = percent});
+  return choice.point ? std::optional(points[*choice.point].seconds) : std::nullopt;
+}
 
 std::string answer(const Study& study, const Requirement& requirement) {
   const std::vector<WorkPoint> points = study.points();
@@ -139,7 +130,9 @@ std::string answer(const Study& study, const Requirement& requirement) {
                         " times inside the error");
     return margins.empty() ? text : text + " (" + join(margins, ", ") + ")";
   }
-  if (!choice.fastest && !choice.most_accurate && !any_measured(points, TimeOf::frame))
+  if (std::none_of(points.begin(), points.end(), [](const WorkPoint& point) {
+        return point.measured() && point.time_of == TimeOf::frame;
+      }))
     return text + "nothing is measured yet";
   text += requirement.accuracy && requirement.deadline ? "none meets both" : "none";
   if (choice.fastest)
@@ -191,7 +184,8 @@ std::vector<std::vector<std::string>> circuit_cells(const Study& study) {
     rows.push_back(
         {circuit.name, duration(circuit.seconds),
          frame && study.clock > 0.0 ? frequency(study.clock * *frame / circuit.seconds) : "-",
-         frame ? frequency(bandwidth * circuit.seconds / *frame) : "-", parts_in_words(circuit)});
+         frame ? frequency(compared_bandwidth * circuit.seconds / *frame) : "-",
+         parts_in_words(circuit)});
   return rows;
 }
 

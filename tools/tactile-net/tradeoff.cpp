@@ -2,6 +2,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -70,8 +71,8 @@ bool whole(const StudySection& section) {
                      [](const WorkPoint& point) { return point.measured(); });
 }
 
-/// Runs the jobs that are left; `save` after each. Circuits run two at a time, arithmetic alone: it
-/// is timed.
+/// Runs the jobs that are left; `save` after each, by the thread that has done it. Circuits run two
+/// at a time, arithmetic alone: it is timed, and nothing is drawn meanwhile.
 class Runner {
  public:
   Runner(Study& study, const std::vector<StudyJob>& jobs, std::vector<StudySection> finished,
@@ -100,8 +101,13 @@ class Runner {
           const std::lock_guard lock(mutex_);
           // Ctrl-C ends ngspice too: what it left is no result.
           if (!Interruption::came()) sections_[i] = std::move(section);
-          finished_.push_back(i);
-          changed_.notify_one();
+          pace_.done(jobs_[i]);
+          try {
+            publish();
+          } catch (...) {
+            failure_ = std::current_exception();
+            next_ = last;  // the others finish what they have begun, no more
+          }
         }
         const std::lock_guard lock(mutex_);
         --running_;
@@ -109,22 +115,14 @@ class Runner {
       });
     Progress progress;
     std::unique_lock lock(mutex_);
-    while (running_ > 0 || !finished_.empty()) {
+    while (running_ > 0) {
       changed_.wait_for(lock, std::chrono::milliseconds(200));
-      for (const std::size_t i : finished_) pace_.done(jobs_[i]);
-      const bool news = !finished_.empty();
-      finished_.clear();
-      try {
-        if (news) publish();
-      } catch (...) {
-        next_ = last;  // the workers finish what they have begun, no more
-        throw;
-      }
       if (progress.due())
         progress.step(Interruption::came()
                           ? "stopping, after what has begun ..."
                           : pace_.text(jobs_[std::min<std::size_t>(next_, last) - 1].name));
     }
+    if (failure_) std::rethrow_exception(failure_);
   }
 
   void publish() {
@@ -147,7 +145,7 @@ class Runner {
   std::atomic<std::size_t> next_{0};
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<std::size_t> finished_;
+  std::exception_ptr failure_;  // of saving
   std::size_t running_ = 0;
 };
 
@@ -178,11 +176,10 @@ Written write_all(const std::filesystem::path& folder, const Study& study,
 }
 
 /// So that a study of minutes is not without its circuits for want of a program.
-void check_simulator(const SimulatorChoice& choice) {
+void check(Simulator& simulator) {
   try {
     const std::vector<std::string> node = {"a"};
-    (void)operating_point(*make_simulator(choice), "a resistor\nI1 0 a 1\nR1 a 0 1\n.op\n.end\n",
-                          node);
+    (void)operating_point(simulator, "a resistor\nI1 0 a 1\nR1 a 0 1\n.op\n.end\n", node);
   } catch (const SimulatorError& error) {
     throw CheckFailed(std::string(error.what()) + "; --digital leaves the circuits out");
   }
@@ -212,8 +209,8 @@ void run(const Options& options) {
   const std::string scene_text = content_of(options.scene);
   std::optional<OutputFile> json;
   if (!options.json.empty()) json.emplace(options.json);
-  (void)make_simulator(options.simulator);
-  if (!options.digital) check_simulator(options.simulator);
+  const std::unique_ptr<Simulator> simulator = make_simulator(options.simulator);
+  if (!options.digital) check(*simulator);
 
   Study study;
   study.processor = processor_name();
