@@ -12,8 +12,8 @@
 
 #include "bench/measure.hpp"
 #include "tactile_net/inverse/alpha.hpp"
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 

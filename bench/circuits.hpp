@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "bench/floors.hpp"
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/network/certificate.hpp"
 #include "tactile_net/network/deck.hpp"
 #include "tactile_net/network/state_space.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
 #include "tactile_net/simulator/step_response.hpp"
 

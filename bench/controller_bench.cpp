@@ -14,7 +14,7 @@
 #include "bench/native.hpp"
 #include "bench/rivals.hpp"
 #include "tactile_net/control/planner.hpp"
-#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "bench/measure.hpp"
-#include "tactile_net/scene/plan.hpp"
+#include "tactile_net/lab/workload.hpp"
 #include "tactile_net/scene/reader.hpp"
 
 namespace {

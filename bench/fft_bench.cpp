@@ -8,11 +8,11 @@
 #include <numbers>
 
 #include "bench/measure.hpp"
-#include "sensing/real_fft.hpp"
+#include "numeric/real_fft.hpp"
 #include "tactile_net/control/fftw_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 

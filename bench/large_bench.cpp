@@ -4,8 +4,8 @@
 #include <Eigen/Cholesky>
 
 #include "bench/measure.hpp"
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/fft_tikhonov.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
 int main() {

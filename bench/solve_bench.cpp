@@ -42,7 +42,7 @@ void solve_with_iostreams(const tactile_net::Reconstruction& inverse, const std:
     std::istringstream fields(line);
     char comma = 0;
     for (double& value : g) fields >> value >> comma;
-    if (inverse.solve(g, f) != tactile_net::Status::ok) std::abort();
+    if (inverse.solve(g, f) != tactile_net::FrameStatus::ok) std::abort();
     for (const double value : f) out << value << ',';
     out << '\n';
   }

@@ -1,6 +1,6 @@
 // In place of src/scene/scene_effects.cpp: friction and layer, which act before the readings,
 // alone.
-#include "scene/scene_effects.hpp"
+#include "tactile_net/scene/scene_effects.hpp"
 
 #include <array>
 

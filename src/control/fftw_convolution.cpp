@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "sensing/real_fft.hpp"
+#include "numeric/real_fft.hpp"
 
 namespace tactile_net {
 namespace {

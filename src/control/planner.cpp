@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "control/product_planner.hpp"
-#include "inverse/eigen.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 
 namespace tactile_net {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "control/circulant.hpp"
-#include "inverse/decompositions.hpp"
+#include "numeric/decompositions.hpp"
 
 namespace tactile_net {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "elasticity/require.hpp"
+#include "numeric/require.hpp"
 
 namespace tactile_net {
 

@@ -1,6 +1,6 @@
 #include "tactile_net/elasticity/material.hpp"
 
-#include "elasticity/require.hpp"
+#include "numeric/require.hpp"
 
 namespace tactile_net {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "elasticity/require.hpp"
+#include "numeric/require.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
 #include "tactile_net/elasticity/layer.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "tactile_net/grasp/finger.hpp"
 #include "tactile_net/grasp/finger_action.hpp"
-#include "tactile_net/inverse/matrix.hpp"
+#include "tactile_net/numeric/matrix.hpp"
 
 namespace tactile_net {
 

@@ -8,7 +8,7 @@
 
 #include "grasp/grasp_map.hpp"
 #include "grasp/least_torques.hpp"
-#include "inverse/eigen.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {

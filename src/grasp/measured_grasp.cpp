@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "grasp/grasp_map.hpp"
-#include "inverse/eigen.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {

@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "inverse/finite.hpp"
 #include "inverse/nonnegative.hpp"
 #include "inverse/stacked.hpp"
+#include "numeric/finite.hpp"
 
 namespace tactile_net {
 namespace {

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "inverse/finite.hpp"
-#include "sensing/real_fft.hpp"
+#include "numeric/finite.hpp"
+#include "numeric/real_fft.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 
 namespace tactile_net {
@@ -101,10 +101,12 @@ DftInverse::DftInverse(const SensorArray& array, const Material& material, doubl
                  [n](auto value) { return 1.0 / (static_cast<double>(n) * value); });
 }
 
-Status DftInverse::solve(std::span<const double> readings, std::span<double> tractions) noexcept {
+FrameStatus DftInverse::solve(std::span<const double> readings,
+                              std::span<double> tractions) noexcept {
   RealFft& fft = plan_->fft;
-  if (readings.size() != fft.size() || tractions.size() != fft.size()) return Status::wrong_size;
-  if (!all_finite(readings)) return Status::not_finite;
+  if (readings.size() != fft.size() || tractions.size() != fft.size())
+    return FrameStatus::wrong_size;
+  if (!all_finite(readings)) return FrameStatus::not_finite;
 
   std::copy(readings.begin(), readings.end(), fft.samples().begin());
   fft.forward();
@@ -112,7 +114,7 @@ Status DftInverse::solve(std::span<const double> readings, std::span<double> tra
     fft.bins()[k] = product(fft.bins()[k], plan_->inverse[k]);
   fft.backward();
   std::copy_n(fft.samples().begin(), tractions.size(), tractions.begin());
-  return Status::ok;
+  return FrameStatus::ok;
 }
 
 const NoiseGain& DftInverse::noise_gain() const noexcept { return plan_->gain; }

@@ -107,7 +107,7 @@ FrictionSolution DftFriction::solve(std::span<const double> readings) {
     even[i] = 0.5 * (readings[i] + readings[n - 1 - i]);
     odd[i] = 0.5 * (readings[i] - readings[n - 1 - i]);
   }
-  if (division_.solve(even, solution.normal) != Status::ok)
+  if (division_.solve(even, solution.normal) != FrameStatus::ok)
     throw std::invalid_argument("readings are not finite");
   solution.dft = division_.verdict(even);
   const double force = std::accumulate(solution.normal.begin(), solution.normal.end(), 0.0);

@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "inverse/decompositions.hpp"
-#include "inverse/finite.hpp"
 #include "inverse/kernel_error.hpp"
-#include "sensing/real_fft.hpp"
+#include "numeric/decompositions.hpp"
+#include "numeric/finite.hpp"
+#include "numeric/real_fft.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
@@ -273,13 +273,13 @@ FilterFrame DftTikhonov::analyse(std::span<const double> readings) {
   return frame;
 }
 
-Status DftTikhonov::solve(std::span<const double> readings, double alpha,
-                          std::span<double> tractions) noexcept {
+FrameStatus DftTikhonov::solve(std::span<const double> readings, double alpha,
+                               std::span<double> tractions) noexcept {
   Plan& plan = *plan_;
   const std::size_t n = plan.fft.size();
   if (readings.size() != plan.weights.size() * n || tractions.size() != plan.unknowns * n)
-    return Status::wrong_size;
-  if (!all_finite(readings)) return Status::not_finite;
+    return FrameStatus::wrong_size;
+  if (!all_finite(readings)) return FrameStatus::not_finite;
 
   plan.transform(readings);
   const double root = std::sqrt(alpha);
@@ -304,7 +304,7 @@ Status DftTikhonov::solve(std::span<const double> readings, double alpha,
     std::copy_n(plan.fft.samples().begin(), n,
                 tractions.begin() + static_cast<std::ptrdiff_t>(u * n));
   }
-  return Status::ok;
+  return FrameStatus::ok;
 }
 
 }  // namespace tactile_net

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "inverse/eigen.hpp"
 #include "inverse/stabiliser.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

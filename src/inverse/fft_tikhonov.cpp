@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "inverse/finite.hpp"
-#include "sensing/real_fft.hpp"
+#include "numeric/finite.hpp"
+#include "numeric/real_fft.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
 namespace tactile_net {
@@ -209,12 +209,12 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
   }
 }
 
-Status FftTikhonov::solve(std::span<const double> readings, std::span<double> tractions,
-                          double tolerance, std::size_t step_limit) noexcept {
+FrameStatus FftTikhonov::solve(std::span<const double> readings, std::span<double> tractions,
+                               double tolerance, std::size_t step_limit) noexcept {
   Plan& p = *plan_;
   if (readings.size() != p.right.size() || tractions.size() != p.f.size())
-    return Status::wrong_size;
-  if (!all_finite(readings)) return Status::not_finite;
+    return FrameStatus::wrong_size;
+  if (!all_finite(readings)) return FrameStatus::not_finite;
 
   p.convergence = {};
   double scale = 0.0;
@@ -224,7 +224,7 @@ Status FftTikhonov::solve(std::span<const double> readings, std::span<double> tr
   }
   if (scale == 0.0) {
     std::fill(tractions.begin(), tractions.end(), 0.0);
-    return Status::ok;
+    return FrameStatus::ok;
   }
   std::fill(p.residual.begin(), p.residual.end(), 0.0);
   for (std::size_t i = 0; i < readings.size(); ++i) p.residual[i] = p.right[i] / scale;
@@ -267,7 +267,7 @@ Status FftTikhonov::solve(std::span<const double> readings, std::span<double> tr
   }
   if (power == 0.0) c.converged = true;
   for (std::size_t i = 0; i < tractions.size(); ++i) tractions[i] = p.f[i] * scale;
-  return Status::ok;
+  return FrameStatus::ok;
 }
 
 const Convergence& FftTikhonov::convergence() const noexcept { return plan_->convergence; }

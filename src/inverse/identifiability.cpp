@@ -6,8 +6,9 @@
 #include <numbers>
 #include <sstream>
 
-#include "inverse/decompositions.hpp"
-#include "inverse/eigen.hpp"
+#include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inverse/decompositions.hpp"
+#include "numeric/decompositions.hpp"
 
 namespace tactile_net {
 namespace {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "inverse/eigen.hpp"
 #include "inverse/kernel_error.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
 namespace tactile_net {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "inverse/eigen.hpp"
-#include "inverse/finite.hpp"
+#include "numeric/eigen.hpp"
+#include "numeric/finite.hpp"
 
 namespace tactile_net {
 
@@ -17,9 +17,9 @@ Reconstruction::Reconstruction(const Matrix& matrix, double condition) : conditi
   transposed_ = from_eigen(as_eigen(matrix).transpose());
 }
 
-Status Reconstruction::solve(std::span<const double> g, std::span<double> f) const noexcept {
-  if (g.size() != readings() || f.size() != tractions()) return Status::wrong_size;
-  if (!all_finite(g)) return Status::not_finite;
+FrameStatus Reconstruction::solve(std::span<const double> g, std::span<double> f) const noexcept {
+  if (g.size() != readings() || f.size() != tractions()) return FrameStatus::wrong_size;
+  if (!all_finite(g)) return FrameStatus::not_finite;
 
   // Column by column of M: every f_i is summed in the order of the readings, and the inner loop
   // runs over neighbours in memory, which compilers vectorise without reordering a sum.
@@ -29,7 +29,7 @@ Status Reconstruction::solve(std::span<const double> g, std::span<double> f) con
     for (std::size_t i = 0; i < f.size(); ++i) f[i] += reading * column[i];
     column += f.size();
   }
-  return Status::ok;
+  return FrameStatus::ok;
 }
 
 }  // namespace tactile_net

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "inverse/eigen.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/inverse/problem.hpp"
 
 namespace tactile_net {

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include "inverse/decompositions.hpp"
+#include "numeric/decompositions.hpp"
 
 namespace tactile_net {
 

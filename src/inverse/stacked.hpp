@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "inverse/eigen.hpp"
 #include "inverse/stabiliser.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/inverse/problem.hpp"
 
 namespace tactile_net {

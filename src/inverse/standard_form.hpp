@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <utility>
 
-#include "inverse/decompositions.hpp"
+#include "numeric/decompositions.hpp"
 
 namespace tactile_net {
 

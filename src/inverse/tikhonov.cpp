@@ -1,7 +1,7 @@
 #include <string>
 
-#include "inverse/finite.hpp"
 #include "inverse/stacked.hpp"
+#include "numeric/finite.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 
 namespace tactile_net {

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "inverse/finite.hpp"
 #include "inverse/stacked.hpp"
 #include "inverse/standard_form.hpp"
+#include "numeric/finite.hpp"
 
 namespace tactile_net {
 namespace {

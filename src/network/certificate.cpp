@@ -9,9 +9,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "inverse/eigen.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/network/reduction.hpp"
 #include "tactile_net/network/state_space.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "inverse/eigen.hpp"
-#include "inverse/finite.hpp"
+#include "numeric/eigen.hpp"
+#include "numeric/finite.hpp"
 
 namespace tactile_net {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "network/number.hpp"
 #include "tactile_net/network/subcircuits.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {
@@ -118,10 +118,10 @@ void append_subcircuits(std::string& deck, const Circuit& circuit) {
 }
 
 std::string current_of(const NShapedDevice& b, const std::vector<std::string>& nodes) {
-  const std::string u = "V(" + nodes[b.from] + "," + nodes[b.to] + ")/" + deck_number(b.volts);
+  const std::string u = "V(" + nodes[b.from] + "," + nodes[b.to] + ")/" + shortest(b.volts);
   if (b.curve == Curve::cubic)
-    return deck_number(-b.siemens * b.volts) + "*(" + u + ")*(1-(" + u + ")^2)";
-  return deck_number(b.siemens * b.volts) + "*((2+" + u + ")*exp(-" + u + ")-2)";
+    return shortest(-b.siemens * b.volts) + "*(" + u + ")*(1-(" + u + ")^2)";
+  return shortest(b.siemens * b.volts) + "*((2+" + u + ")*exp(-" + u + ")-2)";
 }
 
 /// The step of source number `place`; its edge takes a millionth of the time.
@@ -136,11 +136,11 @@ std::string step_of(double ampere, const StepResponse& response, std::size_t pla
     first = ampere * (1.0 + response.kick * std::cos(1.0 + 2.4 * static_cast<double>(place)));
     until = response.stop / 1e3;
   }
-  const std::string end = deck_number(ampere);
-  std::string text = "PWL(0 0 " + deck_number(edge) + ' ' + deck_number(first);
+  const std::string end = shortest(ampere);
+  std::string text = "PWL(0 0 " + shortest(edge) + ' ' + shortest(first);
   if (until > 0.0)
-    text += ' ' + deck_number(until) + ' ' + deck_number(first) + ' ' + deck_number(until + edge) +
-            ' ' + end;
+    text +=
+        ' ' + shortest(until) + ' ' + shortest(first) + ' ' + shortest(until + edge) + ' ' + end;
   return text + ')';
 }
 
@@ -149,24 +149,24 @@ void append_elements(std::string& deck, const Circuit& circuit, const Analysis& 
   const auto card = [&](const auto& part, const std::string& value) {
     deck += part.name + ' ' + nodes[part.from] + ' ' + nodes[part.to] + ' ' + value + '\n';
   };
-  for (const Resistor& r : circuit.resistors) card(r, deck_number(1.0 / r.siemens));
-  for (const Capacitor& c : circuit.capacitors) card(c, deck_number(c.farad));
-  for (const Inductor& l : circuit.inductors) card(l, deck_number(l.henry));
+  for (const Resistor& r : circuit.resistors) card(r, shortest(1.0 / r.siemens));
+  for (const Capacitor& c : circuit.capacitors) card(c, shortest(c.farad));
+  for (const Inductor& l : circuit.inductors) card(l, shortest(l.henry));
   for (const NShapedDevice& b : circuit.devices) card(b, "I=" + current_of(b, nodes));
   for (const Instance& x : circuit.instances) {
     deck += x.name;
     for (const Node node : x.pins) deck += ' ' + nodes[node];
     deck += ' ' + x.subcircuit;
     if (circuit.divider != Circuit{}.divider && amplifier(circuit, x.subcircuit) == nullptr)
-      deck += " r=" + deck_number(circuit.divider);
+      deck += " r=" + shortest(circuit.divider);
     deck += '\n';
   }
   for (const CurrentSource& i : circuit.sources) {  // SPICE: from the first node to the second
     deck += i.name + " 0 " + nodes[i.into];
     if (std::holds_alternative<DirectCurrent>(analysis))
-      deck += " DC " + deck_number(i.ampere);
+      deck += " DC " + shortest(i.ampere);
     else if (std::holds_alternative<SingleFrequency>(analysis))
-      deck += " AC " + deck_number(i.ampere) + " 90";
+      deck += " AC " + shortest(i.ampere) + " 90";
     else
       deck += ' ' + step_of(i.ampere, std::get<StepResponse>(analysis),
                             static_cast<std::size_t>(&i - circuit.sources.data()));
@@ -184,14 +184,14 @@ std::string saved(const Circuit& circuit) {
 /// The card of an analysis, with the options it needs.
 std::string card_of(const Circuit& circuit, const Analysis& analysis) {
   if (const auto* ac = std::get_if<SingleFrequency>(&analysis)) {
-    const std::string hertz = deck_number(ac->hertz);
+    const std::string hertz = shortest(ac->hertz);
     // Capacitors alone and loops of inductors have no operating point.
     return ".options noopac\n.ac lin 1 " + hertz + ' ' + hertz + '\n';
   }
   if (const auto* tran = std::get_if<StepResponse>(&analysis)) {
-    const std::string step = deck_number(tran->step);
+    const std::string step = shortest(tran->step);
     return ".options method=trap reltol=1e-5 chgtol=1e-18 abstol=1e-15 vntol=1e-9\n.tran " + step +
-           ' ' + deck_number(tran->stop) + " 0 " + step + '\n' + saved(circuit);
+           ' ' + shortest(tran->stop) + " 0 " + step + '\n' + saved(circuit);
   }
   return ".op\n";
 }
@@ -217,9 +217,9 @@ void write_deck(std::ostream& out, const Circuit& circuit, const DeckHeader& hea
   deck += "* " + header.title + '\n';  // line 1 is the title, whatever it holds
   for (const std::string& comment : header.comments) deck += "* " + comment + '\n';
   for (std::size_t i = 0; i < header.expected.size(); ++i)
-    deck += "* expect " + circuit.nodes[circuit.outputs[i]] + ' ' +
-            deck_number(header.expected[i]) + '\n';
-  if (header.within) deck += "* within " + deck_number(*header.within) + '\n';
+    deck +=
+        "* expect " + circuit.nodes[circuit.outputs[i]] + ' ' + shortest(header.expected[i]) + '\n';
+  if (header.within) deck += "* within " + shortest(*header.within) + '\n';
   append_subcircuits(deck, circuit);
   append_elements(deck, circuit, analysis);
   deck += card_of(circuit, analysis) + ".end\n";

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inverse/eigen.hpp"
 #include "network/nodes.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "inverse/finite.hpp"
+#include "numeric/finite.hpp"
 #include "tactile_net/network/realization.hpp"
 
 namespace tactile_net {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "network/number.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {
@@ -19,7 +19,7 @@ void check(const std::optional<double>& value, const char* name) {
 
 /// A farad value that sets a pole at `hertz` with the transconductance.
 std::string farad(double hertz) {
-  return deck_number(transconductance / (2.0 * std::numbers::pi * hertz));
+  return shortest(transconductance / (2.0 * std::numbers::pi * hertz));
 }
 
 std::string description(const AmplifierModel& model) {
@@ -68,25 +68,25 @@ std::string subcircuit_text(const AmplifierModel& model) {
     text += "Vn p n 0\nH1 out 0 Vn 1e21\n";
   } else {
     const std::string input = o.offset ? "q" : "p";
-    if (o.offset) text += "Vo q p " + deck_number(*o.offset) + '\n';
+    if (o.offset) text += "Vo q p " + shortest(*o.offset) + '\n';
     if (!o.bandwidth && !o.rail) {
-      text += "E1 out 0 " + input + " n " + deck_number(o.dc_gain()) + '\n';
+      text += "E1 out 0 " + input + " n " + shortest(o.dc_gain()) + '\n';
     } else {
-      text += "Ga 0 x " + input + " n " + deck_number(transconductance) + '\n';
-      text += "Ra x 0 " + deck_number(o.dc_gain() / transconductance) + '\n';
+      text += "Ga 0 x " + input + " n " + shortest(transconductance) + '\n';
+      text += "Ra x 0 " + shortest(o.dc_gain() / transconductance) + '\n';
       if (o.bandwidth) text += "Ca x 0 " + farad(*o.bandwidth) + '\n';
       if (o.rail) {
-        const std::string limit = deck_number(*o.rail - diode_drop);
+        const std::string limit = shortest(*o.rail - diode_drop);
         text += "Dp x h clamp\nDn l x clamp\nVh h 0 " + limit + "\nVl 0 l " + limit +
                 "\n.model clamp d(is=1e-14)\n";
       }
       if (o.second_pole)
-        text += "Gb 0 y x 0 " + deck_number(transconductance) + "\nRb y 0 " +
-                deck_number(1.0 / transconductance) + "\nCb y 0 " + farad(*o.second_pole) + '\n';
+        text += "Gb 0 y x 0 " + shortest(transconductance) + "\nRb y 0 " +
+                shortest(1.0 / transconductance) + "\nCb y 0 " + farad(*o.second_pole) + '\n';
       text += std::string("E1 out 0 ") + (o.second_pole ? "y" : "x") + " 0 1\n";
     }
   }
-  if (o.input_capacitance) text += "Cn n 0 " + deck_number(*o.input_capacitance) + '\n';
+  if (o.input_capacitance) text += "Cn n 0 " + shortest(*o.input_capacitance) + '\n';
   if (both) text += "E2 inv 0 0 out 1\n";
   return text + ".ends " + model.name + '\n';
 }

@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "inverse/eigen.hpp"
 #include "inverse/stabiliser.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

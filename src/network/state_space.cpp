@@ -11,7 +11,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
 
-#include "inverse/eigen.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "inverse/eigen.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "scene/scene_effects.hpp"
+#include "tactile_net/scene/scene_effects.hpp"
 
 namespace tactile_net {
 

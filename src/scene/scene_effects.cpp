@@ -1,9 +1,9 @@
-#include "scene/scene_effects.hpp"
+#include "tactile_net/scene/scene_effects.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "scene/number_text.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {
@@ -40,10 +40,10 @@ std::string taxels(std::size_t count) {
 std::string each(const PerQuantity<double>& values) {
   const auto differs = [&](const auto& one) { return one.second != values.begin()->second; };
   if (std::none_of(values.begin(), values.end(), differs))
-    return values.empty() ? "0" : number_text(values.begin()->second);
+    return values.empty() ? "0" : brief(values.begin()->second);
   std::string text;
   for (const auto& [quantity, value] : values)
-    text += (text.empty() ? "" : ", ") + std::string(name(quantity)) + ' ' + number_text(value);
+    text += (text.empty() ? "" : ", ") + std::string(name(quantity)) + ' ' + brief(value);
   return text;
 }
 
@@ -64,7 +64,7 @@ const std::array table = {
     SceneEffect{
         "layer", [](const Scene& scene) { return scene.material.layer.has_value(); }, nullptr,
         [](const Scene& scene) {
-          return "pad " + number_text(scene.material.layer->thickness) + " thick on a " +
+          return "pad " + brief(scene.material.layer->thickness) + " thick on a " +
                  std::string(name(scene.material.layer->base)) + " base: its kernels are integrals";
         },
         operations<0>},
@@ -91,14 +91,14 @@ const std::array table = {
     stage<&Scene::crosstalk>(
         "crosstalk",
         [](const Scene& scene) {
-          return "fraction " + number_text(scene.crosstalk->fraction) + " to each neighbour";
+          return "fraction " + brief(scene.crosstalk->fraction) + " to each neighbour";
         },
         operations<4000>),
     stage<&Scene::gain_error>(
         "gain_error",
         [](const Scene& scene) {
           return scene.gain_error->values.empty()
-                     ? "drawn once, rms " + number_text(scene.gain_error->rms)
+                     ? "drawn once, rms " + brief(scene.gain_error->rms)
                      : std::string("as listed");
         },
         operations<1000>),
@@ -113,19 +113,17 @@ const std::array table = {
     stage<&Scene::temperature>(
         "temperature",
         [](const Scene& scene) {
-          return "gain " + number_text(scene.temperature->gain) + " and offset " +
+          return "gain " + brief(scene.temperature->gain) + " and offset " +
                  each(scene.temperature->offset) + " per kelvin";
         },
         operations<4000>),
     stage<&Scene::low_pass>(
         "low_pass",
-        [](const Scene& scene) {
-          return "time constant " + number_text(scene.low_pass->time_constant);
-        },
+        [](const Scene& scene) { return "time constant " + brief(scene.low_pass->time_constant); },
         operations<5000>),
     stage<&Scene::sampling>(
         "sampling",
-        [](const Scene& scene) { return "mean over " + number_text(scene.sampling->aperture); },
+        [](const Scene& scene) { return "mean over " + brief(scene.sampling->aperture); },
         operations<5000>),
     stage<&Scene::noise>(
         "noise", [](const Scene& scene) { return "rms " + each(scene.noise->rms); },

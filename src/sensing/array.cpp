@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "elasticity/require.hpp"
+#include "numeric/require.hpp"
 
 namespace tactile_net {
 

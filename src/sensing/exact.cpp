@@ -9,8 +9,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "elasticity/require.hpp"
+#include "numeric/require.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 
@@ -251,9 +252,9 @@ std::vector<double> exact_readings(const SensorArray& array, const Material& mat
         sum[j] += g.value;
       }
       if (!(error <= rule.error_limit * peak) && std::isfinite(rule.error_limit))
-        throw std::runtime_error(channel.name + " at depth " + text(channel.depth) +
-                                 ": the integral is known only to " + text(error) +
-                                 ", its peak is " + text(peak));
+        throw std::runtime_error(channel.name + " at depth " + shortest(channel.depth) +
+                                 ": the integral is known only to " + shortest(error) +
+                                 ", its peak is " + shortest(peak));
     }
     readings.insert(readings.end(), sum.begin(), sum.end());
   }

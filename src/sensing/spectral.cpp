@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "sensing/real_fft.hpp"
+#include "numeric/real_fft.hpp"
 #include "sensing/superpose.hpp"
 
 namespace tactile_net {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "elasticity/require.hpp"
+#include "numeric/require.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
 namespace tactile_net {

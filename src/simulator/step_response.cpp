@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 
 namespace tactile_net {
 namespace {

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/plan_file.hpp"
 #include "tests/catch.hpp"

@@ -89,7 +89,7 @@ TEST_CASE("the convolution alone is percents off at the array's end, and right w
   const auto error = [&](ContactEstimator& estimator, double centre) {
     const std::vector<double> g = round_contact(problem, centre);
     std::vector<double> expected(256);
-    REQUIRE(dense.solve(g, expected) == Status::ok);
+    REQUIRE(dense.solve(g, expected) == FrameStatus::ok);
     return relative_l2_error(solved(estimator, g), expected);
   };
   CHECK(error(uncorrected, 255.0) > 0.05);
@@ -130,7 +130,7 @@ TEST_CASE("a plan by FFT keeps its accuracy, proven and measured, on long arrays
   for (unsigned seed = 0; seed < 4; ++seed) {
     const std::vector<double> g =
         seed % 2 == 0 ? contact_readings(problem, seed) : random_values(dense.readings(), seed);
-    REQUIRE(dense.solve(g, expected) == Status::ok);
+    REQUIRE(dense.solve(g, expected) == FrameStatus::ok);
     const std::vector<double> f = solved(estimator, g);
     const double error = l2_norm(difference(f, expected));
     CHECK(error <= candidate.error_bound * unit_of_error(problem, dense, g, expected));

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tests/inverse/problems.hpp"
 
 namespace tactile_net {

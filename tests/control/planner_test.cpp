@@ -41,7 +41,7 @@ TEST_CASE("every planned path keeps its accuracy, on random readings and on cont
       for (unsigned seed = 0; seed < 6; ++seed) {
         const std::vector<double> g =
             seed % 2 == 0 ? contact_readings(problem, seed) : random_values(dense.readings(), seed);
-        REQUIRE(dense.solve(g, expected) == Status::ok);
+        REQUIRE(dense.solve(g, expected) == FrameStatus::ok);
         REQUIRE(estimator.update(g, estimate) == FrameStatus::ok);
         const double error = l2_norm(difference(f, expected));
         CHECK(error <= candidate.error_bound * unit_of_error(problem, dense, g, expected) +

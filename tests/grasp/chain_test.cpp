@@ -60,7 +60,7 @@ TEST_CASE("noise of the readings reaches the torques as the covariance says", "[
   const TractionCovariance covariance(problem, alpha, 1e200);
   std::vector<double> f(2 * array.count);
   const auto measured = [&](const std::vector<double>& readings) {
-    REQUIRE(inverse.solve(readings, f) == Status::ok);
+    REQUIRE(inverse.solve(readings, f) == FrameStatus::ok);
     const UncertainResultant resultant = resultant_of(problem, f, covariance, noise);
     const std::vector<FingertipForce> force = {fingertip_force(resultant, 1.0)};
     return measured_grasp(std::vector{finger()}, force);

@@ -134,8 +134,9 @@ class Judge {
   std::vector<Outcome>& outcomes_;
 };
 
-void check(Status status) {
-  if (status != Status::ok) throw std::logic_error("a finite frame of the right size was refused");
+void check(FrameStatus status) {
+  if (status != FrameStatus::ok)
+    throw std::logic_error("a finite frame of the right size was refused");
 }
 
 void matrix_methods(const Case& c, Judge& judge) {

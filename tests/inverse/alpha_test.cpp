@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/sensing/traction_field.hpp"

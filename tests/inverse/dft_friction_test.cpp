@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
@@ -27,7 +27,7 @@ double example_error(Quantity quantity) {
   const std::vector<double> g = sampled_readings(array, thesis_material, truth);
   DftInverse inverse(array, thesis_material);
   std::vector<double> f(121);
-  REQUIRE(inverse.solve(g, f) == Status::ok);
+  REQUIRE(inverse.solve(g, f) == FrameStatus::ok);
   CHECK(inverse.verdict(g) == DftVerdict::ok);
   return mean_absolute_error(f, truth.normal);
 }
@@ -62,7 +62,7 @@ TEST_CASE("a load on the circle comes back", "[dft][property]") {
   DftInverse inverse(array, thesis_material);
   std::vector<double> g = circular_readings(array, thesis_material, f);
   std::vector<double> found(count);
-  REQUIRE(inverse.solve(g, found) == Status::ok);
+  REQUIRE(inverse.solve(g, found) == FrameStatus::ok);
   CHECK(relative_l2_error(found, f) <= 1e-13 * inverse.noise_gain().largest);
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("no error of the readings is amplified by more than the noise gain", "
   const std::vector<double> noise = random_values(121, 23);
   for (std::size_t i = 0; i < g.size(); ++i) g[i] += 1e-3 * noise[i];
   std::vector<double> found(121);
-  REQUIRE(inverse.solve(g, found) == Status::ok);
+  REQUIRE(inverse.solve(g, found) == FrameStatus::ok);
   CHECK(relative_l2_error(found, f) <=
         (1.0 + 1e-9) * inverse.noise_gain().largest * relative_l2_error(g, clean));
 }
@@ -128,8 +128,8 @@ TEST_CASE("a bad frame is reported and leaves the output alone", "[dft]") {
   std::vector<double> g(121);
   std::vector<double> f(121, 7.0);
   g[3] = std::nan("");
-  CHECK(inverse.solve(g, f) == Status::not_finite);
-  CHECK(inverse.solve(std::vector<double>(120), f) == Status::wrong_size);
+  CHECK(inverse.solve(g, f) == FrameStatus::not_finite);
+  CHECK(inverse.solve(std::vector<double>(120), f) == FrameStatus::wrong_size);
   CHECK(f == std::vector<double>(121, 7.0));
 }
 

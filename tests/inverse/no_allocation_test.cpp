@@ -33,8 +33,8 @@ TEST_CASE("a frame allocates nothing", "[no_allocation]") {
   const std::vector<double> g = random_values(81, 1);
   std::vector<double> f(81);
   const long before = allocations;
-  const Status status = inverse.solve(g, f);
+  const FrameStatus status = inverse.solve(g, f);
   const long after = allocations;  // before CHECK, which allocates
-  CHECK(status == Status::ok);
+  CHECK(status == FrameStatus::ok);
   CHECK(after == before);
 }

@@ -7,8 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 #include "tests/catch.hpp"
@@ -30,7 +30,7 @@ Eigen::Map<const Eigen::VectorXd> view(const std::vector<double>& values) {
 
 std::vector<double> solved(const Reconstruction& inverse, const std::vector<double>& readings) {
   std::vector<double> f(inverse.tractions());
-  REQUIRE(inverse.solve(readings, f) == Status::ok);
+  REQUIRE(inverse.solve(readings, f) == FrameStatus::ok);
   return f;
 }
 
@@ -231,15 +231,15 @@ TEST_CASE("a cylinder's force comes back from exact readings", "[tikhonov]") {
 TEST_CASE("a bad frame is reported and leaves the output alone", "[reconstruction]") {
   const Reconstruction inverse({2, 2, {1.0, 0.0, 0.0, 1.0}}, 1.0);
   std::array f{7.0, 7.0};
-  CHECK(inverse.solve(std::array{1.0}, f) == Status::wrong_size);
+  CHECK(inverse.solve(std::array{1.0}, f) == FrameStatus::wrong_size);
   CHECK(inverse.solve(std::array{1.0, std::numeric_limits<double>::quiet_NaN()}, f) ==
-        Status::not_finite);
+        FrameStatus::not_finite);
   CHECK(inverse.solve(std::array{1.0, std::numeric_limits<double>::infinity()}, f) ==
-        Status::not_finite);
+        FrameStatus::not_finite);
   std::array<double, 1> small{};
-  CHECK(inverse.solve(std::array{1.0, 2.0}, small) == Status::wrong_size);
+  CHECK(inverse.solve(std::array{1.0, 2.0}, small) == FrameStatus::wrong_size);
   CHECK(f == std::array{7.0, 7.0});
-  CHECK(inverse.solve(std::array{1.0, 2.0}, f) == Status::ok);
+  CHECK(inverse.solve(std::array{1.0, 2.0}, f) == FrameStatus::ok);
   CHECK(f == std::array{1.0, 2.0});
 }
 

@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "tactile_net/inverse/alpha.hpp"
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/dft.hpp"
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/fft_tikhonov.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/resolution.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
@@ -60,7 +60,7 @@ TEST_CASE("without alpha the circular system is inverted exactly", "[dft_tikhono
     CHECK(inverse.null_modes().empty());
     const std::vector<double> f = random_values(2 * n, 1);
     std::vector<double> answer(2 * n);
-    REQUIRE(inverse.solve(circular_readings(array, pad, f), 0.0, answer) == Status::ok);
+    REQUIRE(inverse.solve(circular_readings(array, pad, f), 0.0, answer) == FrameStatus::ok);
     CHECK(relative_l2_error(answer, f) < 1e-14 * inverse.condition(0.0) + 1e-13);
   }
 }
@@ -78,7 +78,7 @@ TEST_CASE("what no reading shows is named and set to zero", "[dft_tikhonov]") {
 
   std::vector<double> f = random_values(2 * n, 2);
   std::vector<double> answer(2 * n);
-  REQUIRE(inverse.solve(circular_readings(array, pad, f), 0.0, answer) == Status::ok);
+  REQUIRE(inverse.solve(circular_readings(array, pad, f), 0.0, answer) == FrameStatus::ok);
   double mean = 0.0;
   for (std::size_t i = 0; i < n; ++i) mean += answer[n + i] / static_cast<double>(n);
   CHECK_THAT(mean, WithinAbs(0.0, 1e-10));
@@ -95,7 +95,7 @@ TEST_CASE("alpha means the same in the Fourier basis", "[dft_tikhonov]") {
   DftTikhonov inverse(array, pad, {.unknowns = 2, .smoothing_length = 1.0});
   const std::vector<double> g = random_values(2 * n, 5);
   std::vector<double> f(2 * n);
-  REQUIRE(inverse.solve(g, alpha, f) == Status::ok);
+  REQUIRE(inverse.solve(g, alpha, f) == FrameStatus::ok);
   const auto functional = [&](const std::vector<double>& x) {
     const std::vector<double> back = circular_readings(array, pad, x);
     double sum = 0.0;
@@ -123,8 +123,8 @@ TEST_CASE("one channel without alpha is the plain division", "[dft_tikhonov]") {
   const std::vector<double> g = random_values(41, 4);
   std::vector<double> a(41);
   std::vector<double> b(41);
-  REQUIRE(inverse.solve(g, 0.0, a) == Status::ok);
-  REQUIRE(plain.solve(g, b) == Status::ok);
+  REQUIRE(inverse.solve(g, 0.0, a) == FrameStatus::ok);
+  REQUIRE(plain.solve(g, b) == FrameStatus::ok);
   CHECK(relative_l2_error(a, b) < 1e-11);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("a ripple's amplitude scatters as predicted", "[dft_tikhonov][resoluti
     std::vector<double> g(2 * n);
     add_noise(g, 1.0, 5, static_cast<std::size_t>(frame));
     std::vector<double> f(2 * n);
-    REQUIRE(inverse.solve(g, 0.0, f) == Status::ok);
+    REQUIRE(inverse.solve(g, 0.0, f) == FrameStatus::ok);
     const auto amplitude = [&](std::size_t start) {
       double sum = 0.0;
       for (std::size_t i = 0; i < n; ++i)
@@ -199,7 +199,7 @@ TEST_CASE("conjugate gradients solve P f = b, boundaries included", "[fft_tikhon
   const std::vector<double> g = random_values((both ? 2 : 1) * n, 8);
   FftTikhonov inverse(array, material, options, alpha);
   std::vector<double> f(inverse.tractions());
-  REQUIRE(inverse.solve(g, f, 1e-9) == Status::ok);
+  REQUIRE(inverse.solve(g, f, 1e-9) == FrameStatus::ok);
   CAPTURE(alpha, n, both, layered, inverse.convergence().steps);
   CHECK(inverse.convergence().converged);
   const double error =
@@ -218,8 +218,8 @@ TEST_CASE("a filter is not P f = b where a contact touches the end", "[fft_tikho
   std::vector<double> solved(81);
   DftTikhonov filter(array, pad, options);
   FftTikhonov solver(array, pad, options, 1e-3);
-  REQUIRE(filter.solve(g, 1e-3, filtered) == Status::ok);
-  REQUIRE(solver.solve(g, solved) == Status::ok);
+  REQUIRE(filter.solve(g, 1e-3, filtered) == FrameStatus::ok);
+  REQUIRE(solver.solve(g, solved) == FrameStatus::ok);
   CHECK(relative_l2_error(filtered, direct) > 0.05);
   CHECK(relative_l2_error(solved, direct) < 1e-9);
 }
@@ -228,13 +228,13 @@ TEST_CASE("frames that cannot be solved say so", "[fft_tikhonov][dft_tikhonov]")
   const SensorArray array{21, 0.5, {1.0}, {stress_x}};
   FftTikhonov solver(array, pad, {.smoothing_length = 1.0}, 1e-14);
   std::vector<double> f(21);
-  REQUIRE(solver.solve(random_values(21, 1), f, 1e-14, 3) == Status::ok);
+  REQUIRE(solver.solve(random_values(21, 1), f, 1e-14, 3) == FrameStatus::ok);
   CHECK_FALSE(solver.convergence().converged);
-  CHECK(solver.solve(random_values(20, 1), f) == Status::wrong_size);
+  CHECK(solver.solve(random_values(20, 1), f) == FrameStatus::wrong_size);
   std::vector<double> broken(21);
   broken[3] = std::nan("");
-  CHECK(solver.solve(broken, f) == Status::not_finite);
-  REQUIRE(solver.solve(std::vector<double>(21), f) == Status::ok);
+  CHECK(solver.solve(broken, f) == FrameStatus::not_finite);
+  REQUIRE(solver.solve(std::vector<double>(21), f) == FrameStatus::ok);
   for (const double value : f) CHECK(value == 0.0);
   CHECK_THROWS_AS(FftTikhonov(array, pad, {}, 0.0), std::invalid_argument);
   CHECK_THROWS_AS(DftTikhonov(array, pad, {.dead_taxels = {1}}), std::invalid_argument);

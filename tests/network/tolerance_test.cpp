@@ -5,8 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/network/certificate.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/problems.hpp"
 

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "tactile_net/control/planner.hpp"
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
 #include "tests/realtime/plans.hpp"

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "tactile_net/control/planner.hpp"
-#include "tactile_net/inverse/comparison.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"

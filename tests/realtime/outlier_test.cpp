@@ -5,8 +5,8 @@
 
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/inverse/alpha.hpp"
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/network/deck.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/problems.hpp"

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/network/state_space.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/networks.hpp"

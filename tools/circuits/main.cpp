@@ -22,7 +22,7 @@ Written by `tactile-net-circuits .` (target `tactile_net_circuits`); no number i
 
 Read the tables so:
 
-- *agreement*: ngspice's answer with ideal parts (op-amps as nullors) against the direct solve, relative in the 2-norm.
+- *agreement*: ngspice's report::answer with ideal parts (op-amps as nullors) against the direct solve, relative in the 2-norm.
 - *slowest pole*, *settles*: with op-amps of gain 1e6 and a gain-bandwidth product of 10 MHz (10 pF at the nodes where there are
   no op-amps); to 1e-3 of the end, from rest. First what the linear state space says, then ngspice's transient.
 - *proven margin*: every error of resistors up to this leaves the network stable; whatever the bandwidths for `ideal` and for complementary
@@ -110,7 +110,7 @@ to ground, the inverter's input taken off, is negative for most nodes: one groun
 errors of large conductances that almost cancel.
 
 **T2.** Op-amps of equal bandwidth: stable for any node capacitance if and only if P is positive definite. *Proof:* inverter and converter
-answer as q = 1/(1 + 2 s/W). The nodes' law is C s v + K v + q E v = b with K + E = P; K, what is tied to nodes and ground directly, is
+report::answer as q = 1/(1 + 2 s/W). The nodes' law is C s v + K v + q E v = b with K + E = P; K, what is tied to nodes and ground directly, is
 diagonally dominant, hence positive definite. Times 1/q: (2C/W) s^2 + (C + 2K/W) s + P = 0, three symmetric matrices of which the first
 two are not negative. Unequal bandwidths are not covered: an example at x/÷10 was unstable.
 
@@ -151,7 +151,7 @@ constexpr const char* least_squares_text =
 ![Two crossbars around K and its transpose](circuits/least_squares.svg)
 
 Residual amplifiers hold e = -rho (K f - g), main amplifiers K'e = rho R f with R = alpha (l^2/D^2 Q + I): the fixed point is
-(K'K + R) f = K'g. The currents are the readings; b is never computed. Conductances are K over its largest column norm, so the answer
+(K'K + R) f = K'g. The currents are the readings; b is never computed. Conductances are K over its largest column norm, so the report::answer
 does not depend on K's unit.
 
 **T6.** With complementary outputs: stable for every rho and every bandwidth. *Proof:*

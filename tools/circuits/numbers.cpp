@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "tactile_net/elasticity/contact.hpp"
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/network/deck.hpp"
 #include "tactile_net/network/tolerance.hpp"
+#include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
 #include "tactile_net/simulator/step_response.hpp"
-#include "tools/tactile-net/text.hpp"
 
 namespace tactile_net::circuits {
 namespace {
@@ -73,7 +74,7 @@ Row measured(Realization realization, bool inverters, double alpha) {
     options.opamp = one_pole;
   else if (realization != Realization::lc)
     options.node_capacitance = 1e-11;
-  row.certificate = certify(realization, one.problem, options, accuracy);
+  row.certificate = lab::certify(realization, one.problem, options, accuracy);
   if (row.certificate.dynamics) {
     Ngspice ngspice;
     const Circuit real = realize(realization, one.problem, options);
@@ -81,7 +82,7 @@ Row measured(Realization realization, bool inverters, double alpha) {
         judge(ngspice, real, row.certificate, at_rest(real, DirectCurrent{})).settling_seconds;
   }
   if (realization != Realization::lc && realization != Realization::ndr)
-    row.tolerance = tolerate(Reduction(ideal), {.relative = 0.01, .trials = 1000});
+    row.tolerance = lab::tolerate(Reduction(ideal), {.relative = 0.01, .trials = 1000});
   return row;
 }
 
@@ -152,7 +153,7 @@ std::string devices() {
   std::string text = "| largest node voltage over V | cubic | tunnel diode |\n|---|---|---|\n";
   for (const double ratio : {0.01, 0.03, 0.1, 0.3}) {
     text += "| " + brief(ratio) + " |";
-    for (const Curve curve : {Curve::cubic, Curve::tunnel_diode}) {
+    for (const report::Curve curve : {report::Curve::cubic, report::Curve::tunnel_diode}) {
       const Circuit circuit =
           realize(Realization::ndr, one.problem, {.curve = curve, .device_volts = largest / ratio});
       text += ' ' + brief(relative_l2_error(at_rest(circuit, DirectCurrent{}), one.direct)) + " |";

@@ -3,8 +3,9 @@
 #include <string_view>
 #include <vector>
 
-#include "commands.hpp"
-#include "failure.hpp"
+#include "commands/commands.hpp"
+#include "tactile_net/frames/failure.hpp"
+#include "tactile_net/numeric/version.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/nearest.hpp"
 
@@ -32,7 +33,7 @@ int run(int argc, char** argv) {
       "Any consistent set of units; results on standard output, messages on standard error.\n"
       "Exit status: 0 done, 1 a computation or a check failed, 2 wrong usage or bad input.",
       "tactile-net");
-  app.set_version_flag("--version", "tactile-net " TACTILE_NET_VERSION);
+  app.set_version_flag("--version", "tactile-net " + std::string(tactile_net::version()));
   app.require_subcommand(1);
   tactile_net::tool::add_run(app);
   tactile_net::tool::add_gen(app);
@@ -66,7 +67,7 @@ int main(int argc, char** argv) {
   } catch (const tactile_net::InputError& error) {
     std::cerr << error.what();
     return wrong_usage;
-  } catch (const tactile_net::tool::CannotCreate& error) {
+  } catch (const tactile_net::frames::CannotCreate& error) {
     std::cerr << error.what() << '\n';
     return wrong_usage;
   } catch (const std::invalid_argument& error) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/tactile-net/plot.hpp"
+#include "tactile_net/report/pages/plot.hpp"
 
 namespace tactile_net::thesis {
 

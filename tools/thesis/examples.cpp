@@ -5,10 +5,10 @@
 #include <cstdio>
 
 #include "tactile_net/elasticity/half_plane.hpp"
-#include "tactile_net/inverse/comparison.hpp"
 #include "tactile_net/inverse/dft.hpp"
 #include "tactile_net/inverse/dft_friction.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 #include "tools/thesis/chapter.hpp"
@@ -50,9 +50,9 @@ Chapter kernels() {
   const auto places = positions(array_of(161, 0.1, {stress_x}));
   const auto plot = [&](const std::string& title, std::vector<Quantity> all, Traction load,
                         const Material& material) {
-    Plot result{title, "y", "kernel", places, {}};
+    report::Plot result{title, "y", "kernel", places, {}};
     for (const Quantity quantity : all) {
-      Curve curve{std::string(name(quantity)), {}, result.curves.size() + 1};
+      report::Curve curve{std::string(name(quantity)), {}, result.curves.size() + 1};
       for (const double y : places)
         curve.y.push_back(half_plane_kernel(quantity, load, material, depth, y));
       result.curves.push_back(std::move(curve));
@@ -70,15 +70,15 @@ Chapter kernels() {
 
   // The transforms, and the DFT of 121 samples at the same wavenumbers.
   const SensorArray array = array_of(121, 0.5, {stress_x});
-  Plot transforms{
+  report::Plot transforms{
       "Transforms of the normal kernels, and the DFT of 121 samples", "k", "transform", {}, {}};
-  std::vector<Curve> curves;
+  std::vector<report::Curve> curves;
   double largest_difference = 0.0;
   for (const Quantity quantity : {stress_x, strain_x}) {
     const std::vector<double> kernel =
         sampled_kernel({quantity, depth, ""}, Traction::normal, rubber, 121, 0.5);
-    Curve exact{std::string(name(quantity)), {}, curves.size() + 1};
-    Curve sampled{std::string(name(quantity)) + ", DFT", {}, curves.size() + 1, true};
+    report::Curve exact{std::string(name(quantity)), {}, curves.size() + 1};
+    report::Curve sampled{std::string(name(quantity)) + ", DFT", {}, curves.size() + 1, true};
     for (std::size_t j = 0; j <= 60; ++j) {
       const double k = 2.0 * 3.141592653589793 * static_cast<double>(j) / (121 * 0.5);
       if (quantity == stress_x) transforms.x.push_back(k);
@@ -236,7 +236,7 @@ Chapter chapter_four(const std::string& example, const std::vector<Quantity>& re
   const std::vector<double> g = sampled_readings(array, material, truth);
   const InverseProblem problem =
       make_problem(array, material, {.unknowns = unknowns, .smoothing_length = 1.0});
-  Plot plot{"Example " + example, "y", "traction", positions(array), {}};
+  report::Plot plot{"Example " + example, "y", "traction", positions(array), {}};
   std::string rows;
   for (const double alpha : alphas) {
     std::vector<double> f(unknowns * 81);

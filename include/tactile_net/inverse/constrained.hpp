@@ -15,8 +15,8 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/inverse/matrix.hpp"
 #include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/numeric/matrix.hpp"
 
 namespace tactile_net {
 

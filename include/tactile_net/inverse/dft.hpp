@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "tactile_net/elasticity/material.hpp"
-#include "tactile_net/inverse/status.hpp"
+#include "tactile_net/realtime/frame_status.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
@@ -52,7 +52,7 @@ class DftInverse {
 
   /// One frame, O(count log count). Uses buffers of its own: one object per thread. FFTW may
   /// allocate inside for counts with large prime factors.
-  Status solve(std::span<const double> readings, std::span<double> tractions) noexcept;
+  FrameStatus solve(std::span<const double> readings, std::span<double> tractions) noexcept;
 
   [[nodiscard]] const NoiseGain& noise_gain() const noexcept;
 

@@ -22,7 +22,7 @@
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/inverse/filter_frame.hpp"
 #include "tactile_net/inverse/problem.hpp"
-#include "tactile_net/inverse/status.hpp"
+#include "tactile_net/realtime/frame_status.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
@@ -72,8 +72,8 @@ class DftTikhonov {
   /// One frame, O(count log count).
   ///
   /// @param alpha  >= 0
-  Status solve(std::span<const double> readings, double alpha,
-               std::span<double> tractions) noexcept;
+  FrameStatus solve(std::span<const double> readings, double alpha,
+                    std::span<double> tractions) noexcept;
 
  private:
   struct Plan;

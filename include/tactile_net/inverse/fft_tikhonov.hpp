@@ -15,7 +15,7 @@
 
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/inverse/problem.hpp"
-#include "tactile_net/inverse/status.hpp"
+#include "tactile_net/realtime/frame_status.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
@@ -44,8 +44,8 @@ class FftTikhonov {
   ///
   /// @param tolerance   wanted |error|_2 / |f|_2 against the exact minimiser, > 0
   /// @param step_limit  after which the best so far is returned, with `converged` false
-  Status solve(std::span<const double> readings, std::span<double> tractions,
-               double tolerance = 1e-10, std::size_t step_limit = 200) noexcept;
+  FrameStatus solve(std::span<const double> readings, std::span<double> tractions,
+                    double tolerance = 1e-10, std::size_t step_limit = 200) noexcept;
 
   /// Of the last frame.
   [[nodiscard]] const Convergence& convergence() const noexcept;

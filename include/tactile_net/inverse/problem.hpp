@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "tactile_net/elasticity/material.hpp"
-#include "tactile_net/inverse/matrix.hpp"
+#include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {

@@ -4,9 +4,9 @@
 
 #include <span>
 
-#include "tactile_net/inverse/matrix.hpp"
 #include "tactile_net/inverse/problem.hpp"
-#include "tactile_net/inverse/status.hpp"
+#include "tactile_net/numeric/matrix.hpp"
+#include "tactile_net/realtime/frame_status.hpp"
 
 namespace tactile_net {
 
@@ -24,7 +24,7 @@ class Reconstruction {
   /// @param readings   g, `readings()` values
   /// @param tractions  f [Pa], `tractions()` values, the normal ones first; untouched unless the
   ///                   status is `ok`; must not overlap `readings`
-  Status solve(std::span<const double> readings, std::span<double> tractions) const noexcept;
+  FrameStatus solve(std::span<const double> readings, std::span<double> tractions) const noexcept;
 
   [[nodiscard]] std::size_t readings() const noexcept { return transposed_.rows; }
   [[nodiscard]] std::size_t tractions() const noexcept { return transposed_.columns; }

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tactile_net/inverse/matrix.hpp"
+#include "tactile_net/numeric/matrix.hpp"
 
 namespace tactile_net {
 

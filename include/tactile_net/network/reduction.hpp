@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/inverse/matrix.hpp"
 #include "tactile_net/network/circuit.hpp"
+#include "tactile_net/numeric/matrix.hpp"
 
 namespace tactile_net {
 

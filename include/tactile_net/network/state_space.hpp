@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/inverse/matrix.hpp"
 #include "tactile_net/network/circuit.hpp"
+#include "tactile_net/numeric/matrix.hpp"
 
 namespace tactile_net {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "elasticity/require.hpp"
+#include "numeric/require.hpp"
 #include "tactile_net/sensing/effects/effect.hpp"
 
 namespace tactile_net {

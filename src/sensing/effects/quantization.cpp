@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elasticity/require.hpp"
+#include "numeric/require.hpp"
 #include "sensing/effects/limited.hpp"
 
 namespace tactile_net {

@@ -13,7 +13,7 @@ int main() {
   std::vector<double> stress(41, 0.0);  // one frame of the sensor [Pa]
   std::vector<double> pressure(41);
   stress[20] = 1000.0;
-  if (inverse.solve(stress, pressure) != Status::ok) return 1;
+  if (inverse.solve(stress, pressure) != FrameStatus::ok) return 1;
   std::printf("pressure above the taxel: %.0f Pa\n", pressure[20]);
   return pressure[20] > 0.0 ? 0 : 1;
 }

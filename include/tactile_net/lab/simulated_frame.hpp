@@ -1,0 +1,63 @@
+/// @file
+/// What a scene's contacts do to its sensors, frame by frame.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tactile_net/scene/scene.hpp"
+#include "tactile_net/sensing/spectral.hpp"
+#include "tactile_net/sensing/traction_field.hpp"
+
+namespace tactile_net::lab {
+
+/// A scene's sensor, gone through from the first frame to the scene's; only the effects that the
+/// scene names are simulated.
+class SensorRecording {
+ public:
+  explicit SensorRecording(const Scene& scene);
+
+  /// Goes on to the next frame; false if there is none.
+  ///
+  /// @param wanted  false: the readings hold nothing of use, which saves the forward model where no
+  ///                effect remembers
+  [[nodiscard]] bool next(bool wanted = true);
+
+  /// Of the frame last taken: t [s], the readings, channels x count, what pressed at that moment,
+  /// and what the effects have to say.
+  [[nodiscard]] double time() const noexcept { return time_; }
+  [[nodiscard]] std::span<const double> readings() const noexcept { return readings_; }
+  [[nodiscard]] const TractionField& truth() const noexcept { return truth_; }
+  [[nodiscard]] std::vector<std::string> notes() const { return path_.notes(); }
+
+ private:
+  void load(double time);
+
+  const Scene& scene_;
+  std::vector<Instant> instants_;
+  std::size_t next_ = 0;
+  SignalPath path_;
+  std::optional<SampledModel> model_;  // sampled forward model
+  bool loaded_ = false;                // truth and pure readings are those of contacts that stand
+  std::vector<double> pure_;
+  double time_ = 0.0;
+  std::vector<double> readings_;
+  TractionField truth_;
+};
+
+/// The scene's frame.
+struct Simulation {
+  TractionField truth;
+  std::vector<double> readings;       ///< channels x count
+  std::vector<std::string> warnings;  ///< what a user should know before trusting the rest
+};
+
+[[nodiscard]] Simulation simulate(const Scene& scene);
+
+/// The normal force of all contacts at the scene's frame [N/m].
+[[nodiscard]] double total_force(const Scene& scene);
+
+}  // namespace tactile_net::lab

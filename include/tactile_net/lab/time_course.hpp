@@ -1,0 +1,28 @@
+/// @file
+/// The contact's resultant over a scene's time: as it presses, and as a method finds it.
+#pragma once
+
+#include <vector>
+
+#include "tactile_net/lab/method.hpp"
+#include "tactile_net/lab/observer.hpp"
+#include "tactile_net/sensing/resultant.hpp"
+
+namespace tactile_net::lab {
+
+struct TimeCourse {
+  Method method = Method::tikhonov;
+  bool tangential = false;         ///< the method solves for it
+  std::vector<double> time{};      ///< [s]
+  std::vector<Resultant> truth{};  ///< pitch x sum of the truth at the taxels
+  std::vector<Resultant> found{};  ///< NaN where a frame has no answer
+};
+
+/// Every frame by itself, as `solve` does; of more than 400 frames every second, third, ...
+///
+/// @pre  the scene has a time, and the method is tikhonov or closed_form
+/// @throw std::invalid_argument, std::domain_error  as `make_solver`
+[[nodiscard]] TimeCourse time_course(const Scene& scene, Method method,
+                                     Observer& observer = silent);
+
+}  // namespace tactile_net::lab

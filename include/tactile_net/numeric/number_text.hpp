@@ -1,0 +1,36 @@
+/// @file
+/// Numbers as text, the same in every locale: a German one writes no "0,05" into a deck.
+///
+///     shortest(0.1)     "0.1"      every digit: reads back as the same double
+///     brief(1234.5)     "1.23e+03" three significant digits, for tables
+///     percent(0.0123)   "1.23 %"
+///     duration(2.5e-6)  "2.5 us"
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+
+namespace tactile_net {
+
+/// Appends the shortest decimal text that reads back as the same number; "inf" and "nan" too.
+void append_number(std::string& out, double number);
+
+/// Shortest decimal text that reads back as the same number. Without SPICE suffix: there `M` is
+/// milli and `MEG` is mega.
+[[nodiscard]] std::string shortest(double number);
+[[nodiscard]] std::string shortest(std::integral auto number) { return std::to_string(number); }
+
+/// Three significant digits; "-" for NaN.
+[[nodiscard]] std::string brief(double number);
+
+/// A share of 1 as "1.23 %".
+[[nodiscard]] std::string percent(double share);
+
+/// Seconds with the unit that leaves one to three digits before the point: "12 us"; "-" for NaN.
+[[nodiscard]] std::string duration(double seconds);
+
+/// The number that is the whole text, or nothing: no sign `+`, no blank, no locale.
+[[nodiscard]] bool read_number(std::string_view text, double& number) noexcept;
+
+}  // namespace tactile_net

@@ -1,0 +1,14 @@
+/// @file
+/// The page about a grasp.
+#pragma once
+
+#include <string>
+
+#include "tactile_net/lab/grasp.hpp"
+
+namespace tactile_net::report {
+
+/// One self-contained page: the drawing, the tables, what they mean.
+[[nodiscard]] std::string grasp_report_html(const lab::GraspStudy& study);
+
+}  // namespace tactile_net::report

@@ -1,0 +1,24 @@
+/// @file
+/// A survey for people: cells for the terminal, report.html.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tactile_net/lab/identify.hpp"
+#include "tactile_net/report/pages/figure.hpp"
+
+namespace tactile_net::report {
+
+/// Header and rows of the comparison, the scene's own sensors first.
+[[nodiscard]] std::vector<std::vector<std::string>> survey_cells(const lab::Survey& survey);
+
+/// How to read those cells.
+[[nodiscard]] std::string cells_in_words(const Scene& scene, const lab::Survey& survey);
+
+/// What the singular values of the scene's sensors say, one sentence each.
+[[nodiscard]] std::vector<std::string> singular_values_in_words(const Identifiability& result);
+
+[[nodiscard]] Report survey_html(const Scene& scene, const lab::Survey& survey);
+
+}  // namespace tactile_net::report

@@ -1,0 +1,35 @@
+/// @file
+/// A scene as text for people.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/scene/scene.hpp"
+
+namespace tactile_net::report {
+
+/// The parts with the separator between them.
+[[nodiscard]] std::string join(const std::vector<std::string>& parts, std::string_view separator);
+
+/// As a field of a CSV file, its quotes doubled (RFC 4180).
+[[nodiscard]] std::string csv_quoted(const std::string& text);
+
+/// "81 taxels, pitch 0.25, reading strain_x at depth 1.5"
+[[nodiscard]] std::string sensor_in_words(const Scene& scene);
+
+/// "the last of 201 frames: frame 200 at t = 2": which frame of a scene with [time] is
+/// reconstructed.
+[[nodiscard]] std::string time_in_words(const Scene& scene);
+
+/// "half plane, E = 1, nu = 0.45"
+[[nodiscard]] std::string material_in_words(const Scene& scene);
+
+/// One sentence per contact: "cylinder at 0, half width 2, force 1"; empty for no contact.
+[[nodiscard]] std::vector<std::string> contacts_in_words(const Scene& scene);
+
+/// The names of the effects the scene calls for, or of those it does not, joined by commas; "none".
+[[nodiscard]] std::string effects_in_words(const Scene& scene, bool simulated);
+
+}  // namespace tactile_net::report

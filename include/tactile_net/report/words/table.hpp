@@ -1,0 +1,37 @@
+/// @file
+/// Results as text for a terminal.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "tactile_net/lab/deck_file.hpp"
+#include "tactile_net/lab/run.hpp"
+#include "tactile_net/report/pages/certificate_page.hpp"
+
+namespace tactile_net::report {
+
+/// Rows in columns that line up.
+void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>& rows);
+
+/// Header and rows of the comparison of methods, as cells: shared by the terminal and the report.
+[[nodiscard]] std::vector<std::vector<std::string>> comparison_cells(
+    const lab::Experiment& experiment);
+
+/// Every rule's alpha and verdict, as cells.
+[[nodiscard]] std::vector<std::vector<std::string>> rule_cells(const AlphaSweep& sweep);
+
+/// "rgcv was used", "the scene gives 1e-4".
+[[nodiscard]] std::string rule_used(const Scene& scene);
+
+/// "normal force 1.02 +- 0.003, centre 0.1 +- 0.01": one standard deviation.
+[[nodiscard]] std::string resultant_in_words(const UncertainResultant& resultant);
+
+void print_experiment(std::ostream& out, const lab::Experiment& experiment);
+void print_relaxation(std::ostream& out, const lab::Relaxation& relaxation);
+void print_certificate(std::ostream& out, const lab::Certification& certification);
+/// With the five nodes that are furthest off, if the difference is more than is allowed.
+void print_deck_answer(std::ostream& out, const std::string& file, const lab::DeckAnswer& answer);
+
+}  // namespace tactile_net::report

@@ -1,0 +1,98 @@
+#include "tactile_net/lab/simulated_frame.hpp"
+
+#include <algorithm>
+
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/sensing/exact.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+/// How much of the contacts' force lies beyond the array's ends, where no taxel sits above it.
+double force_outside(const Scene& scene) {
+  const double end = position(scene.sensor, scene.sensor.count - 1) + scene.sensor.pitch / 2;
+  double outside = 0.0;
+  for (const Contact& contact : scene.contacts)
+    outside +=
+        resultant(contact, Traction::normal) - force_between(contact, Traction::normal, -end, end);
+  return outside;
+}
+
+std::vector<std::string> warnings_of(const Scene& scene, double force) {
+  std::vector<std::string> warnings;
+  const auto rigid = [](const Contact& contact) {
+    return std::holds_alternative<RigidContact>(contact);
+  };
+  if (unknowns(scene) == 1 && !scene.reconstruct.contact_friction &&
+      std::any_of(scene.contacts.begin(), scene.contacts.end(), has_friction))
+    warnings.emplace_back(
+        "the scene has friction, and one traction alone is solved for: what the tangential "
+        "traction "
+        "adds to the readings is taken for normal traction; read a second quantity, such as "
+        "shear_xy");
+  if (std::all_of(scene.contacts.begin(), scene.contacts.end(), rigid)) {
+    const double outside = force_outside(scene);
+    if (outside > 1e-12 * force)
+      warnings.push_back(brief(100.0 * outside / force) +
+                         " % of the normal force lies beyond the ends of the array");
+  }
+  return warnings;
+}
+
+bool moves(const Scene& scene) {
+  return std::any_of(scene.trajectories.begin(), scene.trajectories.end(),
+                     [](const ContactTrajectory& trajectory) { return !trajectory.empty(); });
+}
+
+}  // namespace
+
+double total_force(const Scene& scene) {
+  double force = 0.0;
+  for (const Contact& contact : scene.contacts) force += resultant(contact, Traction::normal);
+  return force;
+}
+
+SensorRecording::SensorRecording(const Scene& scene)
+    : scene_(scene), instants_(instants(scene)), path_(signal_path(scene)) {
+  if (scene.forward == ForwardModel::sampled) model_.emplace(scene.sensor, scene.material);
+}
+
+void SensorRecording::load(double time) {
+  if (!loaded_ || moves(scene_)) {
+    const std::vector<Contact> contacts = scene_.time ? contacts_at(scene_, time) : scene_.contacts;
+    truth_ = sample(contacts, scene_.sensor);
+    pure_ = model_ ? model_->readings(truth_)
+                   : exact_readings(scene_.sensor, scene_.material, contacts);
+    loaded_ = true;
+  }
+  readings_ = pure_;
+}
+
+bool SensorRecording::next(bool wanted) {
+  for (; next_ < instants_.size(); ++next_) {
+    const Instant& at = instants_[next_];
+    if (wanted || path_.has_memory())
+      load(at.time);
+    else
+      readings_.assign(channels(scene_.sensor).size() * scene_.sensor.count, 0.0);
+    path_.apply(at, readings_);
+    if (!at.recorded) continue;
+    time_ = at.time;
+    ++next_;
+    return true;
+  }
+  return false;
+}
+
+Simulation simulate(const Scene& scene) {
+  SensorRecording recording(scene);
+  for (std::size_t frame = 0; recording.next(frame == scene.frame);) ++frame;
+  Simulation simulation{.truth = recording.truth(),
+                        .readings = {recording.readings().begin(), recording.readings().end()},
+                        .warnings = warnings_of(scene, total_force(scene))};
+  for (std::string& note : recording.notes()) simulation.warnings.push_back(std::move(note));
+  return simulation;
+}
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,54 @@
+#include "tactile_net/lab/time_course.hpp"
+
+#include <limits>
+
+#include "tactile_net/lab/simulated_frame.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+/// The contacts' forces, exact; they act where the sampled truth says.
+Resultant pressed(const Scene& scene, double time, const TractionField& truth) {
+  const Resultant sampled = resultant_of(truth.normal, truth.tangential, scene.sensor.pitch);
+  Resultant exact;
+  for (const Contact& contact : contacts_at(scene, time)) {
+    exact.normal += resultant(contact, Traction::normal);
+    exact.tangential += resultant(contact, Traction::tangential);
+  }
+  exact.moment = sampled.centre().value_or(0.0) * exact.normal;
+  return exact;
+}
+
+}  // namespace
+
+TimeCourse time_course(const Scene& scene, Method method, Observer& observer) {
+  constexpr std::size_t most = 400;
+  const std::size_t frames = scene.time->frames;
+  const std::size_t stride = (frames + most - 1) / most;
+  const Scene whole = at_frame(scene, frames - 1);
+  const std::unique_ptr<Solver> solver = make_solver(whole, method);
+  const std::size_t count = scene.sensor.count;
+  std::vector<double> f(solver->tractions());
+  const std::span<const double> normal = std::span(f).first(count);
+  const std::span<const double> tangential = std::span(f).subspan(count);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+  TimeCourse course{.method = method, .tangential = !tangential.empty()};
+  SensorRecording recording(whole);
+  for (std::size_t k = 0; recording.next(k % stride == 0); ++k) {
+    if (k % stride != 0) continue;
+    course.time.push_back(recording.time());
+    course.truth.push_back(pressed(scene, recording.time(), recording.truth()));
+    Resultant found{none, none, none};
+    try {
+      if (solver->solve(recording.readings(), f) == FrameStatus::ok)
+        found = resultant_of(normal, tangential, scene.sensor.pitch);
+    } catch (const std::domain_error&) {  // its answer would be noise: a gap
+    }
+    course.found.push_back(found);
+    observer.step({Step::Kind::frame, k});
+  }
+  return course;
+}
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,42 @@
+#include "tactile_net/numeric/number_text.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace tactile_net {
+
+void append_number(std::string& out, double number) {
+  char buffer[32];
+  out.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
+}
+
+std::string shortest(double number) {
+  std::string text;
+  append_number(text, number);
+  return text;
+}
+
+std::string brief(double number) {
+  if (std::isnan(number)) return "-";
+  char buffer[32];
+  return {buffer,
+          std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general, 3).ptr};
+}
+
+std::string percent(double share) { return brief(100.0 * share) + " %"; }
+
+std::string duration(double seconds) {
+  if (std::isnan(seconds)) return "-";
+  if (seconds < 1e-6) return brief(seconds * 1e9) + " ns";
+  if (seconds < 1e-3) return brief(seconds * 1e6) + " us";
+  if (seconds < 1.0) return brief(seconds * 1e3) + " ms";
+  return brief(seconds) + " s";
+}
+
+bool read_number(std::string_view text, double& number) noexcept {
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc{} && stop == end;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,140 @@
+#include "tactile_net/report/json/tradeoff_json.hpp"
+
+#include <stdexcept>
+
+#include "report/json/values.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/tradeoff_words.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+std::optional<double> optional_number(const Json& value) {
+  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+Json json_of(const lab::WorkPoint& point) {
+  return {{"curve", point.curve},
+          {"knob", point.knob},
+          {"time_of", name(point.time_of)},
+          {"seconds",
+           {{"median", point.seconds}, {"low", point.seconds_low}, {"high", point.seconds_high}}},
+          {"error_to_solution", number_or_null(point.error_to_solution)},
+          {"error_to_truth", number_or_null(point.error_to_truth)},
+          {"failure", point.failure}};
+}
+
+lab::WorkPoint point_of(const Json& json) {
+  lab::WorkPoint point;
+  point.curve = json.at("curve");
+  point.knob = json.at("knob");
+  const std::string kind = json.at("time_of");
+  for (const lab::TimeOf one :
+       {lab::TimeOf::frame, lab::TimeOf::settling, lab::TimeOf::simulator, lab::TimeOf::forward})
+    if (name(one) == kind) point.time_of = one;
+  point.seconds = json.at("seconds").at("median");
+  point.seconds_low = json.at("seconds").at("low");
+  point.seconds_high = json.at("seconds").at("high");
+  point.error_to_solution = optional_number(json.at("error_to_solution"));
+  point.error_to_truth = optional_number(json.at("error_to_truth"));
+  point.failure = json.at("failure");
+  return point;
+}
+
+}  // namespace
+
+std::string study_json(const lab::Study& study, std::string_view scene_text) {
+  const lab::StudyInput& input = study.input;
+  const std::vector<lab::WorkPoint> all = study.points();
+  Json fronts;
+  for (const auto& [key, error] :
+       {std::pair<const char*, lab::ErrorOf>{"error_to_solution",
+                                             &lab::WorkPoint::error_to_solution},
+        std::pair<const char*, lab::ErrorOf>{"error_to_truth", &lab::WorkPoint::error_to_truth}}) {
+    Json names = Json::array();
+    for (const std::size_t i : lab::pareto_front(all, error, lab::TimeOf::frame))
+      names.push_back(in_words(all[i]));
+    fronts[key] = std::move(names);
+  }
+  Json jobs = Json::array();
+  for (const lab::StudySection& section : study.sections) {
+    Json points = Json::array();
+    for (const lab::WorkPoint& point : section.points) points.push_back(json_of(point));
+    Json floors = Json::array();
+    for (const lab::PartsFloor& floor : section.floors)
+      floors.push_back({{"realization", floor.realization},
+                        {"relative", floor.relative},
+                        {"median", number_or_null(floor.median)}});
+    jobs.push_back({{"job", section.job}, {"points", std::move(points)}});
+    if (!floors.empty()) jobs.back()["parts"] = std::move(floors);
+  }
+  return text_of(Json{{"tactile_net", version()},
+                      {"scene", input.scene.file},
+                      {"complete", study.complete},
+                      {"processor", study.processor},
+                      {"clock", study.clock},
+                      {"alpha", *input.scene.reconstruct.alpha},
+                      {"reference_agreement", input.agreement},
+                      {"solution_error_to_truth", input.solution_error},
+                      {"noise",
+                       {{"rms", input.noise_rms},
+                        {"stated", input.noise_stated},
+                        {"floor", input.noise_floor}}},
+                      {"answers", in_words(study)},
+                      {"pareto", std::move(fronts)},
+                      {"jobs", std::move(jobs)},
+                      {"scene_text", scene_text}},
+                 2);
+}
+
+std::string study_csv(const lab::Study& study) {
+  std::string text =
+      "job,curve,knob,time_of,seconds,seconds_low,seconds_high,error_to_solution,error_to_truth,"
+      "failure\n";
+  for (const lab::StudySection& section : study.sections)
+    for (const lab::WorkPoint& point : section.points) {
+      text += csv_quoted(section.job) + ',' + csv_quoted(point.curve) + ',' +
+              csv_quoted(point.knob) + ',' + std::string(name(point.time_of)) + ',';
+      for (const double seconds : {point.seconds, point.seconds_low, point.seconds_high}) {
+        append_number(text, seconds);
+        text += ',';
+      }
+      for (const auto& error : {point.error_to_solution, point.error_to_truth}) {
+        if (error) append_number(text, *error);
+        text += ',';
+      }
+      text += csv_quoted(point.failure) + '\n';
+    }
+  return text;
+}
+
+std::vector<lab::StudySection> finished_jobs(const std::string& text, std::string_view scene_text,
+                                             const std::string& processor) {
+  try {
+    const Json json = Json::parse(text);
+    const auto require = [&](bool same, const char* what) {
+      if (!same) throw std::runtime_error(std::string("it was made ") + what);
+    };
+    require(json.at("tactile_net") == version(), "by another version");
+    require(json.at("scene_text") == scene_text, "for another scene");
+    require(json.at("processor") == processor, "on another processor");
+    std::vector<lab::StudySection> sections;
+    for (const Json& job : json.at("jobs")) {
+      lab::StudySection section{.job = job.at("job")};
+      for (const Json& point : job.at("points")) section.points.push_back(point_of(point));
+      if (job.contains("parts"))
+        for (const Json& floor : job.at("parts"))
+          section.floors.push_back({.realization = floor.at("realization"),
+                                    .relative = floor.at("relative"),
+                                    .median = optional_number(floor.at("median"))});
+      sections.push_back(std::move(section));
+    }
+    return sections;
+  } catch (const Json::exception&) {
+    throw std::runtime_error("it is no study");
+  }
+}
+
+}  // namespace tactile_net::report

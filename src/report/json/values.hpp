@@ -1,0 +1,42 @@
+/// @file
+/// Values as JSON that several results write: what is absent or infinite is null.
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tactile_net/inverse/uncertainty.hpp"
+
+namespace tactile_net::report {
+
+using Json = nlohmann::ordered_json;
+
+/// The document as text; bytes of a file's name that are not UTF-8 are replaced.
+inline std::string text_of(const Json& json, int indent = 1) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+inline Json number_or_null(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+inline Json finite_or_null(double number) {
+  return std::isfinite(number) ? Json(number) : Json(nullptr);
+}
+
+inline Json list_or_null(const std::vector<double>& values) {
+  return values.empty() ? Json(nullptr) : Json(values);
+}
+
+inline Json uncertain_json(const Uncertain& number) {
+  return {{"value", number.value}, {"deviation", number.deviation}};
+}
+
+inline Json uncertain_or_null(const std::optional<Uncertain>& number) {
+  return number ? uncertain_json(*number) : Json(nullptr);
+}
+
+}  // namespace tactile_net::report

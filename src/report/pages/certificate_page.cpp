@@ -1,0 +1,216 @@
+#include "tactile_net/report/pages/certificate_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tactile_net/network/state_space.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/pages/html.hpp"
+#include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+Figure poles_figure(const Dynamics& dynamics) {
+  Plot plot{"The circuit's poles", "real part [1/s]", "imaginary part [rad/s]", {}, {}};
+  double least = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  Curve dying{"dies away", {}, 1, true};
+  Curve growing{"grows", {}, 2, true};
+  for (const auto& pole : dynamics.poles) {
+    Curve& curve = pole.real() < 0.0 ? dying : growing;
+    curve.x.push_back(pole.real());
+    curve.y.push_back(pole.imag());
+    const double size = std::abs(pole);
+    if (size > 0.0) least = std::min(least, size);
+    largest = std::max(largest, size);
+  }
+  for (Curve* curve : {&dying, &growing})
+    if (!curve->y.empty()) plot.curves.push_back(std::move(*curve));
+  plot.linear_within = largest > 0.0 ? std::max(least, 1e-9 * largest) : 1.0;
+  return {"poles", "time",
+          "Every pole of the circuit; both axes are logarithmic on either side of 0. One left of 0 "
+          "dies away, one right of it grows and is the end of the answer; the rightmost takes the "
+          "longest. Those on the horizontal line do not ring; the steeper they stand above and "
+          "below it, the longer they ring.",
+          std::move(plot)};
+}
+
+/// The unit [s] in which a time has one to three digits before its point.
+std::pair<std::string, double> unit_of_time(double seconds) {
+  for (const auto& [unit, scale] : {std::pair("s", 1.0), {"ms", 1e-3}, {"us", 1e-6}})
+    if (seconds >= scale) return {unit, scale};
+  return {"ns", 1e-9};
+}
+
+Figure settling_figure(const lab::Certification& c) {
+  const Dynamics& dynamics = *c.certificate.dynamics;
+  Plot plot;
+  plot.title = "From a step of all inputs to the answer";
+  plot.y_label = "|v - v end| / |v end|";
+  plot.logarithmic_y = true;
+  constexpr std::size_t steps = 400;
+  const double horizon = dynamics.settling_seconds ? 1.5 * *dynamics.settling_seconds
+                                                   : 5.0 / std::abs(dynamics.slowest);
+  const double step = horizon / static_cast<double>(steps);
+  plot.curves.push_back(
+      {"error of all node voltages", step_errors(state_space(c.plan.circuit), step, steps), 1});
+  const auto [unit, seconds] = unit_of_time(horizon);
+  plot.x_label = "time [" + unit + "]";
+  for (std::size_t k = 0; k <= steps; ++k)
+    plot.x.push_back(step * static_cast<double>(k) / seconds);
+  if (dynamics.settling_seconds) {
+    Curve settled{"settled: " + brief(c.certificate.accuracy),
+                  std::vector<double>(steps + 1, c.certificate.accuracy)};
+    settled.dashed = true;
+    plot.curves.push_back(std::move(settled));
+  }
+  return {"settling", "time",
+          dynamics.settling_seconds
+              ? "The answer's error after the inputs step from 0, by the exact solution of the "
+                "circuit's linear equations; it has settled where it stays below the dashed line. "
+                "Waves are ringing. A straight slope is one pole: the slowest that the inputs "
+                "excite enough to be seen."
+              : "The distance from the answer that the circuit should come to rest at: it grows, "
+                "in the end at the rate of its rightmost pole.",
+          std::move(plot)};
+}
+
+/// The share of builds that err by at most so much; nothing if every build is unstable.
+void add_builds(Plot& plot, const std::string& label, std::size_t colour,
+                const ToleranceResult& result) {
+  Curve curve{label, {}, colour};
+  for (const double error : result.errors) {
+    if (!std::isfinite(error)) break;
+    curve.x.push_back(error);
+    curve.y.push_back(static_cast<double>(curve.x.size()) / static_cast<double>(result.trials));
+  }
+  curve.marks = curve.x.size() == 1;
+  if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
+}
+
+Figure builds_figure(const lab::Certification& c) {
+  const ToleranceOptions options = lab::drawn_options(c.plan);
+  Plot plot{"Builds with real parts: how far they err",
+            "error of the answer, relative",
+            "share of builds",
+            {},
+            {},
+            true};
+  plot.from_zero = true;
+  plot.y_end = 1.02;
+  for (const auto& candidate : c.recommendation.candidates)
+    if (!c.tolerance || candidate.realization != c.plan.options.realization)
+      add_builds(plot, std::string(name(candidate.realization)),
+                 1 + static_cast<std::size_t>(candidate.realization), candidate.tolerance);
+  if (c.tolerance)
+    add_builds(plot, std::string(name(c.plan.options.realization)) + " (this)",
+               1 + static_cast<std::size_t>(c.plan.options.realization), *c.tolerance);
+  if (plot.curves.empty()) return {};
+  Curve accurate{"accurate: " + brief(options.accuracy), {0.0, 1.0}};
+  accurate.x = {options.accuracy, options.accuracy};
+  accurate.dashed = true;
+  plot.curves.push_back(std::move(accurate));
+  return {
+      "builds", "parts",
+      "The share of builds whose answer errs by at most so much, further left is better; a "
+      "realisation's yield is where its curve crosses the dashed line. A curve that ends "
+      "below 1 is unstable in the rest of its builds, a realisation without a curve in all that "
+      "were drawn.",
+      std::move(plot)};
+}
+
+Figure resistors_figure(const Circuit& circuit) {
+  std::vector<double> ohms = resistances(circuit);
+  std::sort(ohms.begin(), ohms.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  Plot plot{"The resistors it takes", "resistance [ohm]", "resistors up to this", {}, {}, true};
+  plot.from_zero = true;
+  for (const bool negative : {false, true}) {
+    Curve curve{negative ? "negative, in size" : "positive", {}, negative ? 2U : 1U};
+    double count = 0.0;
+    for (const double ohm : ohms) {
+      if ((ohm < 0.0) != negative) continue;
+      const double before = count++;
+      if (!curve.x.empty() && curve.x.back() == std::abs(ohm)) {
+        curve.y.back() = count;
+        continue;
+      }
+      curve.x.insert(curve.x.end(), 2, std::abs(ohm));  // a step up
+      curve.y.insert(curve.y.end(), {before, count});
+    }
+    if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
+  }
+  return {"resistors", "parts",
+          "How many resistors have at most this value. An upright step is one value, used as often "
+          "as the step is high; the wider the curve, the more decades of parts must be bought.",
+          std::move(plot)};
+}
+
+/// What the word "stable" does not say.
+std::string parts_note(const lab::Certification& c) {
+  if (!c.tolerance || 2 * c.tolerance->stable > c.tolerance->trials) return {};
+  return "With exact parts. Of " + std::to_string(c.tolerance->trials) + " builds with real ones " +
+         std::to_string(c.tolerance->stable) + " are stable.";
+}
+
+std::vector<Figure> figures_of(const lab::Certification& c) {
+  std::vector<Figure> figures;
+  if (c.certificate.dynamics) {
+    figures.push_back(poles_figure(*c.certificate.dynamics));
+    const bool moves = c.certificate.dynamics->settling_seconds.value_or(1.0) > 0.0 &&
+                       c.certificate.dynamics->slowest != 0.0;
+    if (c.loaded() && moves) figures.push_back(settling_figure(c));
+  }
+  figures.push_back(builds_figure(c));
+  figures.push_back(resistors_figure(c.plan.circuit));
+  return figures;
+}
+
+}  // namespace
+
+std::vector<std::string> tolerance_in_words(const lab::Certification& c) {
+  std::vector<std::string> lines = in_words(lab::drawn_options(c.plan), *c.tolerance);
+  if (c.certificate.stability == Stability::unstable && c.tolerance->stable > 0)
+    lines.push_back(
+        "the builds take op-amps for infinitely fast: the certificate's poles say otherwise");
+  return lines;
+}
+
+Report certificate_html(const lab::Certification& c) {
+  const Figures figures(figures_of(c));
+  Report report{.missing = figures.missing(), .files = figures.data()};
+  const bool bad = c.certificate.stability == Stability::unstable ||
+                   c.certificate.stability == Stability::not_definite;
+  const std::vector<std::string> words = in_words(c.certificate);
+
+  std::string& html = report.html;
+  html += element("h1", c.scene.title.empty() ? c.scene.file : c.scene.title);
+  html += element("p", c.scene.file + ": " + sensor_in_words(c.scene) + "; " +
+                           material_in_words(c.scene) + ".");
+  html += element("p", words.front(), bad ? "bad" : "answer");
+  if (const std::string note = parts_note(c); !bad && !note.empty())
+    html += element("p", note, "note");
+  html += html_list({words.begin() + 1, words.end()});
+  if (!report.missing.empty()) html += element("p", report.missing, "note");
+
+  html += element("h2", "Over time");
+  if (!c.certificate.dynamics)
+    html += element("p", takes_time(c.plan.options.realization, c.plan.options.parts)
+                             ? "It has more than 1500 states: no poles, no settling."
+                             : "Nothing here takes a time that is modelled, neither op-amps with a "
+                               "bandwidth nor a capacitance: no poles, no settling.");
+  html += figures.html("time");
+
+  html += element("h2", "With real parts");
+  if (c.tolerance) html += html_list(tolerance_in_words(c));
+  if (!c.recommendation.candidates.empty()) html += html_table(cells(c.recommendation));
+  html += element("p", c.recommendation.text, "answer");
+  html += figures.html("parts");
+  html += "<p>All numbers: <a href=\"certificate.json\">certificate.json</a>.</p>\n";
+  html = html_page(c.scene.file + " - tactile-net certify", html);
+  return report;
+}
+
+}  // namespace tactile_net::report

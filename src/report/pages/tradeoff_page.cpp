@@ -1,0 +1,325 @@
+#include "tactile_net/report/pages/tradeoff_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/pages/html.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/tradeoff_words.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+constexpr lab::ErrorOf to_solution = &lab::WorkPoint::error_to_solution;
+constexpr lab::ErrorOf to_truth = &lab::WorkPoint::error_to_truth;
+constexpr double least_error = 1e-16;  // zero has no place on a logarithmic axis
+
+double drawn(double error) { return std::max(error, least_error); }
+
+/// A colour and a mark of its own for each method and each circuit: the same in every plot, and
+/// never black, which is what they are measured against.
+std::size_t colour_of(const std::vector<lab::WorkPoint>& points, const lab::WorkPoint& point) {
+  const auto name_of = [](const lab::WorkPoint& one) {
+    return one.time_of == lab::TimeOf::settling ? lab::circuit_of(one).first : one.curve;
+  };
+  std::vector<std::string> names;
+  for (const lab::WorkPoint& one : points)
+    if (one.time_of == point.time_of &&
+        std::find(names.begin(), names.end(), name_of(one)) == names.end())
+      names.push_back(name_of(one));
+  const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), name_of(point)) -
+                                           names.begin());
+  return at + at / 5 + 1;  // the colours are six, the first is black
+}
+
+/// Every measured curve of one kind of time, over one kind of error.
+std::vector<Curve> curves_of(const std::vector<lab::WorkPoint>& points, lab::ErrorOf error,
+                             lab::TimeOf time_of) {
+  std::vector<Curve> curves;
+  for (const lab::WorkPoint& point : points) {
+    if (!point.measured() || point.time_of != time_of || !(point.*error)) continue;
+    auto curve = std::find_if(curves.begin(), curves.end(),
+                              [&](const Curve& c) { return c.label == point.curve; });
+    if (curve == curves.end()) {
+      Curve next;
+      next.label = point.curve;
+      next.marks = true;
+      next.colour = colour_of(points, point);
+      curve = curves.insert(curves.end(), std::move(next));
+    }
+    curve->x.push_back(drawn(*(point.*error)));
+    curve->y.push_back(point.seconds);
+  }
+  return curves;
+}
+
+/// The points that nothing beats, as steps under all the others.
+Curve front_curve(const std::vector<lab::WorkPoint>& points, lab::ErrorOf error,
+                  lab::TimeOf time_of) {
+  Curve curve;
+  curve.label = "nothing beats these";
+  for (const std::size_t i : lab::pareto_front(points, error, time_of)) {
+    const double x = drawn(*(points[i].*error));
+    if (!curve.x.empty()) {  // a corner: as slow as this one, as inaccurate as the one before
+      curve.x.push_back(curve.x.back());
+      curve.y.push_back(points[i].seconds);
+    }
+    curve.x.push_back(x);
+    curve.y.push_back(points[i].seconds);
+  }
+  curve.marks = curve.x.size() == 1;
+  return curve;
+}
+
+/// A line across the plot at one error.
+Curve border(const std::string& label, double error, const std::vector<Curve>& curves,
+             std::size_t colour) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0.0;
+  for (const Curve& curve : curves)
+    for (const double seconds : curve.y) {
+      low = std::min(low, seconds);
+      high = std::max(high, seconds);
+    }
+  Curve line;
+  line.label = label;
+  line.colour = colour;
+  line.dashed = true;
+  line.x = {error, error};
+  line.y = {low, high};
+  return line;
+}
+
+Plot plot_of(std::string title, std::string x_label, std::string y_label,
+             std::vector<Curve> curves) {
+  Plot plot;
+  plot.title = std::move(title);
+  plot.x_label = std::move(x_label);
+  plot.y_label = std::move(y_label);
+  plot.curves = std::move(curves);
+  plot.logarithmic_x = true;
+  plot.logarithmic_y = true;
+  return plot;
+}
+
+Curve level_line(const std::string& label, double from, double to, double seconds, bool dashed) {
+  Curve line;
+  line.label = label;
+  line.x = {from, to};
+  line.y = {seconds, seconds};
+  line.dashed = dashed;
+  return line;
+}
+
+std::vector<Curve> circuit_curves(const lab::Study& study,
+                                  const std::vector<lab::WorkPoint>& points) {
+  std::vector<lab::WorkPoint> shown;
+  for (const lab::WorkPoint& point : points)
+    if (point.time_of == lab::TimeOf::settling && point.measured() &&
+        (lab::circuit_of(point).second == lab::compared_bandwidth ||
+         lab::circuit_of(point).second == 0.0))
+      shown.push_back(point);
+  std::vector<Curve> curves = curves_of(shown, to_solution, lab::TimeOf::settling);
+  if (curves.empty()) return curves;
+  const std::size_t circuits = curves.size();
+  for (const lab::StudySection& section : study.sections)
+    for (const lab::PartsFloor& floor : section.floors)
+      for (std::size_t i = 0; i < circuits; ++i)
+        if (floor.relative == lab::one_percent && floor.median && *floor.median < 1.0 &&
+            curves[i].label.starts_with(floor.realization + ","))
+          curves.push_back(
+              border(floor.realization + ", 1 % parts", *floor.median, curves, curves[i].colour));
+  if (const auto frame = lab::fastest_frame(points))
+    curves.push_back(level_line("arithmetic here, " + duration(*frame), 1e-4, 1.0, *frame, false));
+  return curves;
+}
+
+std::vector<Curve> crossover_curves(const lab::Study& study,
+                                    const std::vector<lab::WorkPoint>& points) {
+  std::vector<Curve> curves;
+  for (const lab::WorkPoint& point : points) {
+    if (point.time_of != lab::TimeOf::settling || !point.measured() ||
+        point.error_to_solution != lab::one_percent)
+      continue;
+    const auto [circuit, bandwidth] = lab::circuit_of(point);
+    if (bandwidth == 0.0) continue;
+    auto curve = std::find_if(curves.begin(), curves.end(),
+                              [&](const Curve& c) { return c.label == circuit; });
+    if (curve == curves.end()) {
+      Curve next;
+      next.label = circuit;
+      next.marks = true;
+      next.colour = colour_of(points, point);
+      curve = curves.insert(curves.end(), std::move(next));
+    }
+    const auto at = std::lower_bound(curve->x.begin(), curve->x.end(), bandwidth);
+    curve->y.insert(curve->y.begin() + (at - curve->x.begin()), point.seconds);
+    curve->x.insert(at, bandwidth);
+  }
+  const auto frame = lab::fastest_frame(points);
+  if (curves.empty() || !frame) return curves;
+  curves.push_back(level_line("this machine", 1e6, 100e6, *frame, false));
+  if (study.clock > 0.0)
+    for (const double clock : {400e6, 100e6}) {
+      Curve line = level_line("a controller of " + brief(clock / 1e6) + " MHz", 1e6, 100e6,
+                              *frame * study.clock / clock, true);
+      line.colour = clock > 200e6 ? 5 : 0;
+      curves.push_back(std::move(line));
+    }
+  return curves;
+}
+
+std::vector<Figure> figures_of(const lab::Study& study) {
+  const lab::StudyInput& input = study.input;
+  const std::vector<lab::WorkPoint> points = study.points();
+  const std::string noise = input.noise_stated ? "the scene's noise" : "noise of 1 %";
+  std::vector<Figure> figures;
+  const auto add = [&](std::string file, std::string caption, Plot plot) {
+    figures.push_back({std::move(file), "", std::move(caption), std::move(plot)});
+  };
+
+  std::vector<Curve> frames = curves_of(points, to_solution, lab::TimeOf::frame);
+  if (!frames.empty()) {
+    frames.push_back(border(noise, input.noise_floor, frames, 0));
+    frames.push_back(front_curve(points, to_solution, lab::TimeOf::frame));
+  }
+  add("error-to-solution",
+      "What an algorithm adds: its distance from the exact solution of the same regularised "
+      "problem, and what a frame costs on this machine. Left and down is better; the heavy line "
+      "joins what nothing beats. An error left of the dashed line is smaller than what " +
+          std::string(input.noise_stated ? "the scene's noise"
+                                         : "noise of 1 % of the largest reading") +
+          " does.",
+      plot_of("Time over error against the exact solution", "|f - f*| / |f*|",
+              "time of a frame [s]", std::move(frames)));
+
+  std::vector<Curve> truths = curves_of(points, to_truth, lab::TimeOf::frame);
+  if (!truths.empty() && std::isfinite(input.solution_error))
+    truths.push_back(border("the exact solution", input.solution_error, truths, 0));
+  add("error-to-truth",
+      "What a user gets: the distance from the true tractions. Methods of one problem stand on the "
+      "dashed line, however exact they are: regularisation, sampling and noise set it. Fewer "
+      "taxels "
+      "and constraints are other problems.",
+      plot_of("Time over error against the truth", "|f - truth| / |truth|", "time of a frame [s]",
+              std::move(truths)));
+
+  add("circuits",
+      "From a step of all inputs until the voltages stay within an error of the exact solution, by "
+      "ngspice's waveform, for op-amps of 10 MHz. The heavy line is the fastest arithmetic on this "
+      "machine: a circuit is faster where it lies below. Dashed: with parts of 1 % a circuit comes "
+      "no closer (median).",
+      plot_of("Circuits: settling time over error", "|f - f*| / |f*|", "time to settle [s]",
+              circuit_curves(study, points)));
+  add("crossover",
+      "When is the circuit's answer immediate? Time to settle to 1 % over the op-amps' bandwidth, "
+      "beside a frame's arithmetic on this machine, and on controllers of 400 and 100 MHz that "
+      "need as many cycles. Right of a crossing the circuit is faster. Parts are exact here; what "
+      "others leave is in the table below.",
+      plot_of("Circuit against controller, to 1 %", "gain-bandwidth of the op-amps [Hz]",
+              "time [s]", crossover_curves(study, points)));
+
+  add("forward",
+      "The way there: readings of the scene's contacts by the integral, with panels of more and "
+      "more points, and by the thesis' discrete sum, against the integral itself.",
+      plot_of("Forward model: error of the readings", "|g - g exact| / |g exact|", "time [s]",
+              curves_of(points, to_truth, lab::TimeOf::forward)));
+  return figures;
+}
+
+std::vector<std::vector<std::string>> simulator_cells(const lab::Study& study) {
+  std::vector<std::vector<std::string>> rows = {{"realisation", "ngspice", "difference"}};
+  for (const lab::WorkPoint& point : study.points())
+    if (point.time_of == lab::TimeOf::simulator && point.measured())
+      rows.push_back({point.curve, duration(point.seconds), brief(*point.error_to_solution)});
+  return rows;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::string>> front_cells(const lab::Study& study) {
+  const std::vector<lab::WorkPoint> points = study.points();
+  std::vector<std::vector<std::string>> rows = {
+      {"method", "time of a frame", "quartiles", "error to exact solution", "error to truth"}};
+  const auto or_dash = [](const std::optional<double>& value) {
+    return value ? brief(*value) : std::string("-");
+  };
+  for (const std::size_t i : lab::pareto_front(points, to_solution, lab::TimeOf::frame)) {
+    const lab::WorkPoint& point = points[i];
+    rows.push_back({in_words(point), duration(point.seconds),
+                    duration(point.seconds_low) + " ... " + duration(point.seconds_high),
+                    or_dash(point.error_to_solution), or_dash(point.error_to_truth)});
+  }
+  return rows;
+}
+
+std::vector<std::string> failures_in_words(const lab::Study& study) {
+  std::vector<std::string> text;
+  for (const lab::WorkPoint& point : study.points())
+    if (!point.measured()) text.push_back(in_words(point) + ": " + point.failure);
+  return text;
+}
+
+Report study_html(const lab::Study& study) {
+  const Scene& scene = study.input.scene;
+  const Figures figures(figures_of(study));
+  Report report{.missing = figures.missing(), .files = figures.data()};
+  for (auto& picture : figures.pictures()) report.files.push_back(std::move(picture));
+
+  std::string& html = report.html;
+  html += element("h1", "What accuracy costs in time");
+  html += element("p", (scene.title.empty() ? "" : scene.title + ". ") + scene.file + ": " +
+                           sensor_in_words(scene) + "; " + material_in_words(scene) + "; alpha " +
+                           brief(*scene.reconstruct.alpha) + "." +
+                           (scene.time ? " Studied is " + time_in_words(scene) + "." : ""));
+  if (!study.complete)
+    html += element("p", "The study was stopped: this is a part of it. --resume goes on.", "note");
+  std::vector<std::string> answers = in_words(study);
+  html += element("p", answers.front(), "answer");
+  answers.erase(answers.begin());
+  html += html_list(answers);
+  if (!report.missing.empty()) html += element("p", report.missing, "note");
+  html += figures.html("");
+  const auto circuits = circuit_cells(study);
+  if (circuits.size() > 1) {
+    html += element("h2", "When a circuit is faster");
+    html += element("p",
+                    "Circuits of op-amps of 10 MHz. A controller that needs as many cycles as this "
+                    "machine is slower than the circuit below the clock named; this machine is, if "
+                    "the op-amps have the bandwidth named. The last column is the error that parts "
+                    "of 1 % leave, median: waiting longer does not lessen it.");
+    html += html_table(circuits);
+  }
+  const auto simulated = simulator_cells(study);
+  if (simulated.size() > 1) {
+    html += element("h2", "What ngspice takes");
+    html += element("p",
+                    "Wall time of ngspice for the operating point: the simulator's time, not the "
+                    "circuit's, and how far its answer is from the exact solution.");
+    html += html_table(simulated);
+  }
+  html += element("h2", "What nothing beats");
+  html += html_table(front_cells(study));
+  const std::vector<std::string> failures = failures_in_words(study);
+  if (!failures.empty()) {
+    html += element("h2", "What did not work");
+    html += html_list(failures);
+  }
+  html += element("h2", "How it was measured");
+  html +=
+      element("p", "On " + (study.processor.empty() ? "this machine" : study.processor) +
+                       (study.clock > 0.0 ? " at " + brief(study.clock / 1e9) + " GHz" : "") +
+                       ", pinned to one core, after a warm-up; medians of at least five batches, "
+                       "with quartiles in the data. The exact solution is that of a QR; one by "
+                       "singular values agrees to " +
+                       brief(study.input.agreement) + ".");
+  html +=
+      "<p>Every point: <a href=\"tradeoff.csv\">tradeoff.csv</a>, "
+      "<a href=\"tradeoff.json\">tradeoff.json</a>.</p>\n";
+  html = html_page(scene.file + " - tactile-net tradeoff", html);
+  return report;
+}
+
+}  // namespace tactile_net::report

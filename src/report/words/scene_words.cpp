@@ -1,0 +1,91 @@
+#include "tactile_net/report/words/scene_words.hpp"
+
+#include "tactile_net/numeric/number_text.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+std::string_view shape_name(Shape shape) {
+  switch (shape) {
+    case Shape::cylinder:
+      return "cylinder";
+    case Shape::punch:
+      return "punch";
+    case Shape::wedge:
+      return "wedge";
+  }
+  return "";
+}
+
+std::string in_words(const RigidContact& contact) {
+  std::string text(shape_name(contact.shape));
+  text += " at " + brief(contact.center) + ", half width " + brief(contact.half_width) +
+          ", force " + brief(contact.force);
+  if (contact.edge > 0.0) text += ", edge " + brief(contact.edge);
+  if (contact.friction != 0.0) text += ", friction " + brief(contact.friction);
+  return text;
+}
+
+std::string in_words(const SampledTractions& contact) {
+  return "sampled tractions at the " + std::to_string(contact.normal.size()) + " taxels" +
+         (contact.tangential.empty() ? "" : ", normal and tangential");
+}
+
+}  // namespace
+
+std::string join(const std::vector<std::string>& parts, std::string_view separator) {
+  std::string text;
+  for (const std::string& part : parts) {
+    if (!text.empty()) text += separator;
+    text += part;
+  }
+  return text;
+}
+
+std::string csv_quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string sensor_in_words(const Scene& scene) {
+  std::vector<std::string> reads;
+  std::vector<std::string> depths;
+  for (const Quantity quantity : scene.sensor.reads) reads.emplace_back(name(quantity));
+  for (const double depth : scene.sensor.depths) depths.push_back(brief(depth));
+  return std::to_string(scene.sensor.count) + " taxels, pitch " + brief(scene.sensor.pitch) +
+         ", reading " + join(reads, ", ") + " at depth " + join(depths, " and ");
+}
+
+std::string time_in_words(const Scene& scene) {
+  const Timing& timing = *scene.time;
+  const bool last = scene.frame + 1 == timing.frames;
+  return std::string(last ? "the last" : "one") + " of " + std::to_string(timing.frames) +
+         " frames: frame " + std::to_string(scene.frame) +
+         " at t = " + brief(timing.time(scene.frame));
+}
+
+std::string material_in_words(const Scene& scene) {
+  std::string body = "half plane";
+  if (const auto& layer = scene.material.layer)
+    body = "layer " + brief(layer->thickness) + " thick on a " + std::string(name(layer->base)) +
+           " base";
+  return body + ", E = " + brief(scene.material.youngs_modulus) +
+         ", nu = " + shortest(scene.material.poisson_ratio);
+}
+
+std::vector<std::string> contacts_in_words(const Scene& scene) {
+  std::vector<std::string> texts;
+  for (const Contact& contact : scene.contacts)
+    texts.push_back(std::visit([](const auto& shape) { return in_words(shape); }, contact));
+  return texts;
+}
+
+std::string effects_in_words(const Scene& scene, bool simulated) {
+  std::vector<std::string> names;
+  for (const auto& [effect, present] : effects(scene))
+    if (present == simulated) names.emplace_back(effect);
+  return names.empty() ? "none" : join(names, ", ");
+}
+
+}  // namespace tactile_net::report

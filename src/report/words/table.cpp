@@ -1,0 +1,157 @@
+#include "tactile_net/report/words/table.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
+
+namespace tactile_net::report {
+void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += row[i] + std::string(widths[i] - row[i].size() + 2, ' ');
+    line.erase(line.find_last_not_of(' ') + 1);
+    out << line << '\n';
+  }
+}
+
+std::vector<std::vector<std::string>> comparison_cells(const lab::Experiment& experiment) {
+  const bool two = std::any_of(
+      experiment.results.begin(), experiment.results.end(),
+      [](const lab::MethodResult& result) { return !result.tangential.traction.empty(); });
+  std::vector<std::vector<std::string>> rows = {{"method", "alpha", "mean |error|", "relative L2"}};
+  if (two) rows.front().emplace_back("tangential L2");
+  for (const char* title : {"force", "condition", "rounding <=", "set-up", "per frame", "verdict"})
+    rows.front().emplace_back(title);
+
+  const auto brief_or_dash = [](const std::optional<double>& number) {
+    return number ? brief(*number) : "-";
+  };
+  for (const lab::MethodResult& result : experiment.results) {
+    std::vector<std::string> row = {std::string(name(result.method))};
+    if (!result.has_answer()) {
+      row.resize(rows.front().size() - 1, "-");
+    } else {
+      const bool given = result.alpha_rule == "given";
+      row.push_back(!result.alpha ? "-" : given ? shortest(*result.alpha) : brief(*result.alpha));
+      row.push_back(brief(result.normal.mean_abs));
+      row.push_back(brief(result.normal.relative_l2));
+      if (two)
+        row.push_back(result.tangential.traction.empty() ? "-"
+                                                         : brief(result.tangential.relative_l2));
+      row.push_back(brief(result.force));
+      row.push_back(brief_or_dash(result.condition));
+      row.push_back(brief_or_dash(result.error_bound));
+      row.push_back(duration(result.setup_seconds));
+      row.push_back(duration(result.frame_seconds));
+    }
+    row.push_back(result.verdict);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<std::vector<std::string>> rule_cells(const AlphaSweep& sweep) {
+  std::vector<std::vector<std::string>> rows = {{"rule", "alpha", "verdict"}};
+  for (const AlphaSweep::Curve& curve : sweep.curves)
+    rows.push_back({std::string(name(curve.rule)), brief(curve.choice.alpha),
+                    std::string(name(curve.choice.verdict))});
+  return rows;
+}
+
+std::string rule_used(const Scene& scene) {
+  return scene.reconstruct.alpha ? "the scene gives " + shortest(*scene.reconstruct.alpha)
+                                 : std::string(name(scene.reconstruct.alpha_rule)) + " was used";
+}
+
+std::string resultant_in_words(const UncertainResultant& resultant) {
+  const auto number = [](const Uncertain& value) {
+    return brief(value.value) + " +- " + brief(value.deviation);
+  };
+  std::string text = "normal force " + number(resultant.normal);
+  if (resultant.tangential) text += ", tangential " + number(*resultant.tangential);
+  if (resultant.centre) text += ", centre " + number(*resultant.centre);
+  if (resultant.angle) text += ", angle " + number(*resultant.angle) + " rad";
+  return text;
+}
+
+void print_relaxation(std::ostream& out, const lab::Relaxation& relaxation) {
+  out << "network: " << name(relaxation.realization) << ", " << relaxation.nodes << " nodes, "
+      << elements_in_words(relaxation.elements) << '\n';
+  for (const std::string& line : in_words(relaxation)) out << "  " << line << '\n';
+}
+
+void print_certificate(std::ostream& out, const lab::Certification& c) {
+  std::string indent;
+  for (const std::string& line : in_words(c.certificate)) {
+    out << indent << line << '\n';
+    indent = "  ";
+  }
+  if (c.tolerance)
+    for (const std::string& line : tolerance_in_words(c)) out << "  " << line << '\n';
+  out << '\n';
+  if (!c.recommendation.candidates.empty()) print_cells(out, cells(c.recommendation));
+  out << c.recommendation.text << '\n';
+}
+
+void print_deck_answer(std::ostream& out, const std::string& file, const lab::DeckAnswer& answer) {
+  out << file << ": " << answer.nodes.size()
+      << " nodes; ngspice against the header's voltages: " << brief(answer.difference)
+      << (answer.difference <= answer.within ? " (agrees)" : " (DIFFERS)") << '\n';
+  if (answer.difference <= answer.within) return;
+  std::vector<lab::NodeAnswer> worst = answer.nodes;
+  const auto off = [](const lab::NodeAnswer& one) { return std::abs(one.found - one.expected); };
+  std::stable_sort(worst.begin(), worst.end(),
+                   [&](const auto& a, const auto& b) { return off(a) > off(b); });
+  worst.resize(std::min<std::size_t>(worst.size(), 5));
+  std::vector<std::vector<std::string>> rows = {{"node", "expected", "found"}};
+  for (const lab::NodeAnswer& one : worst)
+    rows.push_back({one.node, shortest(one.expected), shortest(one.found)});
+  print_cells(out, rows);
+}
+
+void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
+  const Scene& scene = experiment.scene;
+  out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n")
+      << (scene.title.empty() ? "" : "  ") << sensor_in_words(scene) << "; "
+      << material_in_words(scene) << '\n';
+  if (scene.time) out << "  " << time_in_words(scene) << " (--frame takes another)\n";
+  for (const std::string& contact : contacts_in_words(scene)) out << "  " << contact << '\n';
+  const auto all = effects(scene);
+  const auto absent =
+      std::count_if(all.begin(), all.end(), [](const auto& e) { return !e.second; });
+  out << "  forward model " << name(scene.forward)
+      << "; effects simulated: " << effects_in_words(scene, true) << "; absent, and free of cost: "
+      << (absent == 0 ? "none" : "the other " + std::to_string(absent)) << '\n';
+  for (const std::string& warning : experiment.simulation.warnings)
+    out << "  warning: " << warning << '\n';
+  out << '\n';
+  print_cells(out, comparison_cells(experiment));
+  out << "force of the contacts: " << brief(experiment.force) << " exact, "
+      << brief(experiment.sampled_force) << " as pitch x sum of the truth at the taxels\n";
+  for (const lab::MethodResult& result : experiment.results) {
+    if (result.resultant)
+      out << name(result.method) << ": " << resultant_in_words(*result.resultant) << '\n';
+    for (const std::string& warning : result.warnings)
+      out << name(result.method) << ": warning: " << warning << '\n';
+    if (!result.failure.empty())
+      out << name(result.method) << ": FAILED: " << result.failure << '\n';
+  }
+  if (experiment.sweep) {
+    out << "\nalpha, by rule (" << rule_used(scene) << "):\n";
+    print_cells(out, rule_cells(*experiment.sweep));
+  }
+  if (experiment.relaxation) {
+    out << '\n';
+    print_relaxation(out, *experiment.relaxation);
+  }
+}
+
+}  // namespace tactile_net::report

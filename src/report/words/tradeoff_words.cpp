@@ -1,0 +1,193 @@
+#include "tactile_net/report/words/tradeoff_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tactile_net/lab/method.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+constexpr lab::ErrorOf to_solution = &lab::WorkPoint::error_to_solution;
+
+std::string in_percent(double share) { return brief(100.0 * share) + " %"; }
+
+/// "310 kHz", "2.1 GHz".
+std::string frequency(double hertz) {
+  if (hertz >= 1e9) return brief(hertz / 1e9) + " GHz";
+  if (hertz >= 1e6) return brief(hertz / 1e6) + " MHz";
+  if (hertz >= 1e3) return brief(hertz / 1e3) + " kHz";
+  return brief(hertz) + " Hz";
+}
+
+std::string timed(const lab::WorkPoint& point) {
+  return in_words(point) + ": " + duration(point.seconds) + ", error " +
+         brief(*point.error_to_solution);
+}
+
+std::string demand_in_words(const lab::Requirement& requirement) {
+  std::string text = "for ";
+  if (requirement.accuracy)
+    text += (*requirement.accuracy >= 1e-3 ? in_percent(*requirement.accuracy)
+                                           : brief(*requirement.accuracy)) +
+            " error";
+  if (requirement.accuracy && requirement.deadline) text += " within ";
+  if (requirement.deadline) text += duration(*requirement.deadline);
+  return text;
+}
+
+/// A factor, without an exponent up to a million: "4000", "9.12", "2.1e+07".
+std::string times(double factor) {
+  if (factor < 1e3 || factor >= 1e6) return brief(factor);
+  const double step = factor < 1e4 ? 100.0 : factor < 1e5 ? 1e3 : 1e4;
+  return shortest(step * std::round(factor / step));
+}
+
+/// A circuit of op-amps of 10 MHz, from a step of its inputs to 1 %.
+struct SettledCircuit {
+  std::string name;
+  double seconds;
+  std::optional<double> parts{};  ///< error that parts of 1 % leave (median); infinite: unstable
+};
+
+std::vector<SettledCircuit> settled_circuits(const lab::Study& study,
+                                             const std::vector<lab::WorkPoint>& points) {
+  std::vector<SettledCircuit> circuits;
+  for (const lab::WorkPoint& point : points) {
+    if (point.time_of != lab::TimeOf::settling || !point.measured() ||
+        point.error_to_solution != lab::one_percent)
+      continue;
+    const auto [name, bandwidth] = lab::circuit_of(point);
+    if (bandwidth != lab::compared_bandwidth) continue;  // the others are the same, scaled
+    SettledCircuit circuit{name, point.seconds};
+    for (const lab::StudySection& section : study.sections)
+      for (const lab::PartsFloor& floor : section.floors)
+        if (floor.relative == lab::one_percent && floor.realization == circuit.name)
+          circuit.parts = floor.median.value_or(std::numeric_limits<double>::infinity());
+    circuits.push_back(std::move(circuit));
+  }
+  std::stable_sort(circuits.begin(), circuits.end(),
+                   [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+  return circuits;
+}
+
+std::string parts_in_words(const SettledCircuit& circuit) {
+  if (!circuit.parts) return "-";
+  return std::isfinite(*circuit.parts) ? in_percent(*circuit.parts) : "unstable";
+}
+
+/// The fastest circuit, and the one that bears its parts best.
+void add_circuits(std::vector<std::string>& text, const lab::Study& study,
+                  const std::vector<lab::WorkPoint>& points) {
+  const std::vector<SettledCircuit> circuits = settled_circuits(study, points);
+  if (circuits.empty()) return;
+  const SettledCircuit& fastest = circuits.front();
+  std::string sentence = "the fastest circuit, " + fastest.name +
+                         " with op-amps of 10 MHz, settles to 1 % in " + duration(fastest.seconds);
+  if (const auto frame = lab::fastest_frame(points)) {
+    if (study.clock > 0.0)
+      sentence +=
+          ": sooner than a controller that needs as many cycles as this machine and is "
+          "clocked below " +
+          frequency(study.clock * *frame / fastest.seconds);
+    sentence += "; this machine's " + duration(*frame) + " it beats from a bandwidth of " +
+                frequency(lab::compared_bandwidth * fastest.seconds / *frame) + " on";
+  }
+  text.push_back(std::move(sentence));
+  const auto least =
+      std::min_element(circuits.begin(), circuits.end(), [](const auto& a, const auto& b) {
+        return a.parts.value_or(HUGE_VAL) < b.parts.value_or(HUGE_VAL);
+      });
+  if (least->parts && std::isfinite(*least->parts)) {
+    std::string errors = parts_in_words(*least) + " (median) with parts of 1 %";
+    if (least->name != fastest.name)
+      errors += "; " + fastest.name + " with such parts: " + parts_in_words(fastest);
+    text.push_back("the most accurate circuit, " + least->name + ", errs by " + errors);
+  }
+}
+
+}  // namespace
+
+std::string answer(const lab::Study& study, const lab::Requirement& requirement) {
+  const std::vector<lab::WorkPoint> points = study.points();
+  const lab::Choice choice = lab::choose(points, to_solution, lab::TimeOf::frame, requirement);
+  std::string text = demand_in_words(requirement) + ": ";
+  if (choice.point) {
+    const lab::WorkPoint& point = points[*choice.point];
+    text += timed(point);
+    std::vector<std::string> margins;
+    if (requirement.deadline)
+      margins.push_back(times(*requirement.deadline / point.seconds) +
+                        " times inside the deadline");
+    if (requirement.accuracy)
+      margins.push_back(times(*requirement.accuracy / *point.error_to_solution) +
+                        " times inside the error");
+    return margins.empty() ? text : text + " (" + join(margins, ", ") + ")";
+  }
+  if (std::none_of(points.begin(), points.end(), [](const lab::WorkPoint& point) {
+        return point.measured() && point.time_of == lab::TimeOf::frame;
+      }))
+    return text + "nothing is measured yet";
+  text += requirement.accuracy && requirement.deadline ? "none meets both" : "none";
+  if (choice.fastest)
+    text += "; accurate enough, and fastest of those: " + timed(points[*choice.fastest]);
+  else
+    text += "; none is that accurate";
+  if (choice.most_accurate)
+    text += "; in time, and most accurate of those: " + timed(points[*choice.most_accurate]);
+  else if (requirement.deadline)
+    text += "; none is that fast";
+  return text;
+}
+
+std::vector<std::string> in_words(const lab::Study& study) {
+  const lab::StudyInput& input = study.input;
+  const std::vector<lab::WorkPoint> points = study.points();
+  std::vector<std::string> text;
+  for (const lab::Requirement& requirement :
+       {lab::Requirement{.accuracy = lab::one_percent, .deadline = 1e-3},
+        lab::Requirement{.accuracy = 1e-6, .deadline = 1e-4}, lab::Requirement{.accuracy = 1e-12}})
+    text.push_back(answer(study, requirement));
+  if (std::isfinite(input.solution_error))
+    text.push_back("regularisation, sampling and the scene's own noise leave the exact solution " +
+                   in_percent(input.solution_error) +
+                   " from the truth: no arithmetic takes that back");
+  else
+    text.push_back(
+        "the scene has no contact: its readings are noise, alpha too if a rule chose it; times and "
+        "the errors against the exact solution stand, the rest says nothing of a touch");
+  if (lab::constraints_of(input.scene))
+    text.push_back(
+        "the exact solution is that without the scene's constraints; with them: the curve " +
+        std::string(lab::constrained_curve));
+  text.push_back("noise of " + brief(input.noise_rms) +
+                 (input.noise_stated ? " per weighted reading (the scene's)"
+                                     : " per reading (1 % of the largest, an assumption)") +
+                 " moves the solution by " + in_percent(input.noise_floor) +
+                 ": more accuracy than that cannot be seen");
+  add_circuits(text, study, points);
+  return text;
+}
+
+std::vector<std::vector<std::string>> circuit_cells(const lab::Study& study) {
+  const std::vector<lab::WorkPoint> points = study.points();
+  const std::optional<double> frame = lab::fastest_frame(points);
+  std::vector<std::vector<std::string>> rows = {{"circuit", "settles to 1 %", "beats a clock below",
+                                                 "beats this machine from", "parts of 1 % leave"}};
+  for (const SettledCircuit& circuit : settled_circuits(study, points))
+    rows.push_back(
+        {circuit.name, duration(circuit.seconds),
+         frame && study.clock > 0.0 ? frequency(study.clock * *frame / circuit.seconds) : "-",
+         frame ? frequency(lab::compared_bandwidth * circuit.seconds / *frame) : "-",
+         parts_in_words(circuit)});
+  return rows;
+}
+
+std::string in_words(const lab::WorkPoint& point) {
+  return point.knob.empty() ? point.curve : point.curve + ", " + point.knob;
+}
+
+}  // namespace tactile_net::report

@@ -1,0 +1,59 @@
+#include "tactile_net/numeric/number_text.hpp"
+
+#include <clocale>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "tests/catch.hpp"
+
+namespace tactile_net {
+namespace {
+
+TEST_CASE("every digit is written, and read back as the same number", "[number_text]") {
+  const double number = GENERATE(0.1, 1.0 / 3.0, -1e-300, 5e-324, 1.7976931348623157e308, 42.0);
+  double back = 0.0;
+  REQUIRE(read_number(shortest(number), back));
+  CHECK(back == number);
+}
+
+TEST_CASE("three digits are those of printf in the C locale", "[number_text]") {
+  for (double number = 1.2345678e-12; number < 1e12; number *= 7.3) {
+    char expected[32];
+    std::snprintf(expected, sizeof expected, "%.3g", number);
+    CHECK(brief(number) == expected);
+    CHECK(brief(-number) == std::string("-") + expected);
+  }
+  CHECK(brief(0.0) == "0");
+  CHECK(brief(std::numeric_limits<double>::infinity()) == "inf");
+  CHECK(brief(std::nan("")) == "-");
+}
+
+TEST_CASE("durations and shares carry their unit", "[number_text]") {
+  CHECK(duration(2.5e-6) == "2.5 us");
+  CHECK(duration(0.5) == "500 ms");
+  CHECK(duration(3e-9) == "3 ns");
+  CHECK(duration(90.0) == "90 s");
+  CHECK(percent(0.0123) == "1.23 %");
+}
+
+TEST_CASE("a text that is not a number as a whole is refused", "[number_text]") {
+  const char* text = GENERATE("", "1,5", "1.5 ", " 1", "+1", "0x10", "one", "1e", "1e999");
+  CAPTURE(text);
+  double number = 7.0;
+  CHECK_FALSE(read_number(text, number));
+}
+
+TEST_CASE("a program's locale changes no number", "[number_text]") {
+  const char* german = nullptr;
+  for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8"})
+    if (german == nullptr) german = std::setlocale(LC_ALL, name);
+  CHECK(brief(0.05) == "0.05");
+  CHECK(shortest(1.5) == "1.5");
+  double number = 0.0;
+  CHECK((read_number("1.5", number) && number == 1.5));
+  std::setlocale(LC_ALL, "C");
+}
+
+}  // namespace
+}  // namespace tactile_net

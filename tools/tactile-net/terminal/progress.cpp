@@ -1,0 +1,39 @@
+#include "terminal/progress.hpp"
+
+#include <unistd.h>
+
+#include <iostream>
+
+#include "tactile_net/report/words/step_words.hpp"
+
+namespace tactile_net::tool {
+namespace {
+constexpr std::string_view clear_line = "\r\033[K";
+}
+
+Progress::Progress(bool wanted) : terminal_(wanted && ::isatty(STDERR_FILENO) == 1) {}
+
+void Progress::clear() {
+  if (shown_) std::cerr << clear_line << std::flush;
+  shown_ = false;
+}
+
+void Progress::step(const lab::Step& step) {
+  if (step.kind != lab::Step::Kind::frame || due()) say(report::in_words(step));
+}
+
+void Progress::say(const std::string& text) {
+  if (!terminal_) return;
+  std::cerr << clear_line << text << std::flush;
+  shown_ = true;
+}
+
+bool Progress::due() noexcept {
+  if (!terminal_) return false;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_ < std::chrono::milliseconds(200)) return false;
+  last_ = now;
+  return true;
+}
+
+}  // namespace tactile_net::tool

@@ -1,0 +1,36 @@
+/// @file
+/// One line on a terminal that says what is going on; nothing when stderr is not a terminal.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "tactile_net/lab/observer.hpp"
+
+namespace tactile_net::tool {
+
+class Progress final : public lab::Observer {
+ public:
+  /// @param wanted  false: never a line
+  explicit Progress(bool wanted = true);
+  ~Progress() override { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// Shows a step at once; frames about five times a second.
+  void step(const lab::Step& step) override;
+  void say(const std::string& text);
+
+  /// Removes the line.
+  void clear();
+
+  /// True about five times a second on a terminal: time to build a text and call `say`.
+  [[nodiscard]] bool due() noexcept;
+
+ private:
+  bool terminal_;
+  bool shown_ = false;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+}  // namespace tactile_net::tool
