@@ -20,8 +20,6 @@
 namespace tactile_net::circuits {
 namespace {
 
-using tool::brief;
-using tool::duration;
 
 constexpr double accuracy = 1e-3;
 const OpAmp one_pole{.gain = 1e6, .bandwidth = 10e6};
@@ -74,7 +72,7 @@ Row measured(Realization realization, bool inverters, double alpha) {
     options.opamp = one_pole;
   else if (realization != Realization::lc)
     options.node_capacitance = 1e-11;
-  row.certificate = lab::certify(realization, one.problem, options, accuracy);
+  row.certificate = certify(realization, one.problem, options, accuracy);
   if (row.certificate.dynamics) {
     Ngspice ngspice;
     const Circuit real = realize(realization, one.problem, options);
@@ -82,7 +80,7 @@ Row measured(Realization realization, bool inverters, double alpha) {
         judge(ngspice, real, row.certificate, at_rest(real, DirectCurrent{})).settling_seconds;
   }
   if (realization != Realization::lc && realization != Realization::ndr)
-    row.tolerance = lab::tolerate(Reduction(ideal), {.relative = 0.01, .trials = 1000});
+    row.tolerance = tolerate(Reduction(ideal), {.relative = 0.01, .trials = 1000});
   return row;
 }
 
@@ -127,7 +125,7 @@ std::string table(Realization realization, bool inverters) {
       add(n.capacitors, "capacitors");
       add(n.inductors, "inductors");
       add(n.devices, "N-shaped devices");
-      text = "21 taxels take " + tool::join(parts, ", ") + ".\n\n| alpha " + head + rule;
+      text = "21 taxels take " + report::join(parts, ", ") + ".\n\n| alpha " + head + rule;
     }
     text += "| " + brief(alpha) + " | " + cells(row);
   }
@@ -153,7 +151,7 @@ std::string devices() {
   std::string text = "| largest node voltage over V | cubic | tunnel diode |\n|---|---|---|\n";
   for (const double ratio : {0.01, 0.03, 0.1, 0.3}) {
     text += "| " + brief(ratio) + " |";
-    for (const report::Curve curve : {report::Curve::cubic, report::Curve::tunnel_diode}) {
+    for (const Curve curve : {Curve::cubic, Curve::tunnel_diode}) {
       const Circuit circuit =
           realize(Realization::ndr, one.problem, {.curve = curve, .device_volts = largest / ratio});
       text += ' ' + brief(relative_l2_error(at_rest(circuit, DirectCurrent{}), one.direct)) + " |";

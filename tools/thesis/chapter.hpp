@@ -11,7 +11,7 @@ namespace tactile_net::thesis {
 
 struct Chapter {
   std::string text{};  ///< Markdown; {0}, {1}, ... stand for the pictures
-  std::vector<tool::Plot> plots{};
+  std::vector<report::Plot> plots{};
   std::vector<std::string> names{};  ///< of the pictures' files, without folder and ending
 };
 

@@ -16,8 +16,8 @@
 namespace tactile_net::thesis {
 namespace {
 
-using tool::Curve;
-using tool::Plot;
+using report::Curve;
+using report::Plot;
 
 constexpr double depth = 1.5;
 const Material rubber{1.0, 0.5};

@@ -25,7 +25,7 @@ std::string page(const std::filesystem::path& folder) {
        {kernels, example_3_1, example_3_2, forty_one_sensors, example_4_1, example_4_2, errata}) {
     const Chapter chapter = make();
     const std::vector<std::string> pictures =
-        chapter.plots.empty() ? std::vector<std::string>{} : tactile_net::tool::draw(chapter.plots);
+        chapter.plots.empty() ? std::vector<std::string>{} : tactile_net::report::draw(chapter.plots);
     std::string part = chapter.text;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       tactile_net::tool::write_file(folder / "thesis" / (chapter.names[i] + ".svg"), pictures[i]);
