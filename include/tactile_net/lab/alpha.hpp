@@ -1,0 +1,21 @@
+/// @file
+/// The alpha of one frame: given, or chosen by the scene's rule.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "tactile_net/inverse/alpha.hpp"
+
+namespace tactile_net::lab {
+
+struct ChosenAlpha {
+  double value = 0.0;                       ///< [unit of (W K)^2], > 0
+  std::optional<AlphaRule> rule{};          ///< that chose it; absent: the scene gives it
+  AlphaVerdict verdict = AlphaVerdict::ok;  ///< of that rule; ok where it is given
+};
+
+/// "given", or the rule's name.
+[[nodiscard]] std::string_view source(const ChosenAlpha& alpha) noexcept;
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,45 @@
+/// @file
+/// Whether an answer is to be trusted, in one word.
+#pragma once
+
+#include <string_view>
+
+#include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/dft.hpp"
+#include "tactile_net/inverse/dft_friction.hpp"
+
+namespace tactile_net::lab {
+
+enum class Verdict {
+  ok,
+  failed,  ///< there is no answer
+  // The rule for alpha, see AlphaVerdict.
+  border,
+  unstable,
+  no_root,
+  rules_disagree,
+  // dft, see DftVerdict and FrictionVerdict.
+  noise_amplified,
+  sign_change,
+  cut_off,
+  not_one_contact,
+  drag_in_noise,
+  no_contact,
+  null_mode,  ///< a combination of tractions that no reading shows was set to zero
+  // Iterations that were stopped.
+  not_converged,
+  iteration_limit,
+  // What the answer itself shows.
+  oversmoothed,     ///< more than half of the readings' size is left unexplained
+  ill_conditioned,  ///< rounding alone may have moved it by more than 1e-3
+  inaccurate,       ///< the circuit is more than 1 % off the direct solve, though explained
+};
+
+/// The spelling in JSON and tables: "ok", "rules_disagree".
+[[nodiscard]] std::string_view name(Verdict verdict) noexcept;
+
+[[nodiscard]] Verdict verdict_of(AlphaVerdict verdict) noexcept;
+[[nodiscard]] Verdict verdict_of(DftVerdict verdict) noexcept;
+[[nodiscard]] Verdict verdict_of(const FrictionSolution& solution) noexcept;
+
+}  // namespace tactile_net::lab
