@@ -138,9 +138,16 @@ struct FftTikhonov::Plan {
   double alpha = 0.0;
   double size = 0.0;   // sqrt(alpha)
   double slope = 0.0;  // sqrt(alpha) l / D
+  double ratio = 0.0;  // l / D
   std::vector<double> weights;
   std::vector<Spectrum> kernels;  // channels x unknowns, over the padded size
-  Spectrum inverse;               // unknowns x unknowns x frequencies
+  /// A frequency's A'A of the circular kernels, a Hermitian matrix of unknowns x unknowns.
+  struct Gram {
+    double first = 0.0, last = 0.0;  // the diagonal
+    Complex mixed{};                 // row 1, column 0
+  };
+  std::vector<Gram> grams;
+  Spectrum inverse;  // unknowns x unknowns x frequencies
   std::vector<Spectrum> input, output, circular;
   std::vector<double> right, residual, image, f, gradient, preconditioned, direction;
   Convergence convergence;
@@ -153,15 +160,11 @@ FftTikhonov& FftTikhonov::operator=(FftTikhonov&&) noexcept = default;
 FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
                          const ProblemOptions& options, double alpha) {
   check(array, material, options);
-  if (!(alpha > 0.0) || !std::isfinite(alpha))
-    throw std::invalid_argument("alpha must be > 0 and finite");
   const std::size_t n = array.count;
   const std::vector<Channel> all = channels(array);
   plan_ = std::make_unique<Plan>(n, all.size(), options.unknowns);
   Plan& plan = *plan_;
-  plan.alpha = alpha;
-  plan.size = std::sqrt(alpha);
-  plan.slope = plan.size * options.smoothing_length / array.pitch;
+  plan.ratio = options.smoothing_length / array.pitch;
 
   std::vector<double> channel_weights(all.size(), 1.0);
   for (std::size_t c = 0; c < options.channel_rms.size(); ++c)
@@ -193,19 +196,43 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
             channel_weights[c] * plan.circle.bins()[k];
     }
 
-  const double ratio = options.smoothing_length / array.pitch;
+  for (const Eigen::MatrixXcd& one : a) {
+    const Eigen::MatrixXcd gram = one.adjoint() * one;
+    plan.grams.push_back(
+        {gram(0, 0).real(), gram(u_count - 1, u_count - 1).real(), gram(u_count - 1, 0)});
+  }
   plan.inverse.resize(plan.unknowns * plan.unknowns * bins);
+  use_alpha(alpha);
+}
+
+void FftTikhonov::use_alpha(double alpha) {
+  if (!(alpha > 0.0) || !std::isfinite(alpha))
+    throw std::invalid_argument("alpha must be > 0 and finite");
+  Plan& plan = *plan_;
+  plan.alpha = alpha;
+  plan.size = std::sqrt(alpha);
+  plan.slope = plan.size * plan.ratio;
+  const std::size_t bins = plan.circle.bins().size();
   for (std::size_t k = 0; k < bins; ++k) {
     const double wave =
-        2.0 * ratio * std::sin(std::numbers::pi * static_cast<double>(k) / static_cast<double>(n));
-    const Eigen::MatrixXcd p =
-        a[k].adjoint() * a[k] +
-        alpha * (1.0 + wave * wave) * Eigen::MatrixXcd::Identity(u_count, u_count);
-    const Eigen::MatrixXcd inverse = p.inverse();
-    for (std::size_t u = 0; u < plan.unknowns; ++u)
-      for (std::size_t v = 0; v < plan.unknowns; ++v)
-        plan.inverse[(u * plan.unknowns + v) * bins + k] =
-            inverse(static_cast<Eigen::Index>(u), static_cast<Eigen::Index>(v));
+        2.0 * plan.ratio *
+        std::sin(std::numbers::pi * static_cast<double>(k) / static_cast<double>(plan.count));
+    const double shift = alpha * (1.0 + wave * wave);
+    const Plan::Gram& gram = plan.grams[k];
+    if (plan.unknowns == 1) {
+      plan.inverse[k] = 1.0 / (gram.first + shift);
+      continue;
+    }
+    // Scaled to a unit diagonal, so that the determinant of a large kernel stays in range.
+    const double a = gram.first + shift;
+    const double d = gram.last + shift;
+    const double root = std::sqrt(a) * std::sqrt(d);
+    const Complex b = gram.mixed / root;  // of row 1, column 0
+    const double determinant = std::max(1.0 - std::norm(b), std::numeric_limits<double>::epsilon());
+    plan.inverse[k] = 1.0 / a / determinant;
+    plan.inverse[3 * bins + k] = 1.0 / d / determinant;
+    plan.inverse[2 * bins + k] = -b / root / determinant;
+    plan.inverse[bins + k] = std::conj(plan.inverse[2 * bins + k]);
   }
 }
 

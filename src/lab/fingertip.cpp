@@ -8,6 +8,7 @@
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -110,19 +111,20 @@ void reconstruct(Fingertip& tip, const FingertipScene& source, const fs::path& f
                        .hint = "name recorded readings in the hand's file: readings = \"FILE.csv\""
                                ", or give the scene a [[contact]]"}});
   } else {
-    Simulation simulation = simulate(scene);
-    readings = std::move(simulation.readings);
-    tip.warnings = simulation.warnings;
+    SimulatedFrame simulated = simulate(scene);
+    readings = std::move(simulated.readings);
+    for (const SceneRemark& one : simulated.remarks) tip.warnings.push_back(report::in_words(one));
+    tip.warnings.insert(tip.warnings.end(), simulated.notes.begin(), simulated.notes.end());
   }
 
-  const std::unique_ptr<Solver> solver = make_solver(scene, Method::tikhonov);
+  const SceneFrame frame(SceneProblem(scene), readings);
+  const std::unique_ptr<FrameSolver> solver = make_solver(frame.problem(), Method::tikhonov);
   std::vector<double> f(solver->tractions());
-  if (solver->solve(readings, f) != FrameStatus::ok || !std::isfinite(f.front()))
-    fail(tip, "the frame's tractions overflow a double");
-  const FrameFacts& facts = solver->facts();
-  tip.warnings.insert(tip.warnings.end(), facts.warnings.begin(), facts.warnings.end());
-  if (facts.verdict != "ok")
-    tip.warnings.push_back("the reconstruction's verdict is " + facts.verdict);
+  const FrameResult result = solver->solve(readings, f);
+  if (result.status != FrameStatus::ok) fail(tip, "the frame's tractions overflow a double");
+  for (const Remark& one : result.remarks) tip.warnings.push_back(report::in_words(one));
+  if (result.verdict != Verdict::ok)
+    tip.warnings.push_back("the reconstruction's verdict is " + std::string(name(result.verdict)));
   const std::size_t n = scene.sensor.count;
   if (f.size() >= large) {
     tip.warnings.emplace_back("no deviations are known for an array as large as this");
@@ -132,13 +134,9 @@ void reconstruct(Fingertip& tip, const FingertipScene& source, const fs::path& f
           breadth);
     return;
   }
-  const InverseProblem problem = problem_of(scene);
-  const AlphaChoice gml =
-      choose_alpha(TikhonovFamily(problem).analyse(readings), AlphaRule::gml, stated_noise(scene));
-  const FrameUncertainty uncertainty = uncertainty_of(scene, problem, readings, f, facts, gml);
-  const std::string model = model_error_in_words(uncertainty.noise);
-  if (!model.empty()) tip.warnings.push_back(model);
-  press(tip, uncertainty.resultant, breadth);
+  const FrameUncertainty bands = uncertainty(frame, f, result);
+  if (const auto off = model_error(bands.noise)) tip.warnings.push_back(report::in_words(*off));
+  press(tip, bands.resultant, breadth);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/lab/method.hpp"
+#include "tactile_net/lab/scene_parts.hpp"
+#include "tactile_net/lab/workload.hpp"
 #include "tactile_net/network/reduction.hpp"
 #include "tactile_net/network/state_space.hpp"
 #include "tactile_net/numeric/comparison.hpp"

@@ -1,37 +1,48 @@
 #include "tactile_net/lab/run.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
 #include "tactile_net/inverse/error_bound.hpp"
-#include "tactile_net/inverse/identifiability.hpp"
-#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/numeric/comparison.hpp"
-#include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Seconds by the clock that was given; without one nothing takes time.
+class Stopwatch {
+ public:
+  explicit Stopwatch(const std::function<double()>& clock) : clock_(clock) { restart(); }
+  [[nodiscard]] bool runs() const { return static_cast<bool>(clock_); }
+  void restart() { start_ = now(); }
+  [[nodiscard]] double elapsed() const { return now() - start_; }
 
-double since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+ private:
+  [[nodiscard]] double now() const { return clock_ ? clock_() : 0.0; }
+  const std::function<double()>& clock_;
+  double start_ = 0.0;
+};
+
+/// What all methods of one run share.
+struct Run {
+  const RunOptions& options;
+  SceneProblem problem;
+  SceneFrame frame;
+  Experiment& experiment;
+};
 
 /// Median time of a frame over about 20 ms.
-double frame_seconds(Solver& solver, std::span<const double> readings, std::span<double> f) {
+double frame_seconds(FrameSolver& solver, const Run& run, std::span<double> f) {
+  const Stopwatch whole(run.options.clock);
+  if (!whole.runs()) return 0.0;
   std::vector<double> times;
-  const auto start = Clock::now();
-  while (times.size() < 5 || (since(start) < 0.02 && times.size() < 1000)) {
-    const auto frame = Clock::now();
-    (void)solver.solve(readings, f);
-    times.push_back(since(frame));
+  while (times.size() < 5 || (whole.elapsed() < 0.02 && times.size() < 1000)) {
+    const Stopwatch frame(run.options.clock);
+    (void)solver.solve(run.frame.readings(), f);
+    times.push_back(frame.elapsed());
   }
   const auto middle = times.begin() + std::ssize(times) / 2;
   std::nth_element(times.begin(), middle, times.end());
@@ -71,169 +82,159 @@ double unexplained(const InverseProblem& problem, std::span<const double> readin
   return all > 0.0 ? left / all : 0.0;
 }
 
-/// What can be said about the errors of an answer of P f = b.
-void judge_errors(MethodResult& result, std::span<const double> f, const Scene& scene,
-                  const FrameFacts& facts, const Experiment& experiment) {
-  const std::span<const double> readings = experiment.simulation.readings;
-  if (!experiment.plan.does(Computation::bands)) {
-    result.warnings.emplace_back("no uncertainty is given for an array as large as this");
-    return;
-  }
-  const InverseProblem problem = problem_of(scene);
-  const FrameUncertainty uncertainty = uncertainty_of(
-      scene, problem, readings, f, facts,
-      choose_alone(TikhonovFamily(problem).analyse(readings), AlphaRule::gml, stated_noise(scene)));
-  result.noise = uncertainty.noise;
-  result.resultant = uncertainty.resultant;
-  const auto middle = uncertainty.deviation.begin() + static_cast<std::ptrdiff_t>(problem.count);
-  result.normal.deviation.assign(uncertainty.deviation.begin(), middle);
-  result.tangential.deviation.assign(middle, uncertainty.deviation.end());
-  result.error_bound = forward_bound(problem, *facts.alpha, readings, f, *facts.condition);
-  // Under a friction limit f = E z, and E has the condition number max(limit, 1 / limit).
-  if (const auto limit = scene.reconstruct.friction_limit; facts.constrained && limit)
-    *result.error_bound *= std::max(*limit, 1.0 / *limit);
-  if (const double left = unexplained(problem, readings, f); left > 0.5) {
-    if (result.verdict == "ok") result.verdict = "oversmoothed";
-    result.warnings.push_back("the answer leaves " + brief(100.0 * left) +
-                              " % of the readings unexplained: alpha is far too large, or they are "
-                              "noise");
-  } else if (result.error_bound && *result.error_bound > 1e-3) {
-    if (result.verdict == "ok") result.verdict = "ill_conditioned";
-    result.warnings.push_back("rounding alone may have moved the answer by " +
-                              brief(*result.error_bound) + " of its size; raise alpha");
-  }
-  const std::string model = model_error_in_words(uncertainty.noise);
-  if (!model.empty()) result.warnings.push_back(model);
-  if (!experiment.plan.does(Computation::hidden_modes)) return;
-  if (const ModeSpace hidden = identifiability(problem).null_space; hidden.dimension > 0)
-    result.warnings.push_back("no reading shows: " + hidden.description +
-                              "; decided by smoothing, not measured (see identify)");
+/// A verdict that stands, unless the answer has a worse one already.
+void degrade(MethodResult& result, Verdict verdict) {
+  if (result.verdict == Verdict::ok) result.verdict = verdict;
 }
 
-MethodResult reconstruct(const Scene& scene, Method method, const Experiment& experiment) {
-  const Simulation& simulation = experiment.simulation;
-  MethodResult result{.method = method, .verdict = "failed"};
-  try {
-    // The sweep has chosen for the matrix methods; dft chooses in its own basis.
-    Scene fixed = scene;
-    const bool swept = !scene.reconstruct.alpha && method != Method::dft;
-    if (swept)
-      fixed.reconstruct.alpha = experiment.sweep->choice(scene.reconstruct.alpha_rule).alpha;
-
-    const auto start = Clock::now();
-    const std::unique_ptr<Solver> solver = make_solver(fixed, method);
-    result.setup_seconds = since(start);
-    std::vector<double> f(solver->tractions());
-    if (solver->solve(simulation.readings, f) != FrameStatus::ok)
-      throw std::domain_error("the readings are not finite");
-    result.frame_seconds = frame_seconds(*solver, simulation.readings, f);
-
-    const FrameFacts& facts = solver->facts();
-    result.alpha = facts.alpha;
-    if (result.alpha)
-      result.alpha_rule = scene.reconstruct.alpha ? "given" : name(scene.reconstruct.alpha_rule);
-    result.verdict = facts.verdict;
-    result.condition = facts.condition;
-    result.error_bound = solver->error_bound(simulation.readings, f);
-    result.warnings = facts.warnings;
-    result.constrained = facts.constrained;
-    if (swept) {
-      const AlphaVerdict verdict = experiment.sweep->choice(scene.reconstruct.alpha_rule).verdict;
-      if (verdict != AlphaVerdict::ok) result.verdict = name(verdict);
-    }
-    measure(result, f, scene, simulation.truth);
-    if (method != Method::dft) judge_errors(result, f, scene, facts, experiment);
-    if (method == Method::closed_form && constraints_of(scene))
-      result.warnings.emplace_back("the constraints bind the method tikhonov alone");
-  } catch (const std::domain_error& error) {
-    result.failure = error.what();
-  } catch (const std::invalid_argument& error) {
-    result.failure = error.what();
+/// What can be said about the errors of an answer of P f = b.
+void judge_errors(MethodResult& result, std::span<const double> f, const FrameResult& answer,
+                  const Run& run) {
+  const ScenePlan& plan = run.experiment.plan;
+  if (!plan.does(Computation::bands)) {
+    result.remarks.emplace_back(remark::NoBands{});
+    return;
   }
+  const InverseProblem& problem = run.problem.problem();
+  const FrameUncertainty bands = uncertainty(run.frame, f, answer);
+  result.noise = bands.noise;
+  result.resultant = bands.resultant;
+  const auto middle = bands.deviation.begin() + static_cast<std::ptrdiff_t>(problem.count);
+  result.normal.deviation.assign(bands.deviation.begin(), middle);
+  result.tangential.deviation.assign(middle, bands.deviation.end());
+  result.error_bound =
+      forward_bound(problem, answer.alpha->value, run.frame.readings(), f, answer.condition->value);
+  // Under a friction limit f = E z, and E has the condition number max(limit, 1 / limit).
+  if (const auto limit = run.problem.scene().reconstruct.friction_limit;
+      answer.constrained && limit)
+    *result.error_bound *= std::max(*limit, 1.0 / *limit);
+  if (const double left = unexplained(problem, run.frame.readings(), f); left > 0.5) {
+    degrade(result, Verdict::oversmoothed);
+    result.remarks.emplace_back(remark::Unexplained{left});
+  } else if (*result.error_bound > 1e-3) {
+    degrade(result, Verdict::ill_conditioned);
+    result.remarks.emplace_back(remark::Rounding{*result.error_bound});
+  }
+  if (const auto off = model_error(bands.noise)) result.remarks.emplace_back(*off);
+  if (plan.does(Computation::hidden_modes) && run.problem.hidden().dimension > 0)
+    result.remarks.emplace_back(remark::Hidden{run.problem.hidden()});
+}
+
+MethodResult reconstruct(Method method, const Run& run) {
+  MethodResult result{.method = method};
+  try {
+    // The sweep chooses for the matrix methods, once for all; dft chooses in its own basis.
+    std::optional<ChosenAlpha> alpha;
+    if (traits(method).needs_alpha) alpha = run.frame.alpha();
+
+    const Stopwatch setup(run.options.clock);
+    const std::unique_ptr<FrameSolver> solver =
+        make_solver(run.problem, method, alpha ? std::optional(alpha->value) : std::nullopt);
+    result.setup_seconds = setup.elapsed();
+    std::vector<double> f(solver->tractions());
+    FrameResult answer = solver->solve(run.frame.readings(), f);
+    if (answer.status == FrameStatus::too_large)
+      throw std::domain_error("the frame's tractions overflow a double; scale the readings");
+    if (answer.status != FrameStatus::ok) throw std::domain_error("the readings are not finite");
+    result.frame_seconds = frame_seconds(*solver, run, f);
+
+    result.alpha = alpha ? alpha : answer.alpha;
+    result.verdict =
+        alpha && alpha->verdict != AlphaVerdict::ok ? verdict_of(alpha->verdict) : answer.verdict;
+    result.condition = answer.condition;
+    result.error_bound = solver->error_bound(run.frame.readings(), f);
+    result.remarks = answer.remarks;
+    result.constrained = answer.constrained;
+    measure(result, f, run.problem.scene(), run.experiment.frame.truth);
+    if (traits(method).has_bands) judge_errors(result, f, answer, run);
+    if (traits(method).has_bands && !traits(method).takes_constraints && run.problem.constraints())
+      result.remarks.emplace_back(remark::ConstraintsIgnored{});
+  } catch (const std::domain_error& error) {
+    result.refusal = error.what();
+  } catch (const std::invalid_argument& error) {
+    result.refusal = error.what();
+  }
+  if (!result.refusal.empty()) result.verdict = Verdict::failed;
   return result;
 }
 
-MethodResult by_network(const Scene& scene, Simulator& simulator, Experiment& experiment,
-                        Observer& observer) {
-  MethodResult result{.method = Method::network, .verdict = "failed"};
+MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer) {
+  MethodResult result{.method = Method::network};
+  Experiment& experiment = run.experiment;
   try {
-    const auto start = Clock::now();
-    const double alpha = scene.reconstruct.alpha
-                             ? *scene.reconstruct.alpha
-                             : experiment.sweep->choice(scene.reconstruct.alpha_rule).alpha;
-    const CircuitPlan plan = plan_circuit(scene, experiment.simulation.readings, alpha);
+    const Stopwatch setup(run.options.clock);
+    const ChosenAlpha alpha = run.frame.alpha();
+    const CircuitPlan plan = plan_circuit(experiment.scene, run.frame.readings(), alpha.value);
     experiment.deck = deck_text(plan, Answer::printed);
-    result.setup_seconds = since(start);
+    result.setup_seconds = setup.elapsed();
     result.alpha = alpha;
-    result.alpha_rule = scene.reconstruct.alpha ? "given" : name(scene.reconstruct.alpha_rule);
     const Relaxation relaxation = relax(plan, simulator, observer);
     result.frame_seconds = relaxation.ngspice_seconds;
-    result.condition = relaxation.condition;
-    measure(result, relaxation.tractions, scene, experiment.simulation.truth);
+    result.condition = {relaxation.condition, Condition::Kind::bound};
+    measure(result, relaxation.tractions, experiment.scene, experiment.frame.truth);
     experiment.relaxation = relaxation;
-    result.failure = relaxation.failure();
-    if (result.failure.empty())
-      result.verdict = !relaxation.resolved()         ? "ill_conditioned"
-                       : relaxation.difference > 0.01 ? "inaccurate"
-                                                      : "ok";
-    for (const std::string& warning : relaxation.warnings) result.warnings.push_back(warning);
+    if (relaxation.failure().empty())
+      result.verdict = !relaxation.resolved()         ? Verdict::ill_conditioned
+                       : relaxation.difference > 0.01 ? Verdict::inaccurate
+                                                      : Verdict::ok;
     if (relaxation.stable && !relaxation.resolved())
-      result.warnings.push_back("P has condition number " + brief(relaxation.condition) +
-                                ": rounding alone may change the voltages by " +
-                                brief(relaxation.limit) + "; raise alpha");
+      result.remarks.emplace_back(
+          remark::VoltagesUnresolved{relaxation.condition, relaxation.limit});
     if (relaxation.stable)
       result.error_bound =
           relaxation.limit + relaxation.curves + 1.2 * relaxation.predicted.value_or(0.0);
-    if (constraints_of(scene))
-      result.warnings.emplace_back("the constraints bind the method tikhonov alone");
+    if (run.problem.constraints()) result.remarks.emplace_back(remark::ConstraintsIgnored{});
   } catch (const SimulatorError& error) {
-    result.failure = error.what();
+    result.refusal = error.what();
   } catch (const std::domain_error& error) {
-    result.failure = error.what();
+    result.refusal = error.what();
   }
   return result;
+}
+
+/// The method whose answer is followed over the scene's time, if there is one.
+std::optional<Method> followed(const std::vector<MethodResult>& results) {
+  for (const MethodResult& result : results)
+    if (result.has_answer() && traits(result.method).has_bands) return result.method;
+  return std::nullopt;
 }
 
 }  // namespace
 
 bool Experiment::succeeded() const noexcept {
   return std::all_of(results.begin(), results.end(),
-                     [](const MethodResult& result) { return result.failure.empty(); });
+                     [](const MethodResult& result) { return result.verdict != Verdict::failed; });
 }
 
-Experiment run_experiment(const Scene& scene, const ScenePlan& plan, Simulator& simulator,
-                          Observer& observer) {
+Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& options,
+               Observer& observer) {
   observer.step({Step::Kind::readings});
-  Experiment experiment{.scene = scene,
-                        .plan = plan,
-                        .simulation = simulate(scene),
-                        .force = total_force(scene),
-                        .sampled_force = 0.0,
-                        .sweep = {},
-                        .results = {},
-                        .relaxation = {},
-                        .course = {},
-                        .deck = {}};
-  experiment.sampled_force = sampled_force(experiment.simulation.truth.normal, scene.sensor.pitch);
-  if (plan.does(Computation::rule_comparison)) {
+  Experiment experiment{
+      .scene = scene,
+      .plan = make_plan(scene, {.compare_rules = options.compare_rules, .report = options.report}),
+      .frame = simulate(scene),
+      .sampled_force = 0.0,
+      .sweep = {},
+      .results = {},
+      .relaxation = {},
+      .course = {},
+      .deck = {}};
+  experiment.sampled_force = sampled_force(experiment.frame.truth.normal, scene.sensor.pitch);
+  const SceneProblem problem(scene);
+  const Run run{options, problem, SceneFrame(problem, experiment.frame.readings), experiment};
+  if (experiment.plan.does(Computation::rule_comparison)) {
     observer.step({Step::Kind::rules});
-    experiment.sweep = sweep_of(scene, experiment.simulation.readings);
+    experiment.sweep = run.frame.sweep();
   }
   for (const Method method : scene.reconstruct.methods) {
     observer.step({.kind = Step::Kind::method, .method = method});
-    experiment.results.push_back(method == Method::network
-                                     ? by_network(scene, simulator, experiment, observer)
-                                     : reconstruct(scene, method, experiment));
+    experiment.results.push_back(traits(method).solves_frames
+                                     ? reconstruct(method, run)
+                                     : by_network(simulator, run, observer));
   }
-  if (plan.does(Computation::time_course)) {
-    const auto solved = std::find_if(
-        experiment.results.begin(), experiment.results.end(), [](const MethodResult& result) {
-          return result.has_answer() &&
-                 (result.method == Method::tikhonov || result.method == Method::closed_form);
-        });
-    if (solved != experiment.results.end())
-      experiment.course = time_course(scene, solved->method, observer);
-  }
+  if (experiment.plan.does(Computation::time_course))
+    if (const auto method = followed(experiment.results))
+      experiment.course = time_course(problem, *method, observer);
   return experiment;
 }
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/sensing/exact.hpp"
 
 namespace tactile_net::lab {
@@ -19,25 +17,25 @@ double force_outside(const Scene& scene) {
   return outside;
 }
 
-std::vector<std::string> warnings_of(const Scene& scene, double force) {
-  std::vector<std::string> warnings;
+std::vector<SceneRemark> remarks_of(const Scene& scene, double force) {
+  std::vector<SceneRemark> remarks;
   const auto rigid = [](const Contact& contact) {
     return std::holds_alternative<RigidContact>(contact);
   };
   if (unknowns(scene) == 1 && !scene.reconstruct.contact_friction &&
       std::any_of(scene.contacts.begin(), scene.contacts.end(), has_friction))
-    warnings.emplace_back(
-        "the scene has friction, and one traction alone is solved for: what the tangential "
-        "traction "
-        "adds to the readings is taken for normal traction; read a second quantity, such as "
-        "shear_xy");
+    remarks.emplace_back(remark::FrictionUnseen{});
   if (std::all_of(scene.contacts.begin(), scene.contacts.end(), rigid)) {
     const double outside = force_outside(scene);
-    if (outside > 1e-12 * force)
-      warnings.push_back(brief(100.0 * outside / force) +
-                         " % of the normal force lies beyond the ends of the array");
+    if (outside > 1e-12 * force) remarks.emplace_back(remark::ForceBeyondEnds{outside / force});
   }
-  return warnings;
+  return remarks;
+}
+
+double total_force(const Scene& scene) {
+  double force = 0.0;
+  for (const Contact& contact : scene.contacts) force += resultant(contact, Traction::normal);
+  return force;
 }
 
 bool moves(const Scene& scene) {
@@ -47,15 +45,9 @@ bool moves(const Scene& scene) {
 
 }  // namespace
 
-double total_force(const Scene& scene) {
-  double force = 0.0;
-  for (const Contact& contact : scene.contacts) force += resultant(contact, Traction::normal);
-  return force;
-}
-
-SensorRecording::SensorRecording(const Scene& scene)
-    : scene_(scene), instants_(instants(scene)), path_(signal_path(scene)) {
-  if (scene.forward == ForwardModel::sampled) model_.emplace(scene.sensor, scene.material);
+SensorRecording::SensorRecording(Scene scene)
+    : scene_(std::move(scene)), instants_(instants(scene_)), path_(signal_path(scene_)) {
+  if (scene_.forward == ForwardModel::sampled) model_.emplace(scene_.sensor, scene_.material);
 }
 
 void SensorRecording::load(double time) {
@@ -85,14 +77,15 @@ bool SensorRecording::next(bool wanted) {
   return false;
 }
 
-Simulation simulate(const Scene& scene) {
+SimulatedFrame simulate(const Scene& scene) {
   SensorRecording recording(scene);
   for (std::size_t frame = 0; recording.next(frame == scene.frame);) ++frame;
-  Simulation simulation{.truth = recording.truth(),
-                        .readings = {recording.readings().begin(), recording.readings().end()},
-                        .warnings = warnings_of(scene, total_force(scene))};
-  for (std::string& note : recording.notes()) simulation.warnings.push_back(std::move(note));
-  return simulation;
+  const double force = total_force(scene);
+  return {.truth = recording.truth(),
+          .readings = {recording.readings().begin(), recording.readings().end()},
+          .force = force,
+          .remarks = remarks_of(scene, force),
+          .notes = recording.notes()};
 }
 
 }  // namespace tactile_net::lab

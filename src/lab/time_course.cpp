@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 
 namespace tactile_net::lab {
@@ -21,12 +22,13 @@ Resultant pressed(const Scene& scene, double time, const TractionField& truth) {
 
 }  // namespace
 
-TimeCourse time_course(const Scene& scene, Method method, Observer& observer) {
+TimeCourse time_course(const SceneProblem& problem, Method method, Observer& observer) {
+  const Scene& scene = problem.scene();
   constexpr std::size_t most = 400;
   const std::size_t frames = scene.time->frames;
   const std::size_t stride = (frames + most - 1) / most;
   const Scene whole = at_frame(scene, frames - 1);
-  const std::unique_ptr<Solver> solver = make_solver(whole, method);
+  const std::unique_ptr<FrameSolver> solver = make_solver(problem, method);
   const std::size_t count = scene.sensor.count;
   std::vector<double> f(solver->tractions());
   const std::span<const double> normal = std::span(f).first(count);
@@ -41,7 +43,7 @@ TimeCourse time_course(const Scene& scene, Method method, Observer& observer) {
     course.truth.push_back(pressed(scene, recording.time(), recording.truth()));
     Resultant found{none, none, none};
     try {
-      if (solver->solve(recording.readings(), f) == FrameStatus::ok)
+      if (solver->solve(recording.readings(), f).status == FrameStatus::ok)
         found = resultant_of(normal, tangential, scene.sensor.pitch);
     } catch (const std::domain_error&) {  // its answer would be noise: a gap
     }

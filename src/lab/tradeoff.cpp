@@ -15,6 +15,7 @@
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/run.hpp"
+#include "tactile_net/lab/scene_parts.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
@@ -335,7 +336,7 @@ std::vector<WorkPoint> Study::points() const {
 
 StudyInput study_input(const Scene& scene) {
   StudyInput input{.scene = scene};
-  Simulation simulation = simulate(scene);
+  SimulatedFrame simulation = simulate(scene);
   input.truth = std::move(simulation.truth);
   input.readings = std::move(simulation.readings);
   const double largest =

@@ -1,34 +1,31 @@
 #include "tactile_net/lab/uncertainty.hpp"
 
-#include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
-
 namespace tactile_net::lab {
 
-FrameUncertainty uncertainty_of(const Scene& scene, const InverseProblem& problem,
-                                std::span<const double> readings, std::span<const double> tractions,
-                                const FrameFacts& facts, const AlphaChoice& gml) {
-  const double alpha = *facts.alpha;
+FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tractions,
+                             const FrameResult& result) {
+  const SceneProblem& scene = frame.problem();
+  const double alpha = result.alpha->value;
+  const AlphaChoice& gml = frame.prior();
   const double prior = gml.verdict == AlphaVerdict::ok ? gml.alpha : alpha;
-  const TractionCovariance covariance =
-      facts.constrained ? TractionCovariance(problem, alpha, prior, *constraints_of(scene),
-                                             facts.constrained->free)
-                        : TractionCovariance(problem, alpha, prior);
-  FrameUncertainty result;
-  result.noise = estimate_noise(problem, readings, tractions, covariance.degrees_of_freedom(),
-                                stated_noise(scene));
-  const double rms = result.noise.rms();
-  result.resultant = resultant_of(problem, tractions, covariance, rms);
-  result.deviation = covariance.deviations();
-  for (double& value : result.deviation) value *= rms;
-  return result;
+  std::optional<TractionCovariance> of_free;
+  if (result.constrained)
+    of_free.emplace(scene.problem(), alpha, prior, *scene.constraints(), result.constrained->free);
+  const TractionCovariance& covariance = of_free ? *of_free : scene.covariance(alpha, prior);
+
+  FrameUncertainty bands;
+  bands.noise = estimate_noise(scene.problem(), frame.readings(), tractions,
+                               covariance.degrees_of_freedom(), scene.stated_noise());
+  const double rms = bands.noise.rms();
+  bands.resultant = resultant_of(scene.problem(), tractions, covariance, rms);
+  bands.deviation = covariance.deviations();
+  for (double& value : bands.deviation) value *= rms;
+  return bands;
 }
 
-std::string model_error_in_words(const NoiseEstimate& noise) {
-  if (noise.model_rms == 0.0) return {};
-  return "the residual is larger than the noise stated explains: the model is off by about " +
-         brief(noise.model_rms / *noise.stated_rms) +
-         " times the noise, which the bands do not hold";
+std::optional<remark::ModelError> model_error(const NoiseEstimate& noise) noexcept {
+  if (noise.model_rms == 0.0) return std::nullopt;
+  return remark::ModelError{noise.model_rms / *noise.stated_rms};
 }
 
 }  // namespace tactile_net::lab

@@ -30,7 +30,7 @@ struct Convergence {
 
 class FftTikhonov {
  public:
-  /// Plans and transforms the kernels. O(count log count).
+  /// Plans and transforms the kernels. O(count log count), for a layer with its integrals.
   ///
   /// @param alpha  > 0
   /// @throw std::invalid_argument  as `make_problem`; alpha is not > 0 and finite
@@ -39,6 +39,11 @@ class FftTikhonov {
   ~FftTikhonov();
   FftTikhonov(FftTikhonov&&) noexcept;
   FftTikhonov& operator=(FftTikhonov&&) noexcept;
+
+  /// Takes another alpha, > 0, for the frames to come: kernels and transforms stay.
+  /// O(count), allocates nothing.
+  /// @throw std::invalid_argument  alpha is not > 0 and finite
+  void use_alpha(double alpha);
 
   /// One frame. Uses buffers of its own: one object per thread. Allocates nothing.
   ///

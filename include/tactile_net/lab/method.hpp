@@ -1,76 +1,81 @@
 /// @file
-/// A scene's reconstruction methods, made ready: from a scene's words to the library's calls.
+/// A scene's methods, made ready for frames: one table, which every front end goes through.
+///
+///     const std::unique_ptr<lab::FrameSolver> solver = lab::make_solver(scene, Method::tikhonov);
+///     std::vector<double> f(solver->tractions());
+///     const lab::FrameResult result = solver->solve(readings, f);
+///     if (result.status == FrameStatus::ok && result.verdict == lab::Verdict::ok) use(f);
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
-#include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/constrained.hpp"
-#include "tactile_net/inverse/problem.hpp"
-#include "tactile_net/lab/workload.hpp"
+#include "tactile_net/lab/alpha.hpp"
+#include "tactile_net/lab/condition.hpp"
+#include "tactile_net/lab/remark.hpp"
+#include "tactile_net/lab/scene_problem.hpp"
+#include "tactile_net/lab/verdict.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
 
 namespace tactile_net::lab {
 
-/// The options of the inverse problem a scene describes.
-[[nodiscard]] ProblemOptions problem_options(const Scene& scene);
-
-/// The inverse problem a scene describes: its K, weights and smoothing length.
-[[nodiscard]] InverseProblem problem_of(const Scene& scene);
-
-/// The noise of one weighted reading, if the scene states it.
-[[nodiscard]] std::optional<double> stated_noise(const Scene& scene);
-
-/// What the scene demands of tikhonov's tractions, if anything.
-[[nodiscard]] std::optional<Constraints> constraints_of(const Scene& scene);
-
-/// Every rule on one frame of a scene: by the singular values of the matrix, or for large arrays in
-/// the Fourier basis.
-[[nodiscard]] AlphaSweep sweep_of(const Scene& scene, std::span<const double> readings);
-
-/// What a solver knows after a frame.
-struct FrameFacts {
-  std::optional<double> alpha{};  ///< empty: the method has none
-  std::string verdict = "ok";
-  std::optional<double> condition{};  ///< of the system; for dft the noise gain
-  std::vector<std::string> warnings{};
+/// What is known of one frame's answer.
+struct FrameResult {
+  FrameStatus status = FrameStatus::ok;  ///< else there is no answer, and nothing below means much
+  std::optional<ChosenAlpha> alpha{};    ///< absent: the method has none
+  Verdict verdict = Verdict::ok;
+  std::optional<Condition> condition{};  ///< of the system that was solved
+  Remarks remarks{};
   std::optional<ConstrainedSolution> constrained{};
 };
 
-/// A method of one frame, after the part that may take long.
-class Solver {
+/// A method of one frame, after the part that may take long. Not thread-safe: one per thread.
+class FrameSolver {
  public:
-  virtual ~Solver() = default;
+  virtual ~FrameSolver() = default;
 
-  /// @return not `ok`: the tractions are untouched
-  /// @throw std::domain_error  the answer would be noise
-  virtual FrameStatus solve(std::span<const double> readings, std::span<double> tractions) = 0;
+  /// @param readings    channels x count
+  /// @param tractions   `tractions()` values [Pa], the normal ones first; untouched unless the
+  ///                    status is `ok`
+  [[nodiscard]] virtual FrameResult solve(std::span<const double> readings,
+                                          std::span<double> tractions) = 0;
 
   /// How many tractions a frame has: count, or twice that.
   [[nodiscard]] virtual std::size_t tractions() const = 0;
 
   /// How far rounding may have moved the last frame's tractions, over their 2-norm, where the
-  /// solver knows it without the problem's matrix.
+  /// method knows it without the problem's matrix.
   [[nodiscard]] virtual std::optional<double> error_bound(std::span<const double> /*readings*/,
                                                           std::span<const double> /*tractions*/) {
     return std::nullopt;
   }
 
-  /// Of the last frame; before the first, what holds for all of them.
-  [[nodiscard]] const FrameFacts& facts() const noexcept { return facts_; }
-
- protected:
-  FrameFacts facts_;
+  /// What holds before any frame, and stands in every frame's remarks too.
+  [[nodiscard]] virtual Remarks remarks() const { return {}; }
 };
 
-/// @param method  dft, tikhonov or closed_form; where the scene has a rule for alpha, each frame
-///                gets its own
-/// @throw std::invalid_argument  the method cannot take this scene
+/// What sets one method apart from the others.
+struct MethodTraits {
+  Method method = Method::tikhonov;
+  bool solves_frames = true;       ///< false: the circuit, which a simulator relaxes
+  bool needs_alpha = true;         ///< the sweep over W K chooses it; dft chooses in its own basis
+  bool takes_constraints = false;  ///< nonnegative and friction_limit bind it
+  bool has_bands = true;           ///< minimises the functional whose covariance is known
+  /// @param alpha  given: for every frame; absent: the scene's, or each frame's by the scene's rule
+  std::unique_ptr<FrameSolver> (*make)(const SceneProblem& problem, std::optional<double> alpha);
+};
+
+/// Every method, in the order of `Method`.
+[[nodiscard]] std::span<const MethodTraits> methods() noexcept;
+[[nodiscard]] const MethodTraits& traits(Method method);
+
+/// @param alpha  for every frame, in place of the scene's
+/// @throw std::invalid_argument  the method cannot take this scene; it is the circuit
 /// @throw std::domain_error      its answer would be noise
-[[nodiscard]] std::unique_ptr<Solver> make_solver(const Scene& scene, Method method);
+[[nodiscard]] std::unique_ptr<FrameSolver> make_solver(const SceneProblem& problem, Method method,
+                                                       std::optional<double> alpha = {});
+[[nodiscard]] std::unique_ptr<FrameSolver> make_solver(const Scene& scene, Method method);
 
 }  // namespace tactile_net::lab

@@ -1,7 +1,14 @@
 /// @file
-/// The main job: scene -> readings -> every method -> the circuit in ngspice -> comparison.
+/// The main job: scene -> readings -> every method -> the circuit in the simulator -> comparison.
+///
+///     const Scene scene = read_scene("pad.toml");
+///     Ngspice ngspice;
+///     const lab::Experiment experiment = lab::run(scene, ngspice);
+///     report::print_experiment(std::cout, experiment);
+///     return experiment.succeeded() ? 0 : 1;
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,22 +34,23 @@ struct Component {
 /// One method's answer.
 struct MethodResult {
   Method method = Method::tikhonov;
-  std::optional<double> alpha{};
-  std::string alpha_rule{};  ///< "given", or the rule's name; empty without alpha
-  std::string verdict{};
+  std::optional<ChosenAlpha> alpha{};  ///< absent: the method has none, or failed
+  Verdict verdict = Verdict::failed;
   Component normal{};
   Component tangential{};
-  double force = 0.0;  ///< pitch x sum of the normal traction [N/m]
-  double setup_seconds = 0.0;
-  double frame_seconds = 0.0;
-  std::optional<double> condition{};
+  double force = 0.0;          ///< pitch x sum of the normal traction [N/m]
+  double setup_seconds = 0.0;  ///< what the method adds to the problem that all share
+  double frame_seconds = 0.0;  ///< the circuit: a whole run of the simulator
+  std::optional<Condition> condition{};
   /// How far rounding may have moved the answer, over its 2-norm; absent: no bound is known.
   std::optional<double> error_bound{};
   std::optional<ConstrainedSolution> constrained{};
   std::optional<NoiseEstimate> noise{};
   std::optional<UncertainResultant> resultant{};
-  std::vector<std::string> warnings{};
-  std::string failure{};  ///< why there is no answer; empty: there is one
+  Remarks remarks{};
+  /// Why there is no answer that holds: the violated rule as the library or the simulator states
+  /// it. Empty: there is one, or `Experiment::relaxation` says what is wrong with it.
+  std::string refusal{};
 
   [[nodiscard]] bool has_answer() const noexcept { return !normal.traction.empty(); }
 };
@@ -50,8 +58,7 @@ struct MethodResult {
 struct Experiment {
   Scene scene;
   ScenePlan plan;
-  Simulation simulation;
-  double force = 0.0;               ///< of all contacts, exact [N/m]
+  SimulatedFrame frame;
   double sampled_force = 0.0;       ///< pitch x sum of the truth at the taxels [N/m]
   std::optional<AlphaSweep> sweep;  ///< every rule for alpha, where the plan compares them
   std::vector<MethodResult> results;
@@ -63,8 +70,19 @@ struct Experiment {
   [[nodiscard]] bool succeeded() const noexcept;
 };
 
-/// Computes what the plan says, and nothing else.
-[[nodiscard]] Experiment run_experiment(const Scene& scene, const ScenePlan& plan,
-                                        Simulator& simulator, Observer& observer = silent);
+struct RunOptions {
+  bool compare_rules = false;  ///< every rule for alpha, though the scene gives one
+  bool report = false;         ///< a report will be drawn: over the scene's time too
+  /// Seconds since any moment, to time set-up and frame with; absent: nothing is timed, and a frame
+  /// is solved once.
+  std::function<double()> clock{};
+};
+
+/// Computes what the scene's plan says, and nothing else. A method that cannot take the scene is a
+/// result that says so.
+///
+/// @throw std::invalid_argument, std::domain_error  the readings cannot be simulated
+[[nodiscard]] Experiment run(const Scene& scene, Simulator& simulator,
+                             const RunOptions& options = {}, Observer& observer = silent);
 
 }  // namespace tactile_net::lab

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "tactile_net/scene/scene.hpp"
@@ -18,7 +19,8 @@ namespace tactile_net::lab {
 /// scene names are simulated.
 class SensorRecording {
  public:
-  explicit SensorRecording(const Scene& scene);
+  /// Keeps a copy of the scene.
+  explicit SensorRecording(Scene scene);
 
   /// Goes on to the next frame; false if there is none.
   ///
@@ -36,7 +38,7 @@ class SensorRecording {
  private:
   void load(double time);
 
-  const Scene& scene_;
+  Scene scene_;
   std::vector<Instant> instants_;
   std::size_t next_ = 0;
   SignalPath path_;
@@ -48,16 +50,25 @@ class SensorRecording {
   TractionField truth_;
 };
 
+/// What a user should know of a scene's readings before trusting the rest.
+namespace remark {
+/// Contacts drag, and one traction alone is solved for: the drag is taken for normal traction.
+struct FrictionUnseen {};
+struct ForceBeyondEnds {
+  double share = 0.0;  ///< of the normal force, where no taxel sits above it
+};
+}  // namespace remark
+using SceneRemark = std::variant<remark::FrictionUnseen, remark::ForceBeyondEnds>;
+
 /// The scene's frame.
-struct Simulation {
-  TractionField truth;
-  std::vector<double> readings;       ///< channels x count
-  std::vector<std::string> warnings;  ///< what a user should know before trusting the rest
+struct SimulatedFrame {
+  TractionField truth{};
+  std::vector<double> readings{};  ///< channels x count
+  double force = 0.0;              ///< normal, of all contacts, exact [N/m]
+  std::vector<SceneRemark> remarks{};
+  std::vector<std::string> notes{};  ///< what the effects have to say
 };
 
-[[nodiscard]] Simulation simulate(const Scene& scene);
-
-/// The normal force of all contacts at the scene's frame [N/m].
-[[nodiscard]] double total_force(const Scene& scene);
+[[nodiscard]] SimulatedFrame simulate(const Scene& scene);
 
 }  // namespace tactile_net::lab

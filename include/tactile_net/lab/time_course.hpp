@@ -4,17 +4,18 @@
 
 #include <vector>
 
-#include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/observer.hpp"
+#include "tactile_net/lab/scene_problem.hpp"
 #include "tactile_net/sensing/resultant.hpp"
 
 namespace tactile_net::lab {
 
 struct TimeCourse {
   Method method = Method::tikhonov;
-  bool tangential = false;         ///< the method solves for it
-  std::vector<double> time{};      ///< [s]
-  std::vector<Resultant> truth{};  ///< pitch x sum of the truth at the taxels
+  bool tangential = false;     ///< the method solves for it
+  std::vector<double> time{};  ///< [s]
+  std::vector<Resultant>
+      truth{};  ///< the contacts' exact forces; the place as sampled at the taxels
   std::vector<Resultant> found{};  ///< NaN where a frame has no answer
 };
 
@@ -22,7 +23,7 @@ struct TimeCourse {
 ///
 /// @pre  the scene has a time, and the method is tikhonov or closed_form
 /// @throw std::invalid_argument, std::domain_error  as `make_solver`
-[[nodiscard]] TimeCourse time_course(const Scene& scene, Method method,
+[[nodiscard]] TimeCourse time_course(const SceneProblem& problem, Method method,
                                      Observer& observer = silent);
 
 }  // namespace tactile_net::lab

@@ -8,12 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "tactile_net/scene/scene.hpp"
+#include "tactile_net/lab/scene_problem.hpp"
 
 namespace tactile_net::lab {
-
-/// Tractions from which P f = b is solved by FFT: a dense factorisation would take seconds.
-inline constexpr std::size_t large = 1024;
 
 /// What the command line asks for beyond the scene.
 struct PlanRequest {

@@ -4,6 +4,8 @@
 
 #include "report/json/scene_json.hpp"
 #include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
+#include "tactile_net/report/words/table.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -38,11 +40,11 @@ void add_uncertainty(Json& json, const lab::MethodResult& result) {
                            {"free", result.constrained->free.size()}};
 }
 
-Json reconstruction(const lab::MethodResult& result) {
+Json reconstruction(const lab::Experiment& experiment, const lab::MethodResult& result) {
   Json json = {{"method", name(result.method)},
-               {"alpha", number_or_null(result.alpha)},
-               {"alpha_rule", result.alpha_rule.empty() ? Json(nullptr) : Json(result.alpha_rule)},
-               {"verdict", result.verdict},
+               {"alpha", result.alpha ? Json(result.alpha->value) : Json(nullptr)},
+               {"alpha_rule", result.alpha ? Json(source(*result.alpha)) : Json(nullptr)},
+               {"verdict", name(result.verdict)},
                {"normal", list_or_null(result.normal.traction)},
                {"tangential", list_or_null(result.tangential.traction)}};
   if (!result.has_answer()) {
@@ -53,11 +55,13 @@ Json reconstruction(const lab::MethodResult& result) {
       json["error"]["tangential"] = component(result.tangential);
     json["force"] = result.force;
     json["seconds"] = {{"setup", result.setup_seconds}, {"frame", result.frame_seconds}};
-    json["condition"] = number_or_null(result.condition);
+    json["condition"] = result.condition ? Json(result.condition->value) : Json(nullptr);
+    json["condition_kind"] = result.condition ? Json(name(result.condition->kind)) : Json(nullptr);
     add_uncertainty(json, result);
   }
-  json["warnings"] = result.warnings;
-  if (!result.failure.empty()) json["failure"] = result.failure;
+  json["warnings"] = remarks_in_words(experiment, result);
+  if (const std::string failure = failure_in_words(experiment, result); !failure.empty())
+    json["failure"] = failure;
   return json;
 }
 
@@ -164,14 +168,14 @@ Json network(const lab::Relaxation& relaxation) {
 
 std::string experiment_json(const lab::Experiment& experiment) {
   const Scene& scene = experiment.scene;
-  const TractionField& truth = experiment.simulation.truth;
+  const TractionField& truth = experiment.frame.truth;
   Json json = scene_json(scene);
   json["positions"] = positions(scene.sensor);
   json["truth"] = {{"normal", truth.normal},
                    {"tangential", list_or_null(truth.tangential)},
-                   {"force", experiment.force}};
+                   {"force", experiment.frame.force}};
   json["readings"] = Json::object();
-  auto begin = experiment.simulation.readings.begin();
+  auto begin = experiment.frame.readings.begin();
   for (const Channel& channel : channels(scene.sensor)) {
     const auto end = begin + static_cast<std::ptrdiff_t>(scene.sensor.count);
     json["readings"][channel.name] = std::vector<double>(begin, end);
@@ -179,10 +183,10 @@ std::string experiment_json(const lab::Experiment& experiment) {
   }
   json["reconstructions"] = Json::array();
   for (const lab::MethodResult& result : experiment.results)
-    json["reconstructions"].push_back(reconstruction(result));
+    json["reconstructions"].push_back(reconstruction(experiment, result));
   json["alpha_sweep"] = experiment.sweep ? alpha_sweep(*experiment.sweep) : Json(nullptr);
   json["network"] = experiment.relaxation ? network(*experiment.relaxation) : Json(nullptr);
-  json["warnings"] = experiment.simulation.warnings;
+  json["warnings"] = in_words(experiment.frame);
   return text_of(json);
 }
 

@@ -7,6 +7,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/pages/html.hpp"
 #include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 
@@ -141,7 +142,7 @@ void add_course(std::vector<Figure>& figures, const lab::TimeCourse& course, dou
 std::vector<Figure> figures_of(const lab::Experiment& experiment) {
   const Scene& scene = experiment.scene;
   const std::vector<double> y = positions(scene.sensor);
-  const TractionField& truth = experiment.simulation.truth;
+  const TractionField& truth = experiment.frame.truth;
   std::vector<Figure> figures;
   add_component(figures, experiment, &lab::MethodResult::normal, "normal", "Normal", truth.normal);
   const bool tangential = std::any_of(
@@ -155,7 +156,7 @@ std::vector<Figure> figures_of(const lab::Experiment& experiment) {
         *experiment.sweep,
         scene.reconstruct.alpha ? std::nullopt : std::optional(scene.reconstruct.alpha_rule)));
   if (experiment.course) add_course(figures, *experiment.course, scene.sensor.pitch);
-  auto begin = experiment.simulation.readings.begin();
+  auto begin = experiment.frame.readings.begin();
   for (const Channel& channel : channels(scene.sensor)) {
     const auto end = begin + static_cast<std::ptrdiff_t>(y.size());
     const std::string quantity(name(channel.quantity));
@@ -205,13 +206,13 @@ Report report_html(const lab::Experiment& experiment) {
   html += contacts.empty() ? element("p", "No contact: an unloaded sensor.") : html_list(contacts);
   html += element("p", "Effects simulated: " + effects_in_words(scene, true) +
                            ". Absent, and free of cost: " + effects_in_words(scene, false) + ".");
-  for (const std::string& warning : experiment.simulation.warnings)
+  for (const std::string& warning : in_words(experiment.frame))
     html += element("p", warning, "note");
 
   if (!report.missing.empty()) html += element("p", report.missing, "note");
   html += element("h2", "Methods compared");
   html += html_table(comparison_cells(experiment));
-  html += element("p", "Force of the contacts: " + brief(experiment.force) + " exact, " +
+  html += element("p", "Force of the contacts: " + brief(experiment.frame.force) + " exact, " +
                            brief(experiment.sampled_force) +
                            " as pitch x sum of the truth at the taxels. Errors are against the "
                            "truth at the taxels; the network's time per "
@@ -221,9 +222,10 @@ Report report_html(const lab::Experiment& experiment) {
     if (result.resultant)
       html += element("p", method + resultant_in_words(*result.resultant) +
                                " (one standard deviation; bands in the plots are two).");
-    for (const std::string& warning : result.warnings)
+    for (const std::string& warning : remarks_in_words(experiment, result))
       html += element("p", method + warning, "note");
-    if (!result.failure.empty()) html += element("p", method + result.failure, "bad");
+    if (const std::string failure = failure_in_words(experiment, result); !failure.empty())
+      html += element("p", method + failure, "bad");
   }
   html += figures.html(answer);
   if (const std::string drawn = figures.html(over_time); !drawn.empty())

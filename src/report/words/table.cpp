@@ -6,6 +6,7 @@
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
@@ -39,23 +40,42 @@ std::vector<std::vector<std::string>> comparison_cells(const lab::Experiment& ex
     if (!result.has_answer()) {
       row.resize(rows.front().size() - 1, "-");
     } else {
-      const bool given = result.alpha_rule == "given";
-      row.push_back(!result.alpha ? "-" : given ? shortest(*result.alpha) : brief(*result.alpha));
+      row.push_back(!result.alpha        ? "-"
+                    : result.alpha->rule ? brief(result.alpha->value)
+                                         : shortest(result.alpha->value));
       row.push_back(brief(result.normal.mean_abs));
       row.push_back(brief(result.normal.relative_l2));
       if (two)
         row.push_back(result.tangential.traction.empty() ? "-"
                                                          : brief(result.tangential.relative_l2));
       row.push_back(brief(result.force));
-      row.push_back(brief_or_dash(result.condition));
+      row.push_back(!result.condition
+                        ? "-"
+                        : (result.condition->kind == lab::Condition::Kind::bound ? "<= " : "") +
+                              brief(result.condition->value));
       row.push_back(brief_or_dash(result.error_bound));
       row.push_back(duration(result.setup_seconds));
       row.push_back(duration(result.frame_seconds));
     }
-    row.push_back(result.verdict);
+    row.emplace_back(name(result.verdict));
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+std::vector<std::string> remarks_in_words(const lab::Experiment& experiment,
+                                          const lab::MethodResult& result) {
+  std::vector<std::string> sentences;
+  if (result.method == Method::network && experiment.relaxation)
+    sentences = experiment.relaxation->warnings;
+  for (const lab::Remark& one : result.remarks) sentences.push_back(in_words(one));
+  return sentences;
+}
+
+std::string failure_in_words(const lab::Experiment& experiment, const lab::MethodResult& result) {
+  if (!result.refusal.empty() || result.method != Method::network || !experiment.relaxation)
+    return result.refusal;
+  return experiment.relaxation->failure();
 }
 
 std::vector<std::vector<std::string>> rule_cells(const AlphaSweep& sweep) {
@@ -130,19 +150,19 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
   out << "  forward model " << name(scene.forward)
       << "; effects simulated: " << effects_in_words(scene, true) << "; absent, and free of cost: "
       << (absent == 0 ? "none" : "the other " + std::to_string(absent)) << '\n';
-  for (const std::string& warning : experiment.simulation.warnings)
+  for (const std::string& warning : in_words(experiment.frame))
     out << "  warning: " << warning << '\n';
   out << '\n';
   print_cells(out, comparison_cells(experiment));
-  out << "force of the contacts: " << brief(experiment.force) << " exact, "
+  out << "force of the contacts: " << brief(experiment.frame.force) << " exact, "
       << brief(experiment.sampled_force) << " as pitch x sum of the truth at the taxels\n";
   for (const lab::MethodResult& result : experiment.results) {
     if (result.resultant)
       out << name(result.method) << ": " << resultant_in_words(*result.resultant) << '\n';
-    for (const std::string& warning : result.warnings)
+    for (const std::string& warning : remarks_in_words(experiment, result))
       out << name(result.method) << ": warning: " << warning << '\n';
-    if (!result.failure.empty())
-      out << name(result.method) << ": FAILED: " << result.failure << '\n';
+    if (const std::string failure = failure_in_words(experiment, result); !failure.empty())
+      out << name(result.method) << ": FAILED: " << failure << '\n';
   }
   if (experiment.sweep) {
     out << "\nalpha, by rule (" << rule_used(scene) << "):\n";

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tactile_net/lab/method.hpp"
+#include "tactile_net/lab/scene_parts.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 

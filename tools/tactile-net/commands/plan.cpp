@@ -12,8 +12,8 @@
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
-#include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/run.hpp"
+#include "tactile_net/lab/scene_parts.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/version.hpp"
@@ -77,7 +77,7 @@ Alpha alpha_of(const Scene& scene, const Options& options) {
                        .hint = "set reconstruct.alpha, or pass recorded frames: --readings "
                                "FILE.csv"}});
   const AlphaRule rule = scene.reconstruct.alpha_rule;
-  return {lab::sweep_of(scene, lab::simulate(scene).readings).choice(rule).alpha,
+  return {lab::SceneFrame(lab::SceneProblem(scene), lab::simulate(scene).readings).alpha().value,
           std::string(name(rule)) + ", on the scene's own contact"};
 }
 

@@ -1,6 +1,7 @@
 #include "tactile_net/lab/run.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -41,7 +42,7 @@ void explain(const Scene& scene, const lab::ScenePlan& plan, const std::string& 
 std::string readings_csv(const lab::Experiment& experiment) {
   std::string text;
   frames::append_header(text, frames::reading_columns(experiment.scene.sensor), false);
-  frames::append_row(text, experiment.simulation.readings);
+  frames::append_row(text, experiment.frame.readings);
   return text;
 }
 
@@ -54,7 +55,7 @@ std::string tractions_csv(std::vector<double> normal, std::span<const double> ta
 }
 
 void write_results(const lab::Experiment& experiment, const frames::OutputFolder& folder) {
-  const TractionField& truth = experiment.simulation.truth;
+  const TractionField& truth = experiment.frame.truth;
   folder.write("result.json", report::experiment_json(experiment));
   folder.write("readings.csv", readings_csv(experiment));
   folder.write("truth.csv", tractions_csv(truth.normal, truth.tangential));
@@ -66,6 +67,10 @@ void write_results(const lab::Experiment& experiment, const frames::OutputFolder
   write(folder, report::report_html(experiment));
 }
 
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 void run(Options& options) {
   Scene scene = read_scene(options.scene);
   if (options.frame) scene = at_frame(std::move(scene), *options.frame);
@@ -74,10 +79,11 @@ void run(Options& options) {
   if ((!options.network.realization.empty() || options.network.bandwidth) &&
       std::find(methods.begin(), methods.end(), Method::network) == methods.end())
     methods.push_back(Method::network);
-  const lab::ScenePlan plan = lab::make_plan(
-      scene, {.compare_rules = options.compare_rules, .report = !options.folder.empty()});
   if (options.explain) {
-    explain(scene, plan, options.json);
+    explain(scene,
+            lab::make_plan(
+                scene, {.compare_rules = options.compare_rules, .report = !options.folder.empty()}),
+            options.json);
     return;
   }
   const std::unique_ptr<Simulator> simulator = lab::make_simulator(options.simulator);
@@ -85,7 +91,10 @@ void run(Options& options) {
   if (!options.folder.empty()) folder = std::make_unique<frames::OutputFolder>(options.folder);
 
   Progress progress;
-  const lab::Experiment experiment = lab::run_experiment(scene, plan, *simulator, progress);
+  const lab::Experiment experiment = lab::run(
+      scene, *simulator,
+      {.compare_rules = options.compare_rules, .report = folder != nullptr, .clock = seconds},
+      progress);
   if (folder) {
     progress.say("drawing the report ...");
     write_results(experiment, *folder);

@@ -13,6 +13,7 @@
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -33,30 +34,25 @@ struct Options {
 /// Writes how far each frame may be from the truth, one frame a row.
 class UncertaintyFile {
  public:
-  UncertaintyFile(const std::string& path, const Scene& scene, bool with_time)
-      : scene_(scene),
-        problem_(lab::problem_of(scene)),
-        family_(problem_),
-        output_(path),
-        with_time_(with_time) {
+  UncertaintyFile(const std::string& path, const lab::SceneProblem& problem, bool with_time)
+      : problem_(problem), output_(path), with_time_(with_time) {
     std::string text = with_time ? "t," : "";
     for (const char* name : {"normal_force", "tangential_force", "centre", "angle"})
       text += std::string(name) + ',' + name + "_deviation,";
     text += "residual_rms,model_rms,";
     for (const char* name : {"normal_deviation_", "tangential_deviation_"}) {
-      if (problem_.unknowns == 1 && name[0] == 't') break;
-      for (std::size_t i = 0; i < problem_.count; ++i) text += name + std::to_string(i) + ',';
+      if (problem_.options().unknowns == 1 && name[0] == 't') break;
+      for (std::size_t i = 0; i < problem_.scene().sensor.count; ++i)
+        text += name + std::to_string(i) + ',';
     }
     text.back() = '\n';
     output_.stream() << text;
   }
 
   void add(std::span<const double> readings, std::span<const double> tractions,
-           const lab::FrameFacts& facts, std::string_view time) {
-    const AlphaChoice gml =
-        choose_alone(family_.analyse(readings), AlphaRule::gml, lab::stated_noise(scene_));
+           const lab::FrameResult& result, std::string_view time) {
     const lab::FrameUncertainty uncertainty =
-        lab::uncertainty_of(scene_, problem_, readings, tractions, facts, gml);
+        lab::uncertainty(lab::SceneFrame(problem_, readings), tractions, result);
     std::string text;
     if (with_time_) text.append(time) += ',';
     const UncertainResultant& resultant = uncertainty.resultant;
@@ -81,9 +77,7 @@ class UncertaintyFile {
   void commit() { output_.commit(); }
 
  private:
-  const Scene& scene_;
-  InverseProblem problem_;
-  TikhonovFamily family_;
+  lab::SceneProblem problem_;
   frames::OutputFile output_;
   bool with_time_;
 };
@@ -91,8 +85,8 @@ class UncertaintyFile {
 /// Turns each frame of readings into one of tractions; returns how many.
 ///
 /// @param live   flush after every frame: somebody waits at the other end
-/// @param after  called with the readings and the tractions of each frame
-std::size_t stream(lab::Solver& solver, frames::FrameSource& source, frames::FrameSink& sink,
+/// @param after  called with the readings, the tractions and the result of each frame
+std::size_t stream(lab::FrameSolver& solver, frames::FrameSource& source, frames::FrameSink& sink,
                    const Scene& scene, bool live, const auto& after) {
   Progress progress;
   std::vector<double> g(channels(scene.sensor).size() * scene.sensor.count);
@@ -100,11 +94,12 @@ std::size_t stream(lab::Solver& solver, frames::FrameSource& source, frames::Fra
   std::size_t frames = 0;
   try {
     while (source.next(g)) {
-      if (solver.solve(g, f) != FrameStatus::ok || !std::isfinite(f.front()))
+      const lab::FrameResult result = solver.solve(g, f);
+      if (result.status != FrameStatus::ok)
         source.refuse("the frame's tractions overflow a double", "scale the readings");
       sink.add(source.time(), f);
       ++frames;
-      after(std::span<const double>(g), std::span<const double>(f));
+      after(std::span<const double>(g), std::span<const double>(f), result);
       if (live) sink.flush();
       if (progress.due()) progress.say(std::to_string(frames) + " frames ...");
     }
@@ -123,13 +118,14 @@ void run(const Options& options) {
     throw CLI::ValidationError("--method", "'" + options.method +
                                                "' does not solve frames: use dft, tikhonov or "
                                                "closed_form");
-  const std::unique_ptr<lab::Solver> solver = lab::make_solver(scene, *method);
+  const lab::SceneProblem problem(scene);
+  const std::unique_ptr<lab::FrameSolver> solver = lab::make_solver(problem, *method);
   if (!options.uncertainty.empty() && (*method == Method::dft || solver->tractions() >= lab::large))
     throw CLI::ValidationError("--uncertainty",
                                "needs the method tikhonov or closed_form, and "
                                "fewer than " +
                                    std::to_string(lab::large) + " tractions");
-  for (const std::string& warning : solver->facts().warnings)
+  for (const std::string& warning : report::in_words(solver->remarks()))
     std::cerr << options.method << ": warning: " << warning << '\n';
 
   const bool live = options.readings == "-";
@@ -147,27 +143,29 @@ void run(const Options& options) {
       source.has_time());
   const auto start = std::chrono::steady_clock::now();
   std::size_t frames = 0;
+  lab::FrameResult last;
   std::map<std::string, std::size_t> verdicts;
   std::optional<UncertaintyFile> uncertainty;
   if (!options.uncertainty.empty())
-    uncertainty.emplace(options.uncertainty, scene, source.has_time());
+    uncertainty.emplace(options.uncertainty, problem, source.has_time());
   const auto commit = [&] {
     output.commit();
     if (uncertainty) uncertainty->commit();
   };
   try {
-    frames = stream(*solver, source, *sink, scene, live,
-                    [&](std::span<const double> g, std::span<const double> f) {
-                      ++verdicts[solver->facts().verdict];
-                      if (uncertainty) uncertainty->add(g, f, solver->facts(), source.time());
-                    });
+    frames = stream(
+        *solver, source, *sink, scene, live,
+        [&](std::span<const double> g, std::span<const double> f, const lab::FrameResult& result) {
+          ++verdicts[std::string(name(result.verdict))];
+          if (uncertainty) uncertainty->add(g, f, result, source.time());
+          last = result;
+        });
   } catch (const InputError&) {
     commit();
     throw;
   }
   commit();
 
-  const lab::FrameFacts& facts = solver->facts();
   for (const auto& [verdict, count] : verdicts)
     if (verdict != "ok")
       std::cerr << options.method << ": note: " << count << " of " << frames
@@ -175,7 +173,7 @@ void run(const Options& options) {
 
   if (options.json.empty()) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  const bool ruled = facts.alpha && !scene.reconstruct.alpha;
+  const bool ruled = last.alpha && last.alpha->rule;
   frames::OutputFile summary(options.json);
   summary.stream() << report::text_of(
       report::Json{
@@ -184,14 +182,15 @@ void run(const Options& options) {
           {"readings", options.readings},
           {"frames", frames},
           {"method", options.method},
-          {"alpha", ruled ? report::Json(nullptr) : report::number_or_null(facts.alpha)},
-          {"alpha_rule", !facts.alpha ? report::Json(nullptr)
-                         : ruled ? report::Json(tactile_net::name(scene.reconstruct.alpha_rule))
-                                 : report::Json("given")},
+          {"alpha", ruled || !last.alpha ? report::Json(nullptr) : report::Json(last.alpha->value)},
+          {"alpha_rule", !last.alpha ? report::Json(nullptr)
+                         : ruled     ? report::Json(tactile_net::name(scene.reconstruct.alpha_rule))
+                                     : report::Json("given")},
           {"verdict", verdicts.size() == 1 ? verdicts.begin()->first : "mixed"},
           {"verdicts", verdicts},
-          {"condition", report::number_or_null(facts.condition)},
-          {"warnings", facts.warnings},
+          {"condition",
+           last.condition ? report::Json(last.condition->value) : report::Json(nullptr)},
+          {"warnings", report::in_words(frames > 0 ? last.remarks : solver->remarks())},
           {"columns_ignored", ignored},
           {"seconds", elapsed.count()}},
       2);

@@ -19,6 +19,14 @@ void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>&
 [[nodiscard]] std::vector<std::vector<std::string>> comparison_cells(
     const lab::Experiment& experiment);
 
+/// What a user should know of one method's answer, the circuit's own remarks first.
+[[nodiscard]] std::vector<std::string> remarks_in_words(const lab::Experiment& experiment,
+                                                        const lab::MethodResult& result);
+
+/// Why a method has no answer that holds; empty if it has.
+[[nodiscard]] std::string failure_in_words(const lab::Experiment& experiment,
+                                           const lab::MethodResult& result);
+
 /// Every rule's alpha and verdict, as cells.
 [[nodiscard]] std::vector<std::vector<std::string>> rule_cells(const AlphaSweep& sweep);
 

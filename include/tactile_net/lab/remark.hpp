@@ -1,0 +1,76 @@
+/// @file
+/// What a user should know of an answer before trusting it: a type and its numbers each. The
+/// sentences are `report::in_words`.
+#pragma once
+
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+#include "tactile_net/inverse/dft_tikhonov.hpp"
+#include "tactile_net/inverse/identifiability.hpp"
+
+namespace tactile_net::lab {
+
+namespace remark {
+
+// dft.
+struct NoiseAmplified {
+  double gain = 1.0;  ///< errors of the readings reach the traction multiplied by up to this
+};
+struct SignChanges {
+  std::size_t frequencies = 0;  ///< where the kernel's DFT changes sign
+};
+struct DeadTaxelsRead {};  ///< dft takes a dead taxel's zero for a reading
+struct CutOff {};          ///< the readings have not died away at the array's ends
+struct NotOneContact {};   ///< what contact_friction takes for granted does not hold
+struct DragInNoise {};     ///< the tangential traction is assumed more than it is measured
+struct NullMode {
+  DftNullMode mode{};
+  std::size_t count = 0;  ///< taxels
+  double pitch = 0.0;     ///< [m]
+};
+
+// Iterations.
+struct NotConverged {
+  std::size_t steps = 0;
+  double estimate = 0.0;  ///< of the distance from the minimiser, over the tractions' 2-norm
+};
+struct IterationLimit {
+  std::size_t iterations = 0;
+};
+
+// The answer beside the readings.
+struct NoBands {};  ///< the array is too large for a covariance
+struct Unexplained {
+  double share = 0.0;  ///< of the readings' 2-norm that the answer leaves
+};
+struct Rounding {
+  double bound = 0.0;  ///< how far it may have moved the answer, over its 2-norm
+};
+struct ModelError {
+  double times = 0.0;  ///< the noise stated: an error of the model that the bands do not hold
+};
+struct Hidden {
+  ModeSpace modes{};  ///< that no reading shows
+};
+struct ConstraintsIgnored {};  ///< they bind the method tikhonov alone
+
+// The circuit.
+struct VoltagesUnresolved {
+  double condition = 1.0;  ///< of P, at most
+  double limit = 0.0;      ///< what rounding alone may change the voltages by, relative
+};
+
+}  // namespace remark
+
+using Remark =
+    std::variant<remark::NoiseAmplified, remark::SignChanges, remark::DeadTaxelsRead,
+                 remark::CutOff, remark::NotOneContact, remark::DragInNoise, remark::NullMode,
+                 remark::NotConverged, remark::IterationLimit, remark::NoBands, remark::Unexplained,
+                 remark::Rounding, remark::ModelError, remark::Hidden, remark::ConstraintsIgnored,
+                 remark::VoltagesUnresolved>;
+
+using Remarks = std::vector<Remark>;
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,106 @@
+/// @file
+/// What follows from a scene alone, and from one frame of its readings: each thing made once, when
+/// it is first asked for, and handed to every method.
+///
+///     const lab::SceneProblem problem(read_scene("pad.toml"));
+///     const lab::SceneFrame frame(problem, readings);
+///     const lab::ChosenAlpha alpha = frame.alpha();       // given, or by the scene's rule
+///     problem.family().solve(frame.analysed(), alpha.value);
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/dft_tikhonov.hpp"
+#include "tactile_net/inverse/identifiability.hpp"
+#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/lab/alpha.hpp"
+#include "tactile_net/scene/scene.hpp"
+
+namespace tactile_net::lab {
+
+/// Tractions from which P f = b is solved by FFT: a dense factorisation would take seconds.
+inline constexpr std::size_t large = 1024;
+
+/// A scene and its inverse problem. Copies share what was made; the first use of each part makes
+/// it, so it must not happen on two threads at once.
+class SceneProblem {
+ public:
+  /// Costs nothing yet. Keeps a copy of the scene.
+  explicit SceneProblem(Scene scene);
+
+  [[nodiscard]] const Scene& scene() const noexcept;
+
+  /// Unknowns, smoothing length, weights and dead taxels as the scene has them.
+  [[nodiscard]] const ProblemOptions& options() const noexcept;
+  /// How many readings a frame has: channels x taxels.
+  [[nodiscard]] std::size_t readings() const;
+  /// How many tractions a frame has: the taxels' count, or twice that.
+  [[nodiscard]] std::size_t tractions() const noexcept;
+  [[nodiscard]] bool is_large() const noexcept { return tractions() >= large; }
+  /// The noise of one weighted reading, if the scene states it.
+  [[nodiscard]] std::optional<double> stated_noise() const;
+  /// What the scene demands of tikhonov's tractions, if anything.
+  [[nodiscard]] const std::optional<Constraints>& constraints() const noexcept;
+
+  /// K, weights and smoothing. O(readings x tractions), for a layer with integrals.
+  /// @throw std::invalid_argument  as `make_problem`
+  [[nodiscard]] const InverseProblem& problem() const;
+
+  /// Tikhonov's method for every alpha: one singular value decomposition.
+  [[nodiscard]] const TikhonovFamily& family() const;
+
+  /// The array taken for a ring, in the Fourier basis, dead taxels for living ones. Has buffers of
+  /// its own: one thread at a time.
+  [[nodiscard]] DftTikhonov& circular() const;
+
+  /// What no reading shows.
+  [[nodiscard]] const ModeSpace& hidden() const;
+
+  /// Of unconstrained tractions; made anew where alpha or prior differ from the last call's.
+  /// @param prior  as `TractionCovariance`'s prior_alpha
+  [[nodiscard]] const TractionCovariance& covariance(double alpha, double prior) const;
+
+ private:
+  struct Parts;
+  std::shared_ptr<Parts> parts_;
+};
+
+/// One frame of readings, analysed once for whatever rules and methods ask.
+class SceneFrame {
+ public:
+  /// @param readings  channels x count, as the scene's sensor; copied
+  SceneFrame(SceneProblem problem, std::span<const double> readings);
+
+  [[nodiscard]] const SceneProblem& problem() const noexcept { return problem_; }
+  [[nodiscard]] std::span<const double> readings() const noexcept { return readings_; }
+
+  /// In the basis of the family's singular vectors. @pre  the problem is not large
+  /// @throw std::invalid_argument  the readings have the wrong size or are not finite
+  [[nodiscard]] const FilterFrame& analysed() const;
+
+  /// Every rule for alpha: by singular values, for a large array in the Fourier basis.
+  [[nodiscard]] const AlphaSweep& sweep() const;
+  [[nodiscard]] bool has_sweep() const noexcept { return sweep_.has_value(); }
+
+  /// The scene's alpha, or what its rule chooses on this frame, judged beside the other rules.
+  [[nodiscard]] ChosenAlpha alpha() const;
+
+  /// What sizes the bands' prior: the rule gml, judged without the others. @pre  not large
+  [[nodiscard]] const AlphaChoice& prior() const;
+
+ private:
+  SceneProblem problem_;
+  std::vector<double> readings_;
+  mutable std::optional<FilterFrame> analysed_;
+  mutable std::optional<AlphaSweep> sweep_;
+  mutable std::optional<AlphaChoice> prior_;
+};
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,47 @@
+// tikhonov where nothing pulls and friction has a limit.
+#include "lab/methods/frame_check.hpp"
+#include "lab/methods/methods.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+class ActiveSet final : public FrameSolver {
+ public:
+  ActiveSet(const SceneProblem& problem, double alpha)
+      : inverse_(problem.problem(), alpha, *problem.constraints()),
+        readings_(problem.readings()),
+        tractions_(problem.tractions()),
+        alpha_(alpha) {}
+
+  FrameResult solve(std::span<const double> readings, std::span<double> tractions) override {
+    if (const auto status = check_frame(readings, readings_, tractions, tractions_);
+        status != FrameStatus::ok)
+      return {.status = status};
+    ConstrainedSolution solution = inverse_.solve(readings);
+    FrameResult result{.status = deliver(solution.tractions, tractions),
+                       .alpha = ChosenAlpha{.value = alpha_},
+                       .condition = Condition{solution.condition}};
+    if (solution.verdict == ConstrainedVerdict::iteration_limit) {
+      result.verdict = Verdict::iteration_limit;
+      result.remarks.emplace_back(remark::IterationLimit{solution.iterations});
+    }
+    result.constrained = std::move(solution);
+    return result;
+  }
+  [[nodiscard]] std::size_t tractions() const override { return tractions_; }
+
+ private:
+  ConstrainedTikhonov inverse_;
+  std::size_t readings_;
+  std::size_t tractions_;
+  double alpha_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSolver> make_active_set(const SceneProblem& problem,
+                                             std::optional<double> alpha) {
+  return std::make_unique<ActiveSet>(problem, alpha.value());
+}
+
+}  // namespace tactile_net::lab

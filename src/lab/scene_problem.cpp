@@ -1,0 +1,131 @@
+#include "tactile_net/lab/scene_problem.hpp"
+
+#include <utility>
+
+namespace tactile_net::lab {
+namespace {
+
+ProblemOptions options_of(const Scene& scene) {
+  ProblemOptions options{.unknowns = unknowns(scene),
+                         .smoothing_length = scene.reconstruct.smoothing_length,
+                         .channel_rms = {},
+                         .dead_taxels = scene.dead_taxels};
+  if (scene.noise && scene.noise->weights_rows)
+    for (const Channel& channel : channels(scene.sensor))
+      options.channel_rms.push_back(scene.noise->rms.at(channel.quantity));
+  return options;
+}
+
+std::optional<Constraints> constraints_of(const ReconstructOptions& options) {
+  if (!options.nonnegative && !options.friction_limit) return std::nullopt;
+  return Constraints{.nonnegative = true, .friction_limit = options.friction_limit};
+}
+
+}  // namespace
+
+struct SceneProblem::Parts {
+  explicit Parts(Scene given)
+      : scene(std::move(given)),
+        options(options_of(scene)),
+        constraints(constraints_of(scene.reconstruct)) {}
+
+  Scene scene;
+  ProblemOptions options;
+  std::optional<Constraints> constraints;
+  std::optional<InverseProblem> problem;
+  std::optional<TikhonovFamily> family;
+  std::optional<DftTikhonov> circular;
+  std::optional<ModeSpace> hidden;
+  std::optional<TractionCovariance> covariance;
+  std::pair<double, double> covariance_of;  // its alpha and prior
+};
+
+SceneProblem::SceneProblem(Scene scene) : parts_(std::make_shared<Parts>(std::move(scene))) {}
+
+const Scene& SceneProblem::scene() const noexcept { return parts_->scene; }
+
+const ProblemOptions& SceneProblem::options() const noexcept { return parts_->options; }
+
+std::size_t SceneProblem::readings() const {
+  return channels(parts_->scene.sensor).size() * parts_->scene.sensor.count;
+}
+
+std::size_t SceneProblem::tractions() const noexcept {
+  return parts_->options.unknowns * parts_->scene.sensor.count;
+}
+
+std::optional<double> SceneProblem::stated_noise() const {
+  const auto& noise = parts_->scene.noise;
+  if (!noise) return std::nullopt;
+  if (noise->weights_rows) return 1.0;
+  const double rms = noise->rms.begin()->second;
+  return rms > 0.0 ? std::optional(rms) : std::nullopt;
+}
+
+const std::optional<Constraints>& SceneProblem::constraints() const noexcept {
+  return parts_->constraints;
+}
+
+const InverseProblem& SceneProblem::problem() const {
+  if (!parts_->problem)
+    parts_->problem = make_problem(parts_->scene.sensor, parts_->scene.material, parts_->options);
+  return *parts_->problem;
+}
+
+const TikhonovFamily& SceneProblem::family() const {
+  if (!parts_->family) parts_->family.emplace(problem());
+  return *parts_->family;
+}
+
+DftTikhonov& SceneProblem::circular() const {
+  if (!parts_->circular) {
+    ProblemOptions options = parts_->options;
+    options.dead_taxels.clear();  // the Fourier basis cannot leave a taxel out
+    parts_->circular.emplace(parts_->scene.sensor, parts_->scene.material, options);
+  }
+  return *parts_->circular;
+}
+
+const ModeSpace& SceneProblem::hidden() const {
+  if (!parts_->hidden) parts_->hidden = identifiability(problem()).null_space;
+  return *parts_->hidden;
+}
+
+const TractionCovariance& SceneProblem::covariance(double alpha, double prior) const {
+  const std::pair of{alpha, prior};
+  if (!parts_->covariance || parts_->covariance_of != of) {
+    parts_->covariance.emplace(problem(), alpha, prior);
+    parts_->covariance_of = of;
+  }
+  return *parts_->covariance;
+}
+
+SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings)
+    : problem_(std::move(problem)), readings_(readings.begin(), readings.end()) {}
+
+const FilterFrame& SceneFrame::analysed() const {
+  if (!analysed_) analysed_ = problem_.family().analyse(readings_);
+  return *analysed_;
+}
+
+const AlphaSweep& SceneFrame::sweep() const {
+  if (sweep_) return *sweep_;
+  sweep_ = problem_.is_large()
+               ? sweep_alpha(problem_.circular().analyse(readings_), problem_.stated_noise())
+               : sweep_alpha(analysed(), problem_.stated_noise());
+  return *sweep_;
+}
+
+ChosenAlpha SceneFrame::alpha() const {
+  const ReconstructOptions& options = problem_.scene().reconstruct;
+  if (options.alpha) return {.value = *options.alpha};
+  const AlphaChoice& choice = sweep().choice(options.alpha_rule);
+  return {.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
+}
+
+const AlphaChoice& SceneFrame::prior() const {
+  if (!prior_) prior_ = choose_alone(analysed(), AlphaRule::gml, problem_.stated_noise());
+  return *prior_;
+}
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,113 @@
+#include "tactile_net/report/words/remark_words.hpp"
+
+#include "tactile_net/numeric/number_text.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+namespace remark = lab::remark;
+
+std::string say(const remark::NoiseAmplified& r) {
+  return "errors of the readings reach the traction multiplied by up to " + brief(r.gain);
+}
+std::string say(const remark::SignChanges& r) {
+  return "the kernel's DFT changes sign at " + std::to_string(r.frequencies) +
+         " frequencies: what lies between is not measured";
+}
+std::string say(const remark::DeadTaxelsRead&) {
+  return "dft takes a dead taxel's zero for a reading";
+}
+std::string say(const remark::CutOff&) {
+  return "the readings have not died away at the array's ends: dft takes the array for a ring, and "
+         "what is cut off comes back amplified";
+}
+std::string say(const remark::NotOneContact&) {
+  return "these are not the readings of one contact in the array's middle, which contact_friction "
+         "and its size and sign take for granted";
+}
+std::string say(const remark::DragInNoise&) {
+  return "noise could hide a tenth of what contact_friction adds to the readings: the tangential "
+         "traction is assumed more than it is measured";
+}
+
+std::string mode_in_words(const remark::NullMode& r) {
+  const std::string component = r.mode.unknown == Traction::normal ? "normal" : "tangential";
+  if (r.mode.frequency == 0) return "the mean of the " + component + " traction (k = 0)";
+  if (2 * r.mode.frequency == r.count)
+    return "the " + component + " traction that alternates from taxel to taxel (Nyquist)";
+  const double wavelength =
+      static_cast<double>(r.count) * r.pitch / static_cast<double>(r.mode.frequency);
+  return "a ripple of the " + component + " traction with wavelength " + brief(wavelength);
+}
+std::string say(const remark::NullMode& r) {
+  return "no reading shows " + mode_in_words(r) + ": it is set to zero, not measured";
+}
+
+std::string say(const remark::NotConverged& r) {
+  return "conjugate gradients stopped after " + std::to_string(r.steps) + " steps, about " +
+         brief(r.estimate) + " from the minimiser; raise alpha";
+}
+std::string say(const remark::IterationLimit& r) {
+  return "stopped after " + std::to_string(r.iterations) +
+         " active sets: the constraints hold, but the fit is not the best";
+}
+std::string say(const remark::NoBands&) {
+  return "no uncertainty is given for an array as large as this";
+}
+std::string say(const remark::Unexplained& r) {
+  return "the answer leaves " + percent(r.share) +
+         " of the readings unexplained: alpha is far too large, or they are noise";
+}
+std::string say(const remark::Rounding& r) {
+  return "rounding alone may have moved the answer by " + brief(r.bound) +
+         " of its size; raise alpha";
+}
+std::string say(const remark::ModelError& r) {
+  return "the residual is larger than the noise stated explains: the model is off by about " +
+         brief(r.times) + " times the noise, which the bands do not hold";
+}
+std::string say(const remark::Hidden& r) {
+  return "no reading shows: " + r.modes.description +
+         "; decided by smoothing, not measured (see identify)";
+}
+std::string say(const remark::ConstraintsIgnored&) {
+  return "the constraints bind the method tikhonov alone";
+}
+std::string say(const remark::VoltagesUnresolved& r) {
+  return "P has condition number " + brief(r.condition) +
+         ": rounding alone may change the voltages by " + brief(r.limit) + "; raise alpha";
+}
+
+std::string say(const remark::FrictionUnseen&) {
+  return "the scene has friction, and one traction alone is solved for: what the tangential "
+         "traction adds to the readings is taken for normal traction; read a second quantity, such "
+         "as shear_xy";
+}
+std::string say(const remark::ForceBeyondEnds& r) {
+  return percent(r.share) + " of the normal force lies beyond the ends of the array";
+}
+
+}  // namespace
+
+std::string in_words(const lab::SceneRemark& remark) {
+  return std::visit([](const auto& one) { return say(one); }, remark);
+}
+
+std::vector<std::string> in_words(const lab::SimulatedFrame& frame) {
+  std::vector<std::string> sentences;
+  for (const lab::SceneRemark& one : frame.remarks) sentences.push_back(in_words(one));
+  sentences.insert(sentences.end(), frame.notes.begin(), frame.notes.end());
+  return sentences;
+}
+
+std::string in_words(const lab::Remark& remark) {
+  return std::visit([](const auto& one) { return say(one); }, remark);
+}
+
+std::vector<std::string> in_words(const lab::Remarks& remarks) {
+  std::vector<std::string> sentences;
+  for (const lab::Remark& one : remarks) sentences.push_back(in_words(one));
+  return sentences;
+}
+
+}  // namespace tactile_net::report
