@@ -1,0 +1,127 @@
+#include "tactile_net/lab/method.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "tactile_net/lab/uncertainty.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+Scene parse(const std::string& reads, const std::string& rest) {
+  return parse_scene("[sensor]\ncount = 41\npitch = 0.5\ndepth = 1.5\nreads = [" + reads +
+                         "]\n"
+                         "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n" +
+                         rest,
+                     "scene.toml");
+}
+
+const std::string one = "\"stress_x\"";
+const std::string two = "\"stress_x\", \"shear_xy\"";
+
+/// A bump in the array's middle, 41 values a channel.
+std::vector<double> bump(std::size_t channels) {
+  std::vector<double> readings;
+  for (std::size_t c = 0; c < channels; ++c)
+    for (int i = -20; i <= 20; ++i)
+      readings.push_back((c == 0 ? 1.0 : 0.1 * i) * std::exp(-0.05 * i * i));
+  return readings;
+}
+
+}  // namespace
+
+TEST_CASE("a frame is refused where any of its tractions overflows", "[lab][method]") {
+  const auto [method, reads, rest] = GENERATE(table<Method, std::string, std::string>({
+      {Method::tikhonov, one, "[reconstruct]\nalpha = 1e-3\n"},
+      {Method::tikhonov, one, ""},
+      {Method::tikhonov, two, "[reconstruct]\nalpha = 1e-3\ntangential = true\n"},
+      {Method::closed_form, one, "[reconstruct]\nalpha = 1e-3\n"},
+      {Method::dft, one, ""},
+      {Method::dft, two, "[reconstruct]\nalpha = 1e-3\ntangential = true\n"},
+  }));
+  const Scene scene = parse(reads, rest);
+  const double size = GENERATE(1e306, 1.7e308);
+  CAPTURE(name(method), reads, rest, size);
+  const auto solver = make_solver(scene, method);
+  std::vector<double> readings = bump(scene.sensor.reads.size());
+  std::vector<double> f(solver->tractions());
+  REQUIRE(solver->solve(readings, f).status == FrameStatus::ok);
+
+  readings[39] = size;
+  readings[40] = -size;
+  std::vector<double> untouched(f.size(), 7.0);
+  const FrameResult result = solver->solve(readings, untouched);
+  if (result.status == FrameStatus::ok) {  // large, and still in range: then all of it is
+    CHECK(
+        std::all_of(untouched.begin(), untouched.end(), [](double v) { return std::isfinite(v); }));
+  } else {
+    CHECK(result.status == FrameStatus::too_large);
+    CHECK(untouched == std::vector<double>(f.size(), 7.0));
+  }
+  if (size > 1e308) CHECK(result.status == FrameStatus::too_large);
+}
+
+TEST_CASE("a frame of another size, or with NaN, is refused and leaves the room alone",
+          "[lab][method]") {
+  const std::string rest = GENERATE("", "[reconstruct]\nalpha = 1e-3\n",
+                                    "[reconstruct]\nalpha = 1e-3\nnonnegative = true\n");
+  const Method method = GENERATE(Method::dft, Method::tikhonov, Method::closed_form);
+  CAPTURE(rest, name(method));
+  const auto solver = make_solver(parse(one, rest), method);
+  std::vector<double> f(solver->tractions(), 7.0);
+  CHECK(solver->solve(std::vector<double>(40), f).status == FrameStatus::wrong_size);
+  std::vector<double> readings = bump(1);
+  CHECK(solver->solve(readings, std::span(f).first(3)).status == FrameStatus::wrong_size);
+  readings[7] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(solver->solve(readings, f).status == FrameStatus::not_finite);
+  CHECK(f == std::vector<double>(f.size(), 7.0));
+}
+
+TEST_CASE("the bands' prior is gml judged alone, whatever the other rules say", "[lab][bands]") {
+  // Three times the noise stated and an outlier: the rules disagree here, gml by itself is sure.
+  Scene scene = parse(one, "[noise]\nrms = 1e-3\n");
+  const SceneProblem problem(scene);
+  const auto solver = make_solver(problem, Method::tikhonov);
+  std::size_t disagreements = 0;
+  for (int k = 1; k <= 40; ++k) {
+    std::vector<double> readings = bump(1);
+    for (std::size_t i = 0; i < readings.size(); ++i)
+      readings[i] =
+          readings[i] / k + 3e-3 * std::sin(12.9898 * static_cast<double>(i * 7 + 13) * k);
+    readings[static_cast<std::size_t>(k)] += 0.3 / k;
+    const SceneFrame frame(problem, readings);
+    const AlphaChoice heard =
+        choose_alpha(frame.analysed(), AlphaRule::gml, problem.stated_noise());
+    if (heard.verdict == AlphaVerdict::rules_disagree) ++disagreements;
+
+    std::vector<double> f(solver->tractions());
+    const FrameResult result = solver->solve(readings, f);
+    const FrameUncertainty bands = uncertainty(frame, f, result);
+    const AlphaChoice alone =
+        choose_alone(frame.analysed(), AlphaRule::gml, problem.stated_noise());
+    const double prior = alone.verdict == AlphaVerdict::ok ? alone.alpha : result.alpha->value;
+    const TractionCovariance covariance(problem.problem(), result.alpha->value, prior);
+    std::vector<double> expected = covariance.deviations();
+    for (double& one : expected) one *= bands.noise.rms();
+    CHECK(bands.deviation == expected);
+  }
+  CHECK(disagreements > 0);  // else this tells nothing
+}
+
+TEST_CASE("every verdict and every method has a name of its own", "[lab][method]") {
+  std::vector<std::string_view> names;
+  for (int i = 0; i <= static_cast<int>(Verdict::inaccurate); ++i)
+    names.push_back(name(static_cast<Verdict>(i)));
+  CHECK(std::none_of(names.begin(), names.end(), [](auto text) { return text.empty(); }));
+  std::sort(names.begin(), names.end());
+  CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
+  for (const MethodTraits& one : methods()) CHECK(&traits(one.method) == &one);
+}
+
+TEST_CASE("the circuit solves no frames, and says so", "[lab][method]") {
+  CHECK_THROWS_AS(make_solver(parse(one, ""), Method::network), std::invalid_argument);
+}
+
+}  // namespace tactile_net::lab
