@@ -48,9 +48,8 @@ std::vector<std::string> columns_of(const std::string& path) {
   return frames::traction_columns(count, has("tangential_0"));
 }
 
-void fill_half_width(Fingertip& tip, std::size_t count, double pitch) {
-  if (tip.finger.pad.half_width == 0.0)
-    tip.finger.pad.half_width = 0.5 * static_cast<double>(count) * pitch;
+void widen_pad(Fingertip& tip, const HandFinger& finger, std::size_t count, double pitch) {
+  tip.finger = finger.with_pad(0.5 * static_cast<double>(count) * pitch);
 }
 
 [[noreturn]] void fail(const Fingertip& tip, const std::string& what) {
@@ -81,7 +80,7 @@ void press(Fingertip& tip, const UncertainResultant& resultant, double breadth) 
 }
 
 void read_tractions(Fingertip& tip, const TractionFile& source, const fs::path& folder,
-                    double breadth) {
+                    const HandFinger& finger) {
   const std::string path = (folder / source.file).string();
   const std::vector<std::string> columns = columns_of(path);
   std::ifstream file = frames::open_frames(path);
@@ -89,16 +88,17 @@ void read_tractions(Fingertip& tip, const TractionFile& source, const fs::path& 
   const std::vector<double> f = frame_of(frames, path, columns.size(), source.frame);
   const bool tangential = columns.back().starts_with("tangential");
   const std::size_t count = tangential ? columns.size() / 2 : columns.size();
-  fill_half_width(tip, count, source.pitch);
+  widen_pad(tip, finger, count, source.pitch);
   const std::span<const double> all(f);
   press(tip, certain(resultant_of(all.first(count), all.subspan(count), source.pitch), tangential),
-        breadth);
+        finger.breadth);
 }
 
 void reconstruct(Fingertip& tip, const FingertipScene& source, const fs::path& folder,
-                 double breadth) {
+                 const HandFinger& finger) {
+  const double breadth = finger.breadth;
   const Scene scene = read_scene(folder / source.scene);
-  fill_half_width(tip, scene.sensor.count, scene.sensor.pitch);
+  widen_pad(tip, finger, scene.sensor.count, scene.sensor.pitch);
   std::vector<double> readings;
   if (source.readings) {
     const std::string path = (folder / *source.readings).string();
@@ -142,7 +142,7 @@ void reconstruct(Fingertip& tip, const FingertipScene& source, const fs::path& f
 }  // namespace
 
 Fingertip make_fingertip(const HandFinger& finger, const fs::path& folder) {
-  Fingertip tip{.finger = finger.finger};
+  Fingertip tip{.finger = finger.with_pad(0.0)};
   if (const auto* place = std::get_if<ContactPlace>(&finger.contact)) {
     tip.source = "assumed";
     tip.words = "contact assumed";
@@ -157,15 +157,15 @@ Fingertip make_fingertip(const HandFinger& finger, const fs::path& folder) {
     tip.source = "tractions";
     tip.words =
         "tractions of " + tractions->file.string() + ", frame " + std::to_string(tractions->frame);
-    read_tractions(tip, *tractions, folder, finger.breadth);
+    read_tractions(tip, *tractions, folder, finger);
   } else if (const auto* scene = std::get_if<FingertipScene>(&finger.contact)) {
     tip.source = scene->readings ? "readings" : "simulated";
     tip.words = scene->readings ? "readings of " + scene->readings->string() + ", frame " +
                                       std::to_string(scene->frame)
                                 : "contacts of " + scene->scene.string();
-    reconstruct(tip, *scene, folder, finger.breadth);
+    reconstruct(tip, *scene, folder, finger);
   }
-  tip.place = {tip.force->centre, std::sqrt(tip.force->covariance[8])};
+  tip.place = place_of(*tip.force);
   return tip;
 }
 

@@ -1,7 +1,5 @@
 #include "tactile_net/report/json/grasp_json.hpp"
 
-#include <cmath>
-
 #include "report/json/scene_json.hpp"
 #include "tactile_net/numeric/version.hpp"
 
@@ -24,9 +22,10 @@ Json finger_json(const lab::Fingertip& tip, const FingerPose& pose) {
                {"covariance", nullptr}};
   if (tip.force) {
     const auto& c = tip.force->covariance;
-    json["normal"] = uncertain_json({tip.force->normal, std::sqrt(c[0])});
-    json["tangential"] = uncertain_json({tip.force->tangential, std::sqrt(c[4])});
-    json["covariance"] = c;
+    json["normal"] = uncertain_json({tip.force->normal, c.deviation(ContactValue::normal)});
+    json["tangential"] =
+        uncertain_json({tip.force->tangential, c.deviation(ContactValue::tangential)});
+    json["covariance"] = c.values;
   }
   return json;
 }
@@ -47,12 +46,14 @@ Json action_json(const FingerAction& action, const lab::FingerMargins& margins) 
                 {"used", finite_or_null(margins.friction->used)},
                 {"angle", margins.friction->angle}};
   }
-  return {{"force", point(action.force)},
-          {"normal", uncertain_json({action.normal, std::sqrt(action.covariance[0])})},
-          {"tangential", uncertain_json({action.tangential, std::sqrt(action.covariance[3])})},
-          {"covariance", action.covariance},
-          {"friction", friction},
-          {"torques", torques}};
+  const auto& c = action.covariance;
+  return {
+      {"force", point(action.force)},
+      {"normal", uncertain_json({action.normal, c.deviation(ContactValue::normal)})},
+      {"tangential", uncertain_json({action.tangential, c.deviation(ContactValue::tangential)})},
+      {"covariance", c.values},
+      {"friction", friction},
+      {"torques", torques}};
 }
 
 Json actions_json(const std::vector<FingerAction>& actions,

@@ -32,10 +32,11 @@ Cells contact_cells(const lab::GraspStudy& study, const std::vector<FingerAction
                  "to cone's edge", "angle left", "verdict"}};
   for (std::size_t i = 0; i < actions.size(); ++i) {
     const FingerAction& action = actions[i];
+    const auto& c = action.covariance;
     const auto& friction = margins[i].friction;
     rows.push_back({study.tips[i].finger.name, pair(action.point), pair(action.force),
-                    uncertain({action.normal, std::sqrt(action.covariance[0])}),
-                    uncertain({action.tangential, std::sqrt(action.covariance[3])}),
+                    uncertain({action.normal, c.deviation(ContactValue::normal)}),
+                    uncertain({action.tangential, c.deviation(ContactValue::tangential)}),
                     friction ? uncertain(friction->distance) : "-",
                     friction ? degrees(friction->angle) : "-",
                     friction              ? name(friction->verdict)
@@ -72,8 +73,9 @@ std::vector<std::string> sources_in_words(const lab::GraspStudy& study) {
     std::string line = tip.finger.name + ": " + tip.words + ": ";
     if (tip.force) {
       const auto& c = tip.force->covariance;
-      line += "normal " + uncertain({tip.force->normal, std::sqrt(c[0])}) + ", tangential " +
-              uncertain({tip.force->tangential, std::sqrt(c[4])}) + ", ";
+      line += "normal " + uncertain({tip.force->normal, c.deviation(ContactValue::normal)}) +
+              ", tangential " +
+              uncertain({tip.force->tangential, c.deviation(ContactValue::tangential)}) + ", ";
     }
     line += "centre " + uncertain({tip.place.centre, tip.place.deviation});
     lines.push_back(line);
