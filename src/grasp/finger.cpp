@@ -69,9 +69,7 @@ bool is_straight(const FingerPose& pose, Vector2 contact) {
 
 void check_bent(const Finger& finger, const FingerPose& pose, Vector2 contact) {
   if (is_straight(pose, contact))
-    throw std::invalid_argument("finger '" + finger.name +
-                                "': it is straight: its joints and the contact lie on one line, "
-                                "along which its torques cannot push");
+    throw std::invalid_argument("finger '" + finger.name + "': it is straight: " + straight_finger);
 }
 
 }  // namespace tactile_net

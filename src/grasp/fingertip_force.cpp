@@ -25,7 +25,7 @@ FingertipForce fingertip_force(const UncertainResultant& resultant, double bread
   const std::array<double, 3> scale = {breadth, breadth, 1.0};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
-      force.covariance[3 * i + j] = scale[i] * scale[j] * resultant.covariance[3 * i + j];
+      force.covariance.values[3 * i + j] = scale[i] * scale[j] * resultant.covariance[3 * i + j];
   return force;
 }
 
@@ -40,10 +40,10 @@ void check(const Finger& finger, const FingertipForce& force) {
   require(force.normal > 0.0 && std::isfinite(force.normal), finger,
           "the normal force must be > 0 and finite: a finger pushes");
   require(std::isfinite(force.tangential), finger, "the tangential force must be finite");
-  require(std::all_of(force.covariance.begin(), force.covariance.end(),
+  require(std::all_of(force.covariance.values.begin(), force.covariance.values.end(),
                       [](double value) { return std::isfinite(value); }),
           finger, "the covariance must be finite");
-  check(finger, ContactPlace{force.centre, std::sqrt(std::max(force.covariance[8], 0.0))});
+  check(finger, place_of(force));
 }
 
 }  // namespace tactile_net

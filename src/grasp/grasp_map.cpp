@@ -88,7 +88,7 @@ std::vector<FingerAction> GraspMap::actions(const Eigen::VectorXd& f,
     const Eigen::MatrixXd felt =
         axes * by_parameters.middleRows<2>(static_cast<Eigen::Index>(2 * i));
     const Eigen::Matrix2d c = felt * covariance * felt.transpose();
-    action.covariance = {c(0, 0), c(0, 1), c(1, 0), c(1, 1)};
+    action.covariance.values = {c(0, 0), c(0, 1), c(1, 0), c(1, 1)};
     for (Eigen::Index j = first_joint_[i]; j < first_joint_[i + 1]; ++j)
       action.torques.push_back({tau(j), deviation(torques_by.row(j))});
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "grasp/grasp_map.hpp"
 #include "grasp/least_torques.hpp"
@@ -65,107 +66,148 @@ Eigen::MatrixXd edges(const GraspMap& map, const std::vector<double>& friction) 
   return b;
 }
 
+double condition_of(const Eigen::MatrixXd& k) {
+  const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(k).singularValues();
+  return singular(0) / singular(singular.size() - 1);
+}
+
+/// The grasp that is asked for: unknowns v >= 0 along the cones' edges B, or along the palm's axes
+/// without friction; contact forces f = B v.
+struct Task {
+  const GraspMap& map;
+  const ExternalLoad& load;
+  const HoldOptions& options;
+  bool squeezed = options.grasping_force || options.squeeze;
+  double size = map.spread();  ///< what lengths are divided by, so that no equation has a unit
+  Eigen::MatrixXd t = map.torques();
+  Eigen::MatrixXd b = edges(map, options.friction);
+  /// Along the line of two fingers; the load presses one of them with |e.f_e|.
+  double pressed = options.grasping_force ? dot(map.inward(0), load.force) : 0.0;
+
+  [[nodiscard]] Eigen::Index forces() const { return t.cols(); }
+  [[nodiscard]] Eigen::Index joints() const { return t.rows(); }
+};
+
+/// Equilibrium, and the squeeze if one is asked for: C f = d.
+LeastTorques least_torques(const Task& task) {
+  const GraspMap& map = task.map;
+  Eigen::MatrixXd c(task.squeezed ? 4 : 3, task.forces());
+  Eigen::VectorXd d(c.rows());
+  c.topRows<3>() = map.wrench(map.middle());
+  c.row(2) /= task.size;
+  d.head<3>() << -task.load.force.x, -task.load.force.y,
+      -(task.load.torque + cross(task.load.point - map.middle(), task.load.force)) / task.size;
+  if (task.squeezed) {
+    for (std::size_t i = 0; i < map.contacts(); ++i) {
+      const Vector2 e = map.inward(i);
+      c.block<1, 2>(3, static_cast<Eigen::Index>(2 * i)) << e.x, e.y;
+    }
+    d(3) = task.options.squeeze ? *task.options.squeeze
+                                : *task.options.grasping_force + std::abs(task.pressed);
+  }
+  return {task.t * task.b / task.size, c * task.b, d, !task.options.friction.empty()};
+}
+
+/// The least torques: the system K z = right, with the factors that its derivatives need too.
+struct Minimum {
+  std::vector<Eigen::Index> held;  ///< unknowns that stay 0
+  double condition = 0.0;
+  Eigen::FullPivLU<Eigen::MatrixXd> lu;
+  Eigen::VectorXd z;
+  Eigen::VectorXd f;
+
+  /// The contact forces B v of a solution, or of its derivative.
+  [[nodiscard]] Eigen::VectorXd forces(const Task& task, const Eigen::VectorXd& solution) const {
+    Eigen::VectorXd v = solution.tail(task.forces());
+    for (const Eigen::Index i : held) v(i) = 0.0;
+    return task.b * v;
+  }
+};
+
+Minimum minimum_of(const Task& task) {
+  const LeastTorques least = least_torques(task);
+  if (!(condition_of(least.system()) < degenerate)) throw CannotHold(NoHold::undetermined);
+  auto held = least.held_bounds();
+  if (!held) throw CannotHold(task.squeezed ? NoHold::beyond_cones_squeezed : NoHold::beyond_cones);
+  const Eigen::MatrixXd k = least.system(*held);
+  Minimum minimum{std::move(*held), condition_of(k), Eigen::FullPivLU<Eigen::MatrixXd>(k), {}, {}};
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(k.rows());
+  right.segment(task.joints(), least.d.size()) = least.d;
+  minimum.z = minimum.lu.solve(right);
+  minimum.f = minimum.forces(task, minimum.z);
+  return minimum;
+}
+
+/// df / dy of finger `by`'s contact: K dz = d(right) - dK z. The cones' edges stay as they are.
+Eigen::VectorXd change_by_place(const Task& task, const Minimum& minimum, std::size_t by) {
+  const GraspMap& map = task.map;
+  const Eigen::VectorXd& z = minimum.z;
+  const Eigen::Index joints = task.joints();
+  const Eigen::Index first = map.first_joint(by);
+  const Eigen::Index count = map.first_joint(by + 1) - first;
+  const double change = map.torque_change(by, force_of(minimum.f, by)) / task.size;
+  const Vector2 turn = quarter_turn(map.pose(by).along);
+  Eigen::VectorXd rest = Eigen::VectorXd::Zero(z.size());
+  Eigen::VectorXd on_forces = Eigen::VectorXd::Zero(task.forces());  // before B'
+  rest.segment(first, count).array() -= change;
+  rest(joints + 2) -= change;
+  const double moment = (z.segment(first, count).sum() + z(joints + 2)) / task.size;
+  on_forces.segment<2>(static_cast<Eigen::Index>(2 * by)) -=
+      moment * Eigen::Vector2d(turn.x, turn.y);
+  for (std::size_t i = 0; task.squeezed && i < map.contacts(); ++i) {
+    const Vector2 e = map.inward_change(i, by);
+    rest(joints + 3) -= dot(e, force_of(minimum.f, i));
+    on_forces.segment<2>(static_cast<Eigen::Index>(2 * i)) -=
+        z(joints + 3) * Eigen::Vector2d(e.x, e.y);
+  }
+  if (task.options.grasping_force)
+    rest(joints + 3) +=
+        std::copysign(1.0, task.pressed) * dot(map.inward_change(0, by), task.load.force);
+  rest.tail(task.forces()) = task.b.transpose() * on_forces;
+  return minimum.forces(task, minimum.lu.solve(rest));
+}
+
+/// What the fingers do, with the deviations that those of the places mean.
+HeldGrasp with_deviations(const Task& task, const Minimum& minimum,
+                          std::span<const ContactPlace> contacts) {
+  const GraspMap& map = task.map;
+  const auto m = static_cast<Eigen::Index>(map.contacts());
+  Eigen::MatrixXd by_places(task.forces(), m);
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(m, m);
+  for (std::size_t by = 0; by < map.contacts(); ++by) {
+    const auto column = static_cast<Eigen::Index>(by);
+    by_places.col(column) = change_by_place(task, minimum, by);
+    covariance(column, column) = contacts[by].deviation * contacts[by].deviation;
+  }
+  Eigen::MatrixXd torques_by = task.t * by_places;
+  for (std::size_t by = 0; by < map.contacts(); ++by) {
+    const Eigen::Index first = map.first_joint(by);
+    torques_by.col(static_cast<Eigen::Index>(by))
+        .segment(first, map.first_joint(by + 1) - first)
+        .array() += map.torque_change(by, force_of(minimum.f, by));
+  }
+  HeldGrasp result;
+  result.condition = minimum.condition;
+  result.fingers = map.actions(minimum.f, by_places, torques_by, covariance);
+  result.torque_covariance = from_eigen(torques_by * covariance * torques_by.transpose());
+  for (std::size_t i = 0; i < map.contacts(); ++i) {
+    const Vector2 e = map.inward(i);
+    if (!std::isnan(e.x)) result.squeeze += dot(e, result.fingers[i].force);
+  }
+  return result;
+}
+
 }  // namespace
 
 HeldGrasp hold(std::span<const Finger> fingers, std::span<const ContactPlace> contacts,
                const ExternalLoad& load, const HoldOptions& options) {
   check(fingers, contacts, load, options);
-  const std::size_t m = fingers.size();
-  const auto forces = static_cast<Eigen::Index>(2 * m);
-  const bool squeezed = options.grasping_force || options.squeeze;
   std::vector<double> centres;
   for (const ContactPlace& contact : contacts) centres.push_back(contact.centre);
   const GraspMap map(fingers, centres);
-  check(fingers, map, squeezed);
-
-  const double size = map.spread();
-  const Eigen::MatrixXd t = map.torques();
-  const Eigen::MatrixXd b = edges(map, options.friction);
-  const Eigen::Index joints = t.rows();
-  Eigen::MatrixXd c(squeezed ? 4 : 3, forces);
-  Eigen::VectorXd d(c.rows());
-  c.topRows<3>() = map.wrench(map.middle());
-  c.row(2) /= size;
-  d.head<3>() << -load.force.x, -load.force.y,
-      -(load.torque + cross(load.point - map.middle(), load.force)) / size;
-  // Of the two fingers' line; the load presses one of them with |e.f_e|.
-  const double pressed = options.grasping_force ? dot(map.inward(0), load.force) : 0.0;
-  if (squeezed) {
-    for (std::size_t i = 0; i < m; ++i) {
-      const Vector2 e = map.inward(i);
-      c.block<1, 2>(3, static_cast<Eigen::Index>(2 * i)) << e.x, e.y;
-    }
-    d(3) = options.squeeze ? *options.squeeze : *options.grasping_force + std::abs(pressed);
-  }
-  const LeastTorques least{t * b / size, c * b, d, !options.friction.empty()};
-
-  HeldGrasp result;
-  const auto condition_of = [](const Eigen::MatrixXd& k) {
-    const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(k).singularValues();
-    return singular(0) / singular(singular.size() - 1);
-  };
-  if (!(condition_of(least.system()) < degenerate))
-    throw std::domain_error(
-        "the torques do not determine the contact forces: some forces of the fingers against each "
-        "other pass through their joints and cost none");
-  const auto held = least.held_bounds();
-  if (!held)
-    throw std::domain_error(
-        squeezed ? "no forces within the friction cones carry the load with that squeeze"
-                 : "no forces within the friction cones carry the load");
-  const Eigen::MatrixXd k = least.system(*held);
-  result.condition = condition_of(k);
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(k);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(k.rows());
-  right.segment(joints, d.size()) = d;
-  const Eigen::VectorXd z = lu.solve(right);
-  Eigen::VectorXd v = z.tail(forces);
-  for (const Eigen::Index i : *held) v(i) = 0.0;
-  const Eigen::VectorXd f = b * v;
-
-  // K dz = d(right) - dK z, for each contact's place; the cones' edges stay as they are.
-  Eigen::MatrixXd by_places(forces, static_cast<Eigen::Index>(m));
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(by_places.cols(), by_places.cols());
-  for (std::size_t by = 0; by < m; ++by) {
-    const auto column = static_cast<Eigen::Index>(by);
-    const Eigen::Index first = map.first_joint(by);
-    const Eigen::Index count = map.first_joint(by + 1) - first;
-    const double change = map.torque_change(by, force_of(f, by)) / size;
-    const Vector2 turn = quarter_turn(map.pose(by).along);
-    Eigen::VectorXd rest = Eigen::VectorXd::Zero(k.rows());
-    Eigen::VectorXd on_forces = Eigen::VectorXd::Zero(forces);  // before B'
-    rest.segment(first, count).array() -= change;
-    rest(joints + 2) -= change;
-    const double moment = (z.segment(first, count).sum() + z(joints + 2)) / size;
-    on_forces.segment<2>(2 * column) -= moment * Eigen::Vector2d(turn.x, turn.y);
-    for (std::size_t i = 0; squeezed && i < m; ++i) {
-      const Vector2 e = map.inward_change(i, by);
-      rest(joints + 3) -= dot(e, force_of(f, i));
-      on_forces.segment<2>(static_cast<Eigen::Index>(2 * i)) -=
-          z(joints + 3) * Eigen::Vector2d(e.x, e.y);
-    }
-    if (options.grasping_force)
-      rest(joints + 3) += std::copysign(1.0, pressed) * dot(map.inward_change(0, by), load.force);
-    rest.tail(forces) = b.transpose() * on_forces;
-    Eigen::VectorXd by_place = lu.solve(rest).tail(forces);
-    for (const Eigen::Index i : *held) by_place(i) = 0.0;
-    by_places.col(column) = b * by_place;
-    covariance(column, column) = contacts[by].deviation * contacts[by].deviation;
-  }
-  Eigen::MatrixXd torques_by = t * by_places;
-  for (std::size_t by = 0; by < m; ++by) {
-    const Eigen::Index first = map.first_joint(by);
-    torques_by.col(static_cast<Eigen::Index>(by))
-        .segment(first, map.first_joint(by + 1) - first)
-        .array() += map.torque_change(by, force_of(f, by));
-  }
-  result.fingers = map.actions(f, by_places, torques_by, covariance);
-  result.torque_covariance = from_eigen(torques_by * covariance * torques_by.transpose());
-  for (std::size_t i = 0; i < m; ++i) {
-    const Vector2 e = map.inward(i);
-    if (!std::isnan(e.x)) result.squeeze += dot(e, result.fingers[i].force);
-  }
-  return result;
+  check(fingers, map, options.grasping_force || options.squeeze);
+  const Task task{.map = map, .load = load, .options = options};
+  return with_deviations(task, minimum_of(task), contacts);
 }
 
 }  // namespace tactile_net

@@ -4,7 +4,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
+
+#include "tactile_net/grasp/cannot_hold.hpp"
 
 namespace tactile_net {
 namespace {
@@ -98,7 +99,7 @@ std::optional<std::vector<Eigen::Index>> LeastTorques::held_bounds() const {
       if (steps > 100 * v.size()) break;
     }
   }
-  throw std::domain_error("the least torques within the friction cones were not found");
+  throw CannotHold(NoHold::not_found);
 }
 
 }  // namespace tactile_net

@@ -85,7 +85,8 @@ MeasuredGrasp measured_grasp(std::span<const Finger> fingers,
                           Eigen::Vector2d(forces[i].normal, forces[i].tangential);
     total += std::hypot(forces[i].normal, forces[i].tangential);
     covariance.block<3, 3>(first, first) =
-        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(forces[i].covariance.data());
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
+            forces[i].covariance.values.data());
   }
   Eigen::MatrixXd torques_by = t * by_parameters;
   Eigen::MatrixXd wrench_by = g * by_parameters;

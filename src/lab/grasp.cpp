@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
-#include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
+#include "lab/fingertip_maker.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -23,26 +23,32 @@ std::vector<FingerMargins> margins_of(const Hand& hand, const std::vector<Finger
   return margins;
 }
 
-/// What of one answer cannot hold, or only just does.
-void judge(GraspStudy& study, const std::vector<FingerAction>& actions,
-           const std::vector<FingerMargins>& margins, const std::string& which) {
+/// Finds what of one answer cannot hold, or only just does.
+void find_weak(GraspResult& result, GraspAnswer answer, const std::vector<FingerAction>& actions,
+               const std::vector<FingerMargins>& margins) {
+  using Weak = GraspRemark::Kind;
+  using Failed = GraspFailure::Kind;
   for (std::size_t i = 0; i < actions.size(); ++i) {
-    const std::string finger = which + ": finger '" + study.tips[i].finger.name + "' ";
     const auto& friction = margins[i].friction;
     if (is_idle(actions[i]))
-      study.warnings.push_back(finger + "is not needed: it carries nothing");
+      result.remarks.push_back({Weak::idle, answer, i});
     else if (!(actions[i].normal > 0.0))
-      study.failures.push_back(finger + "would have to pull with " + brief(-actions[i].normal));
+      result.failures.push_back(
+          {.kind = Failed::pulls, .answer = answer, .finger = i, .number = -actions[i].normal});
     else if (friction && friction->verdict == ContactVerdict::slips)
-      study.failures.push_back(finger + "slips: its force is " + brief(-friction->distance.value) +
-                               " outside the friction cone");
+      result.failures.push_back({.kind = Failed::slips,
+                                 .answer = answer,
+                                 .finger = i,
+                                 .number = -friction->distance.value});
     else if (friction && friction->distance.value < 2.0 * friction->distance.deviation)
-      study.warnings.push_back(finger + "is less than two standard deviations from slipping");
+      result.remarks.push_back({Weak::near_slipping, answer, i});
     for (std::size_t j = 0; j < margins[i].torques.size(); ++j)
       if (margins[i].torques[j].left < 0.0)
-        study.failures.push_back(finger + "exceeds the torque limit of joint " +
-                                 std::to_string(j + 1) + " by " +
-                                 brief(-margins[i].torques[j].left));
+        result.failures.push_back({.kind = Failed::beyond_limit,
+                                   .answer = answer,
+                                   .finger = i,
+                                   .joint = j,
+                                   .number = -margins[i].torques[j].left});
   }
 }
 
@@ -53,84 +59,96 @@ void require_finite(const std::vector<FingerAction>& actions) {
         throw std::domain_error("the torques overflow a double; choose other units");
 }
 
-void measure(GraspStudy& study, const std::vector<Finger>& fingers) {
+void measure(GraspResult& result, const std::vector<Finger>& fingers) {
   std::vector<FingertipForce> forces;
-  for (const Fingertip& tip : study.tips) forces.push_back(*tip.force);
-  study.measured = measured_grasp(fingers, forces, study.hand.load.value_or(ExternalLoad{}));
-  const MeasuredGrasp& measured = *study.measured;
-  require_finite(measured.fingers);
-  study.measured_margins = margins_of(study.hand, measured.fingers);
-  judge(study, measured.fingers, study.measured_margins, "as measured");
-  if (!study.hand.load || !measured.chi_squared) return;
-  study.balanced = *measured.chi_squared <= balanced_limit;
-  if (!*study.balanced)
-    study.failures.push_back("as measured: the forces do not carry the load: chi squared " +
-                             brief(*measured.chi_squared) + ", beyond the " +
-                             brief(balanced_limit) + " that 99 % of balanced grasps stay below");
+  for (const Fingertip& tip : result.tips) forces.push_back(*tip.force);
+  const auto& load = result.hand.load;
+  MeasuredAnswer& answer = result.measured.emplace();
+  answer.grasp = measured_grasp(fingers, forces, load.value_or(ExternalLoad{}));
+  require_finite(answer.grasp.fingers);
+  answer.margins = margins_of(result.hand, answer.grasp.fingers);
+  find_weak(result, GraspAnswer::measured, answer.grasp.fingers, answer.margins);
+  const auto& chi_squared = answer.grasp.chi_squared;
+  if (!load || !chi_squared) return;
+  answer.balanced = *chi_squared <= balanced_limit;
+  if (!*answer.balanced)
+    result.failures.push_back({.kind = GraspFailure::Kind::unbalanced, .number = *chi_squared});
 }
 
-void hold_load(GraspStudy& study, const std::vector<Finger>& fingers) {
-  const Hand& hand = study.hand;
+/// The thesis' torques beside the general ones, for two fingers of two links.
+TorqueWitness witness_of(const std::vector<Finger>& fingers,
+                         const std::vector<ContactPlace>& places, const ExternalLoad& load,
+                         double grasping_force, const HeldGrasp& held) {
+  TorqueWitness witness{.torques = two_finger_torques(fingers[0], places[0].centre, fingers[1],
+                                                      places[1].centre, load, grasping_force)};
+  double size = 0.0;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double left = held.fingers[0].torques[j].value;
+    const double right = held.fingers[1].torques[j].value;
+    size = std::max({size, std::abs(left), std::abs(right)});
+    witness.difference = std::max({witness.difference, std::abs(left - witness.torques.left[j]),
+                                   std::abs(right - witness.torques.right[j])});
+  }
+  if (size > 0.0) witness.difference /= size;
+  return witness;
+}
+
+void hold_load(GraspResult& result, const std::vector<Finger>& fingers) {
+  const Hand& hand = result.hand;
   const ExternalLoad load = hand.load.value_or(ExternalLoad{});
   std::vector<ContactPlace> places;
-  for (const Fingertip& tip : study.tips) places.push_back(tip.place);
+  for (const Fingertip& tip : result.tips) places.push_back(tip.place);
   HoldOptions options = hand.squeeze;
   if (hand.friction_used)
     for (const HandFinger& finger : hand.fingers)
       options.friction.push_back(*hand.friction_used * *finger.friction);
+  HeldAnswer answer;
   try {
-    study.held = hold(fingers, places, load, options);
-  } catch (const std::domain_error& error) {
-    study.failures.push_back(std::string("to hold: ") + error.what());
+    answer.grasp = tactile_net::hold(fingers, places, load, options);
+  } catch (const CannotHold& error) {
+    result.failures.push_back({.kind = GraspFailure::Kind::cannot_hold,
+                               .answer = GraspAnswer::held,
+                               .reason = error.reason()});
     return;
   }
-  require_finite(study.held->fingers);
-  study.held_margins = margins_of(hand, study.held->fingers);
-  judge(study, study.held->fingers, study.held_margins, "to hold");
+  require_finite(answer.grasp.fingers);
+  answer.margins = margins_of(hand, answer.grasp.fingers);
+  find_weak(result, GraspAnswer::held, answer.grasp.fingers, answer.margins);
   const bool as_thesis = fingers.size() == 2 && fingers[0].links.size() == 2 &&
                          fingers[1].links.size() == 2 && hand.squeeze.grasping_force;
-  if (!as_thesis) return;
-  study.thesis = two_finger_torques(fingers[0], places[0].centre, fingers[1], places[1].centre,
-                                    load, *hand.squeeze.grasping_force);
-  double size = 0.0;
-  for (std::size_t j = 0; j < 2; ++j) {
-    const double left = study.held->fingers[0].torques[j].value;
-    const double right = study.held->fingers[1].torques[j].value;
-    size = std::max({size, std::abs(left), std::abs(right)});
-    study.thesis_difference =
-        std::max({study.thesis_difference, std::abs(left - study.thesis->left[j]),
-                  std::abs(right - study.thesis->right[j])});
+  if (as_thesis) {
+    answer.thesis = witness_of(fingers, places, load, *hand.squeeze.grasping_force, answer.grasp);
+    const double rounding = 1e-13 * (answer.thesis->torques.condition + answer.grasp.condition);
+    if (answer.thesis->difference > rounding)
+      result.failures.push_back({.kind = GraspFailure::Kind::disagreement,
+                                 .answer = GraspAnswer::held,
+                                 .number = answer.thesis->difference});
   }
-  if (size > 0.0) study.thesis_difference /= size;
-  if (study.thesis_difference > 1e-13 * (study.thesis->condition + study.held->condition))
-    study.failures.push_back("to hold: the thesis' equations give other torques, by " +
-                             brief(study.thesis_difference));
+  result.held = std::move(answer);
 }
 
 }  // namespace
 
-GraspStudy study_grasp(const Hand& hand) {
-  GraspStudy study{.hand = hand};
+GraspResult hold(const Hand& hand, const FrameOf& frame_of, Observer& observer) {
+  GraspResult result{.hand = hand};
+  FingertipMaker maker(hand.folder, frame_of);
   std::vector<Finger> fingers;
   for (const HandFinger& finger : hand.fingers) {
-    study.tips.push_back(make_fingertip(finger, hand.folder));
-    const Fingertip& tip = study.tips.back();
-    fingers.push_back(tip.finger);
-    study.poses.push_back(pose_of(tip.finger));
-    check_bent(tip.finger, study.poses.back(), contact_point(study.poses.back(), tip.place.centre));
-    for (const std::string& warning : tip.warnings)
-      study.warnings.push_back("finger '" + tip.finger.name + "': " + warning);
+    observer.step({.kind = Step::Kind::finger, .count = fingers.size() + 1});
+    result.tips.push_back(maker.make(finger));
+    fingers.push_back(result.tips.back().finger);
   }
-  const bool known = std::all_of(study.tips.begin(), study.tips.end(),
+  const bool known = std::all_of(result.tips.begin(), result.tips.end(),
                                  [](const Fingertip& tip) { return tip.force.has_value(); });
-  if (known) measure(study, fingers);
-  const bool asked = hand.load || hand.squeeze.grasping_force || hand.squeeze.squeeze;
-  if (asked && fingers.size() >= 2) hold_load(study, fingers);
-  if (!study.measured && !(asked && fingers.size() >= 2))
+  const bool asked =
+      (hand.load || hand.squeeze.grasping_force || hand.squeeze.squeeze) && fingers.size() >= 2;
+  if (!known && !asked)
     throw std::invalid_argument(
         "nothing to compute: no contact's force is known, and there is neither a [load] nor a "
         "squeeze for two fingers to hold");
-  return study;
+  if (known) measure(result, fingers);
+  if (asked) hold_load(result, fingers);
+  return result;
 }
 
 }  // namespace tactile_net::lab

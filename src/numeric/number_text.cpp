@@ -23,6 +23,14 @@ std::string brief(double number) {
           std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general, 3).ptr};
 }
 
+std::string fixed(double number, int digits) {
+  if (std::isnan(number)) return "-";
+  char buffer[340];  // the largest double has 309 digits before its point
+  return {
+      buffer,
+      std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::fixed, digits).ptr};
+}
+
 std::string percent(double share) { return brief(100.0 * share) + " %"; }
 
 std::string duration(double seconds) {

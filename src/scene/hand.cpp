@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "scene/document.hpp"
 #include "scene/source_text.hpp"
 #include "scene/table.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 
@@ -49,16 +51,13 @@ std::filesystem::path path_of(const Value& value) {
   return text;
 }
 
-// --- contact
-// --------------------------------------------------------------------------------------
-
-/// y*, which must be on the pad; its half width is 0 where that is not known.
-double read_center(Table& table, double half_width) {
+/// y*, which must be on the pad, if that is known.
+double read_center(Table& table, std::optional<double> half_width) {
   const auto value = table.required("center", "where on the pad: center = 0.0");
   const auto center = value ? value->number(any_number) : std::nullopt;
-  if (center && half_width > 0.0 && std::abs(*center) > half_width)
+  if (center && half_width && std::abs(*center) > *half_width)
     value->misfit("must lie on the fingertip",
-                  "the pad reaches from -half_width to half_width: " + std::to_string(half_width));
+                  "the pad reaches from -half_width to half_width: " + shortest(*half_width));
   return center.value_or(0.0);
 }
 
@@ -67,75 +66,94 @@ std::size_t read_frame(Table& table) {
   return value ? static_cast<std::size_t>(value->integer(0, INT64_MAX).value_or(0)) : 0;
 }
 
+using Keys = std::initializer_list<const char*>;
+
+constexpr Keys resultant_keys = {"normal",           "tangential",           "center",
+                                 "normal_deviation", "tangential_deviation", "center_deviation"};
+
 /// Keys of the other kinds of contact.
-void refuse_others(Table& table, std::string_view kind, std::span<const std::string_view> keys) {
+void refuse_others(Table& table, std::string_view kind, Keys keys) {
   const std::string why = "has no place beside " + std::string{kind};
-  for (const std::string_view key : keys)
+  for (const char* key : keys)
     table.not_here(key, why, "a contact is a scene, tractions, a resultant, or a center alone");
 }
 
-ContactSource read_contact(Table table, double half_width) {
-  constexpr std::array<std::string_view, 6> of_resultants = {
-      "normal",           "tangential",           "center",
-      "normal_deviation", "tangential_deviation", "center_deviation"};
-  ContactSource source;
-  if (const auto scene = table.value("scene")) {
-    FingertipScene tip{.scene = path_of(*scene), .readings = {}};
-    if (const auto readings = table.value("readings")) {
-      tip.readings = path_of(*readings);
-      tip.frame = read_frame(table);
-    } else {
-      table.not_here("frame", "has no place without readings", "add readings = \"FILE.csv\"");
-    }
-    refuse_others(table, "contact.scene", of_resultants);
-    refuse_others(table, "contact.scene", std::array<std::string_view, 2>{"tractions", "pitch"});
-    source = tip;
-  } else if (const auto tractions = table.value("tractions")) {
-    TractionFile file{.file = path_of(*tractions)};
-    file.pitch = number_or(table.required("pitch", "the distance of the taxels: pitch = 0.5e-3"),
-                           positive, 1.0);
-    file.frame = read_frame(table);
-    refuse_others(table, "contact.tractions", of_resultants);
-    refuse_others(table, "contact.tractions", std::array<std::string_view, 1>{"readings"});
-    source = file;
+FingertipScene read_fingertip_scene(Table& table, const Value& scene) {
+  FingertipScene tip{.scene = path_of(scene), .readings = {}};
+  if (const auto readings = table.value("readings")) {
+    tip.readings = path_of(*readings);
+    tip.frame = read_frame(table);
   } else {
-    refuse_others(table, "a contact without scene", std::array<std::string_view, 1>{"readings"});
-    refuse_others(table, "a contact without tractions", std::array<std::string_view, 1>{"pitch"});
-    refuse_others(table, "a contact without a file", std::array<std::string_view, 1>{"frame"});
-    const double center = read_center(table, half_width);
-    const double deviation = number_or(table.value("center_deviation"), not_negative, 0.0);
-    if (const auto normal = table.value("normal")) {
-      FingertipForce force;
-      if (const auto value = normal->number(any_number)) {
-        force.normal = *value;
-        if (!(*value > 0.0))
-          normal->misfit("must be > 0", "a finger pushes: F_v points into its pad");
-      }
-      force.tangential =
-          number_or(table.required("tangential", "the force along the pad's y: tangential = 0.0"),
-                    any_number, 0.0);
-      force.centre = center;
-      const double n = number_or(table.value("normal_deviation"), not_negative, 0.0);
-      const double t = number_or(table.value("tangential_deviation"), not_negative, 0.0);
-      force.covariance = {n * n, 0.0, 0.0, 0.0, t * t, 0.0, 0.0, 0.0, deviation * deviation};
-      source = force;
-    } else {
-      for (const std::string_view key : {"tangential", "normal_deviation", "tangential_deviation"})
-        table.not_here(key, "has no place without contact.normal",
-                       "a resultant is normal, tangential and center");
-      source = ContactPlace{center, deviation};
-    }
+    table.not_here("frame", "has no place without readings", "add readings = \"FILE.csv\"");
   }
+  refuse_others(table, "contact.scene", resultant_keys);
+  refuse_others(table, "contact.scene", {"tractions", "pitch"});
+  return tip;
+}
+
+TractionFile read_traction_file(Table& table, const Value& tractions) {
+  TractionFile file{.file = path_of(tractions)};
+  file.pitch = number_or(table.required("pitch", "the distance of the taxels: pitch = 0.5e-3"),
+                         positive, 1.0);
+  file.frame = read_frame(table);
+  refuse_others(table, "contact.tractions", resultant_keys);
+  refuse_others(table, "contact.tractions", {"readings"});
+  return file;
+}
+
+FingertipForce read_resultant(Table& table, const Value& normal, const ContactPlace& place) {
+  FingertipForce force;
+  if (const auto value = normal.number(any_number)) {
+    force.normal = *value;
+    if (!(*value > 0.0)) normal.misfit("must be > 0", "a finger pushes: F_v points into its pad");
+  }
+  force.tangential =
+      number_or(table.required("tangential", "the force along the pad's y: tangential = 0.0"),
+                any_number, 0.0);
+  force.centre = place.centre;
+  const double n = number_or(table.value("normal_deviation"), not_negative, 0.0);
+  const double t = number_or(table.value("tangential_deviation"), not_negative, 0.0);
+  force.covariance(ContactValue::normal, ContactValue::normal) = n * n;
+  force.covariance(ContactValue::tangential, ContactValue::tangential) = t * t;
+  force.covariance(ContactValue::centre, ContactValue::centre) = place.deviation * place.deviation;
+  return force;
+}
+
+/// A contact whose place is in the hand's file.
+ContactSource read_place(Table& table, std::optional<double> half_width) {
+  refuse_others(table, "a contact without scene", {"readings"});
+  refuse_others(table, "a contact without tractions", {"pitch"});
+  refuse_others(table, "a contact without a file", {"frame"});
+  ContactPlace place;
+  place.centre = read_center(table, half_width);
+  place.deviation = number_or(table.value("center_deviation"), not_negative, 0.0);
+  if (const auto normal = table.value("normal")) return read_resultant(table, *normal, place);
+  for (const std::string_view key : {"tangential", "normal_deviation", "tangential_deviation"})
+    table.not_here(key, "has no place without contact.normal",
+                   "a resultant is normal, tangential and center");
+  return place;
+}
+
+ContactSource read_contact(Table table, std::optional<double> half_width) {
+  ContactSource source;
+  if (const auto scene = table.value("scene"))
+    source = read_fingertip_scene(table, *scene);
+  else if (const auto tractions = table.value("tractions"))
+    source = read_traction_file(table, *tractions);
+  else
+    source = read_place(table, half_width);
   table.finish();
   return source;
 }
 
-// --- [[finger]]
-// -----------------------------------------------------------------------------------
+/// Whether the contact has an array, whose width is the pad's unless another is given.
+bool has_array(Table& contact) {
+  return contact.value("scene").has_value() || contact.value("tractions").has_value();
+}
 
-Pad read_pad(Table table, double radian, bool from_array, double& breadth) {
+void read_pad(Table table, double radian, bool from_array, HandFinger& result) {
   constexpr std::array<std::string_view, 2> sides = {"left", "right"};
-  Pad pad;
+  Pad& pad = result.finger.pad;
   pad.center = number_or(
       table.required("center", "of the pad, from the last joint along the link: center = 0.03"),
       any_number, 0.0);
@@ -144,7 +162,7 @@ Pad read_pad(Table table, double radian, bool from_array, double& breadth) {
                  : table.required("half_width",
                                   "the pad reaches from -half_width to half_width along y: "
                                   "half_width = 0.01");
-  pad.half_width = number_or(half_width, positive, 0.0);
+  if (half_width) result.half_width = half_width->number(positive);
   pad.height = number_or(table.value("height"), any_number, 0.0);
   pad.tilt = radian * number_or(table.value("tilt"), any_number, 0.0);
   if (const auto side = table.required(
@@ -152,85 +170,97 @@ Pad read_pad(Table table, double radian, bool from_array, double& breadth) {
     pad.side = side->one_of("side", sides).value_or(0) == 0 ? Side::left : Side::right;
   if (const auto reversed = table.value("reversed"))
     pad.reversed = reversed->boolean().value_or(false);
-  breadth = number_or(table.value("breadth"), positive, 1.0);
+  result.breadth = number_or(table.value("breadth"), positive, 1.0);
   table.finish();
-  return pad;
+}
+
+std::string read_name(Table& table, std::span<const HandFinger> before) {
+  const auto value = table.value("name");
+  if (!value) return "finger " + std::to_string(before.size() + 1);
+  const std::string name = value->text().value_or("");
+  if (name.empty() || name.find_first_of("\r\n") != std::string::npos)
+    value->problem("must be a name on one line", "name = \"index\"");
+  if (std::any_of(before.begin(), before.end(),
+                  [&](const HandFinger& other) { return other.finger.name == name; }))
+    value->misfit("must not be another finger's");
+  return name;
+}
+
+std::vector<double> read_links(Table& table) {
+  const auto value =
+      table.required("links", "the lengths, from the palm to the tip: links = [0.05, 0.04]");
+  if (!value) return {};
+  const auto links = value->numbers(positive);
+  if (const auto list = value->list("numbers"); list && list->empty())
+    value->problem("must hold at least one length", "links = [0.05, 0.04]");
+  return links.value_or(std::vector<double>{});
+}
+
+/// One number for each link, where the links are known.
+std::vector<double> read_for_links(const Value& value, const Rule& rule, std::size_t links) {
+  const std::vector<double> values = value.numbers(rule).value_or(std::vector<double>{});
+  if (!values.empty() && links != 0 && values.size() != links)
+    value.problem("must hold one number for each link (" + std::to_string(links) + " links, got " +
+                  std::to_string(values.size()) + ')');
+  return values;
+}
+
+std::vector<double> read_angles(const Value& value, double radian, std::size_t links) {
+  std::vector<double> angles = read_for_links(value, any_number, links);
+  for (double& angle : angles) angle *= radian;
+  if (const auto list = value.list("numbers"); list && list->empty() && links != 0)
+    value.problem("must hold one number for each link");
+  return angles;
+}
+
+/// The contact's place, if the hand's file gives it.
+std::optional<double> centre_of(const ContactSource& contact) {
+  if (const auto* place = std::get_if<ContactPlace>(&contact)) return place->centre;
+  if (const auto* force = std::get_if<FingertipForce>(&contact)) return force->centre;
+  return std::nullopt;
+}
+
+/// Reports a straight finger at its angles, if all that tells is given.
+void refuse_straight(const HandFinger& result, const Value& angles) {
+  const Finger& finger = result.finger;
+  const auto centre = centre_of(result.contact);
+  if (!centre || !result.half_width || finger.links.empty() ||
+      finger.angles.size() != finger.links.size())
+    return;
+  const FingerPose pose = pose_of(result.with_pad(*result.half_width));
+  if (is_straight(pose, contact_point(pose, *centre)))
+    angles.problem(std::string("make the finger straight: ") + straight_finger,
+                   "bend finger '" + finger.name + "'");
 }
 
 HandFinger read_finger(Table table, double radian, std::span<const HandFinger> before) {
   HandFinger result;
   Finger& finger = result.finger;
-  finger.name = "finger " + std::to_string(before.size() + 1);
-  if (const auto name = table.value("name")) {
-    finger.name = name->text().value_or("");
-    if (finger.name.empty() || finger.name.find_first_of("\r\n") != std::string::npos)
-      name->problem("must be a name on one line", "name = \"index\"");
-    if (std::any_of(before.begin(), before.end(),
-                    [&](const HandFinger& other) { return other.finger.name == finger.name; }))
-      name->misfit("must not be another finger's");
-  }
+  finger.name = read_name(table, before);
   finger.base = vector_of(table.required("base", "the first joint's place: base = [-0.03, 0.0]"));
   finger.direction = radian * number_or(table.value("direction"), any_number, 0.0);
-  const auto links =
-      table.required("links", "the lengths, from the palm to the tip: links = [0.05, 0.04]");
-  if (links) {
-    finger.links = links->numbers(positive).value_or(std::vector<double>{});
-    if (const auto list = links->list("numbers"); list && list->empty())
-      links->problem("must hold at least one length", "links = [0.05, 0.04]");
-  }
+  finger.links = read_links(table);
   const auto angles = table.required(
       "angles", "of each link from the one before, counter-clockwise: angles = [0.5, -1.0]");
-  const auto fits = [&](const Value& value, const std::vector<double>& values) {
-    if (values.empty() || finger.links.empty() || values.size() == finger.links.size()) return;
-    value.problem("must hold one number for each link (" + std::to_string(finger.links.size()) +
-                  " links, got " + std::to_string(values.size()) + ')');
-  };
-  if (angles) {
-    finger.angles = angles->numbers(any_number).value_or(std::vector<double>{});
-    for (double& angle : finger.angles) angle *= radian;
-    if (const auto list = angles->list("numbers"); list && list->empty() && !finger.links.empty())
-      angles->problem("must hold one number for each link");
-    fits(*angles, finger.angles);
-  }
-  if (const auto limits = table.value("torque_limits")) {
-    result.torque_limits = limits->numbers(positive).value_or(std::vector<double>{});
-    fits(*limits, result.torque_limits);
-  }
+  if (angles) finger.angles = read_angles(*angles, radian, finger.links.size());
+  if (const auto limits = table.value("torque_limits"))
+    result.torque_limits = read_for_links(*limits, positive, finger.links.size());
   if (const auto friction = table.value("friction")) result.friction = friction->number(positive);
-
-  const auto contact = table.required(
+  auto contact = table_of(table.required(
       "contact",
-      "what the fingertip feels: contact = { normal = 10.0, tangential = 1.0, center = "
-      "0.0 }");
-  auto contact_table = table_of(contact);
-  const bool from_array = contact_table && (contact_table->value("scene").has_value() ||
-                                            contact_table->value("tractions").has_value());
+      "what the fingertip feels: contact = { normal = 10.0, tangential = 1.0, center = 0.0 }"));
   if (const auto pad =
           table_of(table.required("pad",
                                   "the tactile pad on the last link: pad = { center = 0.03, "
                                   "half_width = 0.01, side = \"left\" }")))
-    finger.pad = read_pad(*pad, radian, from_array, result.breadth);
-  if (contact_table) {
-    result.contact = read_contact(std::move(*contact_table), finger.pad.half_width);
-    const auto* place = std::get_if<ContactPlace>(&result.contact);
-    const auto* force = std::get_if<FingertipForce>(&result.contact);
-    const bool complete = finger.pad.half_width > 0.0 && !finger.links.empty() &&
-                          finger.angles.size() == finger.links.size();
-    if (complete && angles && (place || force)) {
-      const FingerPose pose = pose_of(finger);
-      if (is_straight(pose, contact_point(pose, place ? place->centre : force->centre)))
-        angles->problem(
-            "make the finger straight: its joints and the contact lie on one line, "
-            "along which its torques cannot push",
-            "bend finger '" + finger.name + "'");
-    }
+    read_pad(*pad, radian, contact && has_array(*contact), result);
+  if (contact) {
+    result.contact = read_contact(std::move(*contact), result.half_width);
+    if (angles) refuse_straight(result, *angles);
   }
   table.finish();
   return result;
 }
-
-// --- the rest
-// -------------------------------------------------------------------------------------
 
 ExternalLoad read_load(Table table) {
   ExternalLoad load;
@@ -289,9 +319,8 @@ void read_hand_tables(Table& root, Hand& hand) {
   if (const auto fingers = root.required("finger", "one [[finger]] for each finger"))
     if (auto tables = fingers->tables()) {
       if (tables->empty()) fingers->problem("must name at least one finger", "[[finger]]");
-      for (Table& table : *tables) {
+      for (Table& table : *tables)
         hand.fingers.push_back(read_finger(std::move(table), radian, hand.fingers));
-      }
     }
   if (const auto load = table_of(root.value("load"))) hand.load = read_load(*load);
   if (const auto grasp = table_of(root.value("grasp"))) read_grasp(*grasp, hand);

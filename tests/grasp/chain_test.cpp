@@ -118,8 +118,10 @@ TEST_CASE("forces per length become forces by the pad's breadth", "[grasp]") {
   CHECK_THAT(force.normal, WithinRel(0.3, 1e-15));
   CHECK_THAT(force.tangential, WithinRel(0.1, 1e-15));
   CHECK(force.centre == 0.5);
-  CHECK_THAT(force.covariance[0], WithinRel(1e-4, 1e-14));
-  CHECK_THAT(force.covariance[1], WithinRel(2e-5, 1e-14));
-  CHECK_THAT(force.covariance[5], WithinRel(5e-4, 1e-14));
-  CHECK(force.covariance[8] == 0.09);
+  using enum ContactValue;
+  CHECK_THAT(force.covariance(normal, normal), WithinRel(1e-4, 1e-14));
+  CHECK_THAT(force.covariance(normal, tangential), WithinRel(2e-5, 1e-14));
+  CHECK_THAT(force.covariance(tangential, centre), WithinRel(5e-4, 1e-14));
+  CHECK_THAT(force.covariance.deviation(tangential), WithinRel(0.02, 1e-14));
+  CHECK(force.covariance(centre, centre) == 0.09);
 }

@@ -203,7 +203,8 @@ TEST_CASE("deviations of the contacts' places reach the torques by exact derivat
       CHECK_THAT(grasp.torque_covariance(static_cast<std::size_t>(i), static_cast<std::size_t>(j)),
                  WithinAbs(expected(i, j), 1e-6 * size));
   for (std::size_t i = 0; i < fingers; ++i) {
-    CHECK_THAT(grasp.fingers[i].covariance[0], WithinRel(felt[i], 1e-5) || WithinAbs(0.0, 1e-15));
+    CHECK_THAT(grasp.fingers[i].covariance.values[0],
+               WithinRel(felt[i], 1e-5) || WithinAbs(0.0, 1e-15));
     CHECK_THAT(std::pow(grasp.fingers[i].torques[1].deviation, 2),
                WithinAbs(grasp.torque_covariance(2 * i + 1, 2 * i + 1), 1e-12 * size));
   }
@@ -224,8 +225,8 @@ TEST_CASE("within friction cones the torques are the least that carry the load",
     HeldGrasp grasp;
     try {
       grasp = held(hand, {.friction = friction});
-    } catch (const std::domain_error& error) {
-      CHECK_THAT(error.what(), ContainsSubstring("within the friction cones"));
+    } catch (const CannotHold& error) {
+      CHECK(error.reason() == NoHold::beyond_cones);
       continue;
     }
     CAPTURE(trial);
@@ -296,7 +297,7 @@ TEST_CASE("no forces are found where none within the cones carry the load", "[gr
   const auto pushed = [&](double x) {
     return hold(fingers, contacts, {{x, 0.0}, 0.0, {0.0, 1.5}}, {.friction = {0.5, 0.5}});
   };
-  CHECK_THROWS_WITH(pushed(1.0), ContainsSubstring("no forces within the friction cones"));
+  CHECK_THROWS_AS(pushed(1.0), CannotHold);
   CHECK_NOTHROW(pushed(-1.0));
 }
 

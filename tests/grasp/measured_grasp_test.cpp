@@ -13,16 +13,16 @@ using namespace tactile_net;
 namespace {
 
 /// A positive definite covariance, about `size` of the values.
-std::array<double, 9> random_covariance(Random& random, const std::array<double, 3>& size) {
+ContactCovariance<3> random_covariance(Random& random, const std::array<double, 3>& size) {
   Eigen::Matrix3d root;
   for (Eigen::Index i = 0; i < 3; ++i)
     for (Eigen::Index j = 0; j < 3; ++j)
       root(i, j) = size[static_cast<std::size_t>(i)] * random.between(-1.0, 1.0);
   const Eigen::Matrix3d c = root * root.transpose();
-  std::array<double, 9> values{};
+  ContactCovariance<3> covariance;
   for (std::size_t i = 0; i < 9; ++i)
-    values[i] = c(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3));
-  return values;
+    covariance.values[i] = c(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3));
+  return covariance;
 }
 
 std::vector<FingertipForce> random_forces(Random& random, const Hand& hand) {
@@ -133,7 +133,8 @@ TEST_CASE("every deviation is that of central differences", "[grasp][property]")
         for (Eigen::Index k = 0; k < n; ++k)
           by(k, p) = (a[static_cast<std::size_t>(k)] - b[static_cast<std::size_t>(k)]) / (2.0 * h);
       }
-      const Eigen::Matrix3d felt = Eigen::Map<const Eigen::Matrix3d>(forces[i].covariance.data());
+      const Eigen::Matrix3d felt =
+          Eigen::Map<const Eigen::Matrix3d>(forces[i].covariance.values.data());
       c += by * felt * by.transpose();
     }
     const std::vector<double> deviations = deviations_of(grasp);
@@ -147,8 +148,8 @@ TEST_CASE("every deviation is that of central differences", "[grasp][property]")
                              1e-6 * c.diagonal().maxCoeff()));
     for (std::size_t i = 0; i < fingers; ++i)
       for (std::size_t k = 0; k < 4; ++k)
-        CHECK_THAT(grasp.fingers[i].covariance[k],
-                   WithinAbs(forces[i].covariance[3 * (k / 2) + k % 2], 1e-14));
+        CHECK_THAT(grasp.fingers[i].covariance.values[k],
+                   WithinAbs(forces[i].covariance.values[3 * (k / 2) + k % 2], 1e-14));
   }
 }
 
@@ -172,7 +173,7 @@ TEST_CASE("99 % of grasps in equilibrium are called balanced, and a force too mu
   for (int trial = 0; trial < trials; ++trial) {
     std::vector<FingertipForce> noisy = exact;
     for (FingertipForce& force : noisy) {
-      const Eigen::Matrix3d c = Eigen::Map<const Eigen::Matrix3d>(force.covariance.data());
+      const Eigen::Matrix3d c = Eigen::Map<const Eigen::Matrix3d>(force.covariance.values.data());
       const Eigen::Matrix3d root = c.llt().matrixL();
       const Eigen::Vector3d error =
           root * Eigen::Vector3d(random.normal(), random.normal(), random.normal());

@@ -98,8 +98,9 @@ TEST_CASE("a hand is read as it stands, angles in radians", "[hand]") {
   const auto& force = std::get<FingertipForce>(left.contact);
   CHECK(force.normal == 7.0);
   CHECK(force.centre == 0.002);
-  CHECK_THAT(force.covariance[0], WithinRel(0.01, 1e-15));
-  CHECK(force.covariance[4] == 0.0);
+  CHECK_THAT(force.covariance.deviation(ContactValue::normal), WithinRel(0.1, 1e-15));
+  CHECK(force.covariance(ContactValue::tangential, ContactValue::tangential) == 0.0);
+  CHECK(left.half_width == 0.01);
   const HandFinger& right = hand.fingers[1];
   CHECK(right.friction == 0.4);
   CHECK(right.torque_limits.empty());
@@ -120,7 +121,9 @@ TEST_CASE("contacts from files, and names by number", "[hand]") {
       "[finger.pad]\ncenter = 0.5\nside = \"left\"\n[finger.contact]\nscene = \"tip.toml\"\n");
   CHECK(hand.fingers[1].finger.name == "finger 2");
   CHECK(hand.fingers[0].finger.angles[0] == 0.5);
-  CHECK(hand.fingers[0].finger.pad.half_width == 0.0);
+  CHECK_FALSE(hand.fingers[0].half_width.has_value());
+  CHECK(hand.fingers[0].with_pad(7.0).pad.half_width == 7.0);
+  CHECK(hand.fingers[1].with_pad(7.0).pad.half_width == 2.0);
   const auto& tip = std::get<FingertipScene>(hand.fingers[0].contact);
   CHECK(tip.scene == "a/tip.toml");
   CHECK(tip.readings == "b.csv");
@@ -230,7 +233,7 @@ TEST_CASE("damaged hands are read or refused, never worse", "[hand][fuzz]") {
     try {
       const Hand hand = parse(toml);
       ++read;
-      for (const HandFinger& finger : hand.fingers) CHECK_NOTHROW(pose_of(finger.finger));
+      for (const HandFinger& finger : hand.fingers) CHECK_NOTHROW(pose_of(finger.with_pad(1.0)));
     } catch (const InputError& error) {
       const auto lines = static_cast<std::size_t>(std::count(toml.begin(), toml.end(), '\n')) + 1;
       for (const Diagnostic& diagnostic : error.diagnostics()) CHECK(diagnostic.line <= lines);

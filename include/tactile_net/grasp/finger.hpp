@@ -58,6 +58,10 @@ void check(const Finger& finger);
 /// is.
 [[nodiscard]] bool is_straight(const FingerPose& pose, Vector2 contact);
 
+/// What is wrong with a straight finger, as every error says it.
+inline constexpr const char* straight_finger =
+    "its joints and the contact lie on one line, along which its torques cannot push";
+
 /// @throw std::invalid_argument  the finger is straight; the text names it
 void check_bent(const Finger& finger, const FingerPose& pose, Vector2 contact);
 

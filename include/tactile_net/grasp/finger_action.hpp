@@ -2,9 +2,9 @@
 /// What one finger does in a grasp, and the load it is done against.
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "tactile_net/grasp/contact_covariance.hpp"
 #include "tactile_net/grasp/vector2.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 
@@ -22,8 +22,8 @@ struct FingerAction {
   Vector2 force{};          ///< f: of the finger on the object, in the palm's frame
   double normal = 0.0;      ///< the same force as the pad feels it, reversed: F_v, into the pad
   double tangential = 0.0;  ///< F_t, along the sensor's y
-  std::array<double, 4> covariance{};  ///< of (normal, tangential), row-major
-  std::vector<Uncertain> torques{};    ///< J' f: of the joints, base first, counter-clockwise
+  ContactCovariance<2> covariance{};  ///< of (normal, tangential)
+  std::vector<Uncertain> torques{};   ///< J' f: of the joints, base first, counter-clockwise
 };
 
 }  // namespace tactile_net

@@ -2,8 +2,7 @@
 /// What a fingertip's tactile sensor says of its contact.
 #pragma once
 
-#include <array>
-
+#include "tactile_net/grasp/contact_covariance.hpp"
 #include "tactile_net/grasp/finger.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 
@@ -12,10 +11,10 @@ namespace tactile_net {
 /// The resultant of the tractions on a pad: the object's force on the finger. With tractions of the
 /// plane (Pa) forces are per unit length out of plane; times the pad's breadth they are in N.
 struct FingertipForce {
-  double normal = 0.0;                 ///< F_v, into the pad; must be > 0
-  double tangential = 0.0;             ///< F_t, along the sensor's y
-  double centre = 0.0;                 ///< y*, centre of pressure [m]
-  std::array<double, 9> covariance{};  ///< of (normal, tangential, centre), row-major; 0: certain
+  double normal = 0.0;      ///< F_v, into the pad; must be > 0
+  double tangential = 0.0;  ///< F_t, along the sensor's y
+  double centre = 0.0;      ///< y*, centre of pressure [m]
+  ContactCovariance<3> covariance{};
 };
 
 /// @param breadth  of the pad out of plane [m], > 0; 1: forces stay per unit length
@@ -28,6 +27,11 @@ struct ContactPlace {
   double centre = 0.0;     ///< y* [m]
   double deviation = 0.0;  ///< its standard deviation [m], >= 0
 };
+
+/// Where a force acts, without the force.
+[[nodiscard]] inline ContactPlace place_of(const FingertipForce& force) noexcept {
+  return {force.centre, force.covariance.deviation(ContactValue::centre)};
+}
 
 /// @throw std::invalid_argument  the place is outside the pad, or not finite, or the deviation is
 ///                               not >= 0; the text names the finger

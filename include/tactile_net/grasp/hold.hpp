@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/grasp/cannot_hold.hpp"
 #include "tactile_net/grasp/finger.hpp"
 #include "tactile_net/grasp/finger_action.hpp"
 #include "tactile_net/grasp/fingertip_force.hpp"
@@ -44,8 +45,8 @@ struct HeldGrasp {
 ///                               number that is not finite; a straight finger (its name is in the
 ///                               text); contacts in one point; a squeeze with a contact at the
 ///                               contacts' middle
-/// @throw std::domain_error      torques do not determine the forces: a part of them costs none; or
-///                               no forces within the cones carry the load
+/// @throw CannotHold             torques do not determine the forces: a part of them costs none; or
+///                               no forces within the cones carry the load: its `reason` says which
 [[nodiscard]] HeldGrasp hold(std::span<const Finger> fingers,
                              std::span<const ContactPlace> contacts, const ExternalLoad& load,
                              const HoldOptions& options = {});

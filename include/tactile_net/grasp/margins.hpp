@@ -48,9 +48,12 @@ struct FrictionMargin {
   // The distance is n.(F_v, |F_t|) with n across the edge.
   const double by_normal = friction * scale;
   const double by_tangential = std::copysign(scale, -action.tangential);
+  using enum ContactValue;
   const auto& c = action.covariance;
-  const double variance = by_normal * by_normal * c[0] + by_tangential * by_tangential * c[3] +
-                          by_normal * by_tangential * (c[1] + c[2]);
+  const double variance =
+      by_normal * by_normal * c(normal, normal) +
+      by_tangential * by_tangential * c(tangential, tangential) +
+      by_normal * by_tangential * (c(normal, tangential) + c(tangential, normal));
   FrictionMargin margin;
   margin.distance = {by_normal * action.normal - scale * size, std::sqrt(std::fmax(variance, 0.0))};
   margin.used = is_idle(action)       ? 0.0

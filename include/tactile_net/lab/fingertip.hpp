@@ -2,27 +2,60 @@
 /// A finger of a hand's file made ready: its contact read, or reconstructed from readings.
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
-#include "tactile_net/scene/hand.hpp"
+#include "tactile_net/grasp/finger.hpp"
+#include "tactile_net/grasp/fingertip_force.hpp"
+#include "tactile_net/lab/remark.hpp"
+#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/verdict.hpp"
 
 namespace tactile_net::lab {
 
+namespace remark {
+/// What an effect of the simulated sensor has to say.
+struct EffectNote {
+  std::string words{};
+};
+/// The reconstruction has an answer, but not one to trust without a look.
+struct Doubtful {
+  Verdict verdict = Verdict::ok;
+};
+/// The sensor does not see the tangential force: it is taken for zero.
+struct TangentialUnseen {};
+}  // namespace remark
+
+/// What a user should know of a fingertip's force before trusting it.
+using FingertipRemark = std::variant<SceneRemark, Remark, remark::EffectNote, remark::Doubtful,
+                                     remark::TangentialUnseen>;
+
 struct Fingertip {
-  Finger finger{};                        ///< the pad's half width filled in
-  std::optional<FingertipForce> force{};  ///< absent: the contact is only assumed
+  /// What the contact is known from.
+  enum class Source {
+    assumed,    ///< its place is; its force is not known
+    resultant,  ///< the hand's file gives its force
+    tractions,  ///< a file of tractions
+    readings,   ///< a file of readings, reconstructed by tikhonov
+    simulated,  ///< a scene's contacts, simulated and reconstructed
+  };
+
+  Finger finger{};  ///< with its pad
+  FingerPose pose{};
   ContactPlace place{};
-  std::string source{};  ///< "resultant", "tractions", "readings", "simulated" or "assumed"
-  std::string words{};   ///< where it comes from, for people
-  std::vector<std::string> warnings{};
+  std::optional<FingertipForce> force{};  ///< absent: the contact is only assumed
+  Source source = Source::assumed;
+  std::filesystem::path file{};  ///< of the source, as the hand's file names it; empty: none
+  std::size_t frame = 0;         ///< row of that file, from 0
+  std::vector<FingertipRemark> remarks{};
 };
 
-/// @param folder  what relative paths are below
-/// @throw InputError         a scene or CSV file is bad, or has no such frame
-/// @throw std::domain_error  nothing presses on the pad, or beside it: the text names the finger
-[[nodiscard]] Fingertip make_fingertip(const HandFinger& finger,
-                                       const std::filesystem::path& folder);
+/// The spelling in JSON: "assumed", "resultant", "tractions", "readings", "simulated".
+[[nodiscard]] std::string_view name(Fingertip::Source source) noexcept;
 
 }  // namespace tactile_net::lab

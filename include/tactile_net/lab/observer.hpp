@@ -27,6 +27,7 @@ struct Step {
     frame,         ///< of a recording: number `count`, from 0
     sensors,       ///< the scene's own are surveyed
     alternative,   ///< sensor choice number `count`, from 1
+    finger,        ///< of a hand: number `count`, from 1
   };
   Kind kind = Kind::readings;
   std::size_t count = 0;

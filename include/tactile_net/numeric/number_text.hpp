@@ -3,6 +3,7 @@
 ///
 ///     shortest(0.1)     "0.1"      every digit: reads back as the same double
 ///     brief(1234.5)     "1.23e+03" three significant digits, for tables
+///     fixed(1234.56, 1) "1234.6"   so many digits behind the point
 ///     percent(0.0123)   "1.23 %"
 ///     duration(2.5e-6)  "2.5 us"
 #pragma once
@@ -23,6 +24,9 @@ void append_number(std::string& out, double number);
 
 /// Three significant digits; "-" for NaN.
 [[nodiscard]] std::string brief(double number);
+
+/// So many digits behind the point, at most 20; "-" for NaN.
+[[nodiscard]] std::string fixed(double number, int digits);
 
 /// A share of 1 as "1.23 %".
 [[nodiscard]] std::string percent(double share);

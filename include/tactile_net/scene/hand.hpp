@@ -36,11 +36,22 @@ struct FingertipScene {
 using ContactSource = std::variant<ContactPlace, FingertipForce, TractionFile, FingertipScene>;
 
 struct HandFinger {
-  Finger finger{};                      ///< its pad's half width is 0 where the array's is meant
+  Finger finger{};                      ///< all but its pad's half width: see `with_pad`
+  std::optional<double> half_width{};   ///< of the pad [m], > 0; absent: as wide as the array
   double breadth = 1.0;                 ///< of the pad out of plane [m]; 1: forces per unit length
   std::optional<double> friction{};     ///< mu, > 0
   std::vector<double> torque_limits{};  ///< one per joint, > 0, or none
   ContactSource contact{};
+
+  /// The finger with its pad, which is as wide as the fingertip's array where the file gives no
+  /// width of its own.
+  ///
+  /// @param array_half_width  [m], > 0; not used where the contact's place is in the hand's file
+  [[nodiscard]] Finger with_pad(double array_half_width) const {
+    Finger whole = finger;
+    whole.pad.half_width = half_width.value_or(array_half_width);
+    return whole;
+  }
 };
 
 struct Hand {

@@ -1,32 +1,30 @@
 #include "tactile_net/report/json/grasp_json.hpp"
 
-#include <cmath>
-
 #include "report/json/scene_json.hpp"
 #include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/words/grasp_words.hpp"
 
 namespace tactile_net::report {
 namespace {
 
 Json point(Vector2 v) { return {v.x, v.y}; }
 
-Json finger_json(const lab::Fingertip& tip, const FingerPose& pose) {
+Json finger_json(const lab::Fingertip& tip) {
   Json joints = Json::array();
-  for (const Vector2 joint : pose.joints) joints.push_back(point(joint));
+  for (const Vector2 joint : tip.pose.joints) joints.push_back(point(joint));
   Json json = {{"name", tip.finger.name},
                {"joints", joints},
-               {"tip", point(pose.tip)},
-               {"contact", point(contact_point(pose, tip.place.centre))},
-               {"source", tip.source},
+               {"tip", point(tip.pose.tip)},
+               {"contact", point(contact_point(tip.pose, tip.place.centre))},
+               {"source", name(tip.source)},
                {"centre", uncertain_json({tip.place.centre, tip.place.deviation})},
                {"normal", nullptr},
                {"tangential", nullptr},
                {"covariance", nullptr}};
   if (tip.force) {
-    const auto& c = tip.force->covariance;
-    json["normal"] = uncertain_json({tip.force->normal, std::sqrt(c[0])});
-    json["tangential"] = uncertain_json({tip.force->tangential, std::sqrt(c[4])});
-    json["covariance"] = c;
+    json["normal"] = uncertain_json(normal_of(*tip.force));
+    json["tangential"] = uncertain_json(tangential_of(*tip.force));
+    json["covariance"] = tip.force->covariance.values;
   }
   return json;
 }
@@ -48,9 +46,9 @@ Json action_json(const FingerAction& action, const lab::FingerMargins& margins) 
                 {"angle", margins.friction->angle}};
   }
   return {{"force", point(action.force)},
-          {"normal", uncertain_json({action.normal, std::sqrt(action.covariance[0])})},
-          {"tangential", uncertain_json({action.tangential, std::sqrt(action.covariance[3])})},
-          {"covariance", action.covariance},
+          {"normal", uncertain_json(normal_of(action))},
+          {"tangential", uncertain_json(tangential_of(action))},
+          {"covariance", action.covariance.values},
           {"friction", friction},
           {"torques", torques}};
 }
@@ -69,10 +67,10 @@ Json matrix_json(const Matrix& matrix) {
   return rows;
 }
 
-Json measured_json(const lab::GraspStudy& study) {
-  const MeasuredGrasp& measured = *study.measured;
+Json measured_json(const lab::MeasuredAnswer& answer) {
+  const MeasuredGrasp& measured = answer.grasp;
   const auto& [x, y, moment] = measured.unbalanced;
-  return {{"fingers", actions_json(measured.fingers, study.measured_margins)},
+  return {{"fingers", actions_json(measured.fingers, answer.margins)},
           {"torque_covariance", matrix_json(measured.torque_covariance)},
           {"unbalanced",
            {{"force_x", uncertain_json(x)},
@@ -81,40 +79,39 @@ Json measured_json(const lab::GraspStudy& study) {
             {"share", measured.unbalanced_share},
             {"chi_squared", number_or_null(measured.chi_squared)},
             {"limit", balanced_limit},
-            {"balanced", study.balanced ? Json(*study.balanced) : Json(nullptr)}}},
+            {"balanced", answer.balanced ? Json(*answer.balanced) : Json(nullptr)}}},
           {"squeeze", uncertain_or_null(measured.squeeze)},
           {"grasping_force", uncertain_or_null(measured.grasping_force)}};
 }
 
-Json held_json(const lab::GraspStudy& study) {
-  const HeldGrasp& held = *study.held;
-  Json json = {{"fingers", actions_json(held.fingers, study.held_margins)},
+Json held_json(const lab::HeldAnswer& answer) {
+  const HeldGrasp& held = answer.grasp;
+  Json json = {{"fingers", actions_json(held.fingers, answer.margins)},
                {"torque_covariance", matrix_json(held.torque_covariance)},
                {"squeeze", held.squeeze},
                {"condition", held.condition},
                {"thesis", nullptr}};
-  if (study.thesis)
-    json["thesis"] = {{"torques", {study.thesis->left, study.thesis->right}},
-                      {"condition", study.thesis->condition},
-                      {"difference", study.thesis_difference}};
+  if (answer.thesis)
+    json["thesis"] = {{"torques", {answer.thesis->torques.left, answer.thesis->torques.right}},
+                      {"condition", answer.thesis->torques.condition},
+                      {"difference", answer.thesis->difference}};
   return json;
 }
 
 }  // namespace
 
-std::string grasp_json(const lab::GraspStudy& study) {
-  Json json = {{"tactile_net", version()}, {"hand", study.hand.file}};
+std::string grasp_json(const lab::GraspResult& grasp) {
+  Json json = {{"tactile_net", version()}, {"hand", grasp.hand.file}};
   json["fingers"] = Json::array();
-  for (std::size_t i = 0; i < study.tips.size(); ++i)
-    json["fingers"].push_back(finger_json(study.tips[i], study.poses[i]));
+  for (const lab::Fingertip& tip : grasp.tips) json["fingers"].push_back(finger_json(tip));
   json["load"] = nullptr;
-  if (const auto& load = study.hand.load)
+  if (const auto& load = grasp.hand.load)
     json["load"] = {
         {"force", point(load->force)}, {"torque", load->torque}, {"point", point(load->point)}};
-  json["measured"] = study.measured ? measured_json(study) : Json(nullptr);
-  json["held"] = study.held ? held_json(study) : Json(nullptr);
-  json["warnings"] = study.warnings;
-  json["failures"] = study.failures;
+  json["measured"] = grasp.measured ? measured_json(*grasp.measured) : Json(nullptr);
+  json["held"] = grasp.held ? held_json(*grasp.held) : Json(nullptr);
+  json["warnings"] = warnings_in_words(grasp);
+  json["failures"] = failures_in_words(grasp);
   return text_of(json);
 }
 

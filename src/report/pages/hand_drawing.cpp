@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/pages/html.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -19,11 +17,7 @@ constexpr double longest_arrow = 130.0;
 constexpr double cone_length = 90.0;
 constexpr double text_size = 17.0;
 
-std::string px(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.1f", value);
-  return buffer;
-}
+std::string px(double value) { return fixed(value, 1); }
 
 /// 1, 2 or 5 times a power of ten, at most `value`.
 double round_down(double value) {
@@ -109,32 +103,32 @@ class Picture {
 };
 
 /// Picture units per unit of length.
-double scale_of(const lab::GraspStudy& study) {
+double scale_of(const lab::GraspResult& grasp) {
   Picture box(1.0);
-  for (const FingerPose& pose : study.poses) {
-    for (const Vector2 joint : pose.joints) box.grow(joint);
-    box.grow(pose.tip);
-    box.grow(pose.pad_center);
+  for (const lab::Fingertip& tip : grasp.tips) {
+    for (const Vector2 joint : tip.pose.joints) box.grow(joint);
+    box.grow(tip.pose.tip);
+    box.grow(tip.pose.pad_center);
   }
-  if (study.hand.load) box.grow(study.hand.load->point);
+  if (grasp.hand.load) box.grow(grasp.hand.load->point);
   const Vector2 size = box.high() - box.low();
   return hand_size / std::max(size.x, size.y);
 }
 
-double largest_force(const lab::GraspStudy& study) {
+double largest_force(const lab::GraspResult& grasp) {
   double size = 0.0;
   const auto grow = [&](const std::vector<FingerAction>& actions) {
     for (const FingerAction& action : actions) size = std::max(size, length(action.force));
   };
-  if (study.measured) grow(study.measured->fingers);
-  if (study.held) grow(study.held->fingers);
-  if (study.hand.load) size = std::max(size, length(study.hand.load->force));
+  if (grasp.measured) grow(grasp.measured->grasp.fingers);
+  if (grasp.held) grow(grasp.held->grasp.fingers);
+  if (grasp.hand.load) size = std::max(size, length(grasp.hand.load->force));
   return size;
 }
 
-void draw_palm(Picture& picture, const lab::GraspStudy& study) {
+void draw_palm(Picture& picture, const lab::GraspResult& grasp) {
   std::vector<Vector2> bases;
-  for (const FingerPose& pose : study.poses) bases.push_back(picture.at(pose.joints.front()));
+  for (const lab::Fingertip& tip : grasp.tips) bases.push_back(picture.at(tip.pose.joints.front()));
   std::sort(bases.begin(), bases.end(),
             [](Vector2 a, Vector2 b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
   if (bases.size() > 1) picture.line(bases, "palm");
@@ -152,7 +146,8 @@ void draw_cone(Picture& picture, const FingerPose& pose, Vector2 contact, double
   picture.area(points, "cone");
 }
 
-void draw_finger(Picture& picture, const lab::Fingertip& tip, const FingerPose& pose) {
+void draw_finger(Picture& picture, const lab::Fingertip& tip) {
+  const FingerPose& pose = tip.pose;
   std::vector<Vector2> points;
   for (const Vector2 joint : pose.joints) points.push_back(picture.at(joint));
   points.push_back(picture.at(pose.tip));
@@ -208,34 +203,33 @@ void draw_scales(Picture& picture, double lengths, double forces) {
 
 }  // namespace
 
-std::string draw_hand(const lab::GraspStudy& study) {
-  const double lengths = scale_of(study);
-  const double forces = longest_arrow / largest_force(study);
+std::string draw_hand(const lab::GraspResult& grasp) {
+  const double lengths = scale_of(grasp);
+  const double forces = longest_arrow / largest_force(grasp);
   Picture picture(lengths);
   std::vector<Vector2> contacts;
-  for (std::size_t i = 0; i < study.tips.size(); ++i)
-    contacts.push_back(picture.at(contact_point(study.poses[i], study.tips[i].place.centre)));
+  for (const lab::Fingertip& tip : grasp.tips)
+    contacts.push_back(picture.at(contact_point(tip.pose, tip.place.centre)));
 
-  draw_palm(picture, study);
+  draw_palm(picture, grasp);
   if (contacts.size() > 1) {
     std::vector<Vector2> ring = contacts;
     if (ring.size() > 2) ring.push_back(ring.front());
     picture.line(ring, "grasp");
   }
-  for (std::size_t i = 0; i < study.tips.size(); ++i)
-    if (const auto& friction = study.hand.fingers[i].friction)
-      draw_cone(picture, study.poses[i], contacts[i], *friction);
-  for (std::size_t i = 0; i < study.tips.size(); ++i)
-    draw_finger(picture, study.tips[i], study.poses[i]);
+  for (std::size_t i = 0; i < grasp.tips.size(); ++i)
+    if (const auto& friction = grasp.hand.fingers[i].friction)
+      draw_cone(picture, grasp.tips[i].pose, contacts[i], *friction);
+  for (const lab::Fingertip& tip : grasp.tips) draw_finger(picture, tip);
   const auto arrows = [&](const std::vector<FingerAction>& actions, const std::string& type) {
     for (const FingerAction& action : actions)
       picture.arrow(picture.at(action.point), {forces * action.force.x, -forces * action.force.y},
                     type);
   };
-  if (study.held) arrows(study.held->fingers, "held");
-  if (study.measured) arrows(study.measured->fingers, "measured");
+  if (grasp.held) arrows(grasp.held->grasp.fingers, "held");
+  if (grasp.measured) arrows(grasp.measured->grasp.fingers, "measured");
   for (const Vector2 contact : contacts) picture.dot(contact, 4.0, "contact");
-  if (const auto& load = study.hand.load) {
+  if (const auto& load = grasp.hand.load) {
     const Vector2 at = picture.at(load->point);
     picture.arrow(at, {forces * load->force.x, -forces * load->force.y}, "load");
     draw_torque(picture, at, load->torque);

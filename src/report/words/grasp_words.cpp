@@ -1,11 +1,11 @@
 #include "tactile_net/report/words/grasp_words.hpp"
 
-#include <cmath>
 #include <numbers>
 #include <ostream>
+#include <variant>
 
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 
 namespace tactile_net::report {
@@ -20,22 +20,91 @@ std::string uncertain(const Uncertain& value) {
 
 std::string degrees(double angle) { return brief(angle * 180.0 / std::numbers::pi) + " deg"; }
 
-std::string percent(double share) {
-  return std::isfinite(share) ? brief(100.0 * share) + " %" : "-";
+/// Where a finger's contact comes from.
+std::string source_in_words(const lab::Fingertip& tip) {
+  using Source = lab::Fingertip::Source;
+  const std::string frame = ", frame " + std::to_string(tip.frame);
+  switch (tip.source) {
+    case Source::assumed:
+      return "contact assumed";
+    case Source::resultant:
+      return "resultant given";
+    case Source::tractions:
+      return "tractions of " + tip.file.string() + frame;
+    case Source::readings:
+      return "readings of " + tip.file.string() + frame;
+    case Source::simulated:
+      return "contacts of " + tip.file.string();
+  }
+  return {};
+}
+
+std::string say(const lab::SceneRemark& remark) { return in_words(remark); }
+std::string say(const lab::Remark& remark) { return in_words(remark); }
+std::string say(const lab::remark::EffectNote& note) { return note.words; }
+std::string say(const lab::remark::Doubtful& doubtful) {
+  return "the reconstruction's verdict is " + std::string(name(doubtful.verdict));
+}
+std::string say(const lab::remark::TangentialUnseen&) {
+  return "the tangential force is not measured: it is taken for zero";
+}
+
+std::string answer_in_words(lab::GraspAnswer answer) {
+  return answer == lab::GraspAnswer::measured ? "as measured: " : "to hold: ";
+}
+
+/// "to hold: finger 'left' ", of a remark or a failure.
+std::string subject_of(const lab::GraspResult& grasp, const auto& what) {
+  return answer_in_words(what.answer) + "finger '" + grasp.tips[what.finger].finger.name + "' ";
+}
+
+std::string in_words(const lab::GraspResult& grasp, const lab::GraspRemark& remark) {
+  using Kind = lab::GraspRemark::Kind;
+  const std::string finger = subject_of(grasp, remark);
+  switch (remark.kind) {
+    case Kind::idle:
+      return finger + "is not needed: it carries nothing";
+    case Kind::near_slipping:
+      return finger + "is less than two standard deviations from slipping";
+  }
+  return {};
+}
+
+std::string in_words(const lab::GraspResult& grasp, const lab::GraspFailure& failure) {
+  using Kind = lab::GraspFailure::Kind;
+  const std::string answer = answer_in_words(failure.answer);
+  const std::string finger = subject_of(grasp, failure);
+  const std::string number = brief(failure.number);
+  switch (failure.kind) {
+    case Kind::pulls:
+      return finger + "would have to pull with " + number;
+    case Kind::slips:
+      return finger + "slips: its force is " + number + " outside the friction cone";
+    case Kind::beyond_limit:
+      return finger + "exceeds the torque limit of joint " + std::to_string(failure.joint + 1) +
+             " by " + number;
+    case Kind::unbalanced:
+      return answer + "the forces do not carry the load: chi squared " + number + ", beyond the " +
+             brief(balanced_limit) + " that 99 % of balanced grasps stay below";
+    case Kind::cannot_hold:
+      return answer + rule(failure.reason);
+    case Kind::disagreement:
+      return answer + "the thesis' equations give other torques, by " + number;
+  }
+  return {};
 }
 
 }  // namespace
 
-Cells contact_cells(const lab::GraspStudy& study, const std::vector<FingerAction>& actions,
+Cells contact_cells(const lab::GraspResult& grasp, const std::vector<FingerAction>& actions,
                     const std::vector<lab::FingerMargins>& margins) {
   Cells rows = {{"finger", "contact at", "force on object", "normal", "tangential",
                  "to cone's edge", "angle left", "verdict"}};
   for (std::size_t i = 0; i < actions.size(); ++i) {
     const FingerAction& action = actions[i];
     const auto& friction = margins[i].friction;
-    rows.push_back({study.tips[i].finger.name, pair(action.point), pair(action.force),
-                    uncertain({action.normal, std::sqrt(action.covariance[0])}),
-                    uncertain({action.tangential, std::sqrt(action.covariance[3])}),
+    rows.push_back({grasp.tips[i].finger.name, pair(action.point), pair(action.force),
+                    uncertain(normal_of(action)), uncertain(tangential_of(action)),
                     friction ? uncertain(friction->distance) : "-",
                     friction ? degrees(friction->angle) : "-",
                     friction              ? name(friction->verdict)
@@ -46,13 +115,13 @@ Cells contact_cells(const lab::GraspStudy& study, const std::vector<FingerAction
   return rows;
 }
 
-Cells torque_cells(const lab::GraspStudy& study, const std::vector<FingerAction>& actions,
+Cells torque_cells(const lab::GraspResult& grasp, const std::vector<FingerAction>& actions,
                    const std::vector<lab::FingerMargins>& margins) {
   Cells rows = {{"finger", "joint", "torque", "left to limit", "used"}};
   for (std::size_t i = 0; i < actions.size(); ++i)
     for (std::size_t j = 0; j < actions[i].torques.size(); ++j) {
       const auto& limits = margins[i].torques;
-      rows.push_back({j == 0 ? study.tips[i].finger.name : "", std::to_string(j + 1),
+      rows.push_back({j == 0 ? grasp.tips[i].finger.name : "", std::to_string(j + 1),
                       uncertain(actions[i].torques[j]),
                       limits.empty() ? "-" : brief(limits[j].left),
                       limits.empty() ? "-" : percent(limits[j].used)});
@@ -60,32 +129,30 @@ Cells torque_cells(const lab::GraspStudy& study, const std::vector<FingerAction>
   return rows;
 }
 
-std::string load_in_words(const lab::GraspStudy& study) {
-  if (!study.hand.load) return "no load";
-  const ExternalLoad& load = *study.hand.load;
+std::string load_in_words(const lab::GraspResult& grasp) {
+  if (!grasp.hand.load) return "no load";
+  const ExternalLoad& load = *grasp.hand.load;
   return "load " + pair(load.force) + " at " + pair(load.point) + ", torque " + brief(load.torque);
 }
 
-std::vector<std::string> sources_in_words(const lab::GraspStudy& study) {
+std::vector<std::string> sources_in_words(const lab::GraspResult& grasp) {
   std::vector<std::string> lines;
-  for (const lab::Fingertip& tip : study.tips) {
-    std::string line = tip.finger.name + ": " + tip.words + ": ";
-    if (tip.force) {
-      const auto& c = tip.force->covariance;
-      line += "normal " + uncertain({tip.force->normal, std::sqrt(c[0])}) + ", tangential " +
-              uncertain({tip.force->tangential, std::sqrt(c[4])}) + ", ";
-    }
+  for (const lab::Fingertip& tip : grasp.tips) {
+    std::string line = tip.finger.name + ": " + source_in_words(tip) + ": ";
+    if (tip.force)
+      line += "normal " + uncertain(normal_of(*tip.force)) + ", tangential " +
+              uncertain(tangential_of(*tip.force)) + ", ";
     line += "centre " + uncertain({tip.place.centre, tip.place.deviation});
     lines.push_back(line);
   }
   return lines;
 }
 
-std::vector<std::string> balance_in_words(const lab::GraspStudy& study) {
-  const MeasuredGrasp& measured = *study.measured;
+std::vector<std::string> balance_in_words(const lab::GraspResult& grasp) {
+  const MeasuredGrasp& measured = grasp.measured->grasp;
   const auto& [x, y, moment] = measured.unbalanced;
   std::vector<std::string> lines;
-  if (!study.hand.load) {
+  if (!grasp.hand.load) {
     lines.push_back("they add up to (" + uncertain(x) + ", " + uncertain(y) + ") and the moment " +
                     uncertain(moment) +
                     " about the palm's origin: a load that they hold is the opposite");
@@ -93,11 +160,11 @@ std::vector<std::string> balance_in_words(const lab::GraspStudy& study) {
     lines.push_back("not balanced: force (" + uncertain(x) + ", " + uncertain(y) + "), moment " +
                     uncertain(moment) + " about the load's point; " +
                     percent(measured.unbalanced_share) + " of all forces");
-    if (study.balanced)
-      lines.push_back(
-          "chi squared " + brief(*measured.chi_squared) + " of 3 degrees of freedom: " +
-          (*study.balanced ? "the deviations explain it" : "MORE THAN THE DEVIATIONS EXPLAIN") +
-          " (99 % stay below " + brief(balanced_limit) + ")");
+    if (grasp.measured->balanced)
+      lines.push_back("chi squared " + brief(*measured.chi_squared) + " of 3 degrees of freedom: " +
+                      (*grasp.measured->balanced ? "the deviations explain it"
+                                                 : "MORE THAN THE DEVIATIONS EXPLAIN") +
+                      " (99 % stay below " + brief(balanced_limit) + ")");
     else
       lines.emplace_back("without deviations of all forces, nothing tells whether that is much");
   }
@@ -108,53 +175,72 @@ std::vector<std::string> balance_in_words(const lab::GraspStudy& study) {
   return lines;
 }
 
-std::vector<std::string> hold_in_words(const lab::GraspStudy& study) {
-  const HoldOptions& options = study.hand.squeeze;
+std::vector<std::string> hold_in_words(const lab::GraspResult& grasp) {
+  const HoldOptions& options = grasp.hand.squeeze;
   std::vector<std::string> lines;
   if (options.grasping_force)
     lines.push_back("with the grasping force " + brief(*options.grasping_force) +
-                    ": nothing is left to choose; squeeze " + brief(study.held->squeeze));
+                    ": nothing is left to choose; squeeze " + brief(grasp.held->grasp.squeeze));
   else if (options.squeeze)
     lines.push_back("with the squeeze " + brief(*options.squeeze) +
-                    (study.tips.size() > 2 ? ", and of such forces those of the least torques"
+                    (grasp.tips.size() > 2 ? ", and of such forces those of the least torques"
                                            : ": nothing is left to choose"));
   else
     lines.push_back("by the least torques (least sum of squares); squeeze " +
-                    brief(study.held->squeeze));
-  if (study.hand.friction_used)
-    lines.push_back("every force within " + percent(*study.hand.friction_used) +
+                    brief(grasp.held->grasp.squeeze));
+  if (grasp.hand.friction_used)
+    lines.push_back("every force within " + percent(*grasp.hand.friction_used) +
                     " of its friction");
-  if (study.thesis)
+  if (const auto& thesis = grasp.held->thesis)
     lines.push_back("the thesis' four equations (6.23) give the same torques to " +
-                    brief(study.thesis_difference) + "; condition number " +
-                    brief(study.thesis->condition));
+                    brief(thesis->difference) + "; condition number " +
+                    brief(thesis->torques.condition));
   else
-    lines.push_back("condition number " + brief(study.held->condition));
+    lines.push_back("condition number " + brief(grasp.held->grasp.condition));
   return lines;
 }
 
-void print_grasp(std::ostream& out, const lab::GraspStudy& study) {
+std::string in_words(const lab::FingertipRemark& remark) {
+  return std::visit([](const auto& one) { return say(one); }, remark);
+}
+
+std::vector<std::string> warnings_in_words(const lab::GraspResult& grasp) {
+  std::vector<std::string> lines;
+  for (const lab::Fingertip& tip : grasp.tips)
+    for (const lab::FingertipRemark& remark : tip.remarks)
+      lines.push_back("finger '" + tip.finger.name + "': " + in_words(remark));
+  for (const lab::GraspRemark& remark : grasp.remarks) lines.push_back(in_words(grasp, remark));
+  return lines;
+}
+
+std::vector<std::string> failures_in_words(const lab::GraspResult& grasp) {
+  std::vector<std::string> lines;
+  for (const lab::GraspFailure& failure : grasp.failures) lines.push_back(in_words(grasp, failure));
+  return lines;
+}
+
+void print_grasp(std::ostream& out, const lab::GraspResult& grasp) {
   const auto section = [&](const std::string& title, const std::vector<FingerAction>& actions,
                            const std::vector<lab::FingerMargins>& margins,
                            const std::vector<std::string>& words) {
     out << '\n' << title << '\n';
-    print_cells(out, contact_cells(study, actions, margins));
+    print_cells(out, contact_cells(grasp, actions, margins));
     out << '\n';
-    print_cells(out, torque_cells(study, actions, margins));
+    print_cells(out, torque_cells(grasp, actions, margins));
     for (const std::string& line : words) out << "  " << line << '\n';
   };
-  out << study.hand.file << (study.hand.title.empty() ? "" : ": " + study.hand.title) << "\n  "
-      << study.tips.size() << (study.tips.size() == 1 ? " finger; " : " fingers; ")
-      << load_in_words(study) << '\n';
-  for (const std::string& line : sources_in_words(study)) out << "  " << line << '\n';
-  if (study.measured)
-    section("what the measured forces mean:", study.measured->fingers, study.measured_margins,
-            balance_in_words(study));
-  if (study.held)
-    section("what would hold the load:", study.held->fingers, study.held_margins,
-            hold_in_words(study));
-  for (const std::string& warning : study.warnings) out << "warning: " << warning << '\n';
-  for (const std::string& failure : study.failures) out << "FAILS: " << failure << '\n';
+  out << grasp.hand.file << (grasp.hand.title.empty() ? "" : ": " + grasp.hand.title) << "\n  "
+      << grasp.tips.size() << (grasp.tips.size() == 1 ? " finger; " : " fingers; ")
+      << load_in_words(grasp) << '\n';
+  for (const std::string& line : sources_in_words(grasp)) out << "  " << line << '\n';
+  if (grasp.measured)
+    section("what the measured forces mean:", grasp.measured->grasp.fingers,
+            grasp.measured->margins, balance_in_words(grasp));
+  if (grasp.held)
+    section("what would hold the load:", grasp.held->grasp.fingers, grasp.held->margins,
+            hold_in_words(grasp));
+  for (const std::string& warning : warnings_in_words(grasp)) out << "warning: " << warning << '\n';
+  for (const std::string& failure : failures_in_words(grasp)) out << "FAILS: " << failure << '\n';
 }
 
 }  // namespace tactile_net::report

@@ -27,6 +27,8 @@ std::string in_words(const lab::Step& step) {
       return "the scene's sensors ...";
     case Kind::alternative:
       return "alternative " + std::to_string(step.count) + " ...";
+    case Kind::finger:
+      return "finger " + std::to_string(step.count) + " ...";
   }
   return {};
 }

@@ -4,6 +4,7 @@
 
 #include "commands/commands.hpp"
 #include "tactile_net/frames/failure.hpp"
+#include "tactile_net/frames/frame_of.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/report/json/grasp_json.hpp"
 #include "tactile_net/report/pages/grasp_page.hpp"
@@ -22,23 +23,24 @@ void run(const Options& options) {
   const Hand hand = read_hand(options.hand);
   std::unique_ptr<frames::OutputFolder> folder;
   if (!options.folder.empty()) folder = std::make_unique<frames::OutputFolder>(options.folder);
-  const lab::GraspStudy study = lab::study_grasp(hand);
+  const lab::GraspResult grasp = lab::hold(
+      hand, {.readings = frames::readings_of_frame, .tractions = frames::tractions_of_frame});
   if (folder) {
-    folder->write("result.json", report::grasp_json(study));
-    folder->write("report.html", report::grasp_report_html(study));
+    folder->write("result.json", report::grasp_json(grasp));
+    folder->write("report.html", report::grasp_report_html(grasp));
     folder->commit();
   }
-  if (options.json != "-") report::print_grasp(std::cout, study);
+  if (options.json != "-") report::print_grasp(std::cout, grasp);
   if (!options.json.empty()) {
     frames::OutputFile output(options.json);
-    output.stream() << report::grasp_json(study);
+    output.stream() << report::grasp_json(grasp);
     output.commit();
   }
   if (folder && options.json != "-")
     std::cout << "report: " << (std::filesystem::path(options.folder) / "report.html").string()
               << '\n';
   std::cout.flush();
-  if (!study.failures.empty()) throw frames::CheckFailed(study.failures.front());
+  if (!grasp.failures.empty()) throw frames::CheckFailed(report::failures_in_words(grasp).front());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 /// @file
-/// A grasp's study as JSON; the format is docs/results.md.
+/// A grasp as JSON; the format is docs/results.md.
 #pragma once
 
 #include <string>
@@ -8,6 +8,6 @@
 
 namespace tactile_net::report {
 
-[[nodiscard]] std::string grasp_json(const lab::GraspStudy& study);
+[[nodiscard]] std::string grasp_json(const lab::GraspResult& grasp);
 
 }  // namespace tactile_net::report

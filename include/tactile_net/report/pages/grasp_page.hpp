@@ -9,6 +9,6 @@
 namespace tactile_net::report {
 
 /// One self-contained page: the drawing, the tables, what they mean.
-[[nodiscard]] std::string grasp_report_html(const lab::GraspStudy& study);
+[[nodiscard]] std::string grasp_report_html(const lab::GraspResult& grasp);
 
 }  // namespace tactile_net::report

@@ -10,7 +10,7 @@ namespace tactile_net::report {
 
 /// Links, joints, pads, contacts, friction cones, forces and the load. Colours are the classes of
 /// `drawing_style`.
-[[nodiscard]] std::string draw_hand(const lab::GraspStudy& study);
+[[nodiscard]] std::string draw_hand(const lab::GraspResult& grasp);
 
 /// CSS for the drawing and the words that explain it, for light and dark.
 [[nodiscard]] std::string drawing_style();

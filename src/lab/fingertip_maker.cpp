@@ -1,0 +1,155 @@
+#include "lab/fingertip_maker.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/uncertainty.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/scene/diagnostic.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tactile_net/sensing/resultant.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+[[noreturn]] void fail(const Fingertip& tip, const std::string& what) {
+  const bool has_frames = tip.source != Fingertip::Source::simulated;
+  throw std::domain_error("finger '" + tip.finger.name + "', " + tip.file.string() +
+                          (has_frames ? ", frame " + std::to_string(tip.frame) : "") + ": " + what);
+}
+
+/// Half as wide as what belongs to the taxels.
+double half_width(std::size_t count, double pitch) {
+  return 0.5 * static_cast<double>(count) * pitch;
+}
+
+/// Where the resultant of tractions acts, whose deviations are not known.
+UncertainResultant certain(std::span<const double> normal, std::span<const double> tangential,
+                           double pitch) {
+  const Resultant sum = resultant_of(normal, tangential, pitch);
+  UncertainResultant result;
+  result.normal = {sum.normal, 0.0};
+  if (!tangential.empty()) result.tangential = Uncertain{sum.tangential, 0.0};
+  if (const auto centre = sum.centre()) result.centre = Uncertain{*centre, 0.0};
+  return result;
+}
+
+/// Takes a resultant for the fingertip's force.
+void press(Fingertip& tip, const UncertainResultant& resultant, double breadth) {
+  if (!resultant.centre)
+    fail(tip, "the normal force is " + brief(resultant.normal.value) +
+                  ", and must be > 0: nothing presses on the pad");
+  tip.force = fingertip_force(resultant, breadth);
+  if (!resultant.tangential) tip.remarks.emplace_back(remark::TangentialUnseen{});
+  const double end = tip.finger.pad.half_width;
+  if (std::abs(tip.force->centre) > end)
+    fail(tip, "the centre of pressure is at " + brief(tip.force->centre) +
+                  ", outside the fingertip, which ends at " + brief(end));
+}
+
+}  // namespace
+
+FingertipMaker::ReadyScene::ReadyScene(const std::filesystem::path& path)
+    : problem(read_scene(path)), solver(make_solver(problem, Method::tikhonov)) {}
+
+FingertipMaker::FingertipMaker(std::filesystem::path folder, const FrameOf& frame_of)
+    : folder_(std::move(folder)), frame_of_(frame_of) {}
+
+FingertipMaker::ReadyScene& FingertipMaker::ready(const std::filesystem::path& scene) {
+  const std::filesystem::path path = folder_ / scene;
+  return scenes_.try_emplace(path, path).first->second;
+}
+
+void FingertipMaker::press(Fingertip& tip, const HandFinger& finger,
+                           const TractionFile& source) const {
+  if (!frame_of_.tractions)
+    throw std::invalid_argument("the hand names a file of tractions, and FrameOf reads none");
+  const TractionField f = frame_of_.tractions(folder_ / source.file, source.frame);
+  tip.finger = finger.with_pad(half_width(f.normal.size(), source.pitch));
+  lab::press(tip, certain(f.normal, f.tangential, source.pitch), finger.breadth);
+}
+
+std::vector<double> FingertipMaker::readings_of(Fingertip& tip, const FingertipScene& source,
+                                                const Scene& scene) const {
+  if (source.readings) {
+    if (!frame_of_.readings)
+      throw std::invalid_argument("the hand names a file of readings, and FrameOf reads none");
+    return frame_of_.readings(folder_ / *source.readings, scene, source.frame);
+  }
+  if (scene.contacts.empty())
+    throw InputError({{.file = (folder_ / source.scene).string(),
+                       .message = "nothing presses on this fingertip",
+                       .hint = "name recorded readings in the hand's file: readings = \"FILE.csv\""
+                               ", or give the scene a [[contact]]"}});
+  SimulatedFrame simulated = simulate(scene);
+  tip.remarks.insert(tip.remarks.end(), simulated.remarks.begin(), simulated.remarks.end());
+  for (std::string& note : simulated.notes)
+    tip.remarks.emplace_back(remark::EffectNote{std::move(note)});
+  return std::move(simulated.readings);
+}
+
+void FingertipMaker::press(Fingertip& tip, const HandFinger& finger, const FingertipScene& source) {
+  const ReadyScene& scene = ready(source.scene);
+  const SensorArray& array = scene.problem.scene().sensor;
+  tip.finger = finger.with_pad(half_width(array.count, array.pitch));
+  const SceneFrame frame(scene.problem, readings_of(tip, source, scene.problem.scene()));
+  std::vector<double> f(scene.solver->tractions());
+  const FrameResult result = scene.solver->solve(frame.readings(), f);
+  if (result.status != FrameStatus::ok) fail(tip, "the frame's tractions overflow a double");
+  tip.remarks.insert(tip.remarks.end(), result.remarks.begin(), result.remarks.end());
+  if (result.verdict != Verdict::ok) tip.remarks.emplace_back(remark::Doubtful{result.verdict});
+  if (scene.problem.is_large()) {
+    tip.remarks.emplace_back(remark::NoBands{});
+    const std::span<const double> all(f);
+    lab::press(tip, certain(all.first(array.count), all.subspan(array.count), array.pitch),
+               finger.breadth);
+    return;
+  }
+  const FrameUncertainty bands = uncertainty(frame, f, result);
+  if (const auto off = model_error(bands.noise)) tip.remarks.emplace_back(*off);
+  lab::press(tip, bands.resultant, finger.breadth);
+}
+
+Fingertip FingertipMaker::make(const HandFinger& finger) {
+  Fingertip tip{.finger = finger.with_pad(0.0)};
+  if (const auto* place = std::get_if<ContactPlace>(&finger.contact)) {
+    tip.place = *place;
+  } else if (const auto* force = std::get_if<FingertipForce>(&finger.contact)) {
+    tip.source = Fingertip::Source::resultant;
+    tip.force = *force;
+  } else if (const auto* tractions = std::get_if<TractionFile>(&finger.contact)) {
+    tip.source = Fingertip::Source::tractions;
+    tip.file = tractions->file;
+    tip.frame = tractions->frame;
+    press(tip, finger, *tractions);
+  } else if (const auto* scene = std::get_if<FingertipScene>(&finger.contact)) {
+    tip.source = scene->readings ? Fingertip::Source::readings : Fingertip::Source::simulated;
+    tip.file = scene->readings.value_or(scene->scene);
+    tip.frame = scene->frame;
+    press(tip, finger, *scene);
+  }
+  if (tip.force) tip.place = place_of(*tip.force);
+  tip.pose = pose_of(tip.finger);
+  check_bent(tip.finger, tip.pose, contact_point(tip.pose, tip.place.centre));
+  return tip;
+}
+
+std::string_view name(Fingertip::Source source) noexcept {
+  switch (source) {
+    case Fingertip::Source::assumed:
+      return "assumed";
+    case Fingertip::Source::resultant:
+      return "resultant";
+    case Fingertip::Source::tractions:
+      return "tractions";
+    case Fingertip::Source::readings:
+      return "readings";
+    case Fingertip::Source::simulated:
+      return "simulated";
+  }
+  return "";
+}
+
+}  // namespace tactile_net::lab
