@@ -1,4 +1,4 @@
-#include "tactile_net/lab/work_precision.hpp"
+#include "tactile_net/lab/tradeoff/work_precision.hpp"
 
 #include <random>
 
@@ -26,7 +26,7 @@ TEST_CASE("a point is on the front if and only if no other beats it", "[work_pre
                            static_cast<double>(generator() % 20 + 1)));
   points.push_back(point(0.5, 0.5, TimeOf::settling));  // another kind of time beats nobody here
   points.push_back(point(0.1, 0.1));
-  points.back().failure = "refused";
+  points.back().failure = Failure{};
   points.push_back({});
   const auto front = pareto_front(points, &WorkPoint::error_to_solution, TimeOf::frame);
   REQUIRE_FALSE(front.empty());

@@ -4,27 +4,22 @@
 
 #include <sched.h>
 
-#include <algorithm>
-#include <chrono>
-#include <vector>
+#include <cstddef>
+#include <functional>
 
 namespace tactile_net::lab {
+
+/// Seconds since some moment, never less than before. Asked from several threads at once.
+using Clock = std::function<double()>;
+
+/// The machine's own.
+[[nodiscard]] double monotonic_time() noexcept;
 
 /// Keeps this thread on the core it runs on, until the end of the block. Children inherit it.
 class Pinned {
  public:
-  Pinned() {
-    if (::sched_getaffinity(0, sizeof before_, &before_) != 0) return;
-    const int core = ::sched_getcpu();
-    if (core < 0) return;
-    cpu_set_t one;
-    CPU_ZERO(&one);
-    CPU_SET(static_cast<unsigned>(core), &one);
-    pinned_ = ::sched_setaffinity(0, sizeof one, &one) == 0;
-  }
-  ~Pinned() {
-    if (pinned_) ::sched_setaffinity(0, sizeof before_, &before_);
-  }
+  Pinned();
+  ~Pinned();
   Pinned(const Pinned&) = delete;
   Pinned& operator=(const Pinned&) = delete;
 
@@ -39,28 +34,20 @@ struct Seconds {
   double high = 0.0;  ///< third quartile
 };
 
-/// Of one call of `work`, which must be repeatable: batches long enough for the clock, as many as
-/// fit into `budget` seconds, at least 5 and at most 101, after a first one that does not count.
-[[nodiscard]] Seconds time_of(const auto& work, double budget = 0.03) {
-  using Clock = std::chrono::steady_clock;
-  const auto batch = [&](std::size_t repetitions) {
-    const auto start = Clock::now();
-    for (std::size_t i = 0; i < repetitions; ++i) work();
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
-  std::size_t repetitions = 1;
-  double once = batch(1);
-  while (once < 20e-6 && repetitions < (std::size_t{1} << 24)) {
-    repetitions *= 2;
-    once = batch(repetitions);
-  }
-  const auto fits = static_cast<std::size_t>(budget / once);
-  std::vector<double> times;
-  for (std::size_t i = 0; i < std::clamp<std::size_t>(fits, 5, 101); ++i)
-    times.push_back(batch(repetitions) / static_cast<double>(repetitions));
-  std::sort(times.begin(), times.end());
-  const std::size_t n = times.size();
-  return {times[n / 2], times[n / 4], times[3 * n / 4]};
+/// Of one repetition of `batch`, which does its work as often as it is told. Batches are long
+/// enough for the clock, as many as fit into `budget` seconds, at least 5 and at most 101, after a
+/// first one that does not count.
+[[nodiscard]] Seconds time_of_batches(const std::function<void(std::size_t repetitions)>& batch,
+                                      double budget, const Clock& clock);
+
+/// Of one call of `work`, which must be repeatable.
+[[nodiscard]] Seconds time_of(const auto& work, double budget = 0.03,
+                              const Clock& clock = monotonic_time) {
+  return time_of_batches(
+      [&](std::size_t repetitions) {
+        for (std::size_t i = 0; i < repetitions; ++i) work();
+      },
+      budget, clock);
 }
 
 }  // namespace tactile_net::lab

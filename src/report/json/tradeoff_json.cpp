@@ -7,6 +7,7 @@
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
+#include "tactile_net/report/words/work_point_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -15,31 +16,45 @@ std::optional<double> optional_number(const Json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
+/// What the reader of a word found, or the end of reading.
+auto known(const auto& found) {
+  if (!found) throw std::runtime_error("it is no study");
+  return *found;
+}
+
+lab::TimeOf time_named(std::string_view text) {
+  for (const lab::TimeOf one : lab::times)
+    if (name(one) == text) return one;
+  throw std::runtime_error("it is no study");
+}
+
+std::string failure_of(const lab::WorkPoint& point) {
+  return point.failure ? in_words(*point.failure) : std::string();
+}
+
 Json json_of(const lab::WorkPoint& point) {
-  return {{"curve", point.curve},
-          {"knob", point.knob},
+  return {{"curve", in_words(point.curve)},
+          {"knob", in_words(point.knob)},
           {"time_of", name(point.time_of)},
           {"seconds",
            {{"median", point.seconds}, {"low", point.seconds_low}, {"high", point.seconds_high}}},
           {"error_to_solution", number_or_null(point.error_to_solution)},
           {"error_to_truth", number_or_null(point.error_to_truth)},
-          {"failure", point.failure}};
+          {"failure", failure_of(point)}};
 }
 
 lab::WorkPoint point_of(const Json& json) {
   lab::WorkPoint point;
-  point.curve = json.at("curve");
-  point.knob = json.at("knob");
-  const std::string kind = json.at("time_of");
-  for (const lab::TimeOf one :
-       {lab::TimeOf::frame, lab::TimeOf::settling, lab::TimeOf::simulator, lab::TimeOf::forward})
-    if (name(one) == kind) point.time_of = one;
+  point.curve = known(curve_named(json.at("curve").get<std::string>()));
+  point.knob = known(knob_named(json.at("knob").get<std::string>()));
+  point.time_of = time_named(json.at("time_of").get<std::string>());
   point.seconds = json.at("seconds").at("median");
   point.seconds_low = json.at("seconds").at("low");
   point.seconds_high = json.at("seconds").at("high");
   point.error_to_solution = optional_number(json.at("error_to_solution"));
   point.error_to_truth = optional_number(json.at("error_to_truth"));
-  point.failure = json.at("failure");
+  if (const std::string what = json.at("failure"); !what.empty())
+    point.failure = lab::Failure{.what = what};
   return point;
 }
 
@@ -64,10 +79,10 @@ std::string study_json(const lab::Study& study, std::string_view scene_text) {
     for (const lab::WorkPoint& point : section.points) points.push_back(json_of(point));
     Json floors = Json::array();
     for (const lab::PartsFloor& floor : section.floors)
-      floors.push_back({{"realization", floor.realization},
+      floors.push_back({{"realization", name(floor.realization)},
                         {"relative", floor.relative},
                         {"median", number_or_null(floor.median)}});
-    jobs.push_back({{"job", section.job}, {"points", std::move(points)}});
+    jobs.push_back({{"job", in_words(section.job)}, {"points", std::move(points)}});
     if (!floors.empty()) jobs.back()["parts"] = std::move(floors);
   }
   return text_of(Json{{"tactile_net", version()},
@@ -95,8 +110,8 @@ std::string study_csv(const lab::Study& study) {
       "failure\n";
   for (const lab::StudySection& section : study.sections)
     for (const lab::WorkPoint& point : section.points) {
-      text += csv_quoted(section.job) + ',' + csv_quoted(point.curve) + ',' +
-              csv_quoted(point.knob) + ',' + std::string(name(point.time_of)) + ',';
+      text += csv_quoted(in_words(section.job)) + ',' + csv_quoted(in_words(point.curve)) + ',' +
+              csv_quoted(in_words(point.knob)) + ',' + std::string(name(point.time_of)) + ',';
       for (const double seconds : {point.seconds, point.seconds_low, point.seconds_high}) {
         append_number(text, seconds);
         text += ',';
@@ -105,7 +120,7 @@ std::string study_csv(const lab::Study& study) {
         if (error) append_number(text, *error);
         text += ',';
       }
-      text += csv_quoted(point.failure) + '\n';
+      text += csv_quoted(failure_of(point)) + '\n';
     }
   return text;
 }
@@ -122,13 +137,14 @@ std::vector<lab::StudySection> finished_jobs(const std::string& text, std::strin
     require(json.at("processor") == processor, "on another processor");
     std::vector<lab::StudySection> sections;
     for (const Json& job : json.at("jobs")) {
-      lab::StudySection section{.job = job.at("job")};
+      lab::StudySection section{.job = known(job_named(job.at("job").get<std::string>()))};
       for (const Json& point : job.at("points")) section.points.push_back(point_of(point));
       if (job.contains("parts"))
         for (const Json& floor : job.at("parts"))
-          section.floors.push_back({.realization = floor.at("realization"),
-                                    .relative = floor.at("relative"),
-                                    .median = optional_number(floor.at("median"))});
+          section.floors.push_back(
+              {.realization = known(realization_named(floor.at("realization").get<std::string>())),
+               .relative = floor.at("relative"),
+               .median = optional_number(floor.at("median"))});
       sections.push_back(std::move(section));
     }
     return sections;

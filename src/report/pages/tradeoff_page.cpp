@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "tactile_net/lab/tradeoff/work_precision.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/pages/html.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
+#include "tactile_net/report/words/work_point_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -18,20 +20,35 @@ constexpr double least_error = 1e-16;  // zero has no place on a logarithmic axi
 
 double drawn(double error) { return std::max(error, least_error); }
 
+/// The curve, at whatever bandwidth: what has one colour.
+lab::WorkCurve method_of(const lab::WorkPoint& point) {
+  if (point.curve.family != lab::WorkCurve::Family::circuit) return point.curve;
+  return {.family = point.curve.family, .realization = point.curve.realization};
+}
+
 /// A colour and a mark of its own for each method and each circuit: the same in every plot, and
 /// never black, which is what they are measured against.
 std::size_t colour_of(const std::vector<lab::WorkPoint>& points, const lab::WorkPoint& point) {
-  const auto name_of = [](const lab::WorkPoint& one) {
-    return one.time_of == lab::TimeOf::settling ? lab::circuit_of(one).first : one.curve;
-  };
-  std::vector<std::string> names;
+  std::vector<lab::WorkCurve> methods;
   for (const lab::WorkPoint& one : points)
     if (one.time_of == point.time_of &&
-        std::find(names.begin(), names.end(), name_of(one)) == names.end())
-      names.push_back(name_of(one));
-  const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), name_of(point)) -
-                                           names.begin());
+        std::find(methods.begin(), methods.end(), method_of(one)) == methods.end())
+      methods.push_back(method_of(one));
+  const auto at = static_cast<std::size_t>(
+      std::find(methods.begin(), methods.end(), method_of(point)) - methods.begin());
   return at + at / 5 + 1;  // the colours are six, the first is black
+}
+
+/// The plot's curve of that label; a new one takes the point's colour.
+Curve& curve_of(std::vector<Curve>& curves, const std::string& label,
+                const std::vector<lab::WorkPoint>& points, const lab::WorkPoint& point) {
+  for (Curve& curve : curves)
+    if (curve.label == label) return curve;
+  Curve& next = curves.emplace_back();
+  next.label = label;
+  next.marks = true;
+  next.colour = colour_of(points, point);
+  return next;
 }
 
 /// Every measured curve of one kind of time, over one kind of error.
@@ -40,17 +57,9 @@ std::vector<Curve> curves_of(const std::vector<lab::WorkPoint>& points, lab::Err
   std::vector<Curve> curves;
   for (const lab::WorkPoint& point : points) {
     if (!point.measured() || point.time_of != time_of || !(point.*error)) continue;
-    auto curve = std::find_if(curves.begin(), curves.end(),
-                              [&](const Curve& c) { return c.label == point.curve; });
-    if (curve == curves.end()) {
-      Curve next;
-      next.label = point.curve;
-      next.marks = true;
-      next.colour = colour_of(points, point);
-      curve = curves.insert(curves.end(), std::move(next));
-    }
-    curve->x.push_back(drawn(*(point.*error)));
-    curve->y.push_back(point.seconds);
+    Curve& curve = curve_of(curves, in_words(point.curve), points, point);
+    curve.x.push_back(drawn(*(point.*error)));
+    curve.y.push_back(point.seconds);
   }
   return curves;
 }
@@ -118,19 +127,20 @@ std::vector<Curve> circuit_curves(const lab::Study& study,
   std::vector<lab::WorkPoint> shown;
   for (const lab::WorkPoint& point : points)
     if (point.time_of == lab::TimeOf::settling && point.measured() &&
-        (lab::circuit_of(point).second == lab::compared_bandwidth ||
-         lab::circuit_of(point).second == 0.0))
+        point.curve.bandwidth.value_or(lab::compared_bandwidth) == lab::compared_bandwidth)
       shown.push_back(point);
   std::vector<Curve> curves = curves_of(shown, to_solution, lab::TimeOf::settling);
   if (curves.empty()) return curves;
-  const std::size_t circuits = curves.size();
   for (const lab::StudySection& section : study.sections)
-    for (const lab::PartsFloor& floor : section.floors)
-      for (std::size_t i = 0; i < circuits; ++i)
-        if (floor.relative == lab::one_percent && floor.median && *floor.median < 1.0 &&
-            curves[i].label.starts_with(floor.realization + ","))
-          curves.push_back(
-              border(floor.realization + ", 1 % parts", *floor.median, curves, curves[i].colour));
+    for (const lab::PartsFloor& floor : section.floors) {
+      if (floor.relative != lab::one_percent || !(floor.median.value_or(1.0) < 1.0)) continue;
+      const auto circuit = std::find_if(shown.begin(), shown.end(), [&](const auto& point) {
+        return point.curve.realization == floor.realization;
+      });
+      if (circuit != shown.end())
+        curves.push_back(border(std::string(name(floor.realization)) + ", 1 % parts", *floor.median,
+                                curves, colour_of(shown, *circuit)));
+    }
   if (const auto frame = lab::fastest_frame(points))
     curves.push_back(level_line("arithmetic here, " + duration(*frame), 1e-4, 1.0, *frame, false));
   return curves;
@@ -140,23 +150,12 @@ std::vector<Curve> crossover_curves(const lab::Study& study,
                                     const std::vector<lab::WorkPoint>& points) {
   std::vector<Curve> curves;
   for (const lab::WorkPoint& point : points) {
-    if (point.time_of != lab::TimeOf::settling || !point.measured() ||
-        point.error_to_solution != lab::one_percent)
-      continue;
-    const auto [circuit, bandwidth] = lab::circuit_of(point);
-    if (bandwidth == 0.0) continue;
-    auto curve = std::find_if(curves.begin(), curves.end(),
-                              [&](const Curve& c) { return c.label == circuit; });
-    if (curve == curves.end()) {
-      Curve next;
-      next.label = circuit;
-      next.marks = true;
-      next.colour = colour_of(points, point);
-      curve = curves.insert(curves.end(), std::move(next));
-    }
-    const auto at = std::lower_bound(curve->x.begin(), curve->x.end(), bandwidth);
-    curve->y.insert(curve->y.begin() + (at - curve->x.begin()), point.seconds);
-    curve->x.insert(at, bandwidth);
+    if (!point.settled_to_one_percent() || !point.curve.bandwidth) continue;
+    const double bandwidth = *point.curve.bandwidth;
+    Curve& curve = curve_of(curves, std::string(name(*point.curve.realization)), points, point);
+    const auto at = std::lower_bound(curve.x.begin(), curve.x.end(), bandwidth);
+    curve.y.insert(curve.y.begin() + (at - curve.x.begin()), point.seconds);
+    curve.x.insert(at, bandwidth);
   }
   const auto frame = lab::fastest_frame(points);
   if (curves.empty() || !frame) return curves;
@@ -233,7 +232,8 @@ std::vector<std::vector<std::string>> simulator_cells(const lab::Study& study) {
   std::vector<std::vector<std::string>> rows = {{"realisation", "ngspice", "difference"}};
   for (const lab::WorkPoint& point : study.points())
     if (point.time_of == lab::TimeOf::simulator && point.measured())
-      rows.push_back({point.curve, duration(point.seconds), brief(*point.error_to_solution)});
+      rows.push_back(
+          {in_words(point.curve), duration(point.seconds), brief(*point.error_to_solution)});
   return rows;
 }
 
@@ -258,7 +258,7 @@ std::vector<std::vector<std::string>> front_cells(const lab::Study& study) {
 std::vector<std::string> failures_in_words(const lab::Study& study) {
   std::vector<std::string> text;
   for (const lab::WorkPoint& point : study.points())
-    if (!point.measured()) text.push_back(in_words(point) + ": " + point.failure);
+    if (!point.measured()) text.push_back(in_words(point) + ": " + in_words(*point.failure));
   return text;
 }
 

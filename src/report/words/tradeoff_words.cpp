@@ -4,16 +4,14 @@
 #include <cmath>
 #include <limits>
 
-#include "tactile_net/lab/scene_parts.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/work_point_words.hpp"
 
 namespace tactile_net::report {
 namespace {
 
 constexpr lab::ErrorOf to_solution = &lab::WorkPoint::error_to_solution;
-
-std::string in_percent(double share) { return brief(100.0 * share) + " %"; }
 
 /// "310 kHz", "2.1 GHz".
 std::string frequency(double hertz) {
@@ -31,7 +29,7 @@ std::string timed(const lab::WorkPoint& point) {
 std::string demand_in_words(const lab::Requirement& requirement) {
   std::string text = "for ";
   if (requirement.accuracy)
-    text += (*requirement.accuracy >= 1e-3 ? in_percent(*requirement.accuracy)
+    text += (*requirement.accuracy >= 1e-3 ? percent(*requirement.accuracy)
                                            : brief(*requirement.accuracy)) +
             " error";
   if (requirement.accuracy && requirement.deadline) text += " within ";
@@ -48,7 +46,7 @@ std::string times(double factor) {
 
 /// A circuit of op-amps of 10 MHz, from a step of its inputs to 1 %.
 struct SettledCircuit {
-  std::string name;
+  Realization realization;
   double seconds;
   std::optional<double> parts{};  ///< error that parts of 1 % leave (median); infinite: unstable
 };
@@ -57,15 +55,12 @@ std::vector<SettledCircuit> settled_circuits(const lab::Study& study,
                                              const std::vector<lab::WorkPoint>& points) {
   std::vector<SettledCircuit> circuits;
   for (const lab::WorkPoint& point : points) {
-    if (point.time_of != lab::TimeOf::settling || !point.measured() ||
-        point.error_to_solution != lab::one_percent)
-      continue;
-    const auto [name, bandwidth] = lab::circuit_of(point);
-    if (bandwidth != lab::compared_bandwidth) continue;  // the others are the same, scaled
-    SettledCircuit circuit{name, point.seconds};
+    if (!point.settled_to_one_percent()) continue;
+    if (point.curve.bandwidth != lab::compared_bandwidth) continue;  // the others are the same
+    SettledCircuit circuit{*point.curve.realization, point.seconds};
     for (const lab::StudySection& section : study.sections)
       for (const lab::PartsFloor& floor : section.floors)
-        if (floor.relative == lab::one_percent && floor.realization == circuit.name)
+        if (floor.relative == lab::one_percent && floor.realization == circuit.realization)
           circuit.parts = floor.median.value_or(std::numeric_limits<double>::infinity());
     circuits.push_back(std::move(circuit));
   }
@@ -76,7 +71,7 @@ std::vector<SettledCircuit> settled_circuits(const lab::Study& study,
 
 std::string parts_in_words(const SettledCircuit& circuit) {
   if (!circuit.parts) return "-";
-  return std::isfinite(*circuit.parts) ? in_percent(*circuit.parts) : "unstable";
+  return std::isfinite(*circuit.parts) ? percent(*circuit.parts) : "unstable";
 }
 
 /// The fastest circuit, and the one that bears its parts best.
@@ -85,7 +80,7 @@ void add_circuits(std::vector<std::string>& text, const lab::Study& study,
   const std::vector<SettledCircuit> circuits = settled_circuits(study, points);
   if (circuits.empty()) return;
   const SettledCircuit& fastest = circuits.front();
-  std::string sentence = "the fastest circuit, " + fastest.name +
+  std::string sentence = "the fastest circuit, " + std::string(name(fastest.realization)) +
                          " with op-amps of 10 MHz, settles to 1 % in " + duration(fastest.seconds);
   if (const auto frame = lab::fastest_frame(points)) {
     if (study.clock > 0.0)
@@ -103,9 +98,11 @@ void add_circuits(std::vector<std::string>& text, const lab::Study& study,
       });
   if (least->parts && std::isfinite(*least->parts)) {
     std::string errors = parts_in_words(*least) + " (median) with parts of 1 %";
-    if (least->name != fastest.name)
-      errors += "; " + fastest.name + " with such parts: " + parts_in_words(fastest);
-    text.push_back("the most accurate circuit, " + least->name + ", errs by " + errors);
+    if (least->realization != fastest.realization)
+      errors += "; " + std::string(name(fastest.realization)) +
+                " with such parts: " + parts_in_words(fastest);
+    text.push_back("the most accurate circuit, " + std::string(name(least->realization)) +
+                   ", errs by " + errors);
   }
 }
 
@@ -153,20 +150,20 @@ std::vector<std::string> in_words(const lab::Study& study) {
     text.push_back(answer(study, requirement));
   if (std::isfinite(input.solution_error))
     text.push_back("regularisation, sampling and the scene's own noise leave the exact solution " +
-                   in_percent(input.solution_error) +
+                   percent(input.solution_error) +
                    " from the truth: no arithmetic takes that back");
   else
     text.push_back(
         "the scene has no contact: its readings are noise, alpha too if a rule chose it; times and "
         "the errors against the exact solution stand, the rest says nothing of a touch");
-  if (lab::constraints_of(input.scene))
+  if (input.constrained)
     text.push_back(
         "the exact solution is that without the scene's constraints; with them: the curve " +
-        std::string(lab::constrained_curve));
+        in_words(lab::WorkCurve{.family = lab::WorkCurve::Family::active_set}));
   text.push_back("noise of " + brief(input.noise_rms) +
                  (input.noise_stated ? " per weighted reading (the scene's)"
                                      : " per reading (1 % of the largest, an assumption)") +
-                 " moves the solution by " + in_percent(input.noise_floor) +
+                 " moves the solution by " + percent(input.noise_floor) +
                  ": more accuracy than that cannot be seen");
   add_circuits(text, study, points);
   return text;
@@ -179,15 +176,10 @@ std::vector<std::vector<std::string>> circuit_cells(const lab::Study& study) {
                                                  "beats this machine from", "parts of 1 % leave"}};
   for (const SettledCircuit& circuit : settled_circuits(study, points))
     rows.push_back(
-        {circuit.name, duration(circuit.seconds),
+        {std::string(name(circuit.realization)), duration(circuit.seconds),
          frame && study.clock > 0.0 ? frequency(study.clock * *frame / circuit.seconds) : "-",
          frame ? frequency(lab::compared_bandwidth * circuit.seconds / *frame) : "-",
          parts_in_words(circuit)});
   return rows;
 }
-
-std::string in_words(const lab::WorkPoint& point) {
-  return point.knob.empty() ? point.curve : point.curve + ", " + point.knob;
-}
-
 }  // namespace tactile_net::report

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tactile_net/lab/tradeoff.hpp"
+#include "tactile_net/lab/tradeoff/study.hpp"
 
 namespace tactile_net::report {
 
@@ -16,7 +16,7 @@ namespace tactile_net::report {
 /// One point a row.
 [[nodiscard]] std::string study_csv(const lab::Study& study);
 
-/// The jobs that a study's JSON holds.
+/// The jobs that a study's JSON holds, as they were written; of a failure, its words alone.
 /// @throw std::runtime_error  it is no study, or one of another scene, version or processor
 [[nodiscard]] std::vector<lab::StudySection> finished_jobs(const std::string& json,
                                                            std::string_view scene_text,

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/lab/tradeoff.hpp"
+#include "tactile_net/lab/tradeoff/study.hpp"
 #include "tactile_net/report/pages/figure.hpp"
 
 namespace tactile_net::report {

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/lab/tradeoff.hpp"
+#include "tactile_net/lab/tradeoff/study.hpp"
+#include "tactile_net/lab/tradeoff/work_precision.hpp"
 
 namespace tactile_net::report {
 
@@ -19,8 +20,5 @@ namespace tactile_net::report {
 
 /// The answer to a demand, with its margins.
 [[nodiscard]] std::string answer(const lab::Study& study, const lab::Requirement& requirement);
-
-/// "parity low rank float64, rank 24 + 23"
-[[nodiscard]] std::string in_words(const lab::WorkPoint& point);
 
 }  // namespace tactile_net::report

@@ -1,8 +1,10 @@
-#include "tactile_net/lab/work_precision.hpp"
+#include "tactile_net/lab/tradeoff/work_precision.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace tactile_net::lab {
 namespace {
@@ -27,20 +29,6 @@ void check(const std::optional<double>& demand, const char* what) {
 
 }  // namespace
 
-std::string_view name(TimeOf time_of) noexcept {
-  switch (time_of) {
-    case TimeOf::frame:
-      return "frame";
-    case TimeOf::settling:
-      return "settling";
-    case TimeOf::simulator:
-      return "simulator";
-    case TimeOf::forward:
-      return "forward";
-  }
-  return "";
-}
-
 std::vector<std::size_t> pareto_front(std::span<const WorkPoint> points, ErrorOf error,
                                       TimeOf time_of) {
   std::vector<std::size_t> front;
@@ -64,6 +52,12 @@ Choice choose(std::span<const WorkPoint> points, ErrorOf error, TimeOf time_of,
     if (accurate && in_time && !choice.point) choice.point = i;
   }
   return choice;
+}
+
+std::optional<double> fastest_frame(std::span<const WorkPoint> points) {
+  const Choice choice =
+      choose(points, &WorkPoint::error_to_solution, TimeOf::frame, {.accuracy = one_percent});
+  return choice.point ? std::optional(points[*choice.point].seconds) : std::nullopt;
 }
 
 }  // namespace tactile_net::lab

@@ -1,0 +1,36 @@
+/// @file
+/// The words for what a study measured, and back: the strings of its CSV and JSON.
+///
+///     in_words(WorkCurve)  "parity low rank float64", "nic, 10 MHz"
+///     in_words(Knob)       "rank 24 + 23", "settled to 0.01, by its poles"
+///     in_words(Job)        "settling, nic"
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tactile_net/lab/tradeoff/runner.hpp"
+#include "tactile_net/lab/tradeoff/work_point.hpp"
+
+namespace tactile_net::report {
+
+[[nodiscard]] std::string in_words(const lab::Job& job);
+[[nodiscard]] std::string in_words(const lab::WorkCurve& curve);
+/// Empty for a curve of one point.
+[[nodiscard]] std::string in_words(const lab::Knob& knob);
+[[nodiscard]] std::string in_words(const lab::Failure& failure);
+
+/// "parity low rank float64, rank 24 + 23"
+[[nodiscard]] std::string in_words(const lab::WorkPoint& point);
+
+/// "12 %, settling, nic, about 34 s left"
+[[nodiscard]] std::string in_words(const lab::StudyProgress& progress);
+
+/// What `in_words` wrote; nothing if it did not write that. A node capacitance comes back to the
+/// three digits that were written.
+[[nodiscard]] std::optional<lab::Job> job_named(std::string_view text);
+[[nodiscard]] std::optional<lab::WorkCurve> curve_named(std::string_view text);
+[[nodiscard]] std::optional<lab::Knob> knob_named(std::string_view text);
+
+}  // namespace tactile_net::report

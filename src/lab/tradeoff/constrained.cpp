@@ -1,0 +1,45 @@
+#include "tactile_net/inverse/constrained.hpp"
+
+#include <cstddef>
+
+#include "lab/tradeoff/digital.hpp"
+#include "lab/tradeoff/points.hpp"
+#include "tactile_net/lab/method.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+/// One point for each limit of exchanges, until the optimum is found.
+void add_active_sets(StudySection& section, const StudyInput& input, const WorkCurve& curve,
+                     const Clock& clock) {
+  const ConstrainedTikhonov inverse(problem_of(input.scene), *input.scene.reconstruct.alpha,
+                                    constraints_of(input.scene).value_or(Constraints{}));
+  for (std::size_t limit = 1; limit <= 64; limit *= 2) {
+    ConstrainedSolution solution;
+    const Seconds seconds =
+        time_of([&] { solution = inverse.solve(input.readings, limit); }, 0.03, clock);
+    const bool optimal = solution.verdict == ConstrainedVerdict::ok;
+    WorkPoint result =
+        point(input, curve,
+              {.kind = Knob::Kind::exchanges, .count = solution.iterations, .optimal = optimal},
+              solution.tractions, seconds);
+    result.error_to_solution.reset();  // the constrained problem is another one
+    section.points.push_back(std::move(result));
+    if (optimal) break;
+  }
+}
+
+}  // namespace
+
+StudySection constrained(const StudyInput& input, const Clock& clock) {
+  StudySection section;
+  const WorkCurve curve{.family = WorkCurve::Family::active_set};
+  try {
+    add_active_sets(section, input, curve, clock);
+  } catch (const std::exception&) {
+    section.points.push_back(failed(curve, {}, TimeOf::frame, caught()));
+  }
+  return section;
+}
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,33 @@
+#include <exception>
+#include <string>
+
+#include "lab/tradeoff/circuits.hpp"
+#include "lab/tradeoff/points.hpp"
+#include "tactile_net/lab/relaxation.hpp"
+
+namespace tactile_net::lab {
+
+StudySection operating_points(const StudyInput& input, Simulator& simulator) {
+  StudySection section;
+  for (const Realization realization : {Realization::ideal, Realization::nic, Realization::rail,
+                                        Realization::crossbar, Realization::least_squares}) {
+    WorkPoint result;
+    result.curve = {.family = WorkCurve::Family::circuit, .realization = realization};
+    result.knob = {.kind = Knob::Kind::operating_point};
+    result.time_of = TimeOf::simulator;
+    try {
+      const Relaxation relaxation =
+          relax(plan_circuit(with_circuit(input, realization), input.readings), simulator);
+      result.seconds = result.seconds_low = result.seconds_high = relaxation.ngspice_seconds;
+      result.error_to_solution = relaxation.difference;
+      if (const std::string what = relaxation.failure(); !what.empty())
+        result.failure = Failure{.kind = Failure::Kind::disagrees, .what = what};
+    } catch (const std::exception&) {
+      result.failure = caught();
+    }
+    section.points.push_back(std::move(result));
+  }
+  return section;
+}
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,475 @@
+// A study's words, CSV and JSON: the strings that stand in files which users have, and back.
+#include <array>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tactile_net/lab/tradeoff/study.hpp"
+#include "tactile_net/report/json/tradeoff_json.hpp"
+#include "tactile_net/report/pages/tradeoff_page.hpp"
+#include "tactile_net/report/words/tradeoff_words.hpp"
+#include "tactile_net/report/words/work_point_words.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+using namespace tactile_net::lab;
+using report::curve_named;
+using report::in_words;
+using report::job_named;
+using report::knob_named;
+
+namespace {
+
+using Family = WorkCurve::Family;
+using Kind = Job::Kind;
+using Setting = Knob::Kind;
+
+WorkCurve product(Structure structure, Precision precision) {
+  return {.family = Family::product, .structure = structure, .precision = precision};
+}
+
+WorkCurve circuit(Realization realization, std::optional<double> bandwidth = {}) {
+  return {.family = Family::circuit, .realization = realization, .bandwidth = bandwidth};
+}
+
+WorkCurve ideal_circuit(double farad) {
+  return {.family = Family::circuit, .realization = Realization::ideal, .node_capacitance = farad};
+}
+
+/// To the last section; `seconds` are median, low and high.
+void add(Study& study, const WorkCurve& curve, const Knob& knob, TimeOf time_of,
+         const std::array<double, 3>& seconds, std::optional<double> to_solution,
+         std::optional<double> to_truth) {
+  WorkPoint point;
+  point.curve = curve;
+  point.knob = knob;
+  point.time_of = time_of;
+  point.seconds = seconds[0];
+  point.seconds_low = seconds[1];
+  point.seconds_high = seconds[2];
+  point.error_to_solution = to_solution;
+  point.error_to_truth = to_truth;
+  study.sections.back().points.push_back(std::move(point));
+}
+
+/// A cylinder on 21 taxels, as it was once measured; of each curve a point or two.
+Study measured() {
+  Study study;
+  study.input.scene.file = "pressed.toml";
+  study.input.scene.reconstruct.alpha = 1e-3;
+  study.input.agreement = 1.7033990924008644e-15;
+  study.input.solution_error = 0.09099117971275976;
+  study.input.noise_rms = 0.0015831552460761403;
+  study.input.noise_floor = 0.03178768786614584;
+  study.clock = 3693300412.4502926;
+  study.processor = "AMD EPYC";
+  study.sections.push_back({.job = {Kind::products}});
+  add(study, product(Structure::dense, Precision::float64), {}, TimeOf::frame,
+      {5.778125e-08, 5.764453125e-08, 5.78984375e-08}, 1.7033990924008643e-14, 0.09099117971275954);
+  add(study, product(Structure::parity, Precision::float64), {}, TimeOf::frame,
+      {6.8619140625e-08, 6.859765625e-08, 7.14921875e-08}, 1.7033990924008643e-14,
+      0.09099117971275951);
+  add(study, product(Structure::parity_low_rank, Precision::float64),
+      {.kind = Setting::ranks, .ranks = {11, 10}}, TimeOf::frame,
+      {1.0003515625e-07, 9.912890625e-08, 1.008125e-07}, 1.7033990924008643e-14,
+      0.09099117971275911);
+  add(study, product(Structure::dense, Precision::float32), {}, TimeOf::frame,
+      {6.48828125e-08, 6.48046875e-08, 6.49609375e-08}, 5.813874928759419e-08, 0.09099116192355575);
+  add(study, product(Structure::fft, Precision::float64), {.kind = Setting::ranks, .ranks = {1, 1}},
+      TimeOf::frame, {2.01703125e-07, 2.011640625e-07, 2.023359375e-07}, 0.02464185221652351,
+      0.09450559300692017);
+  add(study, product(Structure::fft, Precision::float64),
+      {.kind = Setting::ranks, .ranks = {11, 10}}, TimeOf::frame,
+      {2.25734375e-07, 2.250234375e-07, 2.268984375e-07}, 1.7033990924008643e-14,
+      0.09099117971275951);
+  study.sections.push_back({.job = {Kind::factorisations}});
+  add(study, {Family::closed_form}, {}, TimeOf::frame,
+      {1.0093359375e-07, 1.00890625e-07, 1.010078125e-07}, 1.7033990924008643e-14,
+      0.09099117971275943);
+  add(study, {Family::factorisation}, {}, TimeOf::frame, {8.5558e-05, 8.5437e-05, 8.5978e-05},
+      1.7033990924008643e-14, 0.09099117971275976);
+  study.sections.push_back({.job = {Kind::fft}});
+  add(study, {Family::ring_filter}, {}, TimeOf::frame, {4.49125e-07, 4.2565625e-07, 4.550625e-07},
+      0.01324065723876638, 0.0915789114965547);
+  add(study, {Family::division}, {}, TimeOf::frame,
+      {2.678984375e-07, 2.6234375e-07, 3.14140625e-07}, {}, 0.014448559283121163);
+  add(study, {Family::conjugate_gradients}, {.kind = Setting::steps, .count = 1}, TimeOf::frame,
+      {1.2844375e-06, 1.266875e-06, 1.327e-06}, 0.09055827609573175, 0.12906980220190176);
+  add(study, {Family::conjugate_gradients}, {.kind = Setting::steps, .count = 8}, TimeOf::frame,
+      {1.00805e-05, 9.8095e-06, 1.0566e-05}, 1.7033990924008643e-14, 0.0909911797127613);
+  study.sections.push_back({.job = {Kind::constraints}});
+  add(study, {Family::active_set}, {.kind = Setting::exchanges, .count = 2}, TimeOf::frame,
+      {4.847e-06, 4.747e-06, 4.957e-06}, {}, 1);
+  add(study, {Family::active_set}, {.kind = Setting::exchanges, .count = 3, .optimal = true},
+      TimeOf::frame, {7.7165e-05, 7.5092e-05, 8.1973e-05}, {}, 0.06781426742826878);
+  study.sections.push_back({.job = {Kind::fewer_taxels}});
+  add(study, {Family::fewer_taxels}, {.kind = Setting::taxels, .count = 11}, TimeOf::frame,
+      {3.75654296875e-08, 3.69599609375e-08, 3.7751953125e-08}, {}, 0.17864203451652008);
+  study.sections.push_back({.job = {Kind::forward_model}});
+  add(study, {Family::integral}, {.kind = Setting::panel_points, .count = 15}, TimeOf::forward,
+      {3.0535e-05, 3.0506e-05, 3.0576e-05}, {}, 3.3748688458978654e-12);
+  add(study, {Family::integral}, {.kind = Setting::panel_points, .count = 31}, TimeOf::forward,
+      {5.9679e-05, 5.9588e-05, 6.03e-05}, {}, 1.993533033845753e-16);
+  add(study, {Family::integral}, {.kind = Setting::halved_panels}, TimeOf::forward,
+      {8.9163e-05, 8.8973e-05, 8.9293e-05}, {}, 2.6058022572012957e-16);
+  add(study, {Family::discrete_sum}, {}, TimeOf::forward,
+      {9.808125e-07, 9.79625e-07, 1.5366875e-06}, {}, 0.05922791636095724);
+  study.sections.push_back({.job = {Kind::settling, Realization::least_squares}});
+  add(study, circuit(Realization::least_squares, 10e6), {.kind = Setting::settled, .level = 3},
+      TimeOf::settling, {1.967733926389021e-06, 1.967733926389021e-06, 1.967733926389021e-06}, 0.01,
+      {});
+  study.sections.push_back({.job = {Kind::settling, Realization::nic}});
+  add(study, circuit(Realization::nic, 10e6), {.kind = Setting::settled, .level = 3},
+      TimeOf::settling, {1.1196447234710799e-06, 1.1196447234710799e-06, 1.1196447234710799e-06},
+      0.01, {});
+  add(study, circuit(Realization::nic, 1e6), {.kind = Setting::settled, .level = 3, .scaled = true},
+      TimeOf::settling, {1.1196447234710799e-05, 1.1196447234710799e-05, 1.1196447234710799e-05},
+      0.01, {});
+  add(study, circuit(Realization::nic, 100e6),
+      {.kind = Setting::settled, .level = 3, .scaled = true}, TimeOf::settling,
+      {1.1196447234710799e-07, 1.1196447234710799e-07, 1.1196447234710799e-07}, 0.01, {});
+  study.sections.push_back({.job = {Kind::settling, Realization::crossbar}});
+  add(study, circuit(Realization::crossbar, 10e6), {.kind = Setting::settled, .level = 3},
+      TimeOf::settling, {4.4482089959001167e-07, 4.4482089959001167e-07, 4.4482089959001167e-07},
+      0.01, {});
+  study.sections.push_back({.job = {Kind::settling, Realization::rail}});
+  add(study, circuit(Realization::rail, 10e6), {.kind = Setting::settled, .level = 3},
+      TimeOf::settling, {1.3521296245832036e-06, 1.3521296245832036e-06, 1.3521296245832036e-06},
+      0.01, {});
+  study.sections.push_back({.job = {Kind::settling, Realization::ideal}});
+  add(study, ideal_circuit(10e-12), {.kind = Setting::settled, .level = 3}, TimeOf::settling,
+      {6.326362071232991e-07, 6.326362071232991e-07, 6.326362071232991e-07}, 0.01, {});
+  study.sections.push_back({.job = {Kind::parts}});
+  study.sections.back().floors = {{Realization::nic, 0.01, 0.02583539322967185},
+                                  {Realization::nic, 0.001, 0.002490677249989888},
+                                  {Realization::rail, 0.01, 0.11861615111565246},
+                                  {Realization::rail, 0.001, 0.011932986374459146},
+                                  {Realization::crossbar, 0.01, 0.02813582738906404},
+                                  {Realization::crossbar, 0.001, 0.002794135572499342},
+                                  {Realization::least_squares, 0.01, 0.006320167423327584},
+                                  {Realization::least_squares, 0.001, 0.000631958448873509}};
+  study.sections.push_back({.job = {Kind::operating_points}});
+  add(study, circuit(Realization::nic), {.kind = Setting::operating_point}, TimeOf::simulator,
+      {0.037259756, 0.037259756, 0.037259756}, 3.813814133245498e-15, {});
+  return study;
+}
+
+constexpr std::string_view measured_csv =
+    R"text(job,curve,knob,time_of,seconds,seconds_low,seconds_high,error_to_solution,error_to_truth,failure
+"products with M","dense float64","",frame,5.778125e-08,5.764453125e-08,5.78984375e-08,1.7033990924008643e-14,0.09099117971275954,""
+"products with M","parity float64","",frame,6.8619140625e-08,6.859765625e-08,7.14921875e-08,1.7033990924008643e-14,0.09099117971275951,""
+"products with M","parity low rank float64","rank 11 + 10",frame,1.0003515625e-07,9.912890625e-08,1.008125e-07,1.7033990924008643e-14,0.09099117971275911,""
+"products with M","dense float32","",frame,6.48828125e-08,6.48046875e-08,6.49609375e-08,5.813874928759419e-08,0.09099116192355575,""
+"products with M","FFT, ends corrected","rank 1 + 1",frame,2.01703125e-07,2.011640625e-07,2.023359375e-07,0.02464185221652351,0.09450559300692017,""
+"products with M","FFT, ends corrected","rank 11 + 10",frame,2.25734375e-07,2.250234375e-07,2.268984375e-07,1.7033990924008643e-14,0.09099117971275951,""
+"factorisations","closed form (ch. 4)","",frame,1.0093359375e-07,1.00890625e-07,1.010078125e-07,1.7033990924008643e-14,0.09099117971275943,""
+"factorisations","QR of every frame","",frame,8.5558e-05,8.5437e-05,8.5978e-05,1.7033990924008643e-14,0.09099117971275976,""
+"FFT","FFT, array as a ring","",frame,4.49125e-07,4.2565625e-07,4.550625e-07,0.01324065723876638,0.0915789114965547,""
+"FFT","dft: division (ch. 3)","",frame,2.678984375e-07,2.6234375e-07,3.14140625e-07,,0.014448559283121163,""
+"FFT","conjugate gradients, FFT","1 steps",frame,1.2844375e-06,1.266875e-06,1.327e-06,0.09055827609573175,0.12906980220190176,""
+"FFT","conjugate gradients, FFT","8 steps",frame,1.00805e-05,9.8095e-06,1.0566e-05,1.7033990924008643e-14,0.0909911797127613,""
+"constraints","f_v >= 0, active set","2 exchanges",frame,4.847e-06,4.747e-06,4.957e-06,,1,""
+"constraints","f_v >= 0, active set","3 exchanges, optimal",frame,7.7165e-05,7.5092e-05,8.1973e-05,,0.06781426742826878,""
+"fewer taxels","fewer taxels","11 taxels",frame,3.75654296875e-08,3.69599609375e-08,3.7751953125e-08,,0.17864203451652008,""
+"forward model","readings by the integral","15 points a panel",forward,3.0535e-05,3.0506e-05,3.0576e-05,,3.3748688458978654e-12,""
+"forward model","readings by the integral","31 points a panel",forward,5.9679e-05,5.9588e-05,6.03e-05,,1.993533033845753e-16,""
+"forward model","readings by the integral","31 points, halved to 1e-14",forward,8.9163e-05,8.8973e-05,8.9293e-05,,2.6058022572012957e-16,""
+"forward model","readings by the discrete sum","",forward,9.808125e-07,9.79625e-07,1.5366875e-06,,0.05922791636095724,""
+"settling, least_squares","least_squares, 10 MHz","settled to 0.01",settling,1.967733926389021e-06,1.967733926389021e-06,1.967733926389021e-06,0.01,,""
+"settling, nic","nic, 10 MHz","settled to 0.01",settling,1.1196447234710799e-06,1.1196447234710799e-06,1.1196447234710799e-06,0.01,,""
+"settling, nic","nic, 1 MHz","settled to 0.01, scaled from 10 MHz",settling,1.1196447234710799e-05,1.1196447234710799e-05,1.1196447234710799e-05,0.01,,""
+"settling, nic","nic, 100 MHz","settled to 0.01, scaled from 10 MHz",settling,1.1196447234710799e-07,1.1196447234710799e-07,1.1196447234710799e-07,0.01,,""
+"settling, crossbar","crossbar, 10 MHz","settled to 0.01",settling,4.4482089959001167e-07,4.4482089959001167e-07,4.4482089959001167e-07,0.01,,""
+"settling, rail","rail, 10 MHz","settled to 0.01",settling,1.3521296245832036e-06,1.3521296245832036e-06,1.3521296245832036e-06,0.01,,""
+"settling, ideal","ideal, 10 pF a node","settled to 0.01",settling,6.326362071232991e-07,6.326362071232991e-07,6.326362071232991e-07,0.01,,""
+"ngspice, operating points","nic","operating point",simulator,0.037259756,0.037259756,0.037259756,3.813814133245498e-15,,""
+)text";
+
+}  // namespace
+
+TEST_CASE("a study's CSV is byte by byte what it was", "[tradeoff]") {
+  CHECK(report::study_csv(measured()) == measured_csv);
+}
+
+TEST_CASE("a study's JSON names each point in words, and its answers", "[tradeoff]") {
+  const std::string json = report::study_json(measured(), "[sensor]");
+  CHECK_THAT(json, StartsWith(R"text({
+  "tactile_net": "0.1.0",
+  "scene": "pressed.toml",
+  "complete": true,
+  "processor": "AMD EPYC",
+  "clock": 3693300412.4502926,
+  "alpha": 0.001,
+  "reference_agreement": 1.7033990924008644e-15,
+  "solution_error_to_truth": 0.09099117971275976,
+  "noise": {
+    "rms": 0.0015831552460761403,
+    "stated": false,
+    "floor": 0.03178768786614584
+  },
+  "answers": [
+    "for 1 % error within 1 ms: dense float64: 57.8 ns, error 1.7e-14 (17000 times inside the deadline, 5.87e+11 times inside the error)",
+    "for 1e-06 error within 100 us: dense float64: 57.8 ns, error 1.7e-14 (1700 times inside the deadline, 5.87e+07 times inside the error)",
+    "for 1e-12 error: dense float64: 57.8 ns, error 1.7e-14 (58.7 times inside the error)",
+    "regularisation, sampling and the scene's own noise leave the exact solution 9.1 % from the truth: no arithmetic takes that back",
+    "noise of 0.00158 per reading (1 % of the largest, an assumption) moves the solution by 3.18 %: more accuracy than that cannot be seen",
+    "the fastest circuit, crossbar with op-amps of 10 MHz, settles to 1 % in 445 ns: sooner than a controller that needs as many cycles as this machine and is clocked below 480 MHz; this machine's 57.8 ns it beats from a bandwidth of 77 MHz on",
+    "the most accurate circuit, least_squares, errs by 0.632 % (median) with parts of 1 %; crossbar with such parts: 2.81 %"
+  ],
+  "pareto": {
+    "error_to_solution": [
+      "dense float64"
+    ],
+    "error_to_truth": [
+      "fewer taxels, 11 taxels",
+      "dense float64",
+      "dense float32",
+      "dft: division (ch. 3)"
+    ]
+  },
+  "jobs": [
+    {
+      "job": "products with M",
+      "points": [
+        {
+          "curve": "dense float64",
+          "knob": "",
+          "time_of": "frame",
+          "seconds": {
+            "median": 5.778125e-08,
+            "low": 5.764453125e-08,
+            "high": 5.78984375e-08
+          },
+          "error_to_solution": 1.7033990924008643e-14,
+          "error_to_truth": 0.09099117971275954,
+          "failure": ""
+        },
+)text"));
+  CHECK_THAT(json, ContainsSubstring(R"text(
+    {
+      "job": "settling, rail",
+      "points": [
+        {
+          "curve": "rail, 10 MHz",
+          "knob": "settled to 0.01",
+          "time_of": "settling",
+          "seconds": {
+            "median": 1.3521296245832036e-06,
+            "low": 1.3521296245832036e-06,
+            "high": 1.3521296245832036e-06
+          },
+          "error_to_solution": 0.01,
+          "error_to_truth": null,
+          "failure": ""
+        }
+      ]
+    },
+)text") && ContainsSubstring(R"text(
+      "job": "accuracy of parts",
+      "points": [],
+      "parts": [
+        {
+          "realization": "nic",
+          "relative": 0.01,
+          "median": 0.02583539322967185
+        },
+)text"));
+}
+
+TEST_CASE("what is read back from a study's JSON is what was written", "[tradeoff]") {
+    const Study study = measured();
+    const std::string json = report::study_json(study, "[sensor]");
+    CHECK(report::finished_jobs(json, "[sensor]", "AMD EPYC") == study.sections);
+    const auto refuses = [](const std::string& text, const std::string& why) {
+      CHECK_THROWS_WITH(report::finished_jobs(text, "[sensor]", "AMD EPYC"),
+                        ContainsSubstring(why));
+    };
+    const auto changed = [&](const std::string& from, const std::string& to) {
+      std::string text = json;
+      return text.replace(text.find(from), from.size(), to);
+    };
+    refuses(changed("\"AMD EPYC\"", "\"VAX\""), "on another processor");
+    refuses(changed("\"[sensor]\"", "\"[material]\""), "for another scene");
+    refuses(changed("\"0.1.0\"", "\"0.0.9\""), "by another version");
+    for (const char* word : {"\"dense float64\",\n          \"knob\"", "rank 11 + 10", "\"frame\"",
+                             "\"settling, nic\"", "\"realization\": \"nic\""}) {
+      CAPTURE(word);
+      std::string other = word;
+      other.insert(other.find_last_of(other.back() == '"' ? "\"" : "10"), "?");
+      refuses(changed(word, other), "it is no study");
+    }
+    refuses("[]", "it is no study");
+    refuses("tractions", "it is no study");
+}
+
+TEST_CASE("every curve, knob and job that there is comes back from its words, and no two are alike",
+          "[tradeoff]") {
+    std::vector<WorkCurve> curves = {ideal_circuit(10e-12)};
+    for (const Structure structure :
+         {Structure::dense, Structure::low_rank, Structure::parity, Structure::parity_low_rank})
+      for (const Precision precision : {Precision::float64, Precision::float32})
+        curves.push_back(product(structure, precision));
+    curves.push_back(product(Structure::fft, Precision::float64));
+    for (int i = static_cast<int>(Family::closed_form); i < static_cast<int>(Family::circuit); ++i)
+      curves.push_back({.family = static_cast<Family>(i)});
+    for (const Realization realization : realizations) {
+      curves.push_back(circuit(realization));
+      for (const double bandwidth : bandwidths) curves.push_back(circuit(realization, bandwidth));
+    }
+    std::set<std::string> seen;
+    for (const WorkCurve& curve : curves) {
+      CAPTURE(in_words(curve));
+      CHECK(curve_named(in_words(curve)) == curve);
+      CHECK(seen.insert(in_words(curve)).second);
+    }
+
+    std::vector<Knob> knobs = {{},
+                               {.kind = Setting::ranks, .ranks = {7}},
+                               {.kind = Setting::ranks, .ranks = {24, 23}},
+                               {.kind = Setting::exchanges, .count = 5, .optimal = true},
+                               {.kind = Setting::halved_panels},
+                               {.kind = Setting::operating_point}};
+    for (const Setting kind :
+         {Setting::steps, Setting::exchanges, Setting::taxels, Setting::panel_points})
+      knobs.push_back({.kind = kind, .count = 12});
+    for (std::size_t level = 0; level < settling_levels.size(); ++level)
+      for (const bool by_poles : {false, true})
+        for (const bool scaled : {false, true})
+          knobs.push_back(
+              {.kind = Setting::settled, .level = level, .by_poles = by_poles, .scaled = scaled});
+    seen.clear();
+    for (const Knob& knob : knobs) {
+      CAPTURE(in_words(knob));
+      CHECK(knob_named(in_words(knob)) == knob);
+      CHECK(seen.insert(in_words(knob)).second);
+    }
+
+    seen.clear();
+    for (int i = 0; i <= static_cast<int>(Kind::operating_points); ++i) {
+      Job job{static_cast<Kind>(i)};
+      if (job.kind == Kind::settling) job.realization = Realization::crossbar;
+      CAPTURE(in_words(job));
+      CHECK(job_named(in_words(job)) == job);
+      CHECK(seen.insert(in_words(job)).second);
+    }
+    // A capacitance of the scene keeps the digits that were written: the words stay as they are.
+    for (const double farad : {12.3456e-12, 1e-9, 3.3e-18, 0.47e-6}) {
+      const std::string words = in_words(ideal_circuit(farad));
+      CAPTURE(words);
+      REQUIRE(curve_named(words));
+      CHECK(in_words(*curve_named(words)) == words);
+    }
+    for (const char* word :
+         {"", "nic, 20 MHz", "ideal,  pF a node", "nic, pF a node", "Dense float64"})
+      CHECK_FALSE(curve_named(word));
+    for (const char* word :
+         {"rank ", "rank 3 + ", "-1 steps", "1.5 steps", " steps", "settled to 0.5"})
+      CHECK_FALSE(knob_named(word));
+}
+
+TEST_CASE("a failure is told in words, and stays in the study", "[tradeoff]") {
+    Study study = measured();
+    const std::size_t points = study.points().size();
+    const auto fail = [&](const Job& job, const WorkCurve& curve, TimeOf time_of, Failure failure) {
+      WorkPoint point;
+      point.curve = curve;
+      point.time_of = time_of;
+      point.failure = std::move(failure);
+      study.sections.push_back({.job = job, .points = {point}});
+    };
+    using Why = Failure::Kind;
+    const WorkCurve coarse{.family = Family::fewer_taxels};
+    fail({Kind::fewer_taxels}, coarse, TimeOf::frame, {.kind = Why::dead_taxels});
+    fail({Kind::fewer_taxels}, coarse, TimeOf::frame, {.kind = Why::no_stride, .count = 24});
+    fail({Kind::forward_model}, {.family = Family::job, .job = Job{Kind::forward_model}},
+         TimeOf::frame, {.what = "the integral is known only to 0.1"});
+    const WorkCurve slow = circuit(Realization::least_squares, 100e6);
+    const Job settling{Kind::settling, Realization::least_squares};
+    fail(settling, slow, TimeOf::settling,
+         {.kind = Why::not_stable, .stability = Stability::unstable});
+    fail(settling, slow, TimeOf::settling, {.kind = Why::unsettled});
+    fail(settling, slow, TimeOf::settling, {.kind = Why::no_time});
+    CHECK(report::failures_in_words(study) ==
+          std::vector<std::string>{
+              "fewer taxels: the scene has dead taxels",
+              "fewer taxels: no stride leaves both ends of 24 taxels in place",
+              "forward model: the integral is known only to 0.1",
+              "least_squares, 100 MHz: no settling: unstable",
+              "least_squares, 100 MHz: it does not settle",
+              "least_squares, 100 MHz: it takes no time",
+          });
+    CHECK(study.points().size() == points + 6);
+    CHECK_THAT(
+        report::study_csv(study),
+        EndsWith("\"settling, least_squares\",\"least_squares, 100 MHz\",\"\",settling,0,0,0,,,"
+                 "\"it takes no time\"\n"));
+    const auto again =
+        report::finished_jobs(report::study_json(study, "[sensor]"), "[sensor]", "AMD EPYC");
+    REQUIRE(again.size() == study.sections.size());
+    CHECK_FALSE(again.back().whole());
+    CHECK(in_words(*again.back().points.front().failure) == "it takes no time");
+}
+
+TEST_CASE("circuits are compared at one bandwidth and one error", "[tradeoff]") {
+    const std::vector<std::vector<std::string>> expected = {
+        {"circuit", "settles to 1 %", "beats a clock below", "beats this machine from",
+         "parts of 1 % leave"},
+        {"crossbar", "445 ns", "480 MHz", "77 MHz", "2.81 %"},
+        {"nic", "1.12 us", "191 MHz", "194 MHz", "2.58 %"},
+        {"rail", "1.35 us", "158 MHz", "234 MHz", "11.9 %"},
+        {"least_squares", "1.97 us", "108 MHz", "341 MHz", "0.632 %"}};
+    CHECK(report::circuit_cells(measured()) == expected);
+    const auto front = report::front_cells(measured());
+    REQUIRE(front.size() == 2);
+    CHECK(front[1] == std::vector<std::string>{"dense float64", "57.8 ns", "57.6 ns ... 57.9 ns",
+                                               "1.7e-14", "0.091"});
+}
+
+TEST_CASE("the page's data draw each circuit once, and its times over the bandwidth", "[tradeoff]") {
+    std::string circuits;
+    std::string crossover;
+    for (const auto& [name, content] : report::study_html(measured()).files) {
+      if (name == "circuits.csv") circuits = content;
+      if (name == "crossover.csv") crossover = content;
+    }
+    CHECK(circuits == R"text(curve,|f - f*| / |f*|,time to settle [s]
+"least_squares, 10 MHz",0.01,1.967733926389021e-06
+"nic, 10 MHz",0.01,1.1196447234710799e-06
+"crossbar, 10 MHz",0.01,4.4482089959001167e-07
+"rail, 10 MHz",0.01,1.3521296245832036e-06
+"ideal, 10 pF a node",0.01,6.326362071232991e-07
+"nic, 1 % parts",0.02583539322967185,4.4482089959001167e-07
+"nic, 1 % parts",0.02583539322967185,1.967733926389021e-06
+"rail, 1 % parts",0.11861615111565246,4.4482089959001167e-07
+"rail, 1 % parts",0.11861615111565246,1.967733926389021e-06
+"crossbar, 1 % parts",0.02813582738906404,4.4482089959001167e-07
+"crossbar, 1 % parts",0.02813582738906404,1.967733926389021e-06
+"least_squares, 1 % parts",0.006320167423327584,4.4482089959001167e-07
+"least_squares, 1 % parts",0.006320167423327584,1.967733926389021e-06
+"arithmetic here, 57.8 ns",1e-04,5.778125e-08
+"arithmetic here, 57.8 ns",1,5.778125e-08
+)text");
+    CHECK(crossover == R"text(curve,gain-bandwidth of the op-amps [Hz],time [s]
+least_squares,1e+07,1.967733926389021e-06
+nic,1e+06,1.1196447234710799e-05
+nic,1e+07,1.1196447234710799e-06
+nic,1e+08,1.1196447234710799e-07
+crossbar,1e+07,4.4482089959001167e-07
+rail,1e+07,1.3521296245832036e-06
+this machine,1e+06,5.778125e-08
+this machine,1e+08,5.778125e-08
+a controller of 400 MHz,1e+06,5.335087861422337e-07
+a controller of 400 MHz,1e+08,5.335087861422337e-07
+a controller of 100 MHz,1e+06,2.134035144568935e-06
+a controller of 100 MHz,1e+08,2.134035144568935e-06
+)text");
+}
+
+TEST_CASE("how far a study is, in words", "[tradeoff]") {
+    const Job job{Kind::settling, Realization::nic};
+    CHECK(in_words(StudyProgress{.job = job}) == "0 %, settling, nic");
+    CHECK(in_words(StudyProgress{.job = job, .share = 0.25, .seconds_left = 33.2}) ==
+          "25 %, settling, nic, about 34 s left");
+    CHECK(in_words(StudyProgress{.job = job, .stopping = true}) ==
+          "stopping, after what has begun ...");
+}
