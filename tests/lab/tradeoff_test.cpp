@@ -212,7 +212,7 @@ TEST_CASE("by a clock of its own a study of the arithmetic is the same twice, ti
   CHECK(one.sections.size() == 6);
   CHECK(one.processor == processor_name());
   CHECK(one.input.agreement < 1e-12);
-  CHECK_FALSE(one.input.constrained);
+  CHECK_FALSE(one.input.problem.constraints());
   for (const WorkPoint& point : one.points()) {
     CHECK(point.measured());
     CHECK_THAT(point.seconds, WithinRel(tick, 1e-15));
@@ -224,7 +224,6 @@ TEST_CASE("by a clock of its own a study of the arithmetic is the same twice, ti
         Family::integral, Family::discrete_sum})
     CHECK(std::any_of(points.begin(), points.end(),
                       [&](const WorkPoint& point) { return point.curve.family == family; }));
-  CHECK(digital_study(pressed + "nonnegative = true\n").input.constrained);
 }
 
 TEST_CASE("what a method cannot do is a failure of its kind, and leaves the others", "[tradeoff]") {

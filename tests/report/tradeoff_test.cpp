@@ -55,8 +55,10 @@ void add(Study& study, const WorkCurve& curve, const Knob& knob, TimeOf time_of,
 /// A cylinder on 21 taxels, as it was once measured; of each curve a point or two.
 Study measured() {
   Study study;
-  study.input.scene.file = "pressed.toml";
-  study.input.scene.reconstruct.alpha = 1e-3;
+  Scene scene;
+  scene.file = "pressed.toml";
+  study.input.problem = SceneProblem(scene);
+  study.input.alpha = 1e-3;
   study.input.agreement = 1.7033990924008644e-15;
   study.input.solution_error = 0.09099117971275976;
   study.input.noise_rms = 0.0015831552460761403;
@@ -277,162 +279,162 @@ TEST_CASE("a study's JSON names each point in words, and its answers", "[tradeof
 }
 
 TEST_CASE("what is read back from a study's JSON is what was written", "[tradeoff]") {
-    const Study study = measured();
-    const std::string json = report::study_json(study, "[sensor]");
-    CHECK(report::finished_jobs(json, "[sensor]", "AMD EPYC") == study.sections);
-    const auto refuses = [](const std::string& text, const std::string& why) {
-      CHECK_THROWS_WITH(report::finished_jobs(text, "[sensor]", "AMD EPYC"),
-                        ContainsSubstring(why));
-    };
-    const auto changed = [&](const std::string& from, const std::string& to) {
-      std::string text = json;
-      return text.replace(text.find(from), from.size(), to);
-    };
-    refuses(changed("\"AMD EPYC\"", "\"VAX\""), "on another processor");
-    refuses(changed("\"[sensor]\"", "\"[material]\""), "for another scene");
-    refuses(changed("\"0.1.0\"", "\"0.0.9\""), "by another version");
-    for (const char* word : {"\"dense float64\",\n          \"knob\"", "rank 11 + 10", "\"frame\"",
-                             "\"settling, nic\"", "\"realization\": \"nic\""}) {
-      CAPTURE(word);
-      std::string other = word;
-      other.insert(other.find_last_of(other.back() == '"' ? "\"" : "10"), "?");
-      refuses(changed(word, other), "it is no study");
-    }
-    refuses("[]", "it is no study");
-    refuses("tractions", "it is no study");
+  const Study study = measured();
+  const std::string json = report::study_json(study, "[sensor]");
+  CHECK(report::finished_jobs(json, "[sensor]", "AMD EPYC") == study.sections);
+  const auto refuses = [](const std::string& text, const std::string& why) {
+    CHECK_THROWS_WITH(report::finished_jobs(text, "[sensor]", "AMD EPYC"), ContainsSubstring(why));
+  };
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = json;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  refuses(changed("\"AMD EPYC\"", "\"VAX\""), "on another processor");
+  refuses(changed("\"[sensor]\"", "\"[material]\""), "for another scene");
+  refuses(changed("\"0.1.0\"", "\"0.0.9\""), "by another version");
+  for (const char* word : {"\"dense float64\",\n          \"knob\"", "rank 11 + 10", "\"frame\"",
+                           "\"settling, nic\"", "\"realization\": \"nic\""}) {
+    CAPTURE(word);
+    std::string other = word;
+    other.insert(other.find_last_of(other.back() == '"' ? "\"" : "10"), "?");
+    refuses(changed(word, other), "it is no study");
+  }
+  refuses("[]", "it is no study");
+  refuses("tractions", "it is no study");
 }
 
 TEST_CASE("every curve, knob and job that there is comes back from its words, and no two are alike",
           "[tradeoff]") {
-    std::vector<WorkCurve> curves = {ideal_circuit(10e-12)};
-    for (const Structure structure :
-         {Structure::dense, Structure::low_rank, Structure::parity, Structure::parity_low_rank})
-      for (const Precision precision : {Precision::float64, Precision::float32})
-        curves.push_back(product(structure, precision));
-    curves.push_back(product(Structure::fft, Precision::float64));
-    for (int i = static_cast<int>(Family::closed_form); i < static_cast<int>(Family::circuit); ++i)
-      curves.push_back({.family = static_cast<Family>(i)});
-    for (const Realization realization : realizations) {
-      curves.push_back(circuit(realization));
-      for (const double bandwidth : bandwidths) curves.push_back(circuit(realization, bandwidth));
-    }
-    std::set<std::string> seen;
-    for (const WorkCurve& curve : curves) {
-      CAPTURE(in_words(curve));
-      CHECK(curve_named(in_words(curve)) == curve);
-      CHECK(seen.insert(in_words(curve)).second);
-    }
+  std::vector<WorkCurve> curves = {ideal_circuit(10e-12)};
+  for (const Structure structure :
+       {Structure::dense, Structure::low_rank, Structure::parity, Structure::parity_low_rank})
+    for (const Precision precision : {Precision::float64, Precision::float32})
+      curves.push_back(product(structure, precision));
+  curves.push_back(product(Structure::fft, Precision::float64));
+  for (int i = static_cast<int>(Family::closed_form); i < static_cast<int>(Family::circuit); ++i)
+    curves.push_back({.family = static_cast<Family>(i)});
+  for (const Realization realization : realizations) {
+    curves.push_back(circuit(realization));
+    for (const double bandwidth : bandwidths) curves.push_back(circuit(realization, bandwidth));
+  }
+  std::set<std::string> seen;
+  for (const WorkCurve& curve : curves) {
+    CAPTURE(in_words(curve));
+    CHECK(curve_named(in_words(curve)) == curve);
+    CHECK(seen.insert(in_words(curve)).second);
+  }
 
-    std::vector<Knob> knobs = {{},
-                               {.kind = Setting::ranks, .ranks = {7}},
-                               {.kind = Setting::ranks, .ranks = {24, 23}},
-                               {.kind = Setting::exchanges, .count = 5, .optimal = true},
-                               {.kind = Setting::halved_panels},
-                               {.kind = Setting::operating_point}};
-    for (const Setting kind :
-         {Setting::steps, Setting::exchanges, Setting::taxels, Setting::panel_points})
-      knobs.push_back({.kind = kind, .count = 12});
-    for (std::size_t level = 0; level < settling_levels.size(); ++level)
-      for (const bool by_poles : {false, true})
-        for (const bool scaled : {false, true})
-          knobs.push_back(
-              {.kind = Setting::settled, .level = level, .by_poles = by_poles, .scaled = scaled});
-    seen.clear();
-    for (const Knob& knob : knobs) {
-      CAPTURE(in_words(knob));
-      CHECK(knob_named(in_words(knob)) == knob);
-      CHECK(seen.insert(in_words(knob)).second);
-    }
+  std::vector<Knob> knobs = {{},
+                             {.kind = Setting::ranks, .ranks = {7}},
+                             {.kind = Setting::ranks, .ranks = {24, 23}},
+                             {.kind = Setting::exchanges, .count = 5, .optimal = true},
+                             {.kind = Setting::halved_panels},
+                             {.kind = Setting::operating_point}};
+  for (const Setting kind :
+       {Setting::steps, Setting::exchanges, Setting::taxels, Setting::panel_points})
+    knobs.push_back({.kind = kind, .count = 12});
+  for (std::size_t level = 0; level < settling_levels.size(); ++level)
+    for (const bool by_poles : {false, true})
+      for (const bool scaled : {false, true})
+        knobs.push_back(
+            {.kind = Setting::settled, .level = level, .by_poles = by_poles, .scaled = scaled});
+  seen.clear();
+  for (const Knob& knob : knobs) {
+    CAPTURE(in_words(knob));
+    CHECK(knob_named(in_words(knob)) == knob);
+    CHECK(seen.insert(in_words(knob)).second);
+  }
 
-    seen.clear();
-    for (int i = 0; i <= static_cast<int>(Kind::operating_points); ++i) {
-      Job job{static_cast<Kind>(i)};
-      if (job.kind == Kind::settling) job.realization = Realization::crossbar;
-      CAPTURE(in_words(job));
-      CHECK(job_named(in_words(job)) == job);
-      CHECK(seen.insert(in_words(job)).second);
-    }
-    // A capacitance of the scene keeps the digits that were written: the words stay as they are.
-    for (const double farad : {12.3456e-12, 1e-9, 3.3e-18, 0.47e-6}) {
-      const std::string words = in_words(ideal_circuit(farad));
-      CAPTURE(words);
-      REQUIRE(curve_named(words));
-      CHECK(in_words(*curve_named(words)) == words);
-    }
-    for (const char* word :
-         {"", "nic, 20 MHz", "ideal,  pF a node", "nic, pF a node", "Dense float64"})
-      CHECK_FALSE(curve_named(word));
-    for (const char* word :
-         {"rank ", "rank 3 + ", "-1 steps", "1.5 steps", " steps", "settled to 0.5"})
-      CHECK_FALSE(knob_named(word));
+  seen.clear();
+  for (int i = 0; i <= static_cast<int>(Kind::operating_points); ++i) {
+    Job job{static_cast<Kind>(i)};
+    if (job.kind == Kind::settling) job.realization = Realization::crossbar;
+    CAPTURE(in_words(job));
+    CHECK(job_named(in_words(job)) == job);
+    CHECK(seen.insert(in_words(job)).second);
+  }
+  // A capacitance of the scene keeps the digits that were written: the words stay as they are.
+  for (const double farad : {12.3456e-12, 1e-9, 3.3e-18, 0.47e-6}) {
+    const std::string words = in_words(ideal_circuit(farad));
+    CAPTURE(words);
+    REQUIRE(curve_named(words));
+    CHECK(in_words(*curve_named(words)) == words);
+  }
+  for (const char* word :
+       {"", "nic, 20 MHz", "ideal,  pF a node", "nic, pF a node", "Dense float64"})
+    CHECK_FALSE(curve_named(word));
+  for (const char* word :
+       {"rank ", "rank 3 + ", "-1 steps", "1.5 steps", " steps", "settled to 0.5"})
+    CHECK_FALSE(knob_named(word));
 }
 
 TEST_CASE("a failure is told in words, and stays in the study", "[tradeoff]") {
-    Study study = measured();
-    const std::size_t points = study.points().size();
-    const auto fail = [&](const Job& job, const WorkCurve& curve, TimeOf time_of, Failure failure) {
-      WorkPoint point;
-      point.curve = curve;
-      point.time_of = time_of;
-      point.failure = std::move(failure);
-      study.sections.push_back({.job = job, .points = {point}});
-    };
-    using Why = Failure::Kind;
-    const WorkCurve coarse{.family = Family::fewer_taxels};
-    fail({Kind::fewer_taxels}, coarse, TimeOf::frame, {.kind = Why::dead_taxels});
-    fail({Kind::fewer_taxels}, coarse, TimeOf::frame, {.kind = Why::no_stride, .count = 24});
-    fail({Kind::forward_model}, {.family = Family::job, .job = Job{Kind::forward_model}},
-         TimeOf::frame, {.what = "the integral is known only to 0.1"});
-    const WorkCurve slow = circuit(Realization::least_squares, 100e6);
-    const Job settling{Kind::settling, Realization::least_squares};
-    fail(settling, slow, TimeOf::settling,
-         {.kind = Why::not_stable, .stability = Stability::unstable});
-    fail(settling, slow, TimeOf::settling, {.kind = Why::unsettled});
-    fail(settling, slow, TimeOf::settling, {.kind = Why::no_time});
-    CHECK(report::failures_in_words(study) ==
-          std::vector<std::string>{
-              "fewer taxels: the scene has dead taxels",
-              "fewer taxels: no stride leaves both ends of 24 taxels in place",
-              "forward model: the integral is known only to 0.1",
-              "least_squares, 100 MHz: no settling: unstable",
-              "least_squares, 100 MHz: it does not settle",
-              "least_squares, 100 MHz: it takes no time",
-          });
-    CHECK(study.points().size() == points + 6);
-    CHECK_THAT(
-        report::study_csv(study),
-        EndsWith("\"settling, least_squares\",\"least_squares, 100 MHz\",\"\",settling,0,0,0,,,"
-                 "\"it takes no time\"\n"));
-    const auto again =
-        report::finished_jobs(report::study_json(study, "[sensor]"), "[sensor]", "AMD EPYC");
-    REQUIRE(again.size() == study.sections.size());
-    CHECK_FALSE(again.back().whole());
-    CHECK(in_words(*again.back().points.front().failure) == "it takes no time");
+  Study study = measured();
+  const std::size_t points = study.points().size();
+  const auto fail = [&](const Job& job, const WorkCurve& curve, TimeOf time_of, Failure failure) {
+    WorkPoint point;
+    point.curve = curve;
+    point.time_of = time_of;
+    point.failure = std::move(failure);
+    study.sections.push_back({.job = job, .points = {point}});
+  };
+  using Why = Failure::Kind;
+  const WorkCurve coarse{.family = Family::fewer_taxels};
+  fail({Kind::fewer_taxels}, coarse, TimeOf::frame, {.kind = Why::dead_taxels});
+  fail({Kind::fewer_taxels}, coarse, TimeOf::frame, {.kind = Why::no_stride, .count = 24});
+  fail({Kind::forward_model}, {.family = Family::job, .job = Job{Kind::forward_model}},
+       TimeOf::frame, {.what = "the integral is known only to 0.1"});
+  const WorkCurve slow = circuit(Realization::least_squares, 100e6);
+  const Job settling{Kind::settling, Realization::least_squares};
+  fail(settling, slow, TimeOf::settling,
+       {.kind = Why::not_stable, .stability = Stability::unstable});
+  fail(settling, slow, TimeOf::settling, {.kind = Why::unsettled});
+  fail(settling, slow, TimeOf::settling, {.kind = Why::no_time});
+  CHECK(report::failures_in_words(study) ==
+        std::vector<std::string>{
+            "fewer taxels: the scene has dead taxels",
+            "fewer taxels: no stride leaves both ends of 24 taxels in place",
+            "forward model: the integral is known only to 0.1",
+            "least_squares, 100 MHz: no settling: unstable",
+            "least_squares, 100 MHz: it does not settle",
+            "least_squares, 100 MHz: it takes no time",
+        });
+  CHECK(study.points().size() == points + 6);
+  CHECK_THAT(
+      report::study_csv(study),
+      EndsWith("\"settling, least_squares\",\"least_squares, 100 MHz\",\"\",settling,0,0,0,,,"
+               "\"it takes no time\"\n"));
+  const auto again =
+      report::finished_jobs(report::study_json(study, "[sensor]"), "[sensor]", "AMD EPYC");
+  REQUIRE(again.size() == study.sections.size());
+  CHECK_FALSE(again.back().whole());
+  CHECK(in_words(*again.back().points.front().failure) == "it takes no time");
 }
 
 TEST_CASE("circuits are compared at one bandwidth and one error", "[tradeoff]") {
-    const std::vector<std::vector<std::string>> expected = {
-        {"circuit", "settles to 1 %", "beats a clock below", "beats this machine from",
-         "parts of 1 % leave"},
-        {"crossbar", "445 ns", "480 MHz", "77 MHz", "2.81 %"},
-        {"nic", "1.12 us", "191 MHz", "194 MHz", "2.58 %"},
-        {"rail", "1.35 us", "158 MHz", "234 MHz", "11.9 %"},
-        {"least_squares", "1.97 us", "108 MHz", "341 MHz", "0.632 %"}};
-    CHECK(report::circuit_cells(measured()) == expected);
-    const auto front = report::front_cells(measured());
-    REQUIRE(front.size() == 2);
-    CHECK(front[1] == std::vector<std::string>{"dense float64", "57.8 ns", "57.6 ns ... 57.9 ns",
-                                               "1.7e-14", "0.091"});
+  const std::vector<std::vector<std::string>> expected = {
+      {"circuit", "settles to 1 %", "beats a clock below", "beats this machine from",
+       "parts of 1 % leave"},
+      {"crossbar", "445 ns", "480 MHz", "77 MHz", "2.81 %"},
+      {"nic", "1.12 us", "191 MHz", "194 MHz", "2.58 %"},
+      {"rail", "1.35 us", "158 MHz", "234 MHz", "11.9 %"},
+      {"least_squares", "1.97 us", "108 MHz", "341 MHz", "0.632 %"}};
+  CHECK(report::circuit_cells(measured()) == expected);
+  const auto front = report::front_cells(measured());
+  REQUIRE(front.size() == 2);
+  CHECK(front[1] == std::vector<std::string>{"dense float64", "57.8 ns", "57.6 ns ... 57.9 ns",
+                                             "1.7e-14", "0.091"});
 }
 
-TEST_CASE("the page's data draw each circuit once, and its times over the bandwidth", "[tradeoff]") {
-    std::string circuits;
-    std::string crossover;
-    for (const auto& [name, content] : report::study_html(measured()).files) {
-      if (name == "circuits.csv") circuits = content;
-      if (name == "crossover.csv") crossover = content;
-    }
-    CHECK(circuits == R"text(curve,|f - f*| / |f*|,time to settle [s]
+TEST_CASE("the page's data draw each circuit once, and its times over the bandwidth",
+          "[tradeoff]") {
+  std::string circuits;
+  std::string crossover;
+  for (const auto& [name, content] : report::study_html(measured()).files) {
+    if (name == "circuits.csv") circuits = content;
+    if (name == "crossover.csv") crossover = content;
+  }
+  CHECK(circuits == R"text(curve,|f - f*| / |f*|,time to settle [s]
 "least_squares, 10 MHz",0.01,1.967733926389021e-06
 "nic, 10 MHz",0.01,1.1196447234710799e-06
 "crossbar, 10 MHz",0.01,4.4482089959001167e-07
@@ -449,7 +451,7 @@ TEST_CASE("the page's data draw each circuit once, and its times over the bandwi
 "arithmetic here, 57.8 ns",1e-04,5.778125e-08
 "arithmetic here, 57.8 ns",1,5.778125e-08
 )text");
-    CHECK(crossover == R"text(curve,gain-bandwidth of the op-amps [Hz],time [s]
+  CHECK(crossover == R"text(curve,gain-bandwidth of the op-amps [Hz],time [s]
 least_squares,1e+07,1.967733926389021e-06
 nic,1e+06,1.1196447234710799e-05
 nic,1e+07,1.1196447234710799e-06
@@ -466,10 +468,10 @@ a controller of 100 MHz,1e+08,2.134035144568935e-06
 }
 
 TEST_CASE("how far a study is, in words", "[tradeoff]") {
-    const Job job{Kind::settling, Realization::nic};
-    CHECK(in_words(StudyProgress{.job = job}) == "0 %, settling, nic");
-    CHECK(in_words(StudyProgress{.job = job, .share = 0.25, .seconds_left = 33.2}) ==
-          "25 %, settling, nic, about 34 s left");
-    CHECK(in_words(StudyProgress{.job = job, .stopping = true}) ==
-          "stopping, after what has begun ...");
+  const Job job{Kind::settling, Realization::nic};
+  CHECK(in_words(StudyProgress{.job = job}) == "0 %, settling, nic");
+  CHECK(in_words(StudyProgress{.job = job, .share = 0.25, .seconds_left = 33.2}) ==
+        "25 %, settling, nic, about 34 s left");
+  CHECK(in_words(StudyProgress{.job = job, .stopping = true}) ==
+        "stopping, after what has begun ...");
 }

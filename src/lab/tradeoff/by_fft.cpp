@@ -12,16 +12,16 @@ namespace tactile_net::lab {
 namespace {
 
 WorkPoint ring_filter(const StudyInput& input, const WorkCurve& curve, const Clock& clock) {
-  const Scene& scene = input.scene;
-  DftTikhonov inverse(scene.sensor, scene.material, problem_options(scene));
+  const Scene& scene = input.scene();
+  DftTikhonov inverse(scene.sensor, scene.material, input.problem.options());
   std::vector<double> f(input.solution.size());
-  const Seconds seconds = time_of(
-      [&] { (void)inverse.solve(input.readings, *scene.reconstruct.alpha, f); }, 0.03, clock);
+  const Seconds seconds =
+      time_of([&] { (void)inverse.solve(input.readings, input.alpha, f); }, 0.03, clock);
   return point(input, curve, {}, f, seconds);
 }
 
 WorkPoint division(const StudyInput& input, const WorkCurve& curve, const Clock& clock) {
-  const auto solver = make_solver(input.scene, Method::dft);
+  const auto solver = make_solver(input.problem, Method::dft, input.alpha);
   std::vector<double> f(solver->tractions());
   const Seconds seconds = time_of([&] { (void)solver->solve(input.readings, f); }, 0.03, clock);
   WorkPoint result = point(input, curve, {}, f, seconds);
@@ -32,9 +32,8 @@ WorkPoint division(const StudyInput& input, const WorkCurve& curve, const Clock&
 /// One more step for each point, until rounding is all that is left.
 void add_conjugate_gradients(StudySection& section, const StudyInput& input, const WorkCurve& curve,
                              const Clock& clock) {
-  const Scene& scene = input.scene;
-  FftTikhonov inverse(scene.sensor, scene.material, problem_options(scene),
-                      *scene.reconstruct.alpha);
+  const Scene& scene = input.scene();
+  FftTikhonov inverse(scene.sensor, scene.material, input.problem.options(), input.alpha);
   std::vector<double> f(inverse.tractions());
   double before = 1.0;
   for (std::size_t steps = 1; steps <= 20; ++steps) {
@@ -56,7 +55,7 @@ StudySection by_fft(const StudyInput& input, const Clock& clock) {
   const WorkCurve ring{.family = Family::ring_filter};
   attempt(section, ring, {}, [&] { return ring_filter(input, ring, clock); });
   const WorkCurve quotient{.family = Family::division};
-  if (unknowns(input.scene) == 1)
+  if (unknowns(input.scene()) == 1)
     attempt(section, quotient, {}, [&] { return division(input, quotient, clock); });
   const WorkCurve iteration{.family = Family::conjugate_gradients};
   try {

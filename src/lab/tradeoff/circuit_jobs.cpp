@@ -10,7 +10,7 @@ namespace tactile_net::lab {
 
 Scene with_circuit(const StudyInput& input, Realization realization,
                    std::optional<double> bandwidth) {
-  Scene scene = input.scene;
+  Scene scene = input.scene();
   scene.network.tolerance.reset();
   scene.network.realization = realization;
   if (bandwidth) give_bandwidth(scene, *bandwidth);

@@ -4,7 +4,6 @@
 
 #include "lab/tradeoff/digital.hpp"
 #include "lab/tradeoff/points.hpp"
-#include "tactile_net/lab/method.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -12,8 +11,8 @@ namespace {
 /// One point for each limit of exchanges, until the optimum is found.
 void add_active_sets(StudySection& section, const StudyInput& input, const WorkCurve& curve,
                      const Clock& clock) {
-  const ConstrainedTikhonov inverse(problem_of(input.scene), *input.scene.reconstruct.alpha,
-                                    constraints_of(input.scene).value_or(Constraints{}));
+  const ConstrainedTikhonov inverse(input.problem.problem(), input.alpha,
+                                    input.problem.constraints().value_or(Constraints{}));
   for (std::size_t limit = 1; limit <= 64; limit *= 2) {
     ConstrainedSolution solution;
     const Seconds seconds =

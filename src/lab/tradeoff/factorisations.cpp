@@ -4,17 +4,15 @@
 #include "lab/tradeoff/digital.hpp"
 #include "lab/tradeoff/points.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
-#include "tactile_net/lab/method.hpp"
 
 namespace tactile_net::lab {
 
 StudySection factorisations(const StudyInput& input, const Clock& clock) {
   StudySection section;
-  const InverseProblem problem = problem_of(input.scene);
-  const double alpha = *input.scene.reconstruct.alpha;
+  const InverseProblem& problem = input.problem.problem();
   const WorkCurve explicit_inverse{.family = WorkCurve::Family::closed_form};
   attempt(section, explicit_inverse, {}, [&] {
-    const Reconstruction inverse = closed_form(problem, alpha);
+    const Reconstruction inverse = closed_form(problem, input.alpha);
     std::vector<double> f(inverse.tractions());
     const Seconds seconds = time_of([&] { (void)inverse.solve(input.readings, f); }, 0.03, clock);
     return point(input, explicit_inverse, {}, f, seconds);
@@ -23,7 +21,7 @@ StudySection factorisations(const StudyInput& input, const Clock& clock) {
   attempt(section, every_frame, {}, [&] {
     std::vector<double> f;
     const Seconds seconds =
-        time_of([&] { f = tikhonov_solve(problem, alpha, input.readings); }, 0.03, clock);
+        time_of([&] { f = tikhonov_solve(problem, input.alpha, input.readings); }, 0.03, clock);
     return point(input, every_frame, {}, f, seconds);
   });
   return section;

@@ -7,7 +7,7 @@
 #include "lab/tradeoff/digital.hpp"
 #include "lab/tradeoff/points.hpp"
 #include "tactile_net/control/planner.hpp"
-#include "tactile_net/lab/method.hpp"
+#include "tactile_net/lab/scene_problem.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 
 namespace tactile_net::lab {
@@ -30,8 +30,8 @@ std::vector<double> interpolated(std::span<const double> f, std::size_t coarse, 
 /// as many terms fewer.
 WorkPoint coarser(const StudyInput& input, std::size_t stride, const WorkCurve& curve,
                   const Knob& knob, const Clock& clock) {
-  const std::size_t n = input.scene.sensor.count;
-  Scene scene = input.scene;
+  const std::size_t n = input.scene().sensor.count;
+  Scene scene = input.scene();
   scene.sensor.count = knob.count;
   scene.sensor.pitch *= static_cast<double>(stride);
   std::vector<double> g;
@@ -40,7 +40,7 @@ WorkPoint coarser(const StudyInput& input, std::size_t stride, const WorkCurve& 
   PlannerOptions options;
   options.diagnostics = false;
   const PlannedEstimator planned =
-      plan_estimator(problem_of(scene), *scene.reconstruct.alpha, options);
+      plan_estimator(SceneProblem(scene).problem(), input.alpha, options);
   ContactEstimator estimator(planned.plan);
   std::vector<double> f(estimator.tractions());
   ContactEstimate estimate;
@@ -57,10 +57,10 @@ WorkPoint coarser(const StudyInput& input, std::size_t stride, const WorkCurve& 
 StudySection fewer_taxels(const StudyInput& input, const Clock& clock) {
   StudySection section;
   const WorkCurve curve{.family = WorkCurve::Family::fewer_taxels};
-  const std::size_t n = input.scene.sensor.count;
+  const std::size_t n = input.scene().sensor.count;
   for (std::size_t stride = 2; stride <= (n - 1) / 4; ++stride) {
     if ((n - 1) % stride != 0) continue;
-    if (!input.scene.dead_taxels.empty()) {
+    if (!input.scene().dead_taxels.empty()) {
       section.points.push_back(
           failed(curve, {}, TimeOf::frame, {.kind = Failure::Kind::dead_taxels}));
       break;

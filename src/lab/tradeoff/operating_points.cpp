@@ -16,8 +16,8 @@ StudySection operating_points(const StudyInput& input, Simulator& simulator) {
     result.knob = {.kind = Knob::Kind::operating_point};
     result.time_of = TimeOf::simulator;
     try {
-      const Relaxation relaxation =
-          relax(plan_circuit(with_circuit(input, realization), input.readings), simulator);
+      const Relaxation relaxation = relax(
+          plan_circuit(with_circuit(input, realization), input.readings, input.alpha), simulator);
       result.seconds = result.seconds_low = result.seconds_high = relaxation.ngspice_seconds;
       result.error_to_solution = relaxation.difference;
       if (const std::string what = relaxation.failure(); !what.empty())

@@ -13,7 +13,7 @@ StudySection parts_floors(const StudyInput& input, const Stop& stop) {
       if (stop()) return section;
       Scene scene = with_circuit(input, realization);
       scene.network.tolerance = ToleranceOptions{.relative = relative, .trials = 40};
-      const ToleranceResult result = tolerate(plan_circuit(scene, input.readings));
+      const ToleranceResult result = tolerate(plan_circuit(scene, input.readings, input.alpha));
       PartsFloor floor{.realization = realization, .relative = relative};
       if (2 * result.stable > result.trials) floor.median = result.median;
       section.floors.push_back(std::move(floor));

@@ -18,9 +18,9 @@ Failure caught() {
 
 std::vector<double> truth_of(const StudyInput& input) {
   std::vector<double> truth = input.truth.normal;
-  if (unknowns(input.scene) == 2) {
+  if (unknowns(input.scene()) == 2) {
     truth.insert(truth.end(), input.truth.tangential.begin(), input.truth.tangential.end());
-    truth.resize(2 * input.scene.sensor.count);
+    truth.resize(2 * input.scene().sensor.count);
   }
   return truth;
 }

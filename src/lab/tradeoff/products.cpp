@@ -7,22 +7,20 @@
 #include "lab/tradeoff/points.hpp"
 #include "tactile_net/control/fftw_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
-#include "tactile_net/lab/method.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
 /// Adds the product that these options plan; equal ranks would be the same point again.
-void add_product(StudySection& section, const StudyInput& input, const InverseProblem& problem,
-                 PlannerOptions options, const Clock& clock) {
+void add_product(StudySection& section, const StudyInput& input, PlannerOptions options,
+                 const Clock& clock) {
   options.diagnostics = false;
   const WorkCurve curve{.family = WorkCurve::Family::product,
                         .structure = options.structure,
                         .precision = options.precision};
   attempt(section, curve, {}, [&] {
-    const PlannedEstimator planned =
-        plan_estimator(problem, *input.scene.reconstruct.alpha, options);
+    const PlannedEstimator planned = plan_estimator(input.problem.problem(), input.alpha, options);
     ContactEstimator estimator(planned.plan, fftw_convolutions());
     std::vector<double> f(estimator.tractions());
     ContactEstimate estimate;
@@ -52,15 +50,14 @@ bool is_symmetric(const InverseProblem& problem) {
 
 StudySection products(const StudyInput& input, const Clock& clock) {
   StudySection section;
-  const InverseProblem problem = problem_of(input.scene);
   using enum Structure;
-  const bool symmetric = is_symmetric(problem);
+  const bool symmetric = is_symmetric(input.problem.problem());
   const auto add = [&](Structure structure, Precision precision, double accuracy) {
     PlannerOptions options;
     options.accuracy = accuracy;
     options.structure = structure;
     options.precision = precision;
-    add_product(section, input, problem, options, clock);
+    add_product(section, input, options, clock);
   };
   for (const Precision precision : {Precision::float64, Precision::float32}) {
     add(dense, precision, PlannerOptions{}.accuracy);

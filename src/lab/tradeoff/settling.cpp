@@ -71,7 +71,7 @@ void add_by_poles(StudySection& section, const WorkCurve& curve, const StateSpac
 /// A circuit's answer to a step of all its inputs: when it has come within each level of f*.
 void add_settling(StudySection& section, const WorkCurve& curve, const StudyInput& input,
                   const Scene& scene, Simulator& simulator, const Stop& stop) {
-  CircuitPlan plan = plan_circuit(scene, input.readings);
+  CircuitPlan plan = plan_circuit(scene, input.readings, input.alpha);
   plan.options.settling_accuracy = settling_levels.back();
   const Certificate certificate = certify(plan);
   if (auto failure = without_settling(certificate)) {
@@ -112,7 +112,7 @@ StudySection settling(const StudyInput& input, Realization realization, Simulato
   };
   simulate(compared_bandwidth);
   const std::vector<WorkPoint> measured = section.points;
-  const RealizationOptions& given = input.scene.network.parts;
+  const RealizationOptions& given = input.scene().network.parts;
   const bool alone =
       !given.node_capacitance && !given.opamp.second_pole && !given.opamp.input_capacitance;
   for (const double bandwidth : bandwidths) {

@@ -86,11 +86,11 @@ std::string study_json(const lab::Study& study, std::string_view scene_text) {
     if (!floors.empty()) jobs.back()["parts"] = std::move(floors);
   }
   return text_of(Json{{"tactile_net", version()},
-                      {"scene", input.scene.file},
+                      {"scene", input.scene().file},
                       {"complete", study.complete},
                       {"processor", study.processor},
                       {"clock", study.clock},
-                      {"alpha", *input.scene.reconstruct.alpha},
+                      {"alpha", input.alpha},
                       {"reference_agreement", input.agreement},
                       {"solution_error_to_truth", input.solution_error},
                       {"noise",

@@ -263,7 +263,7 @@ std::vector<std::string> failures_in_words(const lab::Study& study) {
 }
 
 Report study_html(const lab::Study& study) {
-  const Scene& scene = study.input.scene;
+  const Scene& scene = study.input.scene();
   const Figures figures(figures_of(study));
   Report report{.missing = figures.missing(), .files = figures.data()};
   for (auto& picture : figures.pictures()) report.files.push_back(std::move(picture));
@@ -272,7 +272,7 @@ Report study_html(const lab::Study& study) {
   html += element("h1", "What accuracy costs in time");
   html += element("p", (scene.title.empty() ? "" : scene.title + ". ") + scene.file + ": " +
                            sensor_in_words(scene) + "; " + material_in_words(scene) + "; alpha " +
-                           brief(*scene.reconstruct.alpha) + "." +
+                           brief(study.input.alpha) + "." +
                            (scene.time ? " Studied is " + time_in_words(scene) + "." : ""));
   if (!study.complete)
     html += element("p", "The study was stopped: this is a part of it. --resume goes on.", "note");

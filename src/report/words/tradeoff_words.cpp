@@ -156,7 +156,7 @@ std::vector<std::string> in_words(const lab::Study& study) {
     text.push_back(
         "the scene has no contact: its readings are noise, alpha too if a rule chose it; times and "
         "the errors against the exact solution stand, the rest says nothing of a touch");
-  if (input.constrained)
+  if (input.problem.constraints())
     text.push_back(
         "the exact solution is that without the scene's constraints; with them: the curve " +
         in_words(lab::WorkCurve{.family = lab::WorkCurve::Family::active_set}));
