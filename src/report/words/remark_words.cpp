@@ -1,6 +1,7 @@
 #include "tactile_net/report/words/remark_words.hpp"
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -96,7 +97,7 @@ std::string in_words(const lab::SceneRemark& remark) {
 std::vector<std::string> in_words(const lab::SimulatedFrame& frame) {
   std::vector<std::string> sentences;
   for (const lab::SceneRemark& one : frame.remarks) sentences.push_back(in_words(one));
-  sentences.insert(sentences.end(), frame.notes.begin(), frame.notes.end());
+  for (const CutOffNote& note : frame.notes) sentences.push_back(in_words(note));
   return sentences;
 }
 
