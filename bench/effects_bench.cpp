@@ -60,8 +60,8 @@ std::string number(const std::string& name, double count) {
 
 double operations(const std::string& toml, std::string_view effect) {
   const tactile_net::Scene parsed = tactile_net::parse_scene(toml, "bench");
-  for (const tactile_net::PlannedEffect& one : tactile_net::make_plan(parsed).effects)
-    if (one.name == effect) return one.operations / taxels;
+  for (const auto& one : tactile_net::lab::workload(parsed).effects)
+    if (one.row->name == effect) return one.operations / taxels;
   return 0.0;
 }
 

@@ -51,10 +51,6 @@ double interpolate(const double* values, double at) noexcept {
   return above / below;
 }
 
-bool is_odd(Quantity quantity, Traction load) noexcept {
-  return (quantity == Quantity::shear_xy) == (load == Traction::normal);
-}
-
 }  // namespace
 
 std::complex<double> pad_transform(Quantity quantity, Traction load, const Material& material,

@@ -28,4 +28,8 @@ bool is_strain(Quantity quantity) noexcept {
   return quantity == Quantity::strain_x || quantity == Quantity::strain_y;
 }
 
+bool is_odd(Quantity quantity, Traction component) noexcept {
+  return (quantity == Quantity::shear_xy) == (component == Traction::normal);
+}
+
 }  // namespace tactile_net

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -85,7 +84,6 @@ struct DftTikhonov::Plan {
   }
 
   RealFft fft;
-  double pitch = 0.0;
   std::size_t unknowns = 1;
   std::vector<double> weights;  // of each channel
   std::vector<Frequency> frequencies;
@@ -110,7 +108,6 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
   const std::vector<Channel> all = channels(array);
   plan_ = std::make_unique<Plan>(n);
   Plan& plan = *plan_;
-  plan.pitch = array.pitch;
   plan.unknowns = options.unknowns;
   plan.weights.assign(all.size(), 1.0);
   for (std::size_t c = 0; c < options.channel_rms.size(); ++c)
@@ -158,7 +155,11 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
       frequency.s(j) = 0.0;
       const bool tangential =
           columns == 2 && std::abs(frequency.v(1, j)) > std::abs(frequency.v(0, j));
-      plan.null_modes.push_back({k, tangential ? Traction::tangential : Traction::normal});
+      DftNullMode mode{.frequency = k,
+                       .unknown = tangential ? Traction::tangential : Traction::normal,
+                       .alternating = 2 * k == n};
+      if (k > 0) mode.wavelength = static_cast<double>(n) * array.pitch / static_cast<double>(k);
+      plan.null_modes.push_back(mode);
     }
   }
   plan.spectrum.resize(rows, static_cast<Eigen::Index>(bins));
@@ -166,18 +167,6 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
 }
 
 std::span<const DftNullMode> DftTikhonov::null_modes() const noexcept { return plan_->null_modes; }
-
-std::string DftTikhonov::in_words(const DftNullMode& mode) const {
-  const std::string unknown = mode.unknown == Traction::normal ? "normal" : "tangential";
-  if (mode.frequency == 0) return "the mean of the " + unknown + " traction (k = 0)";
-  const std::size_t n = plan_->fft.size();
-  if (2 * mode.frequency == n)
-    return "the " + unknown + " traction that alternates from taxel to taxel (Nyquist)";
-  std::ostringstream text;
-  text << "a ripple of the " << unknown << " traction with wavelength "
-       << static_cast<double>(n) * plan_->pitch / static_cast<double>(mode.frequency);
-  return text.str();
-}
 
 double DftTikhonov::condition(double alpha) const noexcept {
   const double root = std::sqrt(alpha);

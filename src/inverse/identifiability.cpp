@@ -4,19 +4,17 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
-#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr std::size_t most_modes = 6;  // named in one space
-constexpr double pure = 0.9;           // share from which a mode is called by one name
+constexpr std::size_t most_modes = 6;  // described in one space
+constexpr double pure = 0.9;           // share from which a mode belongs to one traction
 
 /// Columns 2 m and 2 m + 1: the cosine and the sine of m half waves in the array, centred, of unit
 /// norm; a wave that is zero at every taxel is a column of zeros.
@@ -41,19 +39,21 @@ Eigen::MatrixXd half_waves(Eigen::Index n) {
   return waves;
 }
 
-/// Names modes of one problem.
-class Namer {
+/// Describes modes of one problem by their waves.
+class Describer {
  public:
-  explicit Namer(const InverseProblem& problem)
+  explicit Describer(const InverseProblem& problem)
       : problem_(problem),
         count_(static_cast<Eigen::Index>(problem.count)),
         unknowns_(static_cast<Eigen::Index>(problem.unknowns)),
         waves_(half_waves(count_)) {}
 
-  [[nodiscard]] TractionMode name(const Eigen::VectorXd& mode) const;
+  [[nodiscard]] TractionMode describe(const Eigen::VectorXd& mode) const;
 
-  /// @param basis  orthonormal columns
-  [[nodiscard]] ModeSpace name_space(const Eigen::Ref<const Eigen::MatrixXd>& basis) const;
+  /// @param basis      orthonormal columns
+  /// @param described  how many modes, at most
+  [[nodiscard]] ModeSpace describe_space(const Eigen::Ref<const Eigen::MatrixXd>& basis,
+                                         std::size_t described = most_modes) const;
 
  private:
   /// Coefficients in the waves of every traction: 2 rows for each traction, for each m.
@@ -85,47 +85,7 @@ Parity parity_of(const Eigen::Ref<const Eigen::VectorXd>& block) {
   return even > 0.99 ? Parity::even : even < 0.01 ? Parity::odd : Parity::neither;
 }
 
-std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
-
-std::string in_words(const TractionMode& mode) {
-  std::ostringstream text;
-  text.precision(3);
-  if (mode.unknown)
-    text << (*mode.unknown == Traction::normal ? "normal" : "tangential") << " traction";
-  else
-    text << "normal (" << percent(mode.normal_share) << ") with tangential traction ("
-         << percent(1.0 - mode.normal_share) << ")";
-  text << (mode.wave_share < 0.5    ? ", of many wavelengths, the strongest: "
-           : mode.wave_share < pure ? ", nearly "
-                                    : ", ");
-  if (!mode.wavelength)
-    text << "constant (k = 0)";
-  else if (mode.alternating)
-    text << "alternating from taxel to taxel (Nyquist)";
-  else
-    text << "wavelength " << *mode.wavelength;
-  if (mode.unknown && mode.parity != Parity::neither)
-    text << ", " << (mode.parity == Parity::even ? "even" : "odd") << " about the centre";
-  return text.str();
-}
-
-std::string in_words(const ModeSpace& space) {
-  std::ostringstream text;
-  text.precision(3);
-  text << space.modes.front().description;
-  if (space.dimension > 1)
-    text << "; and " << space.dimension - 1 << " combination" << (space.dimension > 2 ? "s" : "")
-         << " more";
-  if (space.dimension > 1 && space.longest > 0.0) {
-    if (std::isinf(space.longest))
-      text << ", from constant ones to wavelength " << space.shortest;
-    else
-      text << ", of wavelengths " << space.longest << " to " << space.shortest;
-  }
-  return text.str();
-}
-
-TractionMode Namer::name(const Eigen::VectorXd& mode) const {
+TractionMode Describer::describe(const Eigen::VectorXd& mode) const {
   TractionMode result{.singular_value = (as_eigen(problem_.kernel) * mode).norm()};
   Eigen::MatrixXd coefficients = spectrum(mode);
   Eigen::Index strongest = 0;
@@ -146,11 +106,11 @@ TractionMode Namer::name(const Eigen::VectorXd& mode) const {
     result.unknown = normal ? Traction::normal : Traction::tangential;
   result.parity = parity_of(normal ? mode.head(count_) : mode.tail(count_));
   result.alternating = strongest > 0 && strongest + 1 >= count_;
-  result.description = in_words(result);
   return result;
 }
 
-ModeSpace Namer::name_space(const Eigen::Ref<const Eigen::MatrixXd>& basis) const {
+ModeSpace Describer::describe_space(const Eigen::Ref<const Eigen::MatrixXd>& basis,
+                                    std::size_t described) const {
   ModeSpace space{.dimension = static_cast<std::size_t>(basis.cols())};
   if (space.dimension == 0) return space;
   Eigen::MatrixXd left = spectrum(basis);
@@ -160,7 +120,7 @@ ModeSpace Namer::name_space(const Eigen::Ref<const Eigen::MatrixXd>& basis) cons
     const Eigen::MatrixXd rows = at(left, m);
     return singular_value_decomposition(Eigen::MatrixXd(rows * rows.transpose()));
   };
-  for (std::size_t step = 0; step < std::min(space.dimension, most_modes); ++step) {
+  for (std::size_t step = 0; step < std::min(space.dimension, described); ++step) {
     std::vector<double> purities;
     for (Eigen::Index m = 0; m <= count_; ++m) purities.push_back(purity(m).values(0));
     if (step == 0)
@@ -169,7 +129,8 @@ ModeSpace Namer::name_space(const Eigen::Ref<const Eigen::MatrixXd>& basis) cons
           if (space.shortest == 0.0) space.longest = wavelength(m);
           space.shortest = wavelength(m);
         }
-    // The first among equals; of one wavelength, a cosine or sine of one traction before a mixture.
+    // Takes the purest wavelength, the longest of those within 1e-6. Among the directions of that
+    // wavelength prefers one that moves a single traction, so that it can be named.
     const double most = *std::max_element(purities.begin(), purities.end()) - 1e-6;
     const Eigen::Index m =
         std::find_if(purities.begin(), purities.end(), [&](double p) { return p >= most; }) -
@@ -182,37 +143,57 @@ ModeSpace Namer::name_space(const Eigen::Ref<const Eigen::MatrixXd>& basis) cons
         break;
       }
     direction.normalize();
-    space.modes.push_back(name(basis * direction));
+    space.modes.push_back(describe(basis * direction));
     left -= (left * direction).eval() * direction.transpose();
   }
-  space.description = in_words(space);
   return space;
 }
+
+/// W K = U S V', and where its singular values end to count.
+struct Decomposition {
+  explicit Decomposition(const InverseProblem& problem)
+      : svd(singular_value_decomposition(Eigen::MatrixXd(as_eigen(problem.kernel)))),
+        floor(std::max(static_cast<double>(std::max(problem.kernel.rows, problem.kernel.columns)) *
+                           epsilon * svd.values(0),
+                       problem.kernel_error)),
+        rank((svd.values.array() > floor).count()) {}
+
+  /// The vectors of those at or below `floor`.
+  [[nodiscard]] auto null_basis() const { return svd.v.rightCols(svd.values.size() - rank); }
+
+  Svd svd;
+  double floor;
+  Eigen::Index rank;
+};
 
 }  // namespace
 
 Identifiability identifiability(const InverseProblem& problem) {
-  const Svd svd = singular_value_decomposition(Eigen::MatrixXd(as_eigen(problem.kernel)));
+  const Decomposition decomposition(problem);
+  const Svd& svd = decomposition.svd;
   const Eigen::VectorXd& s = svd.values;
   const double largest = s(0);
   const double smallest = s(s.size() - 1);
   Identifiability result{.singular_values = {s.begin(), s.end()}};
   result.condition = smallest > 0.0 ? largest / smallest : infinity;
   result.noise_gain = smallest > 0.0 ? 1.0 / smallest : infinity;
-  result.floor =
-      std::max(static_cast<double>(std::max(problem.kernel.rows, problem.kernel.columns)) *
-                   epsilon * largest,
-               problem.kernel_error);
-  const Eigen::Index rank = (s.array() > result.floor).count();
+  result.floor = decomposition.floor;
+  const Eigen::Index rank = decomposition.rank;
   const Eigen::Index safe =
       (s.array() > std::max(result.floor, std::sqrt(epsilon) * largest)).count();
   result.rank = static_cast<std::size_t>(rank);
 
-  const Namer namer(problem);
-  result.null_space = namer.name_space(svd.v.rightCols(s.size() - rank));
-  result.nearly_null = namer.name_space(svd.v.middleCols(safe, rank - safe));
-  result.weakest = namer.name(svd.v.rightCols<1>());
+  const Describer describer(problem);
+  result.null_space = describer.describe_space(decomposition.null_basis());
+  result.nearly_null = describer.describe_space(svd.v.middleCols(safe, rank - safe));
+  result.weakest = describer.describe(svd.v.rightCols<1>());
   return result;
+}
+
+ModeSpace hidden_modes(const InverseProblem& problem) {
+  const Decomposition decomposition(problem);
+  if (decomposition.null_basis().cols() == 0) return {};
+  return Describer(problem).describe_space(decomposition.null_basis(), 1);
 }
 
 std::size_t lost_by_symmetry(const SensorArray& array, std::size_t unknowns) {
@@ -223,7 +204,7 @@ std::size_t lost_by_symmetry(const SensorArray& array, std::size_t unknowns) {
     const std::size_t wanted = unknowns == 2 ? array.count : normal_is_even ? even : odd;
     std::size_t read = 0;
     for (const Channel& channel : channels(array))
-      read += (channel.quantity == Quantity::shear_xy) == normal_is_even ? odd : even;
+      read += is_odd(channel.quantity, Traction::normal) == normal_is_even ? odd : even;
     if (read < wanted) lost += wanted - read;
   }
   return lost;

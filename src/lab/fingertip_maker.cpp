@@ -85,8 +85,7 @@ std::vector<double> FingertipMaker::readings_of(Fingertip& tip, const FingertipS
                                ", or give the scene a [[contact]]"}});
   SimulatedFrame simulated = simulate(scene);
   tip.remarks.insert(tip.remarks.end(), simulated.remarks.begin(), simulated.remarks.end());
-  for (std::string& note : simulated.notes)
-    tip.remarks.emplace_back(remark::EffectNote{std::move(note)});
+  tip.remarks.insert(tip.remarks.end(), simulated.notes.begin(), simulated.notes.end());
   return std::move(simulated.readings);
 }
 

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <tuple>
+#include <stdexcept>
+#include <string>
 
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 
 namespace tactile_net::lab {
@@ -56,45 +55,31 @@ double peak_traction(const Scene& scene) {
   return peak > 0.0 ? peak : 1.0;
 }
 
-/// The noise that every channel is taken to have.
-class AssumedNoise {
- public:
-  AssumedNoise(const Scene& scene, const SurveyOptions& options, double traction)
-      : scene_(scene), traction_(traction), use_stated_(!options.relative_noise) {
-    double share = 0.0;
-    for (const Channel& channel : channels(scene.sensor))
-      share = std::max(share, stated_rms(scene, channel.quantity) /
-                                  (traction * largest_response(scene, channel)));
-    relative_ = options.relative_noise.value_or(share > 0.0 ? share : 0.01);
-    const std::string relative = brief(100.0 * relative_) +
-                                 " % of the largest reading that a ripple of that normal traction "
-                                 "causes";
-    words_ = use_stated_ && share > 0.0
-                 ? "the scene's rms; for quantities without one the same share, " + relative
-                 : relative;
-  }
+AssumedNoise assumed_noise(const Scene& scene, const SurveyOptions& options, double traction) {
+  if (options.relative_noise) return {AssumedNoise::Kind::share, *options.relative_noise};
+  double share = 0.0;
+  for (const Channel& channel : channels(scene.sensor))
+    share = std::max(
+        share, stated_rms(scene, channel.quantity) / (traction * largest_response(scene, channel)));
+  if (share > 0.0) return {AssumedNoise::Kind::stated, share};
+  return {};
+}
 
-  [[nodiscard]] double operator()(const Channel& channel) const {
-    const double stated = use_stated_ ? stated_rms(scene_, channel.quantity) : 0.0;
-    return stated > 0.0 ? stated : relative_ * traction_ * largest_response(scene_, channel);
-  }
-  [[nodiscard]] const std::string& in_words() const noexcept { return words_; }
+double rms(const Scene& scene, const AssumedNoise& noise, const Channel& channel, double traction) {
+  const double stated =
+      noise.kind == AssumedNoise::Kind::stated ? stated_rms(scene, channel.quantity) : 0.0;
+  return stated > 0.0 ? stated : noise.share * traction * largest_response(scene, channel);
+}
 
- private:
-  const Scene& scene_;
-  double traction_;
-  bool use_stated_;
-  double relative_ = 0.0;
-  std::string words_;
-};
-
+/// What the array tells of the scene; singular values are of `taxels` of its taxels.
 SensorChoice study(const Scene& scene, const SensorArray& array, std::size_t taxels,
                    const AssumedNoise& noise, double traction) {
   SensorChoice choice{.reads = array.reads, .depths = array.depths};
   const std::vector<Channel> all = channels(array);
   choice.unknowns = all.size() > 1 && scene.reconstruct.tangential.value_or(true) ? 2 : 1;
   ProblemOptions options{.unknowns = choice.unknowns};
-  for (const Channel& channel : all) options.channel_rms.push_back(noise(channel));
+  for (const Channel& channel : all)
+    options.channel_rms.push_back(rms(scene, noise, channel, traction));
   choice.resolutions = resolutions(array, scene.material, options);
   choice.normal = resolvable_wavelength(choice.resolutions, Traction::normal, traction);
   if (choice.unknowns == 2)
@@ -113,93 +98,124 @@ bool same(std::vector<Quantity> a, std::vector<Quantity> b) {
   return a == b;
 }
 
+/// The scene's sensors, and what else stands in their place.
+class Comparison {
+ public:
+  Comparison(const Scene& scene, Survey& survey, Observer& observer)
+      : scene_(scene), survey_(survey), observer_(observer) {}
+
+  void own() {
+    observer_.step({Step::Kind::sensors});
+    survey_.own =
+        study(scene_, scene_.sensor, scene_.sensor.count, survey_.noise, survey_.traction);
+  }
+
+  /// Every quantity and every pair at the scene's first depth, every quantity at two depths.
+  void in_place() {
+    const double depth = scene_.sensor.depths.front();
+    for (const Quantity quantity : quantities) add({quantity}, {depth});
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+      for (std::size_t j = i + 1; j < quantities.size(); ++j)
+        add({quantities[i], quantities[j]}, {depth});
+    const std::vector<double> two = scene_.sensor.depths.size() == 2
+                                        ? scene_.sensor.depths
+                                        : std::vector<double>{0.5 * depth, depth};
+    for (const Quantity quantity : quantities) add({quantity}, two);
+  }
+
+  /// The two best pairs at other depths.
+  void best_pairs_elsewhere() {
+    std::vector<const SensorChoice*> pairs;
+    const auto is_pair = [](const SensorChoice& choice) {
+      return choice.reads.size() == 2 && choice.depths.size() == 1;
+    };
+    if (is_pair(survey_.own)) pairs.push_back(&survey_.own);
+    for (const SensorChoice& choice : survey_.alternatives)
+      if (is_pair(choice)) pairs.push_back(&choice);
+    std::stable_sort(pairs.begin(), pairs.end(), [](auto a, auto b) { return tells_more(*a, *b); });
+    const std::array best = {pairs[0]->reads, pairs[1]->reads};
+    const auto& layer = scene_.material.layer;
+    for (const std::vector<Quantity>& reads : best)
+      for (const double factor : {0.5, 1.5, 2.0})
+        if (const double depth = factor * scene_.sensor.depths.front();
+            !layer || depth <= layer->thickness)
+          add(reads, {depth});
+  }
+
+ private:
+  void add(std::vector<Quantity> reads, std::vector<double> depths) {
+    const SensorArray& sensor = scene_.sensor;
+    if (same(reads, sensor.reads) && depths == sensor.depths) return;
+    observer_.step({Step::Kind::alternative, survey_.alternatives.size() + 1});
+    survey_.alternatives.push_back(
+        study(scene_, {sensor.count, sensor.pitch, std::move(depths), std::move(reads)},
+              survey_.taxels, survey_.noise, survey_.traction));
+  }
+
+  const Scene& scene_;
+  Survey& survey_;
+  Observer& observer_;
+};
+
+/// The best alternative of those that `counts`, if it is worth a change.
+std::optional<std::size_t> best_of(const Survey& survey, const auto& counts) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < survey.alternatives.size(); ++i)
+    if (const SensorChoice& choice = survey.alternatives[i];
+        counts(choice) && (!best || tells_more(choice, survey.alternatives[*best])))
+      best = i;
+  if (!best) return best;
+  const SensorChoice& choice = survey.alternatives[*best];
+  if (choice.unknowns != survey.own.unknowns) return best;
+  const bool worth =
+      tells_more(choice, survey.own) && ((hides_anything(survey.own) && !hides_anything(choice)) ||
+                                         coarsest(choice) < 0.9 * coarsest(survey.own));
+  return worth ? best : std::nullopt;
+}
+
+Advice advice_of(const Survey& survey) {
+  const SensorChoice& own = survey.own;
+  const auto shares = [&](const SensorChoice& choice) {
+    return std::any_of(own.reads.begin(), own.reads.end(), [&](Quantity quantity) {
+      return std::find(choice.reads.begin(), choice.reads.end(), quantity) != choice.reads.end();
+    });
+  };
+  Advice advice{.exchange = best_of(survey, [&](const SensorChoice& choice) {
+                  return choice.depths == own.depths && choice.reads.size() == own.reads.size() &&
+                         choice.unknowns == own.unknowns &&
+                         (own.reads.size() == 1 || shares(choice));
+                })};
+  const auto here = best_of(survey, [&](const SensorChoice& choice) {
+    return choice.unknowns == 2 && choice.depths.size() == 1 &&
+           choice.depths.front() == own.depths.front();
+  });
+  const auto any = best_of(survey, [](const SensorChoice& choice) { return choice.unknowns == 2; });
+  if (here != advice.exchange) advice.pair_here = here;
+  if (any != advice.exchange && any != here) advice.best = any;
+  return advice;
+}
+
+void check_positive(const char* name, const std::optional<double>& value) {
+  if (value && (!(*value > 0.0) || !std::isfinite(*value)))
+    throw std::invalid_argument(std::string(name) + " is " + shortest(*value) +
+                                ": must be > 0 and finite");
+}
+
 }  // namespace
 
-bool hides_mean(const SensorChoice& choice, Traction component) {
-  const Resolution& mean = choice.resolutions.front();
-  return !std::isfinite(component == Traction::normal ? mean.normal : mean.tangential);
-}
-
-double coarsest(const SensorChoice& choice) {
-  const double none = std::numeric_limits<double>::infinity();
-  return std::max(choice.normal.value_or(none),
-                  choice.unknowns == 2 ? choice.tangential.value_or(none) : 0.0);
-}
-
-bool tells_more(const SensorChoice& a, const SensorChoice& b) {
-  const auto key = [](const SensorChoice& choice) {
-    return std::tuple(hides_mean(choice, Traction::normal) ||
-                          (choice.unknowns == 2 && hides_mean(choice, Traction::tangential)),
-                      coarsest(choice), choice.identifiability.null_space.dimension > 0,
-                      choice.identifiability.condition);
-  };
-  return key(a) < key(b);
-}
-
 Survey identify(const Scene& scene, const SurveyOptions& options, Observer& observer) {
+  check_positive("traction", options.traction);
+  check_positive("relative_noise", options.relative_noise);
   Survey result{.traction = options.traction.value_or(peak_traction(scene)),
                 .taxels = compared_taxels(scene.sensor.count)};
-  const AssumedNoise noise(scene, options, result.traction);
-  result.noise = noise.in_words();
-  observer.step({Step::Kind::sensors});
-  result.own = study(scene, scene.sensor, scene.sensor.count, noise, result.traction);
-
-  const auto add = [&](std::vector<Quantity> reads, std::vector<double> depths) {
-    if (same(reads, scene.sensor.reads) && depths == scene.sensor.depths) return;
-    const SensorArray array{scene.sensor.count, scene.sensor.pitch, std::move(depths),
-                            std::move(reads)};
-    observer.step({Step::Kind::alternative, result.alternatives.size() + 1});
-    result.alternatives.push_back(study(scene, array, result.taxels, noise, result.traction));
-  };
-  const double depth = scene.sensor.depths.front();
-  for (const Quantity quantity : quantities) add({quantity}, {depth});
-  for (std::size_t i = 0; i < quantities.size(); ++i)
-    for (std::size_t j = i + 1; j < quantities.size(); ++j)
-      add({quantities[i], quantities[j]}, {depth});
-  const std::vector<double> two = scene.sensor.depths.size() == 2
-                                      ? scene.sensor.depths
-                                      : std::vector<double>{0.5 * depth, depth};
-  for (const Quantity quantity : quantities) add({quantity}, two);
-
-  std::vector<const SensorChoice*> pairs;
-  const auto is_pair = [](const SensorChoice& choice) {
-    return choice.reads.size() == 2 && choice.depths.size() == 1;
-  };
-  if (is_pair(result.own)) pairs.push_back(&result.own);
-  for (const SensorChoice& choice : result.alternatives)
-    if (is_pair(choice)) pairs.push_back(&choice);
-  std::stable_sort(pairs.begin(), pairs.end(), [](auto a, auto b) { return tells_more(*a, *b); });
-  const std::array best = {pairs[0]->reads, pairs[1]->reads};
-  for (const std::vector<Quantity>& reads : best)
-    for (const double factor : {0.5, 1.5, 2.0})
-      if (!scene.material.layer || factor * depth <= scene.material.layer->thickness)
-        add(reads, {factor * depth});
+  result.noise = assumed_noise(scene, options, result.traction);
+  Comparison comparison(scene, result, observer);
+  comparison.own();
+  comparison.in_place();
+  comparison.best_pairs_elsewhere();
+  result.reasons = hidden_reasons(scene, result.own);
+  result.advice = advice_of(result);
   return result;
-}
-
-std::string in_words(const SensorChoice& choice) {
-  std::vector<std::string> reads;
-  std::vector<std::string> depths;
-  for (const Quantity quantity : choice.reads) reads.emplace_back(name(quantity));
-  for (const double depth : choice.depths) depths.push_back(brief(depth));
-  return report::join(reads, ", ") + " at " + report::join(depths, " and ");
-}
-
-std::string hidden_in_short(const SensorChoice& choice) {
-  const ModeSpace& space = choice.identifiability.null_space;
-  if (space.dimension == 0) return "-";
-  if (space.dimension > 1) {
-    std::string text = std::to_string(space.dimension) + " modes";
-    if (space.longest > 0.0)
-      text += ", wavelengths " + brief(space.shortest) + " to " +
-              (std::isinf(space.longest) ? "k = 0" : brief(space.longest));
-    return text;
-  }
-  const TractionMode& mode = space.modes.front();
-  return std::string(mode.normal_share >= 0.5 ? "normal" : "tangential") + ", " +
-         (!mode.wavelength   ? "k = 0"
-          : mode.alternating ? "alternating"
-                             : "wavelength " + brief(*mode.wavelength));
 }
 
 }  // namespace tactile_net::lab

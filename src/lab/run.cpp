@@ -90,8 +90,8 @@ void degrade(MethodResult& result, Verdict verdict) {
 /// What can be said about the errors of an answer of P f = b.
 void judge_errors(MethodResult& result, std::span<const double> f, const FrameResult& answer,
                   const Run& run) {
-  const ScenePlan& plan = run.experiment.plan;
-  if (!plan.does(Computation::bands)) {
+  const Workload& work = run.experiment.work;
+  if (!work.does(Computation::bands)) {
     result.remarks.emplace_back(remark::NoBands{});
     return;
   }
@@ -116,7 +116,7 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
     result.remarks.emplace_back(remark::Rounding{*result.error_bound});
   }
   if (const auto off = model_error(bands.noise)) result.remarks.emplace_back(*off);
-  if (plan.does(Computation::hidden_modes) && run.problem.hidden().dimension > 0)
+  if (work.does(Computation::hidden_modes) && run.problem.hidden().dimension > 0)
     result.remarks.emplace_back(remark::Hidden{run.problem.hidden()});
 }
 
@@ -211,7 +211,7 @@ Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& optio
   observer.step({Step::Kind::readings});
   Experiment experiment{
       .scene = scene,
-      .plan = make_plan(scene, {.compare_rules = options.compare_rules, .report = options.report}),
+      .work = workload(scene, {.compare_rules = options.compare_rules, .report = options.report}),
       .frame = simulate(scene),
       .sampled_force = 0.0,
       .sweep = {},
@@ -222,7 +222,7 @@ Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& optio
   experiment.sampled_force = sampled_force(experiment.frame.truth.normal, scene.sensor.pitch);
   const SceneProblem problem(scene);
   const Run run{options, problem, SceneFrame(problem, experiment.frame.readings), experiment};
-  if (experiment.plan.does(Computation::rule_comparison)) {
+  if (experiment.work.does(Computation::rule_comparison)) {
     observer.step({Step::Kind::rules});
     experiment.sweep = run.frame.sweep();
   }
@@ -232,7 +232,7 @@ Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& optio
                                      ? reconstruct(method, run)
                                      : by_network(simulator, run, observer));
   }
-  if (experiment.plan.does(Computation::time_course))
+  if (experiment.work.does(Computation::time_course))
     if (const auto method = followed(experiment.results))
       experiment.course = time_course(problem, *method, observer);
   return experiment;

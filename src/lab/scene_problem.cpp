@@ -87,7 +87,7 @@ DftTikhonov& SceneProblem::circular() const {
 }
 
 const ModeSpace& SceneProblem::hidden() const {
-  if (!parts_->hidden) parts_->hidden = identifiability(problem()).null_space;
+  if (!parts_->hidden) parts_->hidden = hidden_modes(problem());
   return *parts_->hidden;
 }
 

@@ -3,20 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/scene/scene_effects.hpp"
+#include "tactile_net/lab/scene_problem.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
-/// "81 x 81", "1 frame", "5 frames".
-std::string times(std::size_t a, std::size_t b) {
-  return std::to_string(a) + " x " + std::to_string(b);
-}
-std::string count_of(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
-}
-std::string about(double operations) { return "about " + brief(operations) + " operations"; }
+using Reason = Workload::Reason;
+using Why = Workload::Why;
+using Cost = Workload::Cost;
+using Kind = Workload::Cost::Kind;
 
 /// Sizes that costs are made of.
 struct Sizes {
@@ -26,34 +21,39 @@ struct Sizes {
         readings(taxels * channels),
         unknowns(tactile_net::unknowns(scene)),
         tractions(taxels * unknowns),
-        fields(any_friction(scene) ? 2 : 1),
+        kernels(channels * (any_friction(scene) ? 2 : 1)),
         frames(scene.frame + 1),
         moments(instants(scene).size()) {}
-  std::size_t taxels, channels, readings, unknowns, tractions, fields, frames, moments;
+  std::size_t taxels, channels, readings, unknowns, tractions, kernels, frames, moments;
 };
 
-class Planner {
+class Counter {
  public:
-  Planner(const Scene& scene, const PlanRequest& request)
-      : scene_(scene), options_(scene.reconstruct), request_(request), sizes_(scene) {}
+  Counter(const Scene& scene, const WorkloadRequest& request)
+      : scene_(scene),
+        options_(scene.reconstruct),
+        request_(request),
+        sizes_(scene),
+        with_matrix_(uses(Method::tikhonov) || uses(Method::closed_form)) {}
 
-  ScenePlan plan() {
+  Workload work() {
     for (const SceneEffect& effect : scene_effects()) add_effect(effect);
     readings();
+    history();
     unknowns();
     methods();
+    rule_comparison();
     errors();
     circuit();
     time_course();
-    add(Computation::report, request_.report, request_.report ? "--out asks for files" : "no --out",
-        "plots by gnuplot, tables");
-    return std::move(plan_);
+    add(Computation::report, request_.report,
+        {request_.report ? Reason::report_requested : Reason::no_report}, {Kind::drawing});
+    return std::move(work_);
   }
 
  private:
-  void add(Computation what, bool done, std::string why, std::string cost) {
-    plan_.computations.push_back(
-        {what, done, std::move(why), done ? std::move(cost) : std::string{}});
+  void add(Computation what, bool done, const Why& why, const Cost& cost) {
+    work_.tasks.push_back({what, done, why, done ? std::optional(cost) : std::nullopt});
   }
 
   [[nodiscard]] bool uses(Method method) const {
@@ -62,139 +62,142 @@ class Planner {
   }
 
   void add_effect(const SceneEffect& effect) {
-    PlannedEffect planned{.name = effect.name, .simulated = effect.present(scene_)};
-    if (!planned.simulated) {
-      planned.words = effect.name == "friction" ? "one field of tractions, no tangential kernel"
-                      : effect.name == "layer"  ? "half plane: kernels are closed formulas"
-                                                : "no stage";
-    } else {
-      planned.words = effect.words(scene_);
-      if (effect.make != nullptr && effect.make(scene_) == nullptr)
-        planned.words += "; strength 0: no stage";
-      else
-        planned.operations = effect.operations(scene_) * static_cast<double>(sizes_.readings);
+    Workload::Effect work{.row = &effect, .simulated = effect.present(scene_)};
+    if (work.simulated) {
+      work.idle = effect.make != nullptr && effect.make(scene_) == nullptr;
+      if (!work.idle)
+        work.operations = effect.operations(scene_) * static_cast<double>(sizes_.readings);
     }
-    plan_.effects.push_back(std::move(planned));
+    work_.effects.push_back(work);
   }
 
   void readings() {
-    const auto [taxels, channels, all, _, __, fields, frames, moments] = sizes_;
-    const double blocks = static_cast<double>(channels * fields);
-    const auto n = static_cast<double>(taxels);
+    const std::size_t count = sizes_.taxels;
+    const auto n = static_cast<double>(count);
+    const auto kernels = static_cast<double>(sizes_.kernels);
     if (scene_.forward == ForwardModel::exact)
-      add(Computation::readings, true, "forward model exact: the continuous integral",
-          "some hundred kernel values for each of " + count_of(all, "reading") + " and contact");
+      add(Computation::readings, true, {Reason::exact_model},
+          {.kind = Kind::kernel_values, .count = sizes_.readings});
+    else if (count < 512)
+      add(Computation::readings, true, {Reason::sampled_model},
+          {.kind = Kind::direct_sum,
+           .count = sizes_.kernels,
+           .rows = count,
+           .columns = count,
+           .operations = 2.0 * n * n * kernels});
     else
-      add(Computation::readings, true, "forward model sampled: the sum over the taxels",
-          taxels < 512
-              ? times(taxels, taxels) + " sum for " + count_of(channels * fields, "kernel") + ", " +
-                    about(2.0 * n * n * blocks)
-              : "FFT for " + count_of(channels * fields, "kernel") + ", " +
-                    about(20.0 * n * std::log2(4.0 * n) * blocks));
-    const bool history = frames > 1;
-    const bool memory = moments > frames || signal_path(scene_).has_memory();
-    add(Computation::history, history,
-        !scene_.time ? "no [time]: one frame"
-        : !history   ? "the first frame is reconstructed"
-        : memory     ? "effects remember what came before frame " + std::to_string(scene_.frame)
-                     : "no effect remembers: of earlier frames only their random draws",
-        memory ? "the readings at " + count_of(moments, "moment") : "no reading is computed");
+      add(Computation::readings, true, {Reason::sampled_model},
+          {.kind = Kind::fft,
+           .count = sizes_.kernels,
+           .operations = 20.0 * n * std::log2(4.0 * n) * kernels});
+  }
+
+  void history() {
+    const bool history = sizes_.frames > 1;
+    const bool memory = sizes_.moments > sizes_.frames || signal_path(scene_).has_memory();
+    Why why{!scene_.time ? Reason::no_time
+            : !history   ? Reason::first_frame
+            : memory     ? Reason::effects_remember
+                         : Reason::only_draws_matter};
+    if (why.reason == Reason::effects_remember) why.frame = scene_.frame;
+    add(Computation::history, history, why,
+        memory ? Cost{.kind = Kind::moments, .count = sizes_.moments} : Cost{Kind::random_draws});
   }
 
   void unknowns() {
     const bool two = sizes_.unknowns == 2;
     add(Computation::tangential, two,
-        two                    ? "both tractions are to be found"
-        : sizes_.channels == 1 ? "one quantity at one depth tells the normal traction alone"
-        : options_.tangential  ? "tangential = false"
-                               : "no friction: the normal traction alone",
-        count_of(sizes_.tractions, "unknown") + " instead of " + std::to_string(sizes_.taxels));
+        {two                    ? Reason::two_tractions
+         : sizes_.channels == 1 ? Reason::one_channel
+         : options_.tangential  ? Reason::tangential_excluded
+                                : Reason::no_friction},
+        {.kind = Kind::unknowns, .count = sizes_.tractions, .rows = sizes_.taxels});
     const bool layer = scene_.material.layer.has_value();
-    add(Computation::layer_kernels, layer,
-        layer ? "[material] has a layer" : "no layer: half plane, closed formulas",
-        "integrals at " + std::to_string(2 * sizes_.taxels - 1) + " distances for each kernel");
+    add(Computation::layer_kernels, layer, {layer ? Reason::layer : Reason::half_plane},
+        {.kind = Kind::kernel_integrals, .count = 2 * sizes_.taxels - 1});
   }
 
   void methods() {
-    const double n = static_cast<double>(sizes_.tractions);
-    const double m = static_cast<double>(sizes_.readings);
-    const bool dense = sizes_.tractions < large;
+    const std::size_t m = sizes_.readings;
+    const std::size_t n = sizes_.tractions;
+    const auto tractions = static_cast<double>(n);
+    const double product = 2.0 * static_cast<double>(m) * tractions;
     add(Computation::dft, uses(Method::dft), named(Method::dft),
-        "FFT, " + about(20.0 * n * std::log2(2.0 * n)) + " a frame");
+        {.kind = Kind::frame_fft, .operations = 20.0 * tractions * std::log2(2.0 * tractions)});
     add(Computation::tikhonov, uses(Method::tikhonov), named(Method::tikhonov),
-        dense ? "QR and SVD of " + times(sizes_.readings + sizes_.tractions, sizes_.tractions) +
-                    ", once; " + about(2.0 * m * n) + " a frame"
-              : "conjugate gradients by FFT");
+        n < large
+            ? Cost{.kind = Kind::decompositions, .rows = m + n, .columns = n, .operations = product}
+            : Cost{Kind::conjugate_gradients});
     add(Computation::closed_form, uses(Method::closed_form), named(Method::closed_form),
-        "QR and SVD, once; " + about(2.0 * m * n) + " a frame");
-    const bool matrix =
-        uses(Method::tikhonov) || uses(Method::closed_form) || uses(Method::network);
-    const bool rule = matrix && !options_.alpha;
-    add(Computation::rule_comparison, rule || (request_.compare_rules && matrix),
-        !matrix ? "no method takes alpha from it"
-        : rule  ? "alpha is chosen by the rule " + std::string(name(options_.alpha_rule)) +
-                     ", whose verdict hears the others"
-        : request_.compare_rules ? "--compare-rules asks for it"
-                                 : "alpha is given",
-        "SVD; 200 values of alpha by " + std::to_string(alpha_rules.size()) + " rules");
+        {.kind = Kind::product, .operations = product});
   }
 
-  [[nodiscard]] std::string named(Method method) const {
-    return uses(method) ? "reconstruct.methods names it" : "reconstruct.methods does not name it";
+  void rule_comparison() {
+    const bool takes_alpha = with_matrix_ || uses(Method::network);
+    const bool rule = takes_alpha && !options_.alpha;
+    Why why{!takes_alpha             ? Reason::no_method_takes_alpha
+            : rule                   ? Reason::rule_chooses
+            : request_.compare_rules ? Reason::comparison_requested
+                                     : Reason::alpha_given};
+    if (rule) why.rule = options_.alpha_rule;
+    add(Computation::rule_comparison, rule || (request_.compare_rules && takes_alpha), why,
+        {.kind = Kind::alpha_rules, .count = alpha_rules.size()});
+  }
+
+  [[nodiscard]] Why named(Method method) const {
+    return {uses(method) ? Reason::method_named : Reason::method_not_named};
   }
 
   void errors() {
-    const bool matrix = uses(Method::tikhonov) || uses(Method::closed_form);
-    const bool small = sizes_.tractions < large;
-    const std::string none = !matrix ? "neither tikhonov nor closed_form is asked for"
-                                     : "no matrix is formed for an array as large as this";
-    add(Computation::bands, matrix && small,
-        matrix && small ? "the forces that are printed have deviations" : none,
-        "one rule for alpha, and the inverse of " + times(sizes_.tractions, sizes_.tractions));
-    add(Computation::hidden_modes, matrix && small,
-        matrix && small ? "what no reading shows must be said" : none,
-        "SVD of " + times(sizes_.readings, sizes_.tractions));
+    const std::size_t n = sizes_.tractions;
+    const bool done = with_matrix_ && n < large;
+    const auto why = [&](Reason reason) -> Why {
+      return {done ? reason : !with_matrix_ ? Reason::no_matrix_method : Reason::array_too_large};
+    };
+    add(Computation::bands, done, why(Reason::forces_have_deviations),
+        {.kind = Kind::inverse, .rows = n, .columns = n});
+    add(Computation::hidden_modes, done, why(Reason::hidden_must_be_said),
+        {.kind = Kind::singular_values, .rows = sizes_.readings, .columns = n});
   }
 
   void circuit() {
     const NetworkOptions& network = scene_.network;
     const bool on = uses(Method::network);
-    const auto part = [&](Computation what, bool asked, const std::string& by,
-                          const std::string& without, const std::string& cost) {
-      add(what, on && asked, !on ? "no circuit" : asked ? by : without, cost);
+    const std::size_t n = sizes_.tractions;
+    add(Computation::circuit, on, {on ? Reason::method_named : Reason::no_circuit},
+        {.kind = Kind::circuit,
+         .count = n * (n + 1) / 2,
+         .rows = n,
+         .realization = network.realization});
+    const auto part = [&](Computation what, bool asked, Reason by, Reason without,
+                          const Cost& cost) {
+      add(what, on && asked, {!on ? Reason::no_circuit : asked ? by : without}, cost);
     };
-    part(Computation::circuit, true, named(Method::network), "",
-         "P, " + count_of(sizes_.tractions, "node") + ", " +
-             std::string(name(network.realization)) + ", up to " +
-             std::to_string(sizes_.tractions * (sizes_.tractions + 1) / 2) +
-             " branches; one operating point in ngspice");
-    part(Computation::certificate, calls_for_certificate(network),
-         "parts are not ideal, or settling or tolerances are asked for", "ideal parts",
-         "theorem, margin, poles");
-    part(Computation::transient, network.settling_accuracy.has_value(),
-         "network.settling asks for it", "nobody asks for settling", "a transient in ngspice");
-    part(Computation::tolerance, calls_for_tolerance(network), "network.tolerance asks for it",
-         network.tolerance ? "tolerances are studied for networks of resistors and op-amps"
-                           : "every component has its value",
-         network.tolerance ? count_of(network.tolerance->trials, "draw") : "");
+    part(Computation::certificate, calls_for_certificate(network), Reason::parts_not_ideal,
+         Reason::parts_ideal, {Kind::certificate});
+    part(Computation::transient, network.settling_accuracy.has_value(), Reason::settling_requested,
+         Reason::settling_not_requested, {Kind::transient});
+    part(Computation::tolerance, calls_for_tolerance(network), Reason::tolerance_requested,
+         network.tolerance ? Reason::tolerance_unsupported : Reason::nominal_parts,
+         {.kind = Kind::draws, .count = network.tolerance ? network.tolerance->trials : 0});
   }
 
   void time_course() {
-    const bool matrix = uses(Method::tikhonov) || uses(Method::closed_form);
-    const std::size_t frames = scene_.time ? scene_.time->frames : 1;
-    add(Computation::time_course, request_.report && frames > 1 && matrix,
-        frames == 1        ? "one frame"
-        : !request_.report ? "no --out"
-        : !matrix          ? "neither tikhonov nor closed_form is asked for"
-                           : "the report draws the resultant over the scene's time",
-        "every frame simulated and solved, at most 400 solved");
+    const bool one = !scene_.time || scene_.time->frames == 1;
+    add(Computation::time_course, request_.report && !one && with_matrix_,
+        {one                ? Reason::one_frame
+         : !request_.report ? Reason::no_report
+         : !with_matrix_    ? Reason::no_matrix_method
+                            : Reason::resultant_drawn},
+        {Kind::every_frame});
   }
 
   const Scene& scene_;
   const ReconstructOptions& options_;
-  PlanRequest request_;
+  const WorkloadRequest& request_;
   Sizes sizes_;
-  ScenePlan plan_;
+  bool with_matrix_;  // a method that forms K
+  Workload work_;
 };
 
 }  // namespace
@@ -237,13 +240,13 @@ std::string_view name(Computation computation) noexcept {
   return "";
 }
 
-bool ScenePlan::does(Computation computation) const noexcept {
-  return std::any_of(computations.begin(), computations.end(),
+bool Workload::does(Computation computation) const noexcept {
+  return std::any_of(tasks.begin(), tasks.end(),
                      [=](const auto& one) { return one.what == computation && one.done; });
 }
 
-ScenePlan make_plan(const Scene& scene, const PlanRequest& request) {
-  return Planner(scene, request).plan();
+Workload workload(const Scene& scene, const WorkloadRequest& request) {
+  return Counter(scene, request).work();
 }
 
 bool calls_for_certificate(const NetworkOptions& options) noexcept {

@@ -60,14 +60,15 @@ const std::array table = {
                 [](const Scene&) -> std::string {
                   return "contacts drag the surface: a second field of tractions";
                 },
-                [](const Scene& scene) { return 2.0 * static_cast<double>(scene.sensor.count); }},
+                [](const Scene& scene) { return 2.0 * static_cast<double>(scene.sensor.count); },
+                "one field of tractions, no tangential kernel"},
     SceneEffect{
         "layer", [](const Scene& scene) { return scene.material.layer.has_value(); }, nullptr,
         [](const Scene& scene) {
           return "pad " + brief(scene.material.layer->thickness) + " thick on a " +
                  std::string(name(scene.material.layer->base)) + " base: its kernels are integrals";
         },
-        operations<0>},
+        operations<0>, "half plane: kernels are closed formulas"},
     stage<&Scene::viscoelasticity>(
         "viscoelasticity",
         [](const Scene& scene) {

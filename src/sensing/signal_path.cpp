@@ -18,10 +18,10 @@ void SignalPath::apply(const Instant& at, std::span<double> readings) {
   for (std::size_t i = 0; i < last; ++i) stages_[i]->apply(at, readings);
 }
 
-std::vector<std::string> SignalPath::notes() const {
-  std::vector<std::string> notes;
+std::vector<CutOffNote> SignalPath::notes() const {
+  std::vector<CutOffNote> notes;
   for (const auto& stage : stages_)
-    if (std::string note = stage->note(); !note.empty()) notes.push_back(std::move(note));
+    if (const auto note = stage->note()) notes.push_back(*note);
   return notes;
 }
 

@@ -30,7 +30,7 @@ COUNTED(void, _ZN11tactile_net14TikhonovFamilyC1ERKNS_14InverseProblemE, "family
         (void* self, const InverseProblem& p), (self, p))
 COUNTED(void, _ZN11tactile_net18TractionCovarianceC1ERKNS_14InverseProblemEdd, "covariance",
         (void* self, const InverseProblem& p, double a, double b), (self, p, a, b))
-COUNTED(Identifiability, _ZN11tactile_net15identifiabilityERKNS_14InverseProblemE, "modes",
+COUNTED(ModeSpace, _ZN11tactile_net12hidden_modesERKNS_14InverseProblemE, "modes",
         (const InverseProblem& p), (p))
 COUNTED(AlphaSweep, _ZN11tactile_net11sweep_alphaERKNS_11FilterFrameESt8optionalIdE, "sweep",
         (const FilterFrame& f, std::optional<double> n), (f, n))

@@ -20,34 +20,42 @@ const std::string sensor =
 
 Scene parse(const std::string& rest) { return parse_scene(sensor + rest, "s.toml"); }
 
-std::vector<Computation> done(const ScenePlan& plan) {
+std::vector<Computation> done(const Workload& work) {
   std::vector<Computation> result;
-  for (const PlannedComputation& one : plan.computations) {
-    CHECK_FALSE(one.why.empty());
-    CHECK(one.cost.empty() != one.done);
+  for (const Workload::Task& one : work.tasks) {
+    CHECK(one.cost.has_value() == one.done);
     if (one.done) result.push_back(one.what);
   }
   return result;
 }
-std::vector<Computation> done(const std::string& rest, const PlanRequest& request = {}) {
-  return done(make_plan(parse(rest), request));
+std::vector<Computation> done(const std::string& rest, const WorkloadRequest& request = {}) {
+  return done(workload(parse(rest), request));
 }
 
 using enum Computation;
 using List = std::vector<Computation>;
+using Reason = Workload::Reason;
+using Kind = Workload::Cost::Kind;
+
+Workload::Task task(const Workload& work, Computation which) {
+  for (const Workload::Task& one : work.tasks)
+    if (one.what == which) return one;
+  FAIL("not listed: " << name(which));
+  return {};
+}
 
 }  // namespace
 
-TEST_CASE("every computation is named once, whether it is done or not", "[plan]") {
-  const ScenePlan plan = make_plan(parse(""));
-  for (const PlannedComputation& one : plan.computations)
-    CHECK(std::count_if(plan.computations.begin(), plan.computations.end(), [&](const auto& other) {
+TEST_CASE("every computation is named once, whether it is done or not", "[workload]") {
+  const Workload work = workload(parse(""));
+  for (const Workload::Task& one : work.tasks)
+    CHECK(std::count_if(work.tasks.begin(), work.tasks.end(), [&](const auto& other) {
             return name(other.what) == name(one.what);
           }) == 1);
-  CHECK(plan.computations.size() == static_cast<std::size_t>(Computation::report) + 1);
+  CHECK(work.tasks.size() == static_cast<std::size_t>(Computation::report) + 1);
 }
 
-TEST_CASE("rules are compared where one chooses alpha, or on request", "[plan]") {
+TEST_CASE("rules are compared where one chooses alpha, or on request", "[workload]") {
   const std::string given = "[reconstruct]\nalpha = 1e-3\n";
   CHECK(done("") == List{readings, tikhonov, rule_comparison, bands, hidden_modes});
   CHECK(done(given) == List{readings, tikhonov, bands, hidden_modes});
@@ -57,7 +65,7 @@ TEST_CASE("rules are compared where one chooses alpha, or on request", "[plan]")
         List{readings, dft});
 }
 
-TEST_CASE("a circuit brings what its table asks for, and nothing else", "[plan]") {
+TEST_CASE("a circuit brings what its table asks for, and nothing else", "[workload]") {
   const std::string network =
       "[reconstruct]\nmethods = [\"network\"]\nalpha = 1e-3\n[network]\nrealization = \"nic\"\n";
   CHECK(done(network) == List{readings, circuit});
@@ -72,53 +80,125 @@ TEST_CASE("a circuit brings what its table asks for, and nothing else", "[plan]"
 }
 
 TEST_CASE("the second unknown and the layer's integrals come only where they are called for",
-          "[plan]") {
+          "[workload]") {
   const std::string alpha = "[reconstruct]\nalpha = 1\n";
-  CHECK_FALSE(make_plan(parse(alpha)).does(tangential));
-  CHECK(make_plan(parse("friction = 0.1\n" + alpha)).does(tangential));
+  CHECK_FALSE(workload(parse(alpha)).does(tangential));
+  CHECK(workload(parse("friction = 0.1\n" + alpha)).does(tangential));
   CHECK_FALSE(
-      make_plan(parse("friction = 0.1\n" + alpha + "tangential = false\n")).does(tangential));
-  CHECK_FALSE(make_plan(parse(alpha)).does(layer_kernels));
+      workload(parse("friction = 0.1\n" + alpha + "tangential = false\n")).does(tangential));
+  CHECK_FALSE(workload(parse(alpha)).does(layer_kernels));
   std::string layered = sensor;
   layered.insert(layered.find("[noise]"), "layer = { thickness = 3.0, base = \"bonded\" }\n");
-  CHECK(make_plan(parse_scene(layered, "s")).does(layer_kernels));
-  CHECK_FALSE(make_plan(parse(alpha)).does(history));
-  CHECK(make_plan(parse(alpha + "[time]\nrate = 1\nframes = 3\n")).does(history));
-  CHECK(make_plan(parse(alpha), {.report = true}).does(Computation::report));
-  CHECK_FALSE(make_plan(parse(alpha), {.report = true}).does(time_course));
+  CHECK(workload(parse_scene(layered, "s")).does(layer_kernels));
+  CHECK_FALSE(workload(parse(alpha)).does(history));
+  CHECK(workload(parse(alpha + "[time]\nrate = 1\nframes = 3\n")).does(history));
+  CHECK(workload(parse(alpha), {.report = true}).does(Computation::report));
+  CHECK_FALSE(workload(parse(alpha), {.report = true}).does(time_course));
   const std::string time = "[time]\nrate = 1\nframes = 3\n";
-  CHECK(make_plan(parse(alpha + time), {.report = true}).does(time_course));
-  CHECK_FALSE(make_plan(parse(alpha + time)).does(time_course));
+  CHECK(workload(parse(alpha + time), {.report = true}).does(time_course));
+  CHECK_FALSE(workload(parse(alpha + time)).does(time_course));
 }
 
-TEST_CASE("an effect costs operations only where it is simulated and has a strength", "[plan]") {
+TEST_CASE("an effect costs operations only where it is simulated and has a strength",
+          "[workload]") {
   const auto effect = [](const std::string& rest, std::string_view which) {
-    const ScenePlan plan = make_plan(parse(rest));
-    const auto found = std::find_if(plan.effects.begin(), plan.effects.end(),
-                                    [&](const PlannedEffect& one) { return one.name == which; });
-    REQUIRE(found != plan.effects.end());
+    const Workload work = workload(parse(rest));
+    const auto found =
+        std::find_if(work.effects.begin(), work.effects.end(),
+                     [&](const Workload::Effect& one) { return one.row->name == which; });
+    REQUIRE(found != work.effects.end());
     return *found;
   };
   CHECK_FALSE(effect("", "crosstalk").simulated);
+  CHECK_FALSE(effect("[crosstalk]\nfraction = 0.1\n", "crosstalk").idle);
   CHECK(effect("", "crosstalk").operations == 0.0);
   CHECK(effect("[crosstalk]\nfraction = 0.1\n", "crosstalk").operations == 4.0 * 10);
-  const PlannedEffect zero = effect("[crosstalk]\nfraction = 0\n", "crosstalk");
+  const Workload::Effect zero = effect("[crosstalk]\nfraction = 0\n", "crosstalk");
   CHECK(zero.simulated);
   CHECK(zero.operations == 0.0);
-  CHECK_THAT(zero.words, ContainsSubstring("strength 0: no stage"));
+  CHECK(zero.idle);
   const std::string time = "[time]\nrate = 1\nframes = 2\n";
-  const PlannedEffect creep = effect(
+  const Workload::Effect creep = effect(
       time + "[viscoelasticity]\nterms = [{ fraction = 0.1, time = 1 }]\n", "viscoelasticity");
   CHECK(creep.operations == 7.0 * 5);  // strains alone
 }
 
-TEST_CASE("effects stand in the order of the signal path", "[plan]") {
+TEST_CASE("effects stand in the order of the signal path", "[workload]") {
   const Scene scene = parse("");
-  const ScenePlan plan = make_plan(scene);
+  const Workload work = workload(scene);
   const auto all = effects(scene);
-  REQUIRE(plan.effects.size() == all.size());
+  REQUIRE(work.effects.size() == all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    CHECK(plan.effects[i].name == all[i].first);
-    CHECK(plan.effects[i].simulated == all[i].second);
+    CHECK(work.effects[i].row->name == all[i].first);
+    CHECK(work.effects[i].simulated == all[i].second);
   }
+}
+
+TEST_CASE("reasons tell apart what the scene asks for and what it leaves out", "[workload]") {
+  const auto why = [](const std::string& rest, Computation which,
+                      const WorkloadRequest& request = {}) {
+    return task(workload(parse(rest), request), which).why;
+  };
+  const std::string given = "[reconstruct]\nalpha = 1e-3\n";
+  CHECK(why("", rule_comparison).reason == Reason::rule_chooses);
+  CHECK(why("[reconstruct]\nalpha = \"l_curve\"\n", rule_comparison).rule == AlphaRule::l_curve);
+  CHECK(why(given, rule_comparison).reason == Reason::alpha_given);
+  CHECK(why(given, rule_comparison, {.compare_rules = true}).reason ==
+        Reason::comparison_requested);
+  CHECK(why("[reconstruct]\nmethods = [\"dft\"]\n", rule_comparison).reason ==
+        Reason::no_method_takes_alpha);
+  CHECK(why("[reconstruct]\nmethods = [\"dft\"]\n", bands).reason == Reason::no_matrix_method);
+  CHECK(why(given, tangential).reason == Reason::no_friction);
+  CHECK(why("friction = 0.1\n[reconstruct]\ntangential = false\n", tangential).reason ==
+        Reason::tangential_excluded);
+  CHECK(why(given, certificate).reason == Reason::no_circuit);
+
+  const std::string time = "[time]\nrate = 1\nframes = 3\n";
+  CHECK(why("", history).reason == Reason::no_time);
+  CHECK(why(time, history).reason == Reason::only_draws_matter);
+  const Workload::Why creep =
+      why(time + "[viscoelasticity]\nterms = [{ fraction = 0.1, time = 1 }]\n", history);
+  CHECK(creep.reason == Reason::effects_remember);
+  CHECK(creep.frame == 2);
+  CHECK(why(time, time_course).reason == Reason::no_report);
+  CHECK(why("", time_course, {.report = true}).reason == Reason::one_frame);
+
+  std::string large_array = sensor;
+  large_array.replace(large_array.find("count = 5"), 9, "count = 1200");
+  CHECK(task(workload(parse_scene(large_array, "s")), bands).why.reason == Reason::array_too_large);
+}
+
+TEST_CASE("costs are counted in readings, tractions and operations", "[workload]") {
+  const std::string exact = "[reconstruct]\nalpha = 1\n[forward]\nmodel = \"exact\"\n";
+  const std::string sampled = "[reconstruct]\nalpha = 1\n[forward]\nmodel = \"sampled\"\n";
+  const auto cost = [](const std::string& rest, Computation which,
+                       const WorkloadRequest& request = {}) {
+    const Workload::Task one = task(workload(parse(rest), request), which);
+    REQUIRE(one.cost.has_value());
+    return *one.cost;
+  };
+  CHECK(cost(exact, readings).kind == Kind::kernel_values);
+  CHECK(cost(exact, readings).count == 10);  // two quantities at five taxels
+  const Workload::Cost sum = cost(sampled, readings);
+  CHECK(sum.kind == Kind::direct_sum);
+  CHECK(sum.count == 2);  // kernels
+  CHECK(sum.rows == 5);
+  CHECK(sum.operations == 2.0 * 5 * 5 * 2);
+
+  const Workload::Cost direct = cost("[reconstruct]\nalpha = 1\n", tikhonov);
+  CHECK(direct.kind == Kind::decompositions);
+  CHECK(direct.rows == 15);  // readings above the smoothing of five tractions
+  CHECK(direct.columns == 5);
+  CHECK(direct.operations == 2.0 * 10 * 5);
+  const Workload::Cost two = cost("friction = 0.1\n[reconstruct]\nalpha = 1\n", tangential);
+  CHECK(two.count == 10);
+  CHECK(two.rows == 5);
+
+  const Workload::Cost network = cost(
+      "[reconstruct]\nmethods = [\"network\"]\nalpha = 1\n[network]\nrealization = "
+      "\"nic\"\ntolerance = { relative = 0.01, trials = 7 }\n",
+      circuit);
+  CHECK(network.rows == 5);
+  CHECK(network.count == 15);  // branches
+  CHECK(network.realization == Realization::nic);
 }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <memory>
-#include <string>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,7 +22,9 @@ class Adding final : public SensorEffect {
     for (double& reading : readings) reading = 2.0 * reading + step_;
   }
   [[nodiscard]] bool has_memory() const noexcept override { return memory_; }
-  [[nodiscard]] std::string note() const override { return step_ > 2.0 ? "large" : ""; }
+  [[nodiscard]] std::optional<CutOffNote> note() const override {
+    return step_ > 2.0 ? std::optional(CutOffNote{"large", 1, 1}) : std::nullopt;
+  }
 
  private:
   double step_;
@@ -57,5 +59,6 @@ TEST_CASE("stages act in their order; between frames only what a memory needs", 
   readings = {1.0};
   path.apply({}, readings);
   CHECK(readings == std::vector{19.0});  // ((1 * 2 + 1) * 2 + 2) * 2 + 3
-  CHECK(path.notes() == std::vector<std::string>{"large"});
+  REQUIRE(path.notes().size() == 1);     // the others have nothing to say
+  CHECK(path.notes()[0].effect == "large");
 }

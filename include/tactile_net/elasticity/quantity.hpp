@@ -28,4 +28,7 @@ enum class Traction { normal, tangential };
 /// True for strain_x and strain_y, whose readings have no unit; the others are in Pa.
 [[nodiscard]] bool is_strain(Quantity quantity) noexcept;
 
+/// The kernel changes sign under y -> -y; otherwise it is even.
+[[nodiscard]] bool is_odd(Quantity quantity, Traction component) noexcept;
+
 }  // namespace tactile_net

@@ -10,13 +10,13 @@
 /// by a singular value decomposition of each A: nothing is squared, and alpha = 0 gives the exact
 /// inverse wherever there is one. For (stress_x, shear_xy) that is every frequency; a tangential
 /// kernel of stress_x, stress_y or a strain is odd, so that its DFT vanishes at k = 0 and, for even
-/// counts, at Nyquist: what these leave undetermined is a null mode, set to zero and named.
+/// counts, at Nyquist: what these leave undetermined is a null mode, set to zero and listed.
 #pragma once
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "tactile_net/elasticity/material.hpp"
@@ -29,8 +29,10 @@ namespace tactile_net {
 
 /// A combination of tractions that no reading shows.
 struct DftNullMode {
-  std::size_t frequency = 0;                ///< 0 ... count / 2; wavelength count pitch / frequency
+  std::size_t frequency = 0;                ///< 0 ... count / 2
   Traction unknown = Traction::tangential;  ///< the larger part of it
+  std::optional<double> wavelength{};       ///< count pitch / frequency [m]; absent: constant
+  bool alternating = false;                 ///< that wavelength is two pitches: Nyquist
 };
 
 class DftTikhonov {
@@ -46,9 +48,6 @@ class DftTikhonov {
 
   /// The modes below 1e-13 of the largest singular value, lowest frequency first.
   [[nodiscard]] std::span<const DftNullMode> null_modes() const noexcept;
-
-  /// One null mode in words: "the mean of the tangential traction (k = 0)".
-  [[nodiscard]] std::string in_words(const DftNullMode& mode) const;
 
   /// Largest over smallest singular value of the regularised system, null modes left out: relative
   /// errors of the readings reach the tractions multiplied by up to this.

@@ -2,13 +2,16 @@
 /// Before any reading: which tractions can these sensors tell apart?
 ///
 /// The singular values of W K say how strongly each combination of tractions shows in the readings;
-/// the combinations that do not show are named in words. `resolution.hpp` has the same question
+/// the combinations that do not show are described by their waves. `resolution.hpp` asks the same
 /// wavelength by wavelength, with noise.
+///
+///     const Identifiability told = identifiability(make_problem(array, material, options));
+///     told.rank                            // combinations that the readings tell apart
+///     told.null_space.modes[0].wavelength  // of the longest wave that none of them shows
 #pragma once
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "tactile_net/inverse/problem.hpp"
@@ -29,7 +32,6 @@ struct TractionMode {
   bool alternating = false;            ///< that wavelength is two pitches: Nyquist
   Parity parity = Parity::neither;     ///< of the traction that holds more of its energy
   std::optional<Traction> unknown{};   ///< holding at least 90 % of its energy; absent: both
-  std::string description{};           ///< "tangential traction, constant (k = 0), even about ..."
 };
 
 /// A space of such combinations. Singular vectors of (nearly) equal singular values are any basis
@@ -42,7 +44,6 @@ struct ModeSpace {
   /// infinite: a constant; 0: none is.
   double longest = 0.0;
   double shortest = 0.0;
-  std::string description{};  ///< of the first mode, and how many more; empty: dimension 0
 };
 
 /// The singular values of W K, and what they hide.
@@ -57,8 +58,12 @@ struct Identifiability {
   TractionMode weakest{};   ///< of the smallest singular value
 };
 
-/// O(rows x columns^2).
+/// O(rows x columns^2), and a small decomposition for every wavelength and every mode described.
 [[nodiscard]] Identifiability identifiability(const InverseProblem& problem);
+
+/// `identifiability(problem).null_space` with its first mode alone: what a warning needs. Costs one
+/// singular value decomposition of W K, and nothing else where every combination shows.
+[[nodiscard]] ModeSpace hidden_modes(const InverseProblem& problem);
 
 /// How many combinations of tractions no kernel can show, by counting alone.
 ///

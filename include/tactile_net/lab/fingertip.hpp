@@ -19,10 +19,6 @@
 namespace tactile_net::lab {
 
 namespace remark {
-/// What an effect of the simulated sensor has to say.
-struct EffectNote {
-  std::string words{};
-};
 /// The reconstruction has an answer, but not one to trust without a look.
 struct Doubtful {
   Verdict verdict = Verdict::ok;
@@ -32,8 +28,8 @@ struct TangentialUnseen {};
 }  // namespace remark
 
 /// What a user should know of a fingertip's force before trusting it.
-using FingertipRemark = std::variant<SceneRemark, Remark, remark::EffectNote, remark::Doubtful,
-                                     remark::TangentialUnseen>;
+using FingertipRemark =
+    std::variant<SceneRemark, Remark, CutOffNote, remark::Doubtful, remark::TangentialUnseen>;
 
 struct Fingertip {
   /// What the contact is known from.

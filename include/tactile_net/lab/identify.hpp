@@ -1,28 +1,22 @@
 /// @file
 /// What a scene's sensors can tell, beside what others in their place could.
+///
+///     const lab::Survey survey = lab::identify(read_scene("pad.toml"));
+///     survey.own.identifiability.null_space.dimension  // combinations that no reading shows
+///     survey.reasons                                   // why
+///     survey.advice.exchange                           // which alternative tells them
 #pragma once
 
+#include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "tactile_net/inverse/identifiability.hpp"
-#include "tactile_net/inverse/resolution.hpp"
+#include "tactile_net/lab/hidden_reason.hpp"
 #include "tactile_net/lab/observer.hpp"
+#include "tactile_net/lab/sensor_choice.hpp"
 #include "tactile_net/scene/scene.hpp"
 
 namespace tactile_net::lab {
-
-/// One choice of quantities and depths.
-struct SensorChoice {
-  std::vector<Quantity> reads{};
-  std::vector<double> depths{};
-  std::size_t unknowns = 1;
-  Identifiability identifiability{};
-  std::vector<Resolution> resolutions{};
-  std::optional<double> normal{};      ///< resolvable wavelength [m]
-  std::optional<double> tangential{};  ///< the same; absent with one unknown too
-};
 
 struct SurveyOptions {
   std::optional<double>
@@ -32,32 +26,41 @@ struct SurveyOptions {
   std::optional<double> relative_noise{};
 };
 
+/// The noise that every channel is taken to have.
+struct AssumedNoise {
+  enum class Kind {
+    stated,  ///< the scene's rms; for quantities without one, the share
+    share,   ///< the share for all of them
+  };
+  Kind kind = Kind::share;
+  double share = 0.01;  ///< of the largest reading that a ripple of normal traction causes
+};
+
+/// What to read instead: indices of `Survey::alternatives`, each absent where it would change
+/// little or is named before. With none of them nothing compared tells more.
+struct Advice {
+  /// As many quantities at the same depths, one of them kept where there are several.
+  std::optional<std::size_t> exchange{};
+  std::optional<std::size_t> pair_here{};  ///< of those for both tractions at the first depth
+  std::optional<std::size_t> best{};       ///< of all for both tractions
+};
+
 struct Survey {
   SensorChoice own{};
   /// Singles, pairs and singles at two depths in the scene's place, then the best pairs elsewhere.
   std::vector<SensorChoice> alternatives{};
-  double traction = 1.0;   ///< [Pa]
-  std::string noise{};     ///< which noise was assumed, in words
+  double traction = 1.0;  ///< amplitude of the ripple to be told [Pa]
+  AssumedNoise noise{};
   std::size_t taxels = 0;  ///< of which the alternatives' singular values are; <= the scene's count
+  std::vector<HiddenReason> reasons{};  ///< of what the scene's own sensors hide
+  Advice advice{};
 };
 
-[[nodiscard]] Survey identify(const Scene& scene, const SurveyOptions& options,
+/// Decomposes one matrix for the scene and about thirty smaller ones for the alternatives.
+///
+/// @throw std::invalid_argument  an option is not > 0 and finite; the scene's sensor, material or
+///                               noise are out of their ranges
+[[nodiscard]] Survey identify(const Scene& scene, const SurveyOptions& options = {},
                               Observer& observer = silent);
-
-/// True if the mean of that traction shows in no kernel: `resolutions` at k = 0.
-[[nodiscard]] bool hides_mean(const SensorChoice& choice, Traction component);
-
-/// The coarser of the resolvable wavelengths [m]; infinite: there is none.
-[[nodiscard]] double coarsest(const SensorChoice& choice);
-
-/// By what counts first: no hidden mean, the coarsest resolvable wavelength, no hidden combination
-/// (a short one is below the noise anyway), the condition.
-[[nodiscard]] bool tells_more(const SensorChoice& a, const SensorChoice& b);
-
-/// "stress_x, shear_xy at 1.5"
-[[nodiscard]] std::string in_words(const SensorChoice& choice);
-
-/// "-", "tangential, alternating", "81 modes, wavelengths 1 to 40"
-[[nodiscard]] std::string hidden_in_short(const SensorChoice& choice);
 
 }  // namespace tactile_net::lab

@@ -26,9 +26,7 @@ struct CutOff {};          ///< the readings have not died away at the array's e
 struct NotOneContact {};   ///< what contact_friction takes for granted does not hold
 struct DragInNoise {};     ///< the tangential traction is assumed more than it is measured
 struct NullMode {
-  DftNullMode mode{};
-  std::size_t count = 0;  ///< taxels
-  double pitch = 0.0;     ///< [m]
+  DftNullMode mode{};  ///< set to zero
 };
 
 // Iterations.

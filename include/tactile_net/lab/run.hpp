@@ -57,10 +57,10 @@ struct MethodResult {
 
 struct Experiment {
   Scene scene;
-  ScenePlan plan;
+  Workload work;
   SimulatedFrame frame;
   double sampled_force = 0.0;       ///< pitch x sum of the truth at the taxels [N/m]
-  std::optional<AlphaSweep> sweep;  ///< every rule for alpha, where the plan compares them
+  std::optional<AlphaSweep> sweep;  ///< every rule for alpha, where the workload compares them
   std::vector<MethodResult> results;
   std::optional<Relaxation> relaxation;
   std::optional<TimeCourse> course;
@@ -78,8 +78,8 @@ struct RunOptions {
   std::function<double()> clock{};
 };
 
-/// Computes what the scene's plan says, and nothing else. A method that cannot take the scene is a
-/// result that says so.
+/// Computes what `workload(scene)` lists, and nothing else. A method that cannot take the scene is
+/// a result that says so.
 ///
 /// @throw std::invalid_argument, std::domain_error  the readings cannot be simulated
 [[nodiscard]] Experiment run(const Scene& scene, Simulator& simulator,

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -33,7 +32,7 @@ class SensorRecording {
   [[nodiscard]] double time() const noexcept { return time_; }
   [[nodiscard]] std::span<const double> readings() const noexcept { return readings_; }
   [[nodiscard]] const TractionField& truth() const noexcept { return truth_; }
-  [[nodiscard]] std::vector<std::string> notes() const { return path_.notes(); }
+  [[nodiscard]] std::vector<CutOffNote> notes() const { return path_.notes(); }
 
  private:
   void load(double time);
@@ -66,7 +65,7 @@ struct SimulatedFrame {
   std::vector<double> readings{};  ///< channels x count
   double force = 0.0;              ///< normal, of all contacts, exact [N/m]
   std::vector<SceneRemark> remarks{};
-  std::vector<std::string> notes{};  ///< what the effects have to say
+  std::vector<CutOffNote> notes{};  ///< what the effects have to say
 };
 
 [[nodiscard]] SimulatedFrame simulate(const Scene& scene);

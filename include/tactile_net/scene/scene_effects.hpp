@@ -1,6 +1,6 @@
 /// @file
 /// What stands between a scene's words and the effects' files: one table, in the order of the
-/// signal path, that the simulation, the plan and the JSON all follow.
+/// signal path, that the simulation, the workload and the JSON all follow.
 #pragma once
 
 #include <memory>
@@ -21,6 +21,8 @@ struct SceneEffect {
   std::string (*words)(const Scene& scene);
   /// Floating-point operations for one reading at one moment; a random number counts as 20.
   double (*operations)(const Scene& scene);
+  /// What its absence saves.
+  std::string_view absence = "no stage";
 };
 
 [[nodiscard]] std::span<const SceneEffect> scene_effects();

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "tactile_net/sensing/effects/effect.hpp"
@@ -19,7 +18,8 @@ class SignalPath {
   /// @param stage  none: nothing is added
   void add(std::unique_ptr<SensorEffect> stage);
 
-  /// To be called once after the last stage was added, if one remembers: puts the sensor at rest.
+  /// Puts the sensor at rest. Call once, after the last `add`; required only if a stage has a
+  /// memory.
   ///
   /// @param readings  how many
   void begin(std::size_t readings);
@@ -32,8 +32,8 @@ class SignalPath {
   /// Whether moments between frames matter.
   [[nodiscard]] bool has_memory() const noexcept { return remembering_ > 0; }
   [[nodiscard]] std::size_t stages() const noexcept { return stages_.size(); }
-  /// What the stages have to say of the frame last taken.
-  [[nodiscard]] std::vector<std::string> notes() const;
+  /// What the stages have to say of the frame last taken, in their order.
+  [[nodiscard]] std::vector<CutOffNote> notes() const;
 
  private:
   std::vector<std::unique_ptr<SensorEffect>> stages_;

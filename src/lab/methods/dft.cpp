@@ -98,9 +98,8 @@ class Frequencies final : public FrameSolver {
         rule_(problem.scene().reconstruct.alpha_rule),
         given_(alpha),
         noise_(problem.stated_noise()) {
-    const SensorArray& sensor = problem.scene().sensor;
     for (const DftNullMode& mode : inverse_.null_modes())
-      remarks_.emplace_back(remark::NullMode{mode, sensor.count, sensor.pitch});
+      remarks_.emplace_back(remark::NullMode{mode});
     for (const Remark& one : dead_taxels(problem.scene())) remarks_.push_back(one);
   }
 

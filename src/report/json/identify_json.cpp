@@ -4,6 +4,7 @@
 
 #include "report/json/scene_json.hpp"
 #include "tactile_net/report/words/identify_words.hpp"
+#include "tactile_net/report/words/mode_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -16,7 +17,7 @@ Json modes_of(const Identifiability& result) {
                                    : *mode.unknown == Traction::normal ? "normal"
                                                                        : "tangential"},
                        {"wavelength", number_or_null(mode.wavelength)},
-                       {"description", mode.description},
+                       {"description", in_words(mode)},
                        {"singular_value", mode.singular_value},
                        {"exact", space == &result.null_space}});
   return modes;
@@ -53,9 +54,9 @@ Json choice_json(const lab::SensorChoice& choice) {
 
 std::string survey_json(const Scene& scene, const lab::Survey& survey) {
   Json json = scene_json(scene);
-  json["verdict"] = verdict_in_words(survey, scene);
+  json["verdict"] = verdict_in_words(survey);
   json["traction"] = survey.traction;
-  json["noise"] = survey.noise;
+  json["noise"] = in_words(survey.noise);
   json.update(choice_json(survey.own));
   json["singular_values"] = survey.own.identifiability.singular_values;
   json["wavelengths"] = Json::array();

@@ -7,6 +7,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/pages/html.hpp"
 #include "tactile_net/report/words/identify_words.hpp"
+#include "tactile_net/report/words/mode_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
@@ -114,7 +115,8 @@ std::vector<std::vector<std::string>> survey_cells(const lab::Survey& survey) {
     if (lab::hides_mean(choice, Traction::normal)) means.emplace_back("normal");
     if (two && lab::hides_mean(choice, Traction::tangential)) means.emplace_back("tangential");
     rows.push_back({in_words(choice) + mark, std::to_string(choice.unknowns),
-                    condition_in_words(choice.identifiability), lab::hidden_in_short(choice),
+                    condition_in_words(choice.identifiability),
+                    in_short(choice.identifiability.null_space),
                     means.empty() ? "-" : join(means, ", "), wavelength(choice.normal),
                     two ? wavelength(choice.tangential) : "-"});
   };
@@ -131,7 +133,7 @@ std::string cells_in_words(const Scene& scene, const lab::Survey& survey) {
       " stands out of the noise, by its standard deviation in one frame; hidden mean: shows only "
       "at "
       "the array's ends. Noise: " +
-      survey.noise + ".";
+      in_words(survey.noise) + ".";
   if (survey.taxels < scene.sensor.count)
     text += " Condition and hidden combinations of the alternatives are of " +
             std::to_string(survey.taxels) + " taxels.";
@@ -154,14 +156,11 @@ std::vector<std::string> singular_values_in_words(const Identifiability& result)
     const std::string kind = null ? "hidden: " : "nearly hidden: ";
     for (std::size_t i = 0; i < shown; ++i)
       text.push_back(
-          kind + space->modes[i].description +
+          kind + in_words(space->modes[i]) +
           (null ? "" : " (singular value " + brief(space->modes[i].singular_value) + ")"));
     if (space->dimension > shown)
       text.push_back(kind + std::to_string(space->dimension - shown) + " more" +
-                     (space->longest > 0.0
-                          ? ", wavelengths " + brief(space->shortest) + " to " +
-                                (std::isinf(space->longest) ? "k = 0" : brief(space->longest))
-                          : ""));
+                     wavelengths_in_short(*space));
   }
   return text;
 }
@@ -174,7 +173,7 @@ Report survey_html(const Scene& scene, const lab::Survey& survey) {
   body += element(
       "p", scene.file + ": " + sensor_in_words(scene) + "; " + material_in_words(scene) + ".");
   body += element("h2", "What these sensors can tell");
-  const std::vector<std::string> verdict = verdict_in_words(survey, scene);
+  const std::vector<std::string> verdict = verdict_in_words(survey);
   const bool hidden = survey.own.identifiability.null_space.dimension > 0;
   body += element("p", verdict.front(), hidden ? "bad" : "");
   for (std::size_t i = 1; i < verdict.size(); ++i) body += element("p", verdict[i]);

@@ -6,6 +6,7 @@
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 
 namespace tactile_net::report {
@@ -41,7 +42,7 @@ std::string source_in_words(const lab::Fingertip& tip) {
 
 std::string say(const lab::SceneRemark& remark) { return in_words(remark); }
 std::string say(const lab::Remark& remark) { return in_words(remark); }
-std::string say(const lab::remark::EffectNote& note) { return note.words; }
+std::string say(const CutOffNote& note) { return in_words(note); }
 std::string say(const lab::remark::Doubtful& doubtful) {
   return "the reconstruction's verdict is " + std::string(name(doubtful.verdict));
 }

@@ -1,6 +1,8 @@
 #include "tactile_net/report/words/remark_words.hpp"
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/mode_words.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -30,17 +32,8 @@ std::string say(const remark::DragInNoise&) {
          "traction is assumed more than it is measured";
 }
 
-std::string mode_in_words(const remark::NullMode& r) {
-  const std::string component = r.mode.unknown == Traction::normal ? "normal" : "tangential";
-  if (r.mode.frequency == 0) return "the mean of the " + component + " traction (k = 0)";
-  if (2 * r.mode.frequency == r.count)
-    return "the " + component + " traction that alternates from taxel to taxel (Nyquist)";
-  const double wavelength =
-      static_cast<double>(r.count) * r.pitch / static_cast<double>(r.mode.frequency);
-  return "a ripple of the " + component + " traction with wavelength " + brief(wavelength);
-}
 std::string say(const remark::NullMode& r) {
-  return "no reading shows " + mode_in_words(r) + ": it is set to zero, not measured";
+  return "no reading shows " + in_words(r.mode) + ": it is set to zero, not measured";
 }
 
 std::string say(const remark::NotConverged& r) {
@@ -67,7 +60,7 @@ std::string say(const remark::ModelError& r) {
          brief(r.times) + " times the noise, which the bands do not hold";
 }
 std::string say(const remark::Hidden& r) {
-  return "no reading shows: " + r.modes.description +
+  return "no reading shows: " + in_words(r.modes) +
          "; decided by smoothing, not measured (see identify)";
 }
 std::string say(const remark::ConstraintsIgnored&) {
@@ -96,7 +89,7 @@ std::string in_words(const lab::SceneRemark& remark) {
 std::vector<std::string> in_words(const lab::SimulatedFrame& frame) {
   std::vector<std::string> sentences;
   for (const lab::SceneRemark& one : frame.remarks) sentences.push_back(in_words(one));
-  sentences.insert(sentences.end(), frame.notes.begin(), frame.notes.end());
+  for (const CutOffNote& note : frame.notes) sentences.push_back(in_words(note));
   return sentences;
 }
 

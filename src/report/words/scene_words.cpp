@@ -88,4 +88,9 @@ std::string effects_in_words(const Scene& scene, bool simulated) {
   return names.empty() ? "none" : join(names, ", ");
 }
 
+std::string in_words(const CutOffNote& note) {
+  return std::string(note.effect) + ": " + std::to_string(note.cut_off) + " of " +
+         std::to_string(note.readings) + " readings are cut off at the range's ends";
+}
+
 }  // namespace tactile_net::report

@@ -1,49 +1,165 @@
 #include "tactile_net/report/words/workload_words.hpp"
 
+#include <array>
 #include <ostream>
+#include <string_view>
+#include <utility>
 
-#include "report/json/scene_json.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/table.hpp"
+#include "tactile_net/scene/scene_effects.hpp"
 
 namespace tactile_net::report {
+namespace {
 
-void print_plan(std::ostream& out, const Scene& scene, const lab::ScenePlan& plan) {
+using lab::Workload;
+using Reason = Workload::Reason;
+
+/// "1 frame", "5 frames".
+std::string count_of(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
+}
+
+/// "81 x 81".
+std::string size_of(const Workload::Cost& cost) {
+  return std::to_string(cost.rows) + " x " + std::to_string(cost.columns);
+}
+
+std::string about(double operations) { return "about " + brief(operations) + " operations"; }
+
+using enum Reason;
+/// One row for each reason, in their order.
+constexpr std::array<std::pair<Reason, std::string_view>, static_cast<std::size_t>(no_report) + 1>
+    sentences = {{
+        {exact_model, "forward model exact: the continuous integral"},
+        {sampled_model, "forward model sampled: the sum over the taxels"},
+        {effects_remember, "effects remember what came before frame "},
+        {only_draws_matter, "no effect remembers: of earlier frames only their random draws"},
+        {no_time, "no [time]: one frame"},
+        {first_frame, "the first frame is reconstructed"},
+        {two_tractions, "both tractions are to be found"},
+        {one_channel, "one quantity at one depth tells the normal traction alone"},
+        {tangential_excluded, "tangential = false"},
+        {no_friction, "no friction: the normal traction alone"},
+        {layer, "[material] has a layer"},
+        {half_plane, "no layer: half plane, closed formulas"},
+        {method_named, "reconstruct.methods names it"},
+        {method_not_named, "reconstruct.methods does not name it"},
+        {rule_chooses, "alpha is chosen by the rule "},
+        {comparison_requested, "--compare-rules asks for it"},
+        {alpha_given, "alpha is given"},
+        {no_method_takes_alpha, "no method takes alpha from it"},
+        {forces_have_deviations, "the forces that are printed have deviations"},
+        {hidden_must_be_said, "what no reading shows must be said"},
+        {no_matrix_method, "neither tikhonov nor closed_form is asked for"},
+        {array_too_large, "no matrix is formed for an array as large as this"},
+        {parts_not_ideal, "parts are not ideal, or settling or tolerances are asked for"},
+        {parts_ideal, "ideal parts"},
+        {settling_requested, "network.settling asks for it"},
+        {settling_not_requested, "nobody asks for settling"},
+        {tolerance_requested, "network.tolerance asks for it"},
+        {tolerance_unsupported, "tolerances are studied for networks of resistors and op-amps"},
+        {nominal_parts, "every component has its value"},
+        {no_circuit, "no circuit"},
+        {resultant_drawn, "the report draws the resultant over the scene's time"},
+        {one_frame, "one frame"},
+        {report_requested, "--out asks for files"},
+        {no_report, "no --out"},
+    }};
+static_assert([] {
+  for (std::size_t i = 0; i < sentences.size(); ++i)
+    if (static_cast<std::size_t>(sentences[i].first) != i) return false;
+  return true;
+}());
+
+}  // namespace
+
+std::string why_in_words(const Workload::Task& task) {
+  const Workload::Why& why = task.why;
+  std::string text(sentences[static_cast<std::size_t>(why.reason)].second);
+  if (why.reason == Reason::effects_remember) text += std::to_string(why.frame);
+  if (why.reason == Reason::rule_chooses)
+    text += std::string(name(*why.rule)) + ", whose verdict hears the others";
+  return text;
+}
+
+std::string cost_in_words(const Workload::Task& task) {
+  if (!task.cost) return "";
+  const Workload::Cost& cost = *task.cost;
+  const std::string count = std::to_string(cost.count);
+  using enum Workload::Cost::Kind;
+  switch (cost.kind) {
+    case kernel_values:
+      return "some hundred kernel values for each of " + count_of(cost.count, "reading") +
+             " and contact";
+    case direct_sum:
+      return size_of(cost) + " sum for " + count_of(cost.count, "kernel") + ", " +
+             about(cost.operations);
+    case fft:
+      return "FFT for " + count_of(cost.count, "kernel") + ", " + about(cost.operations);
+    case moments:
+      return "the readings at " + count_of(cost.count, "moment");
+    case random_draws:
+      return "no reading is computed";
+    case unknowns:
+      return count_of(cost.count, "unknown") + " instead of " + std::to_string(cost.rows);
+    case kernel_integrals:
+      return "integrals at " + count + " distances for each kernel";
+    case frame_fft:
+      return "FFT, " + about(cost.operations) + " a frame";
+    case decompositions:
+      return "QR and SVD of " + size_of(cost) + ", once; " + about(cost.operations) + " a frame";
+    case product:
+      return "QR and SVD, once; " + about(cost.operations) + " a frame";
+    case conjugate_gradients:
+      return "conjugate gradients by FFT";
+    case alpha_rules:
+      return "SVD; 200 values of alpha by " + count + " rules";
+    case inverse:
+      return "one rule for alpha, and the inverse of " + size_of(cost);
+    case singular_values:
+      return "SVD of " + size_of(cost);
+    case circuit:
+      return "P, " + count_of(cost.rows, "node") + ", " + std::string(name(*cost.realization)) +
+             ", up to " + count + " branches; one operating point in ngspice";
+    case certificate:
+      return "theorem, margin, poles";
+    case transient:
+      return "a transient in ngspice";
+    case draws:
+      return count_of(cost.count, "draw");
+    case every_frame:
+      return "every frame simulated and solved, at most 400 solved";
+    case drawing:
+      return "plots by gnuplot, tables";
+  }
+  return "";
+}
+
+std::string effect_in_words(const Workload::Effect& effect, const Scene& scene) {
+  if (!effect.simulated) return std::string(effect.row->absence);
+  return effect.row->words(scene) + (effect.idle ? "; strength 0: no stage" : "");
+}
+
+void print_workload(std::ostream& out, const Scene& scene, const Workload& work) {
   out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n  ")
       << sensor_in_words(scene) << "; " << material_in_words(scene) << '\n';
   if (scene.time) out << "  " << time_in_words(scene) << " (--frame takes another)\n";
   out << "\nEffects, in the order of the signal path:\n";
   std::vector<std::vector<std::string>> rows = {
       {"effect", "simulated", "operations a frame", "what it does"}};
-  for (const lab::PlannedEffect& effect : plan.effects)
-    rows.push_back({std::string(effect.name), effect.simulated ? "yes" : "no",
-                    effect.operations > 0.0 ? brief(effect.operations) : "-", effect.words});
+  for (const Workload::Effect& effect : work.effects)
+    rows.push_back({std::string(effect.row->name), effect.simulated ? "yes" : "no",
+                    effect.operations > 0.0 ? brief(effect.operations) : "-",
+                    effect_in_words(effect, scene)});
   print_cells(out, rows);
   out << "\nComputations:\n";
   rows = {{"computation", "done", "why", "what it takes"}};
-  for (const lab::PlannedComputation& one : plan.computations)
-    rows.push_back({std::string(name(one.what)), one.done ? "yes" : "no", one.why,
-                    one.cost.empty() ? "-" : one.cost});
+  for (const Workload::Task& task : work.tasks)
+    rows.push_back({std::string(name(task.what)), task.done ? "yes" : "no", why_in_words(task),
+                    task.cost ? cost_in_words(task) : "-"});
   print_cells(out, rows);
-}
-
-std::string plan_json(const Scene& scene, const lab::ScenePlan& plan) {
-  Json json = scene_json(scene);
-  Json effects = Json::array();
-  for (const lab::PlannedEffect& effect : plan.effects)
-    effects.push_back({{"effect", effect.name},
-                       {"simulated", effect.simulated},
-                       {"operations_per_frame", effect.operations},
-                       {"text", effect.words}});
-  Json computations = Json::array();
-  for (const lab::PlannedComputation& one : plan.computations)
-    computations.push_back({{"computation", name(one.what)},
-                            {"done", one.done},
-                            {"why", one.why},
-                            {"cost", one.cost.empty() ? Json(nullptr) : Json(one.cost)}});
-  json["plan"] = {{"effects", effects}, {"computations", computations}};
-  return text_of(json);
 }
 
 }  // namespace tactile_net::report

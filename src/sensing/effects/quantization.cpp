@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "numeric/require.hpp"
-#include "sensing/effects/limited.hpp"
 
 namespace tactile_net {
 namespace {
@@ -21,8 +20,9 @@ class Levels final : public SensorEffect {
         }));
     quantize(readings, converter_);
   }
-  [[nodiscard]] std::string note() const override {
-    return limited_note("quantization", limited_, readings_);
+  [[nodiscard]] std::optional<CutOffNote> note() const override {
+    if (limited_ == 0) return std::nullopt;
+    return CutOffNote{"quantization", limited_, readings_};
   }
 
  private:

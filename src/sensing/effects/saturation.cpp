@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "sensing/effects/limited.hpp"
 #include "sensing/effects/per_taxel.hpp"
 
 namespace tactile_net {
@@ -31,8 +30,9 @@ class Limits final : public SensorEffect {
       ++limited_;
     }
   }
-  [[nodiscard]] std::string note() const override {
-    return limited_note("saturation", limited_, readings_);
+  [[nodiscard]] std::optional<CutOffNote> note() const override {
+    if (limited_ == 0) return std::nullopt;
+    return CutOffNote{"saturation", limited_, readings_};
   }
 
  private:

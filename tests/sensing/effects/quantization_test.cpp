@@ -57,8 +57,12 @@ TEST_CASE("readings beyond a converter's levels are counted", "[effects]") {
   const auto stage = make_effect(Converter{.bits = 3, .low = 0.0, .high = 7.0}, array);
   std::vector<double> inside{0.0, 7.0, 7.4, -0.4};  // half a level beyond is rounding
   stage->apply({}, inside);
-  CHECK(stage->note().empty());
+  CHECK_FALSE(stage->note());
   std::vector<double> beyond{0.0, 7.6, -0.6, 1.0};
   stage->apply({}, beyond);
-  CHECK_THAT(stage->note(), ContainsSubstring("quantization: 2 of 4"));
+  const auto note = stage->note();
+  REQUIRE(note);
+  CHECK(note->effect == "quantization");
+  CHECK(note->cut_off == 2);
+  CHECK(note->readings == 4);
 }

@@ -13,7 +13,11 @@ TEST_CASE("readings end at their quantity's range, and the frame says how many d
   std::vector<double> readings{-3.0, 1.0, 2.5, -0.1, 0.25, 0.5};
   stage->apply({}, readings);
   CHECK(readings == std::vector{-1.0, 1.0, 2.0, 0.0, 0.25, 0.5});
-  CHECK_THAT(stage->note(), ContainsSubstring("saturation: 3 of 6"));
+  const auto note = stage->note();
+  REQUIRE(note);
+  CHECK(note->effect == "saturation");
+  CHECK(note->cut_off == 3);
+  CHECK(note->readings == 6);
   stage->apply({}, readings);  // what is at the end is not beyond it
-  CHECK(stage->note().empty());
+  CHECK_FALSE(stage->note());
 }

@@ -33,8 +33,7 @@ void check_positive(const char* option, const std::optional<double>& value) {
 void print(std::ostream& out, const Scene& scene, const lab::Survey& survey) {
   out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n  ")
       << report::sensor_in_words(scene) << "; " << report::material_in_words(scene) << "\n\n";
-  for (const std::string& sentence : report::verdict_in_words(survey, scene))
-    out << sentence << '\n';
+  for (const std::string& sentence : report::verdict_in_words(survey)) out << sentence << '\n';
   out << '\n';
   for (const std::string& line : report::singular_values_in_words(survey.own.identifiability))
     out << line << '\n';

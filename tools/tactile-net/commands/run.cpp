@@ -11,6 +11,7 @@
 #include "tactile_net/frames/failure.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/report/json/run_json.hpp"
+#include "tactile_net/report/json/workload_json.hpp"
 #include "tactile_net/report/pages/run_page.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
@@ -31,11 +32,11 @@ struct Options {
   bool explain = false;
 };
 
-void explain(const Scene& scene, const lab::ScenePlan& plan, const std::string& json) {
-  if (json != "-") report::print_plan(std::cout, scene, plan);
+void explain(const Scene& scene, const lab::Workload& work, const std::string& json) {
+  if (json != "-") report::print_workload(std::cout, scene, work);
   if (json.empty()) return;
   frames::OutputFile output(json);
-  output.stream() << report::plan_json(scene, plan);
+  output.stream() << report::workload_json(scene, work);
   output.commit();
 }
 
@@ -81,7 +82,7 @@ void run(Options& options) {
     methods.push_back(Method::network);
   if (options.explain) {
     explain(scene,
-            lab::make_plan(
+            lab::workload(
                 scene, {.compare_rules = options.compare_rules, .report = !options.folder.empty()}),
             options.json);
     return;

@@ -10,6 +10,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/scene/reader.hpp"
+#include "tactile_net/scene/scene_effects.hpp"
 #include "terminal/progress.hpp"
 
 namespace tactile_net::tool {
@@ -27,7 +28,7 @@ class TruthFile {
  public:
   TruthFile(const std::string& path, const Scene& scene)
       : file_(path),
-        tangential_(simulates(scene, "friction")),
+        tangential_(any_friction(scene)),
         sink_(frames::make_sink(file_, path,
                                 frames::traction_columns(scene.sensor.count, tangential_),
                                 scene.time.has_value())) {}
@@ -47,12 +48,6 @@ class TruthFile {
   }
 
  private:
-  static bool simulates(const Scene& scene, std::string_view effect) {
-    for (const auto& [name, simulated] : effects(scene))
-      if (name == effect) return simulated;
-    return false;
-  }
-
   frames::OutputFile file_;
   bool tangential_;
   std::unique_ptr<frames::FrameSink> sink_;
@@ -75,7 +70,7 @@ void run(const Options& options) {
     const std::string time = shortest(recording.time());
     sink->add(time, recording.readings());
     if (truth) truth->add(time, recording.truth());
-    for (const std::string& note : recording.notes()) ++cut_off[note.substr(0, note.find(':'))];
+    for (const CutOffNote& note : recording.notes()) ++cut_off[std::string(note.effect)];
     ++frames;
     if (progress.due()) progress.say(std::to_string(frames) + " frames ...");
   }

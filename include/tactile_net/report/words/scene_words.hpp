@@ -32,4 +32,7 @@ namespace tactile_net::report {
 /// The names of the effects the scene calls for, or of those it does not, joined by commas; "none".
 [[nodiscard]] std::string effects_in_words(const Scene& scene, bool simulated);
 
+/// "saturation: 3 of 81 readings are cut off at the range's ends"
+[[nodiscard]] std::string in_words(const CutOffNote& note);
+
 }  // namespace tactile_net::report

@@ -1,5 +1,5 @@
 /// @file
-/// A scene's plan, for people and for machines.
+/// What a scene calls for, for people.
 #pragma once
 
 #include <iosfwd>
@@ -9,8 +9,15 @@
 
 namespace tactile_net::report {
 
-void print_plan(std::ostream& out, const Scene& scene, const lab::ScenePlan& plan);
+/// "forward model sampled: the sum over the taxels"
+[[nodiscard]] std::string why_in_words(const lab::Workload::Task& task);
 
-[[nodiscard]] std::string plan_json(const Scene& scene, const lab::ScenePlan& plan);
+/// "QR and SVD of 243 x 162, once; about 2.62e+04 operations a frame"; empty where it is left out.
+[[nodiscard]] std::string cost_in_words(const lab::Workload::Task& task);
+
+/// What the effect does in this scene, or what its absence saves.
+[[nodiscard]] std::string effect_in_words(const lab::Workload::Effect& effect, const Scene& scene);
+
+void print_workload(std::ostream& out, const Scene& scene, const lab::Workload& work);
 
 }  // namespace tactile_net::report

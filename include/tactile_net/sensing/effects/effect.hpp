@@ -12,8 +12,9 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
-#include <string>
+#include <string_view>
 
 #include "tactile_net/elasticity/quantity.hpp"
 #include "tactile_net/sensing/array.hpp"
@@ -32,6 +33,13 @@ struct Instant {
   bool opens = false;    ///< the next frame's sampling window opens
 };
 
+/// What a user must know of the frame last taken: an effect has cut readings off at its range.
+struct CutOffNote {
+  std::string_view effect{};  ///< its name in a scene: "saturation"
+  std::size_t cut_off = 0;    ///< readings that were beyond the range, >= 1
+  std::size_t readings = 0;   ///< of so many
+};
+
 /// One stage. Between two moments every reading is a straight line.
 class SensorEffect {
  public:
@@ -46,9 +54,8 @@ class SensorEffect {
   /// What goes out depends on what came in before.
   [[nodiscard]] virtual bool has_memory() const noexcept { return false; }
 
-  /// What a user must know of the frame last taken: "3 of 81 readings are at their limit"; else
-  /// empty.
-  [[nodiscard]] virtual std::string note() const { return {}; }
+  /// Of the frame last taken; nothing where no reading was cut off.
+  [[nodiscard]] virtual std::optional<CutOffNote> note() const { return std::nullopt; }
 };
 
 }  // namespace tactile_net

@@ -1,0 +1,145 @@
+#include "tactile_net/lab/identify.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+namespace {
+
+using namespace tactile_net;
+using namespace tactile_net::lab;
+using enum Quantity;
+
+Scene small(const std::string& reads, const std::string& material = "poisson_ratio = 0.3\n",
+            const std::string& depth = "1.0", const std::string& rest = "") {
+  return parse_scene("[sensor]\ncount = 15\npitch = 1.0\ndepth = " + depth + "\nreads = [" + reads +
+                         "]\n[material]\nyoungs_modulus = 1.0\n" + material + rest,
+                     "s.toml");
+}
+
+template <typename Reason>
+const Reason* find(const Survey& survey) {
+  for (const HiddenReason& reason : survey.reasons)
+    if (const auto* found = std::get_if<Reason>(&reason)) return found;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("stress with shear hides nothing, and no reason is given", "[identify]") {
+  const Survey survey = identify(small("\"stress_x\", \"shear_xy\""));
+  CHECK(survey.own.identifiability.null_space.dimension == 0);
+  CHECK_FALSE(hides_anything(survey.own));
+  CHECK(survey.reasons.empty());
+}
+
+TEST_CASE("two strains lose the tangential mean to odd kernels and a mode to the odd count",
+          "[identify]") {
+  const Survey survey = identify(small("\"strain_x\", \"strain_y\""));
+  CHECK(survey.own.identifiability.null_space.dimension == 1);
+  REQUIRE(survey.reasons.size() == 2);
+  const auto* odd = find<hidden_reason::OddKernels>(survey);
+  REQUIRE(odd != nullptr);
+  CHECK(odd->component == Traction::tangential);
+  const auto* symmetry = find<hidden_reason::Symmetry>(survey);
+  REQUIRE(symmetry != nullptr);
+  CHECK(symmetry->taxels == 15);
+  CHECK(symmetry->lost == 1);
+}
+
+TEST_CASE("the advice keeps one quantity and hides nothing", "[identify]") {
+  const Survey survey = identify(small("\"strain_x\", \"strain_y\""));
+  REQUIRE(survey.advice.exchange.has_value());
+  const SensorChoice& other = survey.alternatives[*survey.advice.exchange];
+  CHECK_FALSE(hides_anything(other));
+  CHECK(tells_more(other, survey.own));
+  CHECK(other.depths == survey.own.depths);
+  REQUIRE(other.reads.size() == 2);
+  CHECK(std::count(other.reads.begin(), other.reads.end(), shear_xy) == 1);
+}
+
+TEST_CASE("each advice names another alternative, and the best is the best",
+          "[identify][property]") {
+  for (const char* reads : {"\"stress_x\"", "\"shear_xy\"", "\"strain_x\", \"strain_y\"",
+                            "\"stress_x\", \"stress_y\""}) {
+    CAPTURE(reads);
+    const Survey survey = identify(small(reads));
+    const auto& [exchange, pair_here, best] = survey.advice;
+    if (pair_here) CHECK(pair_here != exchange);
+    if (best) CHECK((best != exchange && best != pair_here));
+    const auto last = best ? best : pair_here ? pair_here : exchange;
+    if (!last || survey.alternatives[*last].unknowns != 2) continue;
+    for (const SensorChoice& choice : survey.alternatives)
+      if (choice.unknowns == 2) CHECK_FALSE(tells_more(choice, survey.alternatives[*last]));
+  }
+}
+
+TEST_CASE("at nu = 0.5 the reason is that two strains are one", "[identify]") {
+  const Survey survey = identify(small("\"strain_x\", \"strain_y\"", "poisson_ratio = 0.5\n"));
+  CHECK(find<hidden_reason::OneStrain>(survey) != nullptr);
+  CHECK(find<hidden_reason::Proportional>(survey) == nullptr);
+  const auto* mean = find<hidden_reason::MeanUnread>(survey);
+  REQUIRE(mean != nullptr);
+  CHECK(mean->component == Traction::normal);
+}
+
+TEST_CASE("shear alone is odd under a normal traction", "[identify]") {
+  const Survey survey = identify(small("\"shear_xy\""));
+  CHECK(survey.own.unknowns == 1);
+  const auto* odd = find<hidden_reason::OddKernels>(survey);
+  REQUIRE(odd != nullptr);
+  CHECK(odd->component == Traction::normal);
+  CHECK(hides_mean(survey.own, Traction::normal));
+  CHECK(survey.advice.exchange.has_value());
+}
+
+TEST_CASE("a deep sensor loses short waves to smoothing, as exp(-2 pi depth / wavelength)",
+          "[identify]") {
+  const Survey survey = identify(small("\"stress_x\"", "poisson_ratio = 0.3\n", "30.0"));
+  const auto* smoothing = find<hidden_reason::Smoothing>(survey);
+  REQUIRE(smoothing != nullptr);
+  CHECK(smoothing->depth == 30.0);
+  CHECK(smoothing->wavelength == survey.own.identifiability.null_space.shortest);
+  CHECK_THAT(std::log(smoothing->left) * smoothing->wavelength,
+             WithinRel(-2.0 * 3.14159265358979 * 30.0, 1e-12));
+}
+
+TEST_CASE("what only a dead taxel would show is the dead taxel's fault", "[identify]") {
+  const Survey survey = identify(
+      small("\"stress_x\"", "poisson_ratio = 0.3\n", "1.0", "[dead_taxels]\nindices = [3]\n"));
+  CHECK(find<hidden_reason::DeadTaxels>(survey) != nullptr);
+  CHECK(find<hidden_reason::Smoothing>(survey) == nullptr);
+}
+
+TEST_CASE("the noise assumed is the scene's where it states one", "[identify]") {
+  const std::string stated = "[noise]\nrms = { stress_x = 1e-3 }\n";
+  const Scene scene = small("\"stress_x\"", "poisson_ratio = 0.3\n", "1.0", stated);
+  CHECK(identify(scene).noise.kind == AssumedNoise::Kind::stated);
+  CHECK(identify(scene).noise.share > 0.0);
+  const Survey given = identify(scene, {.traction = 2.0, .relative_noise = 0.05});
+  CHECK(given.noise.kind == AssumedNoise::Kind::share);
+  CHECK(given.noise.share == 0.05);
+  CHECK(given.traction == 2.0);
+  const Survey assumed = identify(small("\"stress_x\""));
+  CHECK(assumed.noise.kind == AssumedNoise::Kind::share);
+  CHECK(assumed.noise.share == 0.01);
+}
+
+TEST_CASE("more noise leaves longer ripples to be told", "[identify]") {
+  const Scene scene = small("\"stress_x\", \"shear_xy\"");
+  CHECK(coarsest(identify(scene, {.relative_noise = 1e-4}).own) <
+        coarsest(identify(scene, {.relative_noise = 0.1}).own));
+}
+
+TEST_CASE("an amplitude or a noise that is none is refused", "[identify]") {
+  const Scene scene = small("\"stress_x\"");
+  const double bad = GENERATE(-1.0, 0.0, std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::quiet_NaN());
+  CHECK_THROWS_AS(identify(scene, {.traction = bad}), std::invalid_argument);
+  CHECK_THROWS_AS(identify(scene, {.relative_noise = bad}), std::invalid_argument);
+}
