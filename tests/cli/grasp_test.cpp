@@ -219,7 +219,7 @@ TEST_CASE("what grasp cannot use is refused", "[cli]") {
   refused(one("{ tractions = \"no.csv\", pitch = 1e-3 }"), 2, "no.csv: error: cannot be opened");
   refused(one("{ tractions = \"pull.csv\", pitch = 1e-3, frame = 2 }"), 2, "it has 2 frames");
   refused(one("{ tractions = \"pull.csv\", pitch = 1e-3 }"), 1,
-          "finger 'index', tractions of pull.csv, frame 0: the normal force is -0.003");
+          "finger 'index', pull.csv, frame 0: the normal force is -0.003");
   refused(one("{ tractions = \"pull.csv\", pitch = 1e-3, frame = 1 }"), 1, "outside the fingertip");
   refused(one("{ scene = \"no.toml\" }"), 2, "no.toml: error: no such file");
   refused(one("{ scene = \"idle.toml\" }"), 2, "nothing presses on this fingertip");

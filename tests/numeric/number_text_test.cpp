@@ -29,6 +29,15 @@ TEST_CASE("three digits are those of printf in the C locale", "[number_text]") {
   CHECK(brief(std::nan("")) == "-");
 }
 
+TEST_CASE("fixed digits are those of printf in the C locale, however large", "[number_text]") {
+  for (const double number : {0.0, -0.04, 0.05, 0.25, 1234.56, -1e6, 1.7976931348623157e308}) {
+    char expected[340];
+    std::snprintf(expected, sizeof expected, "%.1f", number);
+    CHECK(fixed(number, 1) == expected);
+  }
+  CHECK(fixed(std::nan(""), 1) == "-");
+}
+
 TEST_CASE("durations and shares carry their unit", "[number_text]") {
   CHECK(duration(2.5e-6) == "2.5 us");
   CHECK(duration(0.5) == "500 ms");
@@ -49,6 +58,7 @@ TEST_CASE("a program's locale changes no number", "[number_text]") {
   for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8"})
     if (german == nullptr) german = std::setlocale(LC_ALL, name);
   CHECK(brief(0.05) == "0.05");
+  CHECK(fixed(0.5, 2) == "0.50");
   CHECK(shortest(1.5) == "1.5");
   double number = 0.0;
   CHECK((read_number("1.5", number) && number == 1.5));

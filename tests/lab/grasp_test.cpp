@@ -1,0 +1,234 @@
+// A hand's grasp in process: typed answers, no file but the fingertips' scenes.
+#include "tactile_net/lab/grasp.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tactile_net/frames/frame_of.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+using namespace tactile_net::lab;
+
+namespace {
+
+/// One of two fingers that mirror each other; their pads stand upright at X = -+0.035.
+std::string finger(double side, const std::string& contact, const std::string& more = {}) {
+  const std::string sign = side < 0.0 ? "-" : "";
+  const std::string back = side < 0.0 ? "" : "-";
+  return "[[finger]]\nname = \"" + std::string(side < 0.0 ? "left" : "right") + "\"\nbase = [" +
+         sign + "0.03, 0.0]\ndirection = 90\nlinks = [0.05, 0.04]\nangles = [" + back + "30, " +
+         sign + "30]\npad = { center = 0.02, half_width = 0.012, side = \"" +
+         (side < 0.0 ? "right" : "left") + "\" }\ncontact = " + contact + "\n" + more;
+}
+
+const std::string degrees = "angles_in = \"degrees\"\n";
+const std::string load = "[load]\nforce = [0.0, -4.0]\npoint = [0.0, 0.06]\n";
+const std::string assumed = "{ center = 0.0 }";
+
+std::string pressed(double normal, double tangential, double deviation = 0.0) {
+  const std::string size = std::to_string(deviation);
+  return "{ normal = " + std::to_string(normal) + ", tangential = " + std::to_string(tangential) +
+         ", center = 0.0, normal_deviation = " + size + ", tangential_deviation = " + size +
+         ", center_deviation = " + std::to_string(1e-3 * deviation) + " }";
+}
+
+GraspResult held(const std::string& toml, const FrameOf& frame_of = {},
+                 Observer& observer = silent) {
+  return hold(parse_hand(degrees + toml, "hand.toml"), frame_of, observer);
+}
+
+std::string both(const std::string& contact, const std::string& more = {}) {
+  return finger(-1.0, contact, more) + finger(1.0, contact, more);
+}
+
+/// What is known of all failures but their numbers.
+using Failed = GraspFailure::Kind;
+std::multiset<Failed> kinds(const GraspResult& grasp) {
+  std::multiset<Failed> result;
+  for (const GraspFailure& failure : grasp.failures) result.insert(failure.kind);
+  return result;
+}
+
+const std::string pad = SCENES "/recorded/thin-pad.toml";
+
+std::string recorded(const std::string& file, std::size_t frame) {
+  return "{ scene = \"" + pad + "\", readings = \"" + file +
+         "\", frame = " + std::to_string(frame) + " }";
+}
+
+template <class Kind>
+std::size_t count(const Fingertip& tip) {
+  std::size_t found = 0;
+  for (const FingertipRemark& remark : tip.remarks) found += std::holds_alternative<Kind>(remark);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("measured forces and those that would hold agree where the measured ones balance",
+          "[grasp]") {
+  const GraspResult grasp = held(load + "[grasp]\ngrasping_force = 10.0\nfriction = 0.6\n" +
+                                 both(pressed(5.0, -2.0, 0.1)));
+  REQUIRE(grasp.measured.has_value());
+  REQUIRE(grasp.held.has_value());
+  CHECK(grasp.failures.empty());
+  CHECK(grasp.remarks.empty());
+  CHECK(grasp.measured->balanced == true);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(grasp.tips[i].source == Fingertip::Source::resultant);
+    const FingerAction& measured = grasp.measured->grasp.fingers[i];
+    const FingerAction& wanted = grasp.held->grasp.fingers[i];
+    for (std::size_t j = 0; j < 2; ++j)
+      CHECK_THAT(measured.torques[j].value, WithinRel(wanted.torques[j].value, 1e-12));
+    CHECK_THAT(grasp.measured->margins[i].friction->distance.value,
+               WithinRel((0.6 * 5.0 - 2.0) / std::sqrt(1.36), 1e-12));
+  }
+  REQUIRE(grasp.held->thesis.has_value());
+  CHECK(grasp.held->thesis->difference < 1e-12);
+}
+
+TEST_CASE("what cannot hold has a kind, a place and a number", "[grasp]") {
+  const auto squeezed = [](double force) {
+    return load + "[grasp]\ngrasping_force = " + std::to_string(force) + "\nfriction = 0.6\n";
+  };
+  GraspResult grasp = held(squeezed(2.0) + both(assumed));
+  REQUIRE(kinds(grasp) == std::multiset{Failed::slips, Failed::slips});
+  CHECK(grasp.failures[0].answer == GraspAnswer::held);
+  CHECK(grasp.failures[1].finger == 1);
+  // Each carries 2 upwards and presses with 1.
+  CHECK_THAT(grasp.failures[0].number, WithinRel((2.0 - 0.6) / std::sqrt(1.36), 1e-12));
+  CHECK_FALSE(grasp.measured.has_value());
+
+  grasp = held(squeezed(-2.0) + both(assumed));
+  REQUIRE(kinds(grasp) == std::multiset{Failed::pulls, Failed::pulls});
+  CHECK_THAT(grasp.failures[0].number, WithinRel(1.0, 1e-12));
+
+  grasp = held(squeezed(10.0) + finger(-1.0, assumed) +
+               finger(1.0, assumed, "torque_limits = [10.0, 0.03]\n"));
+  REQUIRE(kinds(grasp) == std::multiset{Failed::beyond_limit});
+  CHECK(grasp.failures[0].finger == 1);
+  CHECK(grasp.failures[0].joint == 1);
+  CHECK_THAT(grasp.failures[0].number, WithinRel(0.1 - 0.03, 1e-12));
+
+  grasp = held(load + both(pressed(5.0, -1.0, 0.01)));
+  REQUIRE(kinds(grasp).count(Failed::unbalanced) == 1);
+  CHECK(grasp.measured->balanced == false);
+  CHECK(grasp.failures[0].number == *grasp.measured->grasp.chi_squared);
+  CHECK(grasp.failures[0].number > balanced_limit);
+
+  grasp = held(squeezed(2.0) + "friction_used = 1.0\n" + both(assumed));
+  REQUIRE(kinds(grasp) == std::multiset{Failed::cannot_hold});
+  CHECK(grasp.failures[0].reason == NoHold::beyond_cones_squeezed);
+  CHECK_FALSE(grasp.held.has_value());
+}
+
+TEST_CASE("what only just holds is a remark, not a failure", "[grasp]") {
+  const GraspResult grasp =
+      held("[grasp]\nfriction = 0.6\n" + finger(-1.0, pressed(5.0, 2.9, 0.2)) +
+           finger(1.0, pressed(5.0, 2.9)));
+  CHECK(grasp.failures.empty());
+  REQUIRE(grasp.remarks.size() == 1);
+  CHECK(grasp.remarks[0].kind == GraspRemark::Kind::near_slipping);
+  CHECK(grasp.remarks[0].finger == 0);
+  CHECK(grasp.remarks[0].answer == GraspAnswer::measured);
+}
+
+TEST_CASE("tractions become the pad's force through the callback", "[grasp]") {
+  std::size_t asked = 0;
+  TractionField field{{100.0, 300.0, 100.0}, {10.0, 20.0, 30.0}};
+  const FrameOf frame_of{.tractions = [&](const std::filesystem::path& file, std::size_t frame) {
+    ++asked;
+    CHECK(file == std::filesystem::path("./t.csv"));
+    CHECK(frame == 4);
+    return field;
+  }};
+  const std::string hand = finger(-1.0, "{ tractions = \"t.csv\", pitch = 0.01, frame = 4 }");
+  GraspResult grasp = held(hand, frame_of);
+  CHECK(asked == 1);
+  CHECK_THAT(grasp.tips[0].force->normal, WithinRel(5.0, 1e-14));
+  CHECK_THAT(grasp.tips[0].force->tangential, WithinRel(0.6, 1e-14));
+  CHECK(grasp.tips[0].place.centre == 0.0);
+  CHECK(grasp.tips[0].file == "t.csv");
+  CHECK(grasp.tips[0].remarks.empty());
+
+  field.tangential.clear();
+  grasp = held(hand, frame_of);
+  CHECK(grasp.tips[0].force->tangential == 0.0);
+  CHECK(count<remark::TangentialUnseen>(grasp.tips[0]) == 1);
+
+  field = {{-1.0, -2.0}, {}};
+  CHECK_THROWS_WITH(held(hand, frame_of), ContainsSubstring("'left', t.csv, frame 4") &&
+                                              ContainsSubstring("nothing presses"));
+  field = {{1.0, -0.9999}, {}};
+  CHECK_THROWS_WITH(held(hand, frame_of), ContainsSubstring("outside the fingertip"));
+}
+
+TEST_CASE("a pad without a width is as wide as its array", "[grasp]") {
+  std::string hand = finger(-1.0, "{ tractions = \"t.csv\", pitch = 0.01 }");
+  const std::string width = "half_width = 0.012, ";
+  hand.erase(hand.find(width), width.size());
+  const FrameOf frame_of{.tractions = [](const std::filesystem::path&, std::size_t) {
+    return TractionField{{1.0, 2.0, 3.0}, {}};
+  }};
+  CHECK_THAT(held(hand, frame_of).tips[0].finger.pad.half_width, WithinRel(0.015, 1e-15));
+}
+
+TEST_CASE("two fingers with one scene file share what is made of it", "[grasp]") {
+  std::set<const Scene*> scenes;
+  std::vector<std::size_t> frames;
+  struct Steps : Observer {
+    std::vector<std::size_t> fingers{};
+    void step(const Step& step) override {
+      CHECK(step.kind == Step::Kind::finger);
+      fingers.push_back(step.count);
+    }
+  } steps;
+  const FrameOf frame_of{
+      .readings = [&](const std::filesystem::path&, const Scene& scene, std::size_t frame) {
+        scenes.insert(&scene);
+        frames.push_back(frame);
+        return frames::readings_of_frame(SCENES "/recorded/thin-pad.csv", scene, frame);
+      }};
+  const GraspResult grasp =
+      held(finger(-1.0, recorded("a.csv", 5)) + finger(1.0, recorded("b.csv", 6)), frame_of, steps);
+  CHECK(scenes.size() == 1);
+  CHECK(frames == std::vector<std::size_t>{5, 6});
+  CHECK(steps.fingers == std::vector<std::size_t>{1, 2});
+  // The recording's true normal forces, from finite elements.
+  const double truth[] = {111.40612286429973, 111.2945479999271};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const FingertipForce& force = *grasp.tips[i].force;
+    const double deviation = force.covariance.deviation(ContactValue::normal);
+    CHECK(deviation > 0.0);
+    CHECK_THAT(force.normal, WithinAbs(truth[i], 3.0 * deviation));
+    CHECK(force.covariance(ContactValue::normal, ContactValue::centre) ==
+          force.covariance(ContactValue::centre, ContactValue::normal));
+  }
+}
+
+TEST_CASE("a frame whose tractions overflow is refused by finger and file", "[grasp]") {
+  // Only the last two taxels: the first tractions stay finite.
+  const FrameOf frame_of{
+      .readings = [](const std::filesystem::path&, const Scene& scene, std::size_t) {
+        std::vector<double> readings(2 * scene.sensor.count, 1.0);
+        readings[readings.size() - 1] = 1.7e308;
+        readings[readings.size() - 2] = -1.7e308;
+        return readings;
+      }};
+  CHECK_THROWS_WITH(held(finger(-1.0, recorded("a.csv", 2)), frame_of),
+                    ContainsSubstring("'left', a.csv, frame 2") && ContainsSubstring("overflow"));
+}
+
+TEST_CASE("hold says what it lacks", "[grasp]") {
+  CHECK_THROWS_WITH(held(finger(-1.0, assumed)), ContainsSubstring("nothing to compute"));
+  CHECK_THROWS_AS(held(finger(-1.0, recorded("a.csv", 0))), std::invalid_argument);
+  CHECK_THROWS_AS(held(finger(-1.0, "{ tractions = \"t.csv\", pitch = 0.01 }")),
+                  std::invalid_argument);
+  CHECK_THROWS_WITH(held(finger(-1.0, "{ scene = \"" + pad + "\" }")),
+                    ContainsSubstring("nothing presses on this fingertip"));
+}

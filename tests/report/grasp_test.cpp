@@ -1,0 +1,76 @@
+// A grasp's sentences, made from kinds and numbers.
+#include <string>
+#include <vector>
+
+#include "tactile_net/report/words/grasp_words.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+using namespace tactile_net::report;
+
+namespace {
+
+using lab::GraspAnswer;
+using Failed = lab::GraspFailure::Kind;
+using Weak = lab::GraspRemark::Kind;
+
+lab::GraspResult two_fingers() {
+  lab::GraspResult grasp;
+  grasp.tips.resize(2);
+  grasp.tips[0].finger.name = "thumb";
+  grasp.tips[1].finger.name = "index";
+  return grasp;
+}
+
+}  // namespace
+
+TEST_CASE("every failure of a grasp has its sentence", "[grasp]") {
+  lab::GraspResult grasp = two_fingers();
+  grasp.failures = {
+      {.kind = Failed::pulls, .answer = GraspAnswer::held, .finger = 1, .number = 0.125},
+      {.kind = Failed::slips, .finger = 0, .number = 0.5},
+      {.kind = Failed::beyond_limit, .finger = 1, .joint = 1, .number = 0.25},
+      {.kind = Failed::unbalanced, .number = 20.0},
+      {.kind = Failed::cannot_hold, .answer = GraspAnswer::held, .reason = NoHold::beyond_cones},
+      {.kind = Failed::disagreement, .answer = GraspAnswer::held, .number = 1e-3}};
+  CHECK(failures_in_words(grasp) ==
+        std::vector<std::string>{
+            "to hold: finger 'index' would have to pull with 0.125",
+            "as measured: finger 'thumb' slips: its force is 0.5 outside the friction cone",
+            "as measured: finger 'index' exceeds the torque limit of joint 2 by 0.25",
+            "as measured: the forces do not carry the load: chi squared 20, beyond the 11.3 that "
+            "99 % of balanced grasps stay below",
+            "to hold: no forces within the friction cones carry the load",
+            "to hold: the thesis' equations give other torques, by 0.001"});
+}
+
+TEST_CASE("warnings are those of the fingertips, then those of the answers", "[grasp]") {
+  lab::GraspResult grasp = two_fingers();
+  grasp.remarks = {{Weak::idle, GraspAnswer::held, 1},
+                   {Weak::near_slipping, GraspAnswer::measured, 0}};
+  grasp.tips[1].remarks = {lab::remark::ForceBeyondEnds{0.025}, lab::remark::EffectNote{"a note"},
+                           lab::remark::Doubtful{lab::Verdict::unstable},
+                           lab::remark::ModelError{2.0}, lab::remark::TangentialUnseen{}};
+  CHECK(warnings_in_words(grasp) ==
+        std::vector<std::string>{
+            "finger 'index': 2.5 % of the normal force lies beyond the ends of the array",
+            "finger 'index': a note", "finger 'index': the reconstruction's verdict is unstable",
+            "finger 'index': the residual is larger than the noise stated explains: the model is "
+            "off by about 2 times the noise, which the bands do not hold",
+            "finger 'index': the tangential force is not measured: it is taken for zero",
+            "to hold: finger 'index' is not needed: it carries nothing",
+            "as measured: finger 'thumb' is less than two standard deviations from slipping"});
+}
+
+TEST_CASE("a contact's source is named with its file and frame", "[grasp]") {
+  lab::GraspResult grasp = two_fingers();
+  grasp.tips[0].source = lab::Fingertip::Source::readings;
+  grasp.tips[0].file = "a.csv";
+  grasp.tips[0].frame = 3;
+  grasp.tips[0].force = FingertipForce{.normal = 2.0, .tangential = -1.0};
+  grasp.tips[0].force->covariance(ContactValue::normal, ContactValue::normal) = 0.01;
+  CHECK(sources_in_words(grasp) ==
+        std::vector<std::string>{
+            "thumb: readings of a.csv, frame 3: normal 2 +- 0.1, tangential -1, centre 0",
+            "index: contact assumed: centre 0"});
+}
