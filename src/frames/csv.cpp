@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::frames {
@@ -43,63 +42,68 @@ std::string_view without_plus(std::string_view field) {
 
 }  // namespace
 
-std::vector<std::string> reading_columns(const SensorArray& array) {
-  std::vector<std::string> columns;
-  for (const Channel& channel : channels(array))
-    for (std::size_t taxel = 0; taxel < array.count; ++taxel)
-      columns.push_back(channel.name + "_" + std::to_string(taxel));
-  return columns;
-}
+CsvFrames::CsvFrames(std::istream& in, std::string file)
+    : in_(in), file_(std::move(file)), buffer_(longest_line) {}
 
-std::vector<std::string> traction_columns(std::size_t count, bool with_tangential) {
-  std::vector<std::string> columns;
-  for (const char* component : {"normal_", "tangential_"})
-    for (std::size_t i = 0; i < count && (with_tangential || component[0] == 'n'); ++i)
-      columns.push_back(component + std::to_string(i));
-  return columns;
-}
-
-CsvFrames::CsvFrames(std::istream& in, std::string file, std::span<const std::string> columns,
+CsvFrames::CsvFrames(std::istream& in, std::string file, std::vector<std::string> columns,
                      std::vector<bool> unread)
-    : in_(in), file_(std::move(file)), unread_(std::move(unread)), buffer_(longest_line) {
+    : CsvFrames(in, std::move(file)) {
+  unread_ = std::move(unread);
   if (!read_line())
     fail({}, "no header: the file is empty",
          "line 1 names the columns: " + columns.front() + ", ..., " + columns.back());
-  std::map<std::string, std::ptrdiff_t, std::less<>> wanted;
-  for (const std::string& column : columns)
-    wanted.emplace(column, static_cast<std::ptrdiff_t>(wanted.size()));
+  read_header();
+  find(std::move(columns));
+}
 
+CsvFrames::CsvFrames(std::istream& in, std::string file, const ChooseColumns& choose)
+    : CsvFrames(in, std::move(file)) {
+  if (!read_line()) fail({}, "no header: the file is empty", "line 1 names the columns");
+  read_header();
+  find(choose(header_));
+}
+
+void CsvFrames::read_header() {
   std::string_view rest = row_;
-  std::vector<bool> found(columns.size());
   for (bool more = true; more;) {
     const std::string_view field = take_field(rest, more);
-    const std::string name(trimmed(field));
+    std::string name(trimmed(field));
     if (std::find(header_.begin(), header_.end(), name) != header_.end())
       fail(field, "column '" + name + "' stands twice");
+    header_.push_back(std::move(name));
+  }
+}
+
+void CsvFrames::find(std::vector<std::string> columns) {
+  columns_ = std::move(columns);
+  unread_.resize(columns_.size());
+  std::map<std::string_view, std::ptrdiff_t> wanted;
+  for (const std::string& column : columns_)
+    wanted.emplace(column, static_cast<std::ptrdiff_t>(wanted.size()));
+
+  std::vector<bool> found(columns_.size());
+  for (const std::string& name : header_) {
     const auto match = wanted.find(name);
     if (match != wanted.end()) {
       target_.push_back(match->second);
       found[static_cast<std::size_t>(match->second)] = true;
-    } else if (name == "t" && header_.empty()) {
+    } else if (name == "t" && target_.empty()) {
       target_.push_back(time_field);
       has_time_ = true;
     } else {
       target_.push_back(ignored_field);
       ignored_.push_back(name);
     }
-    header_.push_back(name);
   }
 
-  std::size_t missing = 0;
-  std::string first;
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    if (!found[i] && missing++ == 0) first = columns[i];
-  if (missing > 0)
-    fail(row_,
-         "column '" + first + "' is missing" +
-             (missing > 1 ? " and " + std::to_string(missing - 1) + " more" : ""),
-         "the scene reads " + std::to_string(columns.size()) + " columns, " + columns.front() +
-             " to " + columns.back());
+  const auto missing = std::count(found.begin(), found.end(), false);
+  if (missing == 0) return;
+  const auto first = std::find(found.begin(), found.end(), false) - found.begin();
+  fail(row_,
+       "column '" + columns_[static_cast<std::size_t>(first)] + "' is missing" +
+           (missing > 1 ? " and " + std::to_string(missing - 1) + " more" : ""),
+       "the scene reads " + std::to_string(columns_.size()) + " columns, " + columns_.front() +
+           " to " + columns_.back());
 }
 
 bool CsvFrames::read_line() {
@@ -128,7 +132,7 @@ void CsvFrames::fail(std::string_view field, const std::string& message,
                      .hint = hint}});
 }
 
-bool CsvFrames::next(std::span<double> readings) {
+bool CsvFrames::next(std::span<double> values) {
   if (!read_line()) return false;
   std::string_view rest = row_;
   std::size_t fields = 0;
@@ -139,7 +143,7 @@ bool CsvFrames::next(std::span<double> readings) {
     const std::ptrdiff_t target = target_[fields];
     if (target == ignored_field) continue;
     if (target >= 0 && unread_[static_cast<std::size_t>(target)]) {
-      readings[static_cast<std::size_t>(target)] = 0.0;
+      values[static_cast<std::size_t>(target)] = 0.0;
       continue;
     }
 
@@ -158,7 +162,7 @@ bool CsvFrames::next(std::span<double> readings) {
     if (target == time_field)
       time_ = field;
     else
-      readings[static_cast<std::size_t>(target)] = value;
+      values[static_cast<std::size_t>(target)] = value;
   }
   if (fields < target_.size())
     fail(row_.substr(row_.size()), "the row has " + std::to_string(fields) +
@@ -196,10 +200,16 @@ void append_header(std::string& out, std::span<const std::string> columns, bool 
 
 void append_row(std::string& out, std::span<const double> values) {
   for (const double value : values) {
-    append_number(out, value);
+    if (!std::isnan(value)) append_number(out, value);
     out += ',';
   }
   if (!values.empty()) out.back() = '\n';
+}
+
+std::string csv_quoted(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  return quoted + '"';
 }
 
 }  // namespace tactile_net::frames

@@ -67,12 +67,10 @@ bool begins_like_npy(std::istream& in) {
 
 bool is_npy_name(const std::string& path) { return path.ends_with(".npy"); }
 
-NpyFrames::NpyFrames(std::istream& in, std::string file, std::span<const std::string> columns,
+NpyFrames::NpyFrames(std::istream& in, std::string file, std::vector<std::string> columns,
                      std::vector<bool> unread)
-    : in_(in),
-      file_(std::move(file)),
-      columns_(columns.begin(), columns.end()),
-      unread_(std::move(unread)) {
+    : in_(in), file_(std::move(file)), columns_(std::move(columns)), unread_(std::move(unread)) {
+  unread_.resize(columns_.size());
   constexpr const char* save = "numpy.save(file, numpy.ascontiguousarray(frames, dtype='<f8'))";
   unsigned char start[12] = {};
   in_.read(reinterpret_cast<char*>(start), 8);
@@ -117,7 +115,7 @@ void NpyFrames::refuse(const std::string& message, const std::string& hint) cons
   fail("frame " + std::to_string(next_ - 1) + ": " + message, hint);
 }
 
-bool NpyFrames::next(std::span<double> readings) {
+bool NpyFrames::next(std::span<double> values) {
   if (next_ == frames_) {
     if (in_.peek() != std::istream::traits_type::eof())
       fail("goes on after the " + std::to_string(frames_) + " frames of its header", "");
@@ -128,13 +126,13 @@ bool NpyFrames::next(std::span<double> readings) {
     fail("ends within frame " + std::to_string(next_) + " of " + std::to_string(frames_),
          "was it copied as a whole?");
   ++next_;
-  for (std::size_t i = 0; i < readings.size(); ++i) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
     const unsigned char* at = row_.data() + i * width_;
-    readings[i] = width_ == 8 ? std::bit_cast<double>(little_endian<std::uint64_t>(at))
-                              : std::bit_cast<float>(little_endian<std::uint32_t>(at));
+    values[i] = width_ == 8 ? std::bit_cast<double>(little_endian<std::uint64_t>(at))
+                            : std::bit_cast<float>(little_endian<std::uint32_t>(at));
     if (unread_[i])
-      readings[i] = 0.0;
-    else if (!std::isfinite(readings[i]))
+      values[i] = 0.0;
+    else if (!std::isfinite(values[i]))
       refuse("column " + std::to_string(i) + " (" + columns_[i] + ") is not finite",
              "list the taxel under [dead_taxels] if it is broken");
   }

@@ -1,9 +1,9 @@
 #include "tactile_net/frames/open.hpp"
 
 #include <filesystem>
-#include <iostream>
+#include <istream>
 
-#include "tactile_net/frames/failure.hpp"
+#include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/npy.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
@@ -33,18 +33,16 @@ std::ifstream open_frames(const std::string& path) {
   return file;
 }
 
-FrameFile::FrameFile(const std::string& path, const Scene& scene) : name_(path) {
-  const bool live = path == "-";
-  if (live)
-    name_ = "<stdin>";
+ReadingsFile::ReadingsFile(const std::string& path, const Scene& scene,
+                           std::istream* standard_input)
+    : live_(path == "-" && standard_input != nullptr), name_(live_ ? "<stdin>" : path) {
+  if (!live_) file_ = open_frames(path);
+  if (!live_ && (is_npy_name(path) || begins_like_npy(file_)))
+    source_ = std::make_unique<NpyFrames>(file_, name_, reading_columns(scene.sensor),
+                                          unread_columns(scene));
   else
-    file_ = open_frames(path);
-  const std::vector<std::string> columns = reading_columns(scene.sensor);
-  if (!live && (is_npy_name(path) || begins_like_npy(file_)))
-    source_ = std::make_unique<NpyFrames>(file_, name_, columns, unread_columns(scene));
-  else
-    source_ =
-        std::make_unique<CsvFrames>(live ? std::cin : file_, name_, columns, unread_columns(scene));
+    source_ = std::make_unique<CsvFrames>(live_ ? *standard_input : file_, name_,
+                                          reading_columns(scene.sensor), unread_columns(scene));
 }
 
 std::unique_ptr<FrameSink> make_sink(OutputFile& file, const std::string& path,

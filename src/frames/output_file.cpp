@@ -2,12 +2,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <iostream>
-#include <set>
+#include <ostream>
 #include <system_error>
-
-#include "tactile_net/frames/failure.hpp"
 
 namespace tactile_net::frames {
 namespace {
@@ -24,8 +22,9 @@ std::string suffix() { return ".partial-" + std::to_string(::getpid()); }
 
 }  // namespace
 
-OutputFile::OutputFile(const fs::path& path) : path_(path) {
-  if (path.empty() || path == "-") return;
+OutputFile::OutputFile(const fs::path& path, std::ostream* standard_output)
+    : path_(path), standard_output_(path.empty() || path == "-" ? standard_output : nullptr) {
+  if (standard_output_ != nullptr) return;
   std::error_code error;
   if (fs::is_symlink(path, error)) path_ = fs::weakly_canonical(path, error);
   const fs::file_status status = fs::status(path_, error);
@@ -50,19 +49,25 @@ OutputFile::~OutputFile() {
 }
 
 std::ostream& OutputFile::stream() noexcept {
-  if (file_.is_open()) return file_;
-  return std::cout;
+  if (standard_output_ != nullptr) return *standard_output_;
+  return file_;
 }
 
 void OutputFile::commit() {
   errno = 0;
   std::ostream& out = stream();
   out.flush();
-  if (file_.is_open()) file_.close();
-  if (!out) not_written(path_.empty() || path_ == "-" ? "standard output" : path_);
+  file_.close();
+  if (!out) not_written(standard_output_ != nullptr ? "standard output" : path_);
   if (temporary_.empty()) return;
   fs::rename(temporary_, path_);
   temporary_.clear();
+}
+
+void write_file(const fs::path& path, std::string_view content) {
+  OutputFile file(path);
+  file.stream().write(content.data(), std::ssize(content));
+  file.commit();
 }
 
 OutputFolder::OutputFolder(const fs::path& path) : path_(path) {
@@ -98,11 +103,11 @@ void OutputFolder::write(std::string_view name, std::string_view content) const 
   if (!file) not_written(path_ / name);
 }
 
-void OutputFolder::commit() {
+std::vector<std::string> OutputFolder::commit() {
   if (!fs::is_directory(path_)) {
     fs::rename(staging_, path_);
     staging_.clear();
-    return;
+    return {};
   }
   std::set<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(staging_)) {
@@ -114,21 +119,20 @@ void OutputFolder::commit() {
   for (const std::string& name : names) fs::rename(staging_ / name, path_ / name);
   fs::remove(staging_);
   staging_.clear();
-  note_others(path_, names);
+  return other_results(path_, names);
 }
 
-void note_others(const fs::path& folder, const std::set<std::string>& written) {
-  std::set<std::string> others;
+std::vector<std::string> other_results(const fs::path& folder,
+                                       const std::set<std::string>& written) {
+  std::vector<std::string> others;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string kind = entry.path().extension().string();
-    const std::string name = entry.path().filename().string();
+    std::string name = entry.path().filename().string();
     if (!written.contains(name) && (kind == ".csv" || kind == ".svg" || kind == ".cir"))
-      others.insert(name);
+      others.push_back(std::move(name));
   }
-  if (others.empty()) return;
-  std::string list;
-  for (const std::string& name : others) list += (list.empty() ? "" : ", ") + name;
-  std::cerr << "note: " << folder.string() << " holds files of another run too: " << list << '\n';
+  std::sort(others.begin(), others.end());
+  return others;
 }
 
 }  // namespace tactile_net::frames

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <sstream>
 
 #include "tests/catch.hpp"
@@ -7,16 +6,6 @@
 using namespace tactile_net;
 
 namespace {
-
-std::vector<std::string> shipped_scenes() {
-  std::vector<std::string> scenes;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(SCENES))
-    if (const auto folder = entry.path().parent_path().filename();
-        entry.path().extension() == ".toml" && folder != "recorded" && folder != "hands")
-      scenes.push_back(entry.path().string());
-  std::sort(scenes.begin(), scenes.end());
-  return scenes;
-}
 
 /// Without the lines that hold times.
 std::string timeless(const std::string& json) {
@@ -38,30 +27,6 @@ double number(const std::string& json, const std::string& key) {
 }
 
 }  // namespace
-
-TEST_CASE("every shipped scene runs, agrees with its circuit and writes a report", "[cli][spice]") {
-  REQUIRE(shipped_scenes().size() >= 10);
-  for (const std::string& path : shipped_scenes()) {
-    CAPTURE(path);
-    const Folder folder;
-    const ProcessResult result = tool({"run", path, "--out", folder / "out"});
-    CHECK(result.errors.empty());
-    REQUIRE(result.code == 0);
-    CHECK_THAT(result.output, ContainsSubstring("verdict"));
-    const std::string html = read_text(folder / "out/report.html");
-    CHECK_THAT(html, ContainsSubstring("<svg"));
-    CHECK_THAT(html, ContainsSubstring("</html>"));
-    CHECK(html.find("src=\"http") == std::string::npos);  // one file, no network
-    const std::string json = read_text(folder / "out/result.json");
-    if (json.find("\"network\": null") == std::string::npos) {
-      // What op-amps and devices add, `run` has judged.
-      if (json.find("\"difference_predicted\": null") != std::string::npos &&
-          number(json, "difference_of_devices") == 0.0)
-        CHECK(number(json, "difference_to_direct") <= 1e-9);
-      CHECK(std::filesystem::exists(folder / "out/network.cir"));
-    }
-  }
-}
 
 TEST_CASE("equal input gives equal bytes, times aside", "[cli][spice]") {
   const auto json = [] { return timeless(tool({"run", scene("adc.toml"), "--json", "-"}).output); };
@@ -142,16 +107,13 @@ TEST_CASE("an alpha that explains nothing is not ok", "[cli]") {
                                 ContainsSubstring("100 % of the readings unexplained"));
 }
 
-TEST_CASE("a file's name may be any bytes, and output that is lost is a failure", "[cli]") {
+TEST_CASE("a file's name may be any bytes", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s\xff.toml", small_scene);
   const ProcessResult result = tool({"run", path, "--json", "-", "--out", folder / "out"});
   CHECK(result.code == 0);
   CHECK(result.errors.empty());
   CHECK_THAT(result.output, ContainsSubstring("\"scene\": \"s\xef\xbf\xbd.toml\""));
-  const ProcessResult lost = run_process({"sh", "-c", TOOL " run '" + path + "' > /dev/full"});
-  CHECK(lost.code == 1);
-  CHECK_THAT(lost.errors, ContainsSubstring("standard output could not be written"));
 }
 
 TEST_CASE("an unloaded sensor has no traction and no relative error", "[cli][spice]") {
@@ -196,16 +158,6 @@ TEST_CASE("what double precision cannot resolve is said, not shown as an answer"
   const ProcessResult lost = deep("1e-40");
   CHECK(lost.code == 1);
   CHECK_THAT(lost.output, ContainsSubstring("rank deficient in double precision"));
-}
-
-TEST_CASE("without gnuplot the run succeeds and says what is missing", "[cli]") {
-  const Folder folder;
-  const std::string path = folder.write("s.toml", small_scene);
-  const ProcessResult result =
-      run_process({"env", "PATH=/nowhere", TOOL, "run", path, "--out", folder / "out"});
-  CHECK(result.code == 0);
-  CHECK_THAT(result.errors, ContainsSubstring("apt install gnuplot-nox"));
-  CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("no plots"));
 }
 
 TEST_CASE("without ngspice the other methods still answer", "[cli]") {

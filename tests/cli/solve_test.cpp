@@ -197,3 +197,32 @@ TEST_CASE("a dead taxel's column may hold anything", "[cli]") {
   CHECK(result.code == 0);
   CHECK(rows(result.output).size() == 1);
 }
+
+TEST_CASE("a frame whose tractions overflow anywhere is refused, and what came before stands",
+          "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write(
+      "s.toml",
+      "[sensor]\ncount = 41\npitch = 0.5e-3\ndepth = 1.5e-3\nreads = [\"stress_x\", \"shear_xy\"]\n"
+      "[material]\nyoungs_modulus = 0.2e6\npoisson_ratio = 0.45\n[reconstruct]\nalpha = 1e-6\n");
+  std::string columns;
+  for (const char* quantity : {"stress_x_", "shear_xy_"})
+    for (int i = 0; i < 41; ++i) columns += "," + std::string(quantity) + std::to_string(i);
+  const auto row = [](const std::string& last_but_one, const std::string& last) {
+    std::string text;
+    for (int i = 0; i < 80; ++i) text += "0,";
+    return text + last_but_one + ',' + last + '\n';
+  };
+  const std::string method = GENERATE("tikhonov", "closed_form", "dft");
+  CAPTURE(method);
+  const std::string csv = folder.write(
+      "r.csv", columns.substr(1) + '\n' + row("1", "2") + row("1e308", "-1e308") + row("1", "1"));
+  const ProcessResult result = tool({"solve", path, "--readings", csv, "--method", method, "-o",
+                                     folder / "f.csv", "--json", folder / "s.json"});
+  CHECK(result.code == 2);
+  CHECK_THAT(result.errors, StartsWith(csv + ":3:") && ContainsSubstring("overflow"));
+  const auto found = rows(read_text(folder / "f.csv"));
+  REQUIRE(found.size() == 1);
+  for (const double traction : found[0]) CHECK(std::isfinite(traction));
+  CHECK_FALSE(std::filesystem::exists(folder / "s.json"));
+}

@@ -1,5 +1,5 @@
 /// @file
-/// Runs the command as a user does, in a folder of its own.
+/// Runs the command: in this process, or as a user does.
 #pragma once
 
 #include <cstdlib>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tactile_net/simulator/child_process.hpp"
+#include "tests/cli/in_process.hpp"
 
 namespace tactile_net {
 
@@ -46,7 +47,13 @@ inline std::string read_text(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-inline ProcessResult tool(std::vector<std::string> arguments, const std::string& input = {}) {
+inline ProcessResult tool(const std::vector<std::string>& arguments,
+                          const std::string& input = {}) {
+  return test::run_in_process(arguments, input);
+}
+
+/// The program itself, for what only a process has: pipes, signals, an environment.
+inline ProcessResult program(std::vector<std::string> arguments, const std::string& input = {}) {
   arguments.insert(arguments.begin(), TOOL);
   return run_process(arguments, {.input = input});
 }

@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/network/opamp.hpp"
 #include "tools/circuits/numbers.hpp"
-#include "tools/write_file.hpp"
 
 namespace {
 
@@ -224,10 +224,10 @@ void write_amplifiers(const std::filesystem::path& folder) {
       {"two_poles", {.gain = 1e6, .bandwidth = 10e6, .second_pole = 20e6}},
       {"clamped", {.gain = 1e6, .bandwidth = 10e6, .rail = 12.0}}};
   for (const auto& [step, opamp] : models) {
-    tool::write_file(folder / ("opamp_" + std::string(step) + ".lib"),
-                     subcircuit_text({"opamp", opamp, Outputs::single}));
-    tool::write_file(folder / ("amplifier_" + std::string(step) + ".lib"),
-                     subcircuit_text({"amplifier", opamp, Outputs::complementary}));
+    frames::write_file(folder / ("opamp_" + std::string(step) + ".lib"),
+                       subcircuit_text({"opamp", opamp, Outputs::single}));
+    frames::write_file(folder / ("amplifier_" + std::string(step) + ".lib"),
+                       subcircuit_text({"amplifier", opamp, Outputs::complementary}));
   }
 }
 
@@ -251,7 +251,7 @@ int main(int argc, char** argv) {
   try {
     const std::filesystem::path folder = argv[1];
     write_amplifiers(folder / "circuits");
-    tool::write_file(folder / "docs" / "circuits.md", page());
+    frames::write_file(folder / "docs" / "circuits.md", page());
   } catch (const std::exception& error) {
     std::cerr << "tactile-net-circuits: error: " << error.what() << '\n';
     return 1;

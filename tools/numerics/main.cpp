@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/frames/output_file.hpp"
 #include "tests/hard/outcomes.hpp"
-#include "tools/write_file.hpp"
 
 namespace {
 
@@ -113,7 +113,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    tactile_net::tool::write_file(argv[1], page());
+    tactile_net::frames::write_file(argv[1], page());
   } catch (const std::exception& error) {
     std::cerr << "tactile-net-numerics: error: " << error.what() << '\n';
     return 1;

@@ -3,8 +3,8 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "tactile_net/frames/output_file.hpp"
 #include "tools/thesis/chapter.hpp"
-#include "tools/write_file.hpp"
 
 namespace {
 
@@ -24,11 +24,12 @@ std::string page(const std::filesystem::path& folder) {
   for (const auto make :
        {kernels, example_3_1, example_3_2, forty_one_sensors, example_4_1, example_4_2, errata}) {
     const Chapter chapter = make();
-    const std::vector<std::string> pictures =
-        chapter.plots.empty() ? std::vector<std::string>{} : tactile_net::report::draw(chapter.plots);
+    const std::vector<std::string> pictures = chapter.plots.empty()
+                                                  ? std::vector<std::string>{}
+                                                  : tactile_net::report::draw(chapter.plots);
     std::string part = chapter.text;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-      tactile_net::tool::write_file(folder / "thesis" / (chapter.names[i] + ".svg"), pictures[i]);
+      tactile_net::frames::write_file(folder / "thesis" / (chapter.names[i] + ".svg"), pictures[i]);
       const std::string mark = "{" + std::to_string(i) + "}";
       part.replace(part.find(mark), mark.size(),
                    "![" + chapter.plots[i].title + "](thesis/" + chapter.names[i] + ".svg)");
@@ -48,7 +49,7 @@ int main(int argc, char** argv) {
   try {
     const std::filesystem::path folder = argv[1];
     std::filesystem::create_directories(folder / "thesis");
-    tactile_net::tool::write_file(folder / "thesis.md", page(folder));
+    tactile_net::frames::write_file(folder / "thesis.md", page(folder));
   } catch (const std::exception& error) {
     std::cerr << "tactile-net-thesis: error: " << error.what() << '\n';
     return 1;

@@ -1,70 +1,55 @@
 /// @file
-/// Frames on disk: where they come from, where they go, and as CSV, a header and one frame a row.
+/// Frames as CSV: a header, then one frame a row. Numbers are the same in every locale.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "tactile_net/sensing/array.hpp"
+#include "tactile_net/frames/source.hpp"
 
 namespace tactile_net::frames {
 
-/// "strain_x_0" ... for every channel of an array, in the order of its readings.
-[[nodiscard]] std::vector<std::string> reading_columns(const SensorArray& array);
-
-/// The columns of a tractions file: "normal_0" ..., then "tangential_0" ...
-[[nodiscard]] std::vector<std::string> traction_columns(std::size_t count, bool with_tangential);
-
-/// Recorded frames, one after another in constant memory.
-class FrameSource {
- public:
-  virtual ~FrameSource() = default;
-
-  /// The next frame, false at the end of the input.
-  ///
-  /// @param readings  one value per column; 0 where unread
-  /// @throw InputError  the frame is not whole, or a value not a finite number
-  [[nodiscard]] virtual bool next(std::span<double> readings) = 0;
-
-  /// @throw InputError  always: what is wrong with the frame last read
-  [[noreturn]] virtual void refuse(const std::string& message, const std::string& hint) const = 0;
-
-  [[nodiscard]] virtual bool has_time() const noexcept { return false; }
-  /// The text of column `t` in the frame last read.
-  [[nodiscard]] virtual std::string_view time() const noexcept { return {}; }
-  /// Columns of the file that are not read.
-  [[nodiscard]] virtual std::span<const std::string> ignored() const noexcept { return {}; }
-};
-
-/// CSV; columns are found by name.
+/// Reads CSV; columns are found by name.
 class CsvFrames final : public FrameSource {
  public:
   static constexpr std::size_t longest_line = std::size_t{1} << 20;  // bytes
 
+  /// Which columns to read, given the names in the file's header.
+  using ChooseColumns =
+      std::function<std::vector<std::string>(std::span<const std::string> header)>;
+
   /// Reads the header.
   ///
-  /// @param columns   names of the readings, in the order `next` returns them
-  /// @param unread    per column: true if its values do not matter (a dead taxel) and may be any
-  /// text
-  /// @param file      name for messages
+  /// @param file     name for messages
+  /// @param columns  names to read, in the order `next` returns them
+  /// @param unread   per column: true if its values do not matter (a dead taxel) and may be any
+  ///                 text; empty: all matter
   /// @throw InputError  there is no header, a column is missing or stands twice
-  CsvFrames(std::istream& in, std::string file, std::span<const std::string> columns,
-            std::vector<bool> unread);
+  CsvFrames(std::istream& in, std::string file, std::vector<std::string> columns,
+            std::vector<bool> unread = {});
+
+  /// The same where the columns depend on what the file has.
+  CsvFrames(std::istream& in, std::string file, const ChooseColumns& choose);
 
   /// As `FrameSource`; rows that are empty are skipped. @throw InputError  a row has too few or too
   /// many fields too: the text names file, line and column
-  [[nodiscard]] bool next(std::span<double> readings) override;
+  [[nodiscard]] bool next(std::span<double> values) override;
   [[noreturn]] void refuse(const std::string& message, const std::string& hint) const override;
 
+  [[nodiscard]] std::span<const std::string> columns() const noexcept override { return columns_; }
   [[nodiscard]] bool has_time() const noexcept override { return has_time_; }
   [[nodiscard]] std::string_view time() const noexcept override { return time_; }
   [[nodiscard]] std::span<const std::string> ignored() const noexcept override { return ignored_; }
 
  private:
+  CsvFrames(std::istream& in, std::string file);
+  void read_header();
+  void find(std::vector<std::string> columns);
   [[nodiscard]] bool read_line();
   [[noreturn]] void fail(std::string_view field, const std::string& message,
                          const std::string& hint = {}) const;
@@ -72,7 +57,8 @@ class CsvFrames final : public FrameSource {
   std::istream& in_;
   std::string file_;
   std::vector<std::string> header_;
-  std::vector<std::ptrdiff_t> target_;  // per field of a row: index into readings, or below
+  std::vector<std::string> columns_;
+  std::vector<std::ptrdiff_t> target_;  // per field of a row: index into the values, or below
   std::vector<bool> unread_;
   std::vector<std::string> ignored_;
   std::vector<char> buffer_;
@@ -82,19 +68,7 @@ class CsvFrames final : public FrameSource {
   bool has_time_ = false;
 };
 
-/// Frames on their way to a file.
-class FrameSink {
- public:
-  virtual ~FrameSink() = default;
-  /// @param time  text of the column `t`; not used without one
-  virtual void add(std::string_view time, std::span<const double> values) = 0;
-  /// Hands on everything so far. @throw std::runtime_error  it could not be written
-  virtual void flush() = 0;
-  /// To be called once, after the last frame.
-  virtual void finish() { flush(); }
-};
-
-/// CSV: a header, `t` first if `with_time`, then one frame a row. Written when a block is full.
+/// Writes CSV, `t` first if `with_time`; a block at a time.
 class CsvSink final : public FrameSink {
  public:
   CsvSink(std::ostream& out, std::span<const std::string> columns, bool with_time);
@@ -110,7 +84,10 @@ class CsvSink final : public FrameSink {
 /// The names, and `t` first if `with_time`, separated by commas, and a newline.
 void append_header(std::string& out, std::span<const std::string> columns, bool with_time);
 
-/// Values separated by commas, shortest exact text, and a newline.
+/// Values separated by commas, shortest exact text, NaN as an empty field, and a newline.
 void append_row(std::string& out, std::span<const double> values);
+
+/// As a field, in quotes, its own doubled (RFC 4180).
+[[nodiscard]] std::string csv_quoted(std::string_view text);
 
 }  // namespace tactile_net::frames

@@ -20,7 +20,7 @@ namespace tactile_net::frames {
 
 /// @param file    tractions as `solve` writes them, CSV
 /// @param number  of the frame, from 0
-/// @throw InputError  as `TractionsFile`; there are not that many frames
+/// @throw InputError  as `CsvFrames`; there are not that many frames
 [[nodiscard]] TractionField tractions_of_frame(const std::filesystem::path& file,
                                                std::size_t number);
 

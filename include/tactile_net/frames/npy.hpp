@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/frames/csv.hpp"
+#include "tactile_net/frames/source.hpp"
 
 namespace tactile_net::frames {
 
@@ -29,11 +29,12 @@ class NpyFrames final : public FrameSource {
   /// @param columns, unread  as for `CsvFrames`; the array has these columns in this order
   /// @throw InputError  not a .npy, no array of two dimensions in C order, another type, another
   ///                    number of columns, or not as long as its header says
-  NpyFrames(std::istream& in, std::string file, std::span<const std::string> columns,
-            std::vector<bool> unread);
+  NpyFrames(std::istream& in, std::string file, std::vector<std::string> columns,
+            std::vector<bool> unread = {});
 
-  [[nodiscard]] bool next(std::span<double> readings) override;
+  [[nodiscard]] bool next(std::span<double> values) override;
   [[noreturn]] void refuse(const std::string& message, const std::string& hint) const override;
+  [[nodiscard]] std::span<const std::string> columns() const noexcept override { return columns_; }
 
  private:
   [[noreturn]] void fail(const std::string& message, const std::string& hint) const;

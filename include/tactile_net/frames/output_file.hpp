@@ -6,17 +6,25 @@
 #include <fstream>
 #include <iosfwd>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tactile_net::frames {
+
+/// An output cannot be created where the user asked for it.
+class CannotCreate : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// One file, or standard output for "-" and for an empty path. Devices and pipes are written to
 /// directly.
 class OutputFile {
  public:
+  /// @param standard_output  must live as long as this; null: the path is a file's whatever it is
   /// @throw CannotCreate  the file cannot be created
-  explicit OutputFile(const std::filesystem::path& path);
+  explicit OutputFile(const std::filesystem::path& path, std::ostream* standard_output = nullptr);
   ~OutputFile();  ///< removes what was not committed
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -31,9 +39,13 @@ class OutputFile {
 
  private:
   std::filesystem::path path_;
+  std::ostream* standard_output_;    // null: `file_` is written to
   std::filesystem::path temporary_;  // empty: written directly
   std::ofstream file_;
 };
+
+/// Writes a file as a whole. @throw CannotCreate, std::runtime_error  as `OutputFile`
+void write_file(const std::filesystem::path& path, std::string_view content);
 
 /// A folder of result files that appear together.
 class OutputFolder {
@@ -48,16 +60,19 @@ class OutputFolder {
   /// @throw std::runtime_error  not written: a full disk
   void write(std::string_view name, std::string_view content) const;
 
-  /// Moves every file into place, replacing those of an earlier run, and notes what else is there.
+  /// Moves every file into place, replacing those of an earlier run.
+  ///
+  /// @return what else is there, as `other_results`
   /// @throw CannotCreate  a folder stands where a file should
-  void commit();
+  [[nodiscard]] std::vector<std::string> commit();
 
  private:
   std::filesystem::path path_;
   std::filesystem::path staging_;
 };
 
-/// Says on standard error which results a folder holds beside those just written.
-void note_others(const std::filesystem::path& folder, const std::set<std::string>& written);
+/// The results (CSV, SVG, decks) that a folder holds beside those just written, sorted.
+[[nodiscard]] std::vector<std::string> other_results(const std::filesystem::path& folder,
+                                                     const std::set<std::string>& written);
 
 }  // namespace tactile_net::frames

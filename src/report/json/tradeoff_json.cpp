@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "report/json/values.hpp"
+#include "tactile_net/frames/csv.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -110,8 +111,10 @@ std::string study_csv(const lab::Study& study) {
       "failure\n";
   for (const lab::StudySection& section : study.sections)
     for (const lab::WorkPoint& point : section.points) {
-      text += csv_quoted(in_words(section.job)) + ',' + csv_quoted(in_words(point.curve)) + ',' +
-              csv_quoted(in_words(point.knob)) + ',' + std::string(name(point.time_of)) + ',';
+      text += frames::csv_quoted(in_words(section.job)) + ',' +
+              frames::csv_quoted(in_words(point.curve)) + ',' +
+              frames::csv_quoted(in_words(point.knob)) + ',' + std::string(name(point.time_of)) +
+              ',';
       for (const double seconds : {point.seconds, point.seconds_low, point.seconds_high}) {
         append_number(text, seconds);
         text += ',';
@@ -120,7 +123,7 @@ std::string study_csv(const lab::Study& study) {
         if (error) append_number(text, *error);
         text += ',';
       }
-      text += csv_quoted(failure_of(point)) + '\n';
+      text += frames::csv_quoted(failure_of(point)) + '\n';
     }
   return text;
 }

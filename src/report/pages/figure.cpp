@@ -2,19 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <stdexcept>
 
+#include "tactile_net/frames/csv.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/pages/html.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
 namespace {
 
 /// A field of a CSV file, quoted where it must be.
 std::string field(const std::string& text) {
-  return text.find_first_of(",\"\n") == std::string::npos ? text : csv_quoted(text);
+  return text.find_first_of(",\"\n") == std::string::npos ? text : frames::csv_quoted(text);
 }
 
 std::string value(double number) { return std::isfinite(number) ? shortest(number) : ""; }
@@ -56,12 +55,6 @@ std::string csv_of(const Plot& plot) {
     text += '\n';
   }
   return text;
-}
-
-void write(const frames::OutputFolder& folder, const Report& report) {
-  folder.write("report.html", report.html);
-  for (const auto& [file, content] : report.files) folder.write(file, content);
-  if (!report.missing.empty()) std::cerr << "note: " << report.missing << '\n';
 }
 
 Figures::Figures(std::vector<Figure> figures) : figures_(std::move(figures)) {

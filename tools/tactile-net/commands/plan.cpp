@@ -1,14 +1,17 @@
+#include "commands/plan.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <memory>
 #include <optional>
+#include <ostream>
 
-#include "commands/commands.hpp"
+#include "commands/deadline.hpp"
+#include "commands/results.hpp"
+#include "failure.hpp"
 #include "report/json/values.hpp"
 #include "tactile_net/control/fftw_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
-#include "tactile_net/frames/failure.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
@@ -27,33 +30,19 @@
 namespace tactile_net::tool {
 namespace {
 
-struct Options {
-  std::string scene;
-  std::string output;
-  std::string readings;
-  std::string structure;
-  std::string precision;
-  std::string json;
-  std::optional<std::string> deadline;
-  double accuracy = PlannerOptions{}.accuracy;
-  std::optional<double> friction;
-  bool no_diagnostics = false;
-  bool allow_fft = false;
-};
-
 struct Alpha {
   double value = 0.0;
   std::string source;
 };
 
 /// The middle of what the scene's rule chooses on recorded frames: a plan has one alpha for all.
-Alpha alpha_of_frames(const Scene& scene, const std::string& path) {
-  frames::FrameFile file(path, scene);
+Alpha alpha_of_frames(const Scene& scene, const std::string& path, const Streams& streams) {
+  frames::ReadingsFile file(path, scene, &streams.in);
   const InverseProblem problem = lab::problem_of(scene);
   const TikhonovFamily family(problem);
   std::vector<double> readings(problem.kernel.rows);
   std::vector<double> alphas;
-  Progress progress;
+  Progress progress(streams);
   while (file.source().next(readings)) {
     alphas.push_back(choose_alpha(family.analyse(readings), scene.reconstruct.alpha_rule,
                                   lab::stated_noise(scene))
@@ -67,9 +56,9 @@ Alpha alpha_of_frames(const Scene& scene, const std::string& path) {
                        std::to_string(alphas.size()) + " frames"};
 }
 
-Alpha alpha_of(const Scene& scene, const Options& options) {
+Alpha alpha_of(const Scene& scene, const PlanOptions& options, const Streams& streams) {
   if (scene.reconstruct.alpha) return {*scene.reconstruct.alpha, "given"};
-  if (!options.readings.empty()) return alpha_of_frames(scene, options.readings);
+  if (!options.readings.empty()) return alpha_of_frames(scene, options.readings, streams);
   if (scene.contacts.empty())
     throw InputError({{.file = options.scene,
                        .message = "has a rule for alpha, but neither a contact nor readings to "
@@ -90,7 +79,7 @@ std::optional<Enum> named(const std::string& text, const char* option,
     if (name(one) == text) return one;
     known += (known.empty() ? "" : ", ") + std::string(name(one));
   }
-  throw CLI::ValidationError(option, "'" + text + "' is none of " + known);
+  throw WrongUsage(option, "'" + text + "' is none of " + known);
 }
 
 /// What a frame of the plan takes on this machine.
@@ -104,7 +93,9 @@ lab::Seconds frame_of(const EstimatorPlan& plan) {
   return lab::time_of([&] { (void)estimator.update(readings, estimate); });
 }
 
-void run(const Options& options) {
+}  // namespace
+
+void run(const PlanOptions& options, const Streams& streams) {
   std::optional<double> deadline;
   if (options.deadline) deadline = deadline_of(*options.deadline);
   const Scene scene = read_scene(options.scene);
@@ -126,14 +117,14 @@ void run(const Options& options) {
                           {scene.quantization->low, scene.quantization->high});
   planner.label = scene.title.empty() ? scene.file : scene.title;
   if (lab::constraints_of(scene))
-    std::cerr << "warning: a plan is linear: nonnegative and friction_limit do not bind it\n";
+    streams.err << "warning: a plan is linear: nonnegative and friction_limit do not bind it\n";
 
-  std::optional<frames::OutputFile> output;
-  if (!options.output.empty()) output.emplace(options.output);
-  const Alpha alpha = alpha_of(scene, options);
+  const auto output = output_if(options.output, streams);
+  const auto summary = output_if(options.json, streams);
+  const Alpha alpha = alpha_of(scene, options, streams);
   const PlannedEstimator planned = plan_estimator(lab::problem_of(scene), alpha.value, planner);
   const EstimatorPlan& plan = planned.plan;
-  std::ostream& out = options.output == "-" || options.json == "-" ? std::cerr : std::cout;
+  std::ostream& out = options.output == "-" || options.json == "-" ? streams.err : streams.out;
   out << plan.label << ": " << plan.readings() << " readings to " << plan.tractions()
       << " tractions, alpha " << brief(plan.alpha) << " (" << alpha.source << ")\n"
       << planned.why();
@@ -145,11 +136,11 @@ void run(const Options& options) {
   if (deadline) out << ": " << brief(*deadline / frame.median) << " times inside the deadline";
   out << '\n';
   if (deadline && frame.median > *deadline)
-    throw frames::CheckFailed(
-        "the fastest plan of accuracy " + brief(options.accuracy) + " takes " +
-        duration(frame.median) + ", the deadline is " + duration(*deadline) + ": raise --accuracy" +
-        (plan.prediction ? ", or leave the residual out: --no-diagnostics" : "") +
-        "; tradeoff tells what each method takes");
+    throw CheckFailed("the fastest plan of accuracy " + brief(options.accuracy) + " takes " +
+                      duration(frame.median) + ", the deadline is " + duration(*deadline) +
+                      ": raise --accuracy" +
+                      (plan.prediction ? ", or leave the residual out: --no-diagnostics" : "") +
+                      "; tradeoff tells what each method takes");
   if (output) {
     const std::vector<std::byte> bytes = encode_plan(plan);
     output->stream().write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
@@ -167,58 +158,19 @@ void run(const Options& options) {
                           {"error_bound", candidate.error_bound},
                           {"accurate", candidate.accurate},
                           {"chosen", candidate.chosen}});
-  frames::OutputFile summary(options.json);
-  summary.stream() << report::text_of(report::Json{{"tactile_net", version()},
-                                                   {"scene", scene.file},
-                                                   {"readings", plan.readings()},
-                                                   {"tractions", plan.tractions()},
-                                                   {"alpha", plan.alpha},
-                                                   {"alpha_rule", alpha.source},
-                                                   {"accuracy", plan.accuracy},
-                                                   {"error_bound", plan.error_bound},
-                                                   {"asymmetry", planned.asymmetry},
-                                                   {"frame_seconds", frame.median},
-                                                   {"candidates", std::move(candidates)}},
-                                      2);
-  summary.commit();
-}
-
-}  // namespace
-
-void add_plan(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand(
-      "plan",
-      "Make the plan that a controller loads: how to solve a frame fastest for a stated "
-      "accuracy, and why so");
-  command->add_option("SCENE", options->scene, "Scene file (TOML): sensor, material, alpha")
-      ->required();
-  command->add_option("-o,--output", options->output,
-                      "Plan file, to be read by load_plan (default: only say what it would be)");
-  command
-      ->add_option("--accuracy", options->accuracy,
-                   "Largest error, relative to the tractions, of the planned against the dense "
-                   "product")
-      ->capture_default_str();
-  command->add_option("--deadline", options->deadline,
-                      "A frame must be done within this on this machine: 100us, 1ms, ...");
-  command->add_option("--readings", options->readings,
-                      "Recorded frames (CSV): the scene's rule for alpha is applied to each, and "
-                      "the median taken");
-  command->add_option("--friction", options->friction,
-                      "Friction coefficient for the friction margin (default: the scene's "
-                      "friction_limit)");
-  command->add_option("--structure", options->structure,
-                      "dense, low_rank, parity, parity_low_rank or fft (default: the cheapest)");
-  command->add_option("--precision", options->precision,
-                      "float64 or float32 (default: the cheapest)");
-  command->add_flag("--allow-fft", options->allow_fft,
-                    "Offer fft too, for long arrays: the controller then links "
-                    "tactile_net::spectral (FFTW, GPL)");
-  command->add_flag("--no-diagnostics", options->no_diagnostics,
-                    "No residual, no outliers, no dead taxels at run time: faster");
-  command->add_option("--json", options->json, "Write the choice as JSON (- = standard output)");
-  command->callback([options] { run(*options); });
+  summary->stream() << report::text_of(report::Json{{"tactile_net", version()},
+                                                    {"scene", scene.file},
+                                                    {"readings", plan.readings()},
+                                                    {"tractions", plan.tractions()},
+                                                    {"alpha", plan.alpha},
+                                                    {"alpha_rule", alpha.source},
+                                                    {"accuracy", plan.accuracy},
+                                                    {"error_bound", plan.error_bound},
+                                                    {"asymmetry", planned.asymmetry},
+                                                    {"frame_seconds", frame.median},
+                                                    {"candidates", std::move(candidates)}},
+                                       2);
+  summary->commit();
 }
 
 }  // namespace tactile_net::tool

@@ -1,33 +1,26 @@
-#include <iostream>
-#include <map>
+#include "commands/simulate.hpp"
+
 #include <memory>
 #include <optional>
+#include <ostream>
 
-#include "commands/commands.hpp"
-#include "report/json/scene_json.hpp"
+#include "commands/results.hpp"
 #include "tactile_net/frames/open.hpp"
-#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/summary.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/json/simulate_json.hpp"
+#include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
-#include "terminal/progress.hpp"
 
 namespace tactile_net::tool {
 namespace {
 
-struct Options {
-  std::string scene;
-  std::string output;
-  std::string truth;
-  std::string json;
-};
-
 /// Tractions at the taxels, with the tangential ones where any frame has them.
 class TruthFile {
  public:
-  TruthFile(const std::string& path, const Scene& scene)
-      : file_(path),
+  TruthFile(const std::string& path, const Scene& scene, std::ostream& standard_output)
+      : file_(path, &standard_output),
         tangential_(any_friction(scene)),
         sink_(frames::make_sink(file_, path,
                                 frames::traction_columns(scene.sensor.count, tangential_),
@@ -54,59 +47,36 @@ class TruthFile {
   std::vector<double> row_;
 };
 
-void run(const Options& options) {
-  const Scene scene = read_scene(options.scene);
-  frames::OutputFile output(options.output);
-  const std::unique_ptr<frames::FrameSink> sink = frames::make_sink(
-      output, options.output, frames::reading_columns(scene.sensor), scene.time.has_value());
-  std::optional<TruthFile> truth;
-  if (!options.truth.empty()) truth.emplace(options.truth, scene);
+}  // namespace
 
-  Progress progress;
+void run(const SimulateOptions& options, const Streams& streams) {
+  const Scene scene = read_scene(options.scene);
+  const std::vector<std::string> columns = frames::reading_columns(scene.sensor);
+  frames::OutputFile output(options.output, &streams.out);
+  const std::unique_ptr<frames::FrameSink> sink =
+      frames::make_sink(output, options.output, columns, scene.time.has_value());
+  std::optional<TruthFile> truth;
+  if (!options.truth.empty()) truth.emplace(options.truth, scene, streams.out);
+  const auto summary = output_if(options.json, streams);
+
+  Progress progress(streams);
   lab::SensorRecording recording(scene);
-  std::size_t frames = 0;
-  std::map<std::string, std::size_t> cut_off;  // effect -> frames
+  lab::RecordedFrames recorded;
   while (recording.next()) {
     const std::string time = shortest(recording.time());
     sink->add(time, recording.readings());
     if (truth) truth->add(time, recording.truth());
-    for (const CutOffNote& note : recording.notes()) ++cut_off[std::string(note.effect)];
-    ++frames;
-    if (progress.due()) progress.say(std::to_string(frames) + " frames ...");
+    recorded.add(recording);
+    if (progress.due()) progress.say(std::to_string(recorded.frames) + " frames ...");
   }
   progress.clear();
   sink->finish();
   output.commit();
   if (truth) truth->commit();
 
-  for (const auto& [effect, count] : cut_off)
-    std::cerr << "note: " << effect << " cuts readings off in " << count << " of " << frames
-              << " frames\n";
-  if (options.json.empty()) return;
-  frames::OutputFile summary(options.json);
-  report::Json json = report::scene_json(scene);
-  json.erase("frame");
-  json["frames"] = frames;
-  json["rate"] = scene.time ? report::Json(scene.time->rate) : report::Json(nullptr);
-  json["columns"] = frames::reading_columns(scene.sensor);
-  json["frames_cut_off"] = cut_off;
-  summary.stream() << report::text_of(json);
-  summary.commit();
-}
-
-}  // namespace
-
-void add_simulate(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand(
-      "simulate", "Record what the scene's sensor reads, one frame a row, as solve reads it back");
-  command->add_option("SCENE", options->scene, "Scene file (TOML)")->required();
-  command->add_option("-o,--output", options->output,
-                      "CSV or .npy file for the readings (default: CSV on standard output)");
-  command->add_option("--truth", options->truth,
-                      "CSV or .npy file for the contacts' tractions at the taxels [Pa]");
-  command->add_option("--json", options->json, "Write a summary as JSON to this file");
-  command->callback([options] { run(*options); });
+  for (const std::string& sentence : report::in_words(recorded))
+    streams.err << "note: " << sentence << '\n';
+  if (summary) write(summary.get(), report::simulate_json(scene, recorded, columns));
 }
 
 }  // namespace tactile_net::tool

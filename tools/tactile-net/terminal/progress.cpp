@@ -1,8 +1,6 @@
 #include "terminal/progress.hpp"
 
-#include <unistd.h>
-
-#include <iostream>
+#include <ostream>
 
 #include "tactile_net/report/words/step_words.hpp"
 
@@ -11,10 +9,8 @@ namespace {
 constexpr std::string_view clear_line = "\r\033[K";
 }
 
-Progress::Progress(bool wanted) : terminal_(wanted && ::isatty(STDERR_FILENO) == 1) {}
-
 void Progress::clear() {
-  if (shown_) std::cerr << clear_line << std::flush;
+  if (shown_) err_ << clear_line << std::flush;
   shown_ = false;
 }
 
@@ -24,7 +20,7 @@ void Progress::step(const lab::Step& step) {
 
 void Progress::say(const std::string& text) {
   if (!terminal_) return;
-  std::cerr << clear_line << text << std::flush;
+  err_ << clear_line << text << std::flush;
   shown_ = true;
 }
 

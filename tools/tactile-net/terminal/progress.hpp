@@ -1,18 +1,19 @@
 /// @file
-/// One line on a terminal that says what is going on; nothing when stderr is not a terminal.
+/// One line on a terminal that says what is going on; nothing when nobody watches.
 #pragma once
 
 #include <chrono>
+#include <iosfwd>
 #include <string>
 
+#include "streams.hpp"
 #include "tactile_net/lab/observer.hpp"
 
 namespace tactile_net::tool {
 
 class Progress final : public lab::Observer {
  public:
-  /// @param wanted  false: never a line
-  explicit Progress(bool wanted = true);
+  explicit Progress(const Streams& streams) : err_(streams.err), terminal_(streams.terminal) {}
   ~Progress() override { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -28,6 +29,7 @@ class Progress final : public lab::Observer {
   [[nodiscard]] bool due() noexcept;
 
  private:
+  std::ostream& err_;
   bool terminal_;
   bool shown_ = false;
   std::chrono::steady_clock::time_point last_{};

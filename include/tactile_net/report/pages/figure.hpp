@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/report/pages/plot.hpp"
 
 namespace tactile_net::report {
@@ -29,9 +28,6 @@ struct Report {
   std::string missing{};  ///< what could not be drawn and why; empty: nothing is missing
   Files files{};
 };
-
-/// report.html and its files; says on standard error what is missing.
-void write(const frames::OutputFolder& folder, const Report& report);
 
 /// Every figure of a page, drawn by one run of gnuplot.
 class Figures {

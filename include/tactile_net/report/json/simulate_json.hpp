@@ -1,0 +1,16 @@
+/// @file
+/// A recording of a scene's sensor as JSON.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "tactile_net/lab/summary.hpp"
+
+namespace tactile_net::report {
+
+/// @param columns  of the file of readings
+[[nodiscard]] std::string simulate_json(const Scene& scene, const lab::RecordedFrames& recorded,
+                                        std::span<const std::string> columns);
+
+}  // namespace tactile_net::report

@@ -1,0 +1,24 @@
+/// @file
+/// A recording's solution as JSON.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "tactile_net/lab/summary.hpp"
+
+namespace tactile_net::report {
+
+/// What `solve` says of itself.
+struct SolveReport {
+  std::string readings{};  ///< where they come from, as the user wrote it
+  Method method = Method::tikhonov;
+  std::span<const std::string> columns_ignored{};
+  lab::Remarks remarks{};  ///< of the last frame; without one, of the method
+  double seconds = 0.0;
+};
+
+[[nodiscard]] std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
+                                     const SolveReport& report);
+
+}  // namespace tactile_net::report

@@ -1,0 +1,41 @@
+#include "tactile_net/report/csv/uncertainty_csv.hpp"
+
+#include <limits>
+#include <optional>
+
+#include "tactile_net/frames/source.hpp"
+
+namespace tactile_net::report {
+
+std::vector<std::string> uncertainty_columns(std::size_t count, bool with_tangential) {
+  std::vector<std::string> columns;
+  for (const std::string name : {"normal_force", "tangential_force", "centre", "angle"}) {
+    columns.push_back(name);
+    columns.push_back(name + "_deviation");
+  }
+  columns.emplace_back("residual_rms");
+  columns.emplace_back("model_rms");
+  for (std::string& traction : frames::traction_columns(count, with_tangential))
+    columns.push_back(traction.insert(traction.find('_'), "_deviation"));
+  return columns;
+}
+
+std::vector<double> uncertainty_values(const lab::FrameUncertainty& uncertainty) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> values;
+  const auto add = [&](const std::optional<Uncertain>& number) {
+    values.push_back(number ? number->value : unknown);
+    values.push_back(number ? number->deviation : unknown);
+  };
+  const UncertainResultant& resultant = uncertainty.resultant;
+  add(resultant.normal);
+  add(resultant.tangential);
+  add(resultant.centre);
+  add(resultant.angle);
+  values.push_back(uncertainty.noise.residual_rms);
+  values.push_back(uncertainty.noise.model_rms);
+  values.insert(values.end(), uncertainty.deviation.begin(), uncertainty.deviation.end());
+  return values;
+}
+
+}  // namespace tactile_net::report

@@ -1,0 +1,33 @@
+#include "tactile_net/report/json/solve_json.hpp"
+
+#include <map>
+
+#include "report/json/values.hpp"
+#include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
+
+namespace tactile_net::report {
+
+std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
+                       const SolveReport& report) {
+  std::map<std::string, std::size_t> verdicts;  // sorted by name
+  for (const auto& [verdict, count] : solved.verdicts) verdicts.emplace(lab::name(verdict), count);
+  const std::optional<lab::ChosenAlpha>& alpha = solved.last.alpha;
+  return text_of(Json{{"tactile_net", version()},
+                      {"scene", scene.file},
+                      {"readings", report.readings},
+                      {"frames", solved.frames},
+                      {"method", name(report.method)},
+                      {"alpha", alpha && !alpha->rule ? Json(alpha->value) : Json(nullptr)},
+                      {"alpha_rule", alpha ? Json(source(*alpha)) : Json(nullptr)},
+                      {"verdict", verdicts.size() == 1 ? verdicts.begin()->first : "mixed"},
+                      {"verdicts", verdicts},
+                      {"condition",
+                       solved.last.condition ? Json(solved.last.condition->value) : Json(nullptr)},
+                      {"warnings", in_words(report.remarks)},
+                      {"columns_ignored", report.columns_ignored},
+                      {"seconds", report.seconds}},
+                 2);
+}
+
+}  // namespace tactile_net::report

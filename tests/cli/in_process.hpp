@@ -1,0 +1,15 @@
+/// @file
+/// The command in this process. Apart from tool.hpp, whose `tool` has the name of its namespace.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tactile_net/simulator/child_process.hpp"
+
+namespace tactile_net::test {
+
+/// What the command says on its streams, and its exit status.
+ProcessResult run_in_process(const std::vector<std::string>& arguments, const std::string& input);
+
+}  // namespace tactile_net::test

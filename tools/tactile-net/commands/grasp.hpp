@@ -1,0 +1,20 @@
+/// @file
+/// The command `grasp`: what a hand's fingertip forces mean.
+#pragma once
+
+#include <string>
+
+#include "commands/results.hpp"
+#include "streams.hpp"
+
+namespace tactile_net::tool {
+
+struct GraspOptions {
+  std::string hand{};
+  ResultOptions results{};
+};
+
+/// @throw CheckFailed  the grasp fails
+void run(const GraspOptions& options, const Streams& streams);
+
+}  // namespace tactile_net::tool

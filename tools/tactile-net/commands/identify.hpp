@@ -1,0 +1,21 @@
+/// @file
+/// The command `identify`: what a scene's sensors can tell apart.
+#pragma once
+
+#include <string>
+
+#include "commands/results.hpp"
+#include "streams.hpp"
+#include "tactile_net/lab/identify.hpp"
+
+namespace tactile_net::tool {
+
+struct IdentifyOptions {
+  std::string scene{};
+  ResultOptions results{};
+  lab::SurveyOptions survey{};
+};
+
+void run(const IdentifyOptions& options, const Streams& streams);
+
+}  // namespace tactile_net::tool

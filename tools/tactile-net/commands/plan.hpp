@@ -1,0 +1,30 @@
+/// @file
+/// The command `plan`: the file that a controller loads.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "streams.hpp"
+#include "tactile_net/control/planner.hpp"
+
+namespace tactile_net::tool {
+
+struct PlanOptions {
+  std::string scene{};
+  std::string output{};
+  std::string readings{};
+  std::string structure{};
+  std::string precision{};
+  std::string json{};
+  std::optional<std::string> deadline{};
+  double accuracy = PlannerOptions{}.accuracy;
+  std::optional<double> friction{};
+  bool no_diagnostics = false;
+  bool allow_fft = false;
+};
+
+/// @throw CheckFailed  a frame takes longer than the deadline
+void run(const PlanOptions& options, const Streams& streams);
+
+}  // namespace tactile_net::tool

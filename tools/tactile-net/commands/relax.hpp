@@ -1,0 +1,25 @@
+/// @file
+/// The command `relax`: a circuit in ngspice beside the direct solve.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "commands/network_options.hpp"
+#include "streams.hpp"
+#include "tactile_net/lab/simulator_choice.hpp"
+
+namespace tactile_net::tool {
+
+struct RelaxOptions {
+  std::string scene{};  ///< or a deck
+  std::string json{};
+  std::optional<double> tolerance{};  ///< for a deck
+  NetworkOptions network{};
+  lab::SimulatorChoice simulator{};
+};
+
+/// @throw CheckFailed  the circuit differs by more than its parts explain
+void run(const RelaxOptions& options, const Streams& streams);
+
+}  // namespace tactile_net::tool

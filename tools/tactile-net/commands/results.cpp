@@ -1,0 +1,60 @@
+#include "commands/results.hpp"
+
+#include <ostream>
+
+#include "tactile_net/report/words/scene_words.hpp"
+
+namespace tactile_net::tool {
+
+Results::Results(const ResultOptions& options, const Streams& streams)
+    : path_(options.folder), streams_(streams), tables_(options.json != "-") {
+  if (!path_.empty()) folder_ = std::make_unique<frames::OutputFolder>(path_);
+  json_ = output_if(options.json, streams);
+}
+
+void Results::write(const Result& result, Progress& progress) {
+  std::string json;
+  if (folder_) progress.say("drawing the report ...");
+  if (folder_ || json_) json = result.json();
+  if (folder_) {
+    const report::Report page = result.page();
+    folder_->write("report.html", page.html);
+    folder_->write(result.json_name, json);
+    for (const auto& [name, content] : page.files) folder_->write(name, content);
+    say_missing(streams_.err, page.missing);
+    say_others(streams_.err, path_, folder_->commit());
+  }
+  progress.clear();
+  if (tables_) result.print(streams_.out);
+  tool::write(json_.get(), json);
+  if (folder_ && tables_) say_report(streams_.out, path_);
+  streams_.out.flush();
+}
+
+std::unique_ptr<frames::OutputFile> output_if(const std::string& path, const Streams& streams) {
+  if (path.empty()) return nullptr;
+  return std::make_unique<frames::OutputFile>(path, &streams.out);
+}
+
+void write(frames::OutputFile* file, const std::string& text) {
+  if (file == nullptr) return;
+  file->stream() << text;
+  file->commit();
+}
+
+void say_missing(std::ostream& err, const std::string& missing) {
+  if (!missing.empty()) err << "note: " << missing << '\n';
+}
+
+void say_others(std::ostream& err, const std::filesystem::path& folder,
+                const std::vector<std::string>& others) {
+  if (!others.empty())
+    err << "note: " << folder.string()
+        << " holds files of another run too: " << report::join(others, ", ") << '\n';
+}
+
+void say_report(std::ostream& out, const std::filesystem::path& folder) {
+  out << "report: " << (folder / "report.html").string() << '\n';
+}
+
+}  // namespace tactile_net::tool

@@ -1,0 +1,66 @@
+/// @file
+/// The common end of the commands: a folder with a report, tables for people, JSON.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "streams.hpp"
+#include "tactile_net/frames/output_file.hpp"
+#include "tactile_net/report/pages/figure.hpp"
+#include "terminal/progress.hpp"
+
+namespace tactile_net::tool {
+
+struct ResultOptions {
+  std::string folder{};  ///< of report.html and the files beside it; empty: none
+  std::string json{};    ///< a file; "-": standard output, in place of the tables; empty: none
+};
+
+/// What a command has found, in every form it can be asked for in. Each is made when asked for.
+struct Result {
+  std::function<void(std::ostream&)> print;
+  std::function<std::string()> json;
+  std::function<report::Report()> page{};
+  std::string json_name = "result.json";  ///< in the folder
+};
+
+class Results {
+ public:
+  /// Before anything is computed, so that a place that cannot be written to is known by then.
+  /// @throw CannotCreate
+  Results(const ResultOptions& options, const Streams& streams);
+
+  /// Writes what was asked for. @throw std::runtime_error  something could not be written
+  void write(const Result& result, Progress& progress);
+
+ private:
+  std::filesystem::path path_;
+  Streams streams_;
+  bool tables_;
+  std::unique_ptr<frames::OutputFolder> folder_;
+  std::unique_ptr<frames::OutputFile> json_;
+};
+
+/// A file that may not have been asked for: null for an empty path. "-": standard output.
+[[nodiscard]] std::unique_ptr<frames::OutputFile> output_if(const std::string& path,
+                                                            const Streams& streams);
+
+/// Writes a text as a whole. Null: does nothing.
+void write(frames::OutputFile* file, const std::string& text);
+
+/// Says what a report lacks, if anything.
+void say_missing(std::ostream& err, const std::string& missing);
+
+/// Says which files of another run a folder holds, if any.
+void say_others(std::ostream& err, const std::filesystem::path& folder,
+                const std::vector<std::string>& others);
+
+/// Says where the report is.
+void say_report(std::ostream& out, const std::filesystem::path& folder);
+
+}  // namespace tactile_net::tool

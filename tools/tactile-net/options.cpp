@@ -1,0 +1,263 @@
+// The one file that knows the parser.
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "failure.hpp"
+#include "tactile_net/numeric/version.hpp"
+#include "tactile_net/scene/nearest.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+/// The sub-commands, and the options of the one that was named.
+struct Parser {
+  CLI::App app{
+      "Surface tractions from buried tactile sensors, in software and as a circuit.\n"
+      "Any consistent set of units; results on standard output, messages on standard error.\n"
+      "Exit status: 0 done, 1 a computation or a check failed, 2 wrong usage or bad input.",
+      "tactile-net"};
+  std::optional<Command> command{};
+
+  template <class Options>
+  std::pair<CLI::App*, std::shared_ptr<Options>> add(const std::string& name,
+                                                     const std::string& description) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* sub = app.add_subcommand(name, description);
+    sub->callback([this, options] { command = *options; });
+    return {sub, options};
+  }
+};
+
+void add_simulator(CLI::App& command, lab::SimulatorChoice& choice) {
+  command
+      .add_option("--simulator", choice.kind,
+                  "How to run ngspice: process starts the program for each circuit; library loads "
+                  "ngspice once, in a process of its own, which is faster for small circuits")
+      ->capture_default_str();
+  command
+      .add_option("--ngspice", choice.ngspice.program,
+                  "The simulator's program, for --simulator process")
+      ->capture_default_str();
+  command.add_option("--time-limit", choice.time_limit, "Longest run of the simulator [s]")
+      ->capture_default_str();
+}
+
+void add_network(CLI::App& command, NetworkOptions& network) {
+  command.add_option("--realization", network.realization,
+                     "Build the circuit as ideal, nic, rail, crossbar, least_squares, lc or ndr "
+                     "(default: the scene's)");
+  command.add_option("--bandwidth", network.bandwidth,
+                     "Gain-bandwidth product of the op-amps [Hz]; asks for the settling time too");
+}
+
+void add_scene(CLI::App& command, std::string& scene,
+               const std::string& description = "Scene file (TOML)") {
+  command.add_option("SCENE", scene, description)->required();
+}
+
+void add_results(CLI::App& command, ResultOptions& results, const std::string& folder,
+                 const std::string& json) {
+  command.add_option("--out", results.folder, folder);
+  command.add_option("--json", results.json, json + " (- = standard output)");
+}
+
+void add_run(Parser& parser) {
+  const auto [command, options] = parser.add<RunOptions>(
+      "run", "Simulate a scene, reconstruct it by every method it names, compare with the truth");
+  add_scene(*command, options->scene);
+  add_results(*command, options->results,
+              "Folder for report.html, result.json, CSV files and the netlist",
+              "Write the result as JSON");
+  command->add_flag("--explain", options->explain,
+                    "Print the plan instead: what is simulated and computed, what is not, and why");
+  command->add_flag("--compare-rules", options->compare_rules,
+                    "Show every rule for alpha, where the scene gives alpha too");
+  command->add_option("--frame", options->frame,
+                      "Of a scene with [time]: the frame to reconstruct, from 0 (default: the "
+                      "last)");
+  add_network(*command, options->network);
+  add_simulator(*command, options->simulator);
+}
+
+void add_gen(Parser& parser) {
+  const auto [command, options] = parser.add<GenOptions>(
+      "gen",
+      "Write the scene's circuit as a SPICE deck; `ngspice -b FILE.cir` prints its voltages");
+  add_scene(*command, options->scene);
+  command->add_option("-o,--output", options->output, "Deck (default: standard output)");
+  add_network(*command, options->network);
+}
+
+void add_relax(Parser& parser) {
+  const auto [command, options] = parser.add<RelaxOptions>(
+      "relax",
+      "Run a circuit in ngspice: a scene's, compared with the direct solve of P f = b, or a deck "
+      "(FILE.cir), compared with the voltages that its header expects");
+  add_scene(*command, options->scene, "Scene file (TOML), or deck (.cir)");
+  command->add_option("--json", options->json, "Write the result as JSON (- = standard output)");
+  command->add_option("--tolerance", options->tolerance,
+                      "For a deck: largest relative difference that counts as agreement (default: "
+                      "its `* within` line, or 1e-9)");
+  add_network(*command, options->network);
+  add_simulator(*command, options->simulator);
+}
+
+void add_certify(Parser& parser) {
+  const auto [command, options] = parser.add<CertifyOptions>(
+      "certify",
+      "Say, without a simulator, whether the scene's circuit is stable, how fast it settles, which "
+      "errors of components it bears, and which realisation to choose");
+  add_scene(*command, options->scene);
+  add_results(*command, options->results,
+              "Folder for report.html, certificate.json and the plots' data (CSV)",
+              "Write the certificate as JSON");
+  add_network(*command, options->network);
+}
+
+void add_simulate(Parser& parser) {
+  const auto [command, options] = parser.add<SimulateOptions>(
+      "simulate", "Record what the scene's sensor reads, one frame a row, as solve reads it back");
+  add_scene(*command, options->scene);
+  command->add_option("-o,--output", options->output,
+                      "CSV or .npy file for the readings (default: CSV on standard output)");
+  command->add_option("--truth", options->truth,
+                      "CSV or .npy file for the contacts' tractions at the taxels [Pa]");
+  command->add_option("--json", options->json, "Write a summary as JSON to this file");
+}
+
+void add_solve(Parser& parser) {
+  const auto [command, options] = parser.add<SolveOptions>(
+      "solve", "Turn recorded readings, one frame a row, into tractions, one frame a row");
+  add_scene(*command, options->scene, "Scene file (TOML): sensor, material, alpha");
+  command
+      ->add_option("--readings", options->readings,
+                   "CSV file with a header (columns such as stress_x_0), or .npy of shape (frames, "
+                   "readings); - reads CSV from standard input and writes each frame as it comes")
+      ->required();
+  command->add_option("--method", options->method, "dft, tikhonov or closed_form")
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output,
+                      "CSV or .npy file for the tractions [Pa] (default: CSV on standard output)");
+  command->add_option("--uncertainty", options->uncertainty,
+                      "CSV file for each frame's forces, centre and angle with their standard "
+                      "deviations, and the deviation of every traction");
+  command->add_option("--json", options->json, "Write a summary as JSON to this file");
+}
+
+void add_identify(Parser& parser) {
+  const auto [command, options] = parser.add<IdentifyOptions>(
+      "identify",
+      "Before any reading: which tractions the scene's sensors can tell apart, and which others "
+      "could");
+  add_scene(*command, options->scene);
+  add_results(*command, options->results,
+              "Folder for report.html, result.json and the plots' data (CSV)",
+              "Write the result as JSON");
+  command->add_option("--traction", options->survey.traction,
+                      "Amplitude of the ripple to be told (default: the contacts' peak, or 1)");
+  command->add_option("--noise", options->survey.relative_noise,
+                      "Noise of every reading, over the largest that such a ripple causes "
+                      "(default: the scene's rms, or 0.01)");
+}
+
+void add_plan(Parser& parser) {
+  const auto [command, options] = parser.add<PlanOptions>(
+      "plan",
+      "Make the plan that a controller loads: how to solve a frame fastest for a stated "
+      "accuracy, and why so");
+  add_scene(*command, options->scene, "Scene file (TOML): sensor, material, alpha");
+  command->add_option("-o,--output", options->output,
+                      "Plan file, to be read by load_plan (default: only say what it would be)");
+  command
+      ->add_option("--accuracy", options->accuracy,
+                   "Largest error, relative to the tractions, of the planned against the dense "
+                   "product")
+      ->capture_default_str();
+  command->add_option("--deadline", options->deadline,
+                      "A frame must be done within this on this machine: 100us, 1ms, ...");
+  command->add_option("--readings", options->readings,
+                      "Recorded frames (CSV): the scene's rule for alpha is applied to each, and "
+                      "the median taken");
+  command->add_option("--friction", options->friction,
+                      "Friction coefficient for the friction margin (default: the scene's "
+                      "friction_limit)");
+  command->add_option("--structure", options->structure,
+                      "dense, low_rank, parity, parity_low_rank or fft (default: the cheapest)");
+  command->add_option("--precision", options->precision,
+                      "float64 or float32 (default: the cheapest)");
+  command->add_flag("--allow-fft", options->allow_fft,
+                    "Offer fft too, for long arrays: the controller then links "
+                    "tactile_net::spectral (FFTW, GPL)");
+  command->add_flag("--no-diagnostics", options->no_diagnostics,
+                    "No residual, no outliers, no dead taxels at run time: faster");
+  command->add_option("--json", options->json, "Write the choice as JSON (- = standard output)");
+}
+
+void add_tradeoff(Parser& parser) {
+  const auto [command, options] = parser.add<TradeoffOptions>(
+      "tradeoff",
+      "What accuracy costs in time: every method and every circuit, timed on this "
+      "machine, and which to choose");
+  add_scene(*command, options->scene);
+  add_results(*command, options->results,
+              "Folder for report.html, tradeoff.csv, tradeoff.json and the plots (SVG, CSV)",
+              "Write the study as JSON");
+  command->add_option("--deadline", options->deadline,
+                      "A frame must be done within this: 100us, 1ms, ...");
+  command->add_option("--accuracy", options->accuracy,
+                      "Largest error against the exact solution of the same problem, relative");
+  command->add_flag("--digital", options->digital, "Arithmetic only: no circuits, no ngspice");
+  command->add_flag("--resume", options->resume,
+                    "Go on with the study that was interrupted, in the folder --out");
+  add_simulator(*command, options->simulator);
+}
+
+void add_grasp(Parser& parser) {
+  const auto [command, options] = parser.add<GraspOptions>(
+      "grasp",
+      "Say which joint torques a hand's fingertip forces mean, whether they carry the load, and "
+      "which torques would");
+  command->add_option("HAND", options->hand, "Hand file (TOML): fingers, contacts, load")
+      ->required();
+  add_results(*command, options->results, "Folder for report.html and result.json",
+              "Write the result as JSON");
+}
+
+/// CLI11 only says that a sub-command is required; says which one was meant.
+void check_command(const CLI::App& app, std::span<const std::string> arguments) {
+  if (arguments.empty() || arguments.front().starts_with('-')) return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), arguments.front()) != names.end()) return;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string near(nearest(arguments.front(), known));
+  throw WrongUsage("there is no command '" + arguments.front() + "'" +
+                   (near.empty() ? "" : "; did you mean '" + near + "'?"));
+}
+
+}  // namespace
+
+std::optional<Command> parse(std::span<const std::string> arguments, std::ostream& out) {
+  Parser parser;
+  parser.app.set_version_flag("--version", "tactile-net " + std::string(version()));
+  parser.app.require_subcommand(1);
+  for (const auto add : {add_run, add_gen, add_relax, add_certify, add_simulate, add_solve,
+                         add_identify, add_plan, add_tradeoff, add_grasp})
+    add(parser);
+  check_command(parser.app, arguments);
+  try {
+    parser.app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) throw WrongUsage(error.what());
+    parser.app.exit(error, out);  // --help, --version
+  }
+  return parser.command;
+}
+
+}  // namespace tactile_net::tool

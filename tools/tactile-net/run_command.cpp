@@ -1,0 +1,45 @@
+#include "run_command.hpp"
+
+#include <ostream>
+#include <stdexcept>
+
+#include "failure.hpp"
+#include "options.hpp"
+#include "tactile_net/frames/output_file.hpp"
+#include "tactile_net/scene/diagnostic.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+enum ExitStatus { done = 0, failed = 1, wrong_usage = 2 };
+
+}  // namespace
+
+int run_command(std::span<const std::string> arguments, const Streams& streams) {
+  const auto tell = [&](const std::exception& error) -> std::ostream& {
+    return streams.err << "tactile-net: error: " << error.what() << '\n';
+  };
+  try {
+    if (const auto command = parse(arguments, streams.out))
+      std::visit([&](const auto& options) { run(options, streams); }, *command);
+    if (!streams.out.flush()) throw std::runtime_error("standard output could not be written");
+    return done;
+  } catch (const WrongUsage& error) {
+    tell(error) << "hint: tactile-net --help, or tactile-net COMMAND --help\n";
+    return wrong_usage;
+  } catch (const InputError& error) {
+    streams.err << error.what();
+    return wrong_usage;
+  } catch (const frames::CannotCreate& error) {
+    streams.err << error.what() << '\n';
+    return wrong_usage;
+  } catch (const std::invalid_argument& error) {
+    tell(error);
+    return wrong_usage;
+  } catch (const std::exception& error) {
+    tell(error);
+    return failed;
+  }
+}
+
+}  // namespace tactile_net::tool
