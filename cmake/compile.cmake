@@ -1,0 +1,50 @@
+# How targets are compiled, beyond what the build type says.
+if(TACTILE_NET_SANITIZE)
+  add_link_options(-fsanitize=${TACTILE_NET_SANITIZE})
+endif()
+
+# A second build takes seconds where ccache is installed.
+find_program(TACTILE_NET_CCACHE ccache DOC "Launcher of the compiler; not required")
+if(PROJECT_IS_TOP_LEVEL AND TACTILE_NET_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros ${TACTILE_NET_CCACHE})
+endif()
+
+# tactile_net_sanitize(target [sanitizer,...]): instruments the target's own sources, and stops at the first finding.
+function(tactile_net_sanitize target)
+  if(ARGN)
+    target_compile_options(${target} PRIVATE -fsanitize=${ARGN} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  endif()
+endfunction()
+
+# tactile_net_command(target): a part of the command, compiled as the report is.
+function(tactile_net_command target)
+  tactile_net_sanitize(${target} ${TACTILE_NET_SANITIZE})
+  if(TACTILE_NET_SANITIZE)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-Og>)
+  endif()
+  tactile_net_light(${target})
+endfunction()
+
+# tactile_net_light(target): for code that takes longer to compile than it ever runs.
+function(tactile_net_light target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# tactile_net_precompile(target header...) or (target AS other): shares one precompiled header between targets that are
+# compiled alike. Never needed: every file includes what it uses.
+function(tactile_net_precompile target)
+  if(NOT TACTILE_NET_PRECOMPILE)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 1 precompile "" "AS" "")
+  if(precompile_AS)
+    target_precompile_headers(${target} REUSE_FROM ${precompile_AS})
+  else()
+    target_precompile_headers(${target} PRIVATE ${precompile_UNPARSED_ARGUMENTS})
+  endif()
+  # Lets ccache keep what was compiled with it.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    target_compile_options(${target} PRIVATE -fpch-preprocess)
+  endif()
+endfunction()

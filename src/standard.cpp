@@ -1,0 +1,1 @@
+#include "standard.hpp"  // what is precompiled needs a file to belong to
