@@ -127,6 +127,23 @@ TEST_CASE("what cannot hold has a kind, a place and a number", "[grasp]") {
   CHECK_FALSE(grasp.held.has_value());
 }
 
+TEST_CASE("friction alone says how hard to squeeze", "[grasp]") {
+  const GraspResult grasp =
+      held(load + "[grasp]\nfriction = 0.8\nfriction_used = 0.5\n" + both(assumed));
+  REQUIRE(grasp.held.has_value());
+  // Each carries 2 upwards with 0.4 of its normal force at most: 5.
+  CHECK_THAT(grasp.held->grasp.squeeze, WithinRel(10.0, 1e-9));
+}
+
+TEST_CASE("one finger's force is understood without a load", "[grasp]") {
+  const GraspResult grasp = held(finger(-1.0, pressed(5.0, -2.0)));
+  REQUIRE(grasp.measured.has_value());
+  CHECK_FALSE(grasp.held.has_value());
+  CHECK_FALSE(grasp.measured->balanced.has_value());
+  CHECK_FALSE(grasp.measured->grasp.squeeze.has_value());
+  CHECK_THAT(grasp.measured->grasp.unbalanced[0].value, WithinRel(5.0, 1e-12));
+}
+
 TEST_CASE("what only just holds is a remark, not a failure", "[grasp]") {
   const GraspResult grasp =
       held("[grasp]\nfriction = 0.6\n" + finger(-1.0, pressed(5.0, 2.9, 0.2)) +
