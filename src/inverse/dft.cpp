@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "numeric/finite.hpp"
+#include "numeric/named.hpp"
 #include "numeric/real_fft.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 
@@ -18,21 +19,14 @@ namespace {
 
 constexpr double accepted_gain = 1e4;
 
+constexpr Named<DftVerdict> verdicts[] = {{DftVerdict::ok, "ok"},
+                                          {DftVerdict::noise_amplified, "noise_amplified"},
+                                          {DftVerdict::sign_change, "sign_change"},
+                                          {DftVerdict::cut_off, "cut_off"}};
+
 }  // namespace
 
-std::string_view name(DftVerdict verdict) noexcept {
-  switch (verdict) {
-    case DftVerdict::ok:
-      return "ok";
-    case DftVerdict::noise_amplified:
-      return "noise_amplified";
-    case DftVerdict::sign_change:
-      return "sign_change";
-    case DftVerdict::cut_off:
-      return "cut_off";
-  }
-  return "";
-}
+std::string_view name(DftVerdict verdict) noexcept { return name_in<verdicts>(verdict); }
 
 struct DftInverse::Plan {
   explicit Plan(std::size_t count) : fft(count), inverse(fft.bins().size()) {}
@@ -51,7 +45,7 @@ DftInverse::DftInverse(const SensorArray& array, const Material& material, doubl
   check(array);
   check(material);
   if (!(gain_limit >= 1.0)) throw std::invalid_argument("the noise gain's limit must be >= 1");
-  if (array.reads.size() * array.depths.size() != 1)
+  if (channel_count(array) != 1)
     throw std::invalid_argument("dft solves for one quantity at one depth, not for several");
 
   const std::size_t n = array.count;

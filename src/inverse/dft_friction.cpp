@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "numeric/named.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
 namespace tactile_net {
@@ -58,9 +59,8 @@ bool fills(std::span<const double> blurred, std::size_t width, double spread) {
   double outside = 0.0;
   double all = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    const double distance = std::abs(static_cast<double>(i) - 0.5 * static_cast<double>(n - 1));
     all += blurred[i];
-    if (distance > edge) outside += blurred[i];
+    if (std::abs(centred(i, n)) > edge) outside += blurred[i];
   }
   return std::abs(outside) <= tolerated * all;
 }
@@ -69,23 +69,16 @@ double square(std::span<const double> values) {
   return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
 }
 
+constexpr Named<FrictionVerdict> verdicts[] = {
+    {FrictionVerdict::ok, "ok"},
+    {FrictionVerdict::dft, "dft"},
+    {FrictionVerdict::not_one_contact, "not_one_contact"},
+    {FrictionVerdict::drag_in_noise, "drag_in_noise"},
+    {FrictionVerdict::no_contact, "no_contact"}};
+
 }  // namespace
 
-std::string_view name(FrictionVerdict verdict) noexcept {
-  switch (verdict) {
-    case FrictionVerdict::ok:
-      return "ok";
-    case FrictionVerdict::dft:
-      return "dft";
-    case FrictionVerdict::not_one_contact:
-      return "not_one_contact";
-    case FrictionVerdict::drag_in_noise:
-      return "drag_in_noise";
-    case FrictionVerdict::no_contact:
-      return "no_contact";
-  }
-  return "";
-}
+std::string_view name(FrictionVerdict verdict) noexcept { return name_in<verdicts>(verdict); }
 
 DftFriction::DftFriction(const SensorArray& array, const Material& material, double friction,
                          double gain_limit)

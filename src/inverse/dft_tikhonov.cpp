@@ -119,12 +119,14 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
   std::vector<Eigen::MatrixXcd> a(bins, Eigen::MatrixXcd::Zero(rows, columns));
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t u = 0; u < plan.unknowns; ++u) {
-      const Traction load = u == 0 ? Traction::normal : Traction::tangential;
-      const std::vector<double> kernel = sampled_kernel(all[c], load, material, n, array.pitch);
-      plan.kernel_error = std::hypot(
-          plan.kernel_error, plan.weights[c] * kernel_error(all[c], load, material, array, kernel));
+      const Traction component = traction_components[u];
+      const std::vector<double> kernel =
+          sampled_kernel(all[c], component, material, n, array.pitch);
+      plan.kernel_error =
+          std::hypot(plan.kernel_error,
+                     plan.weights[c] * kernel_error(all[c], component, material, array, kernel));
       transform_circular(plan.fft, kernel);
-      const bool odd = (all[c].quantity == Quantity::shear_xy) == (load == Traction::normal);
+      const bool odd = is_odd(all[c].quantity, component);
       for (std::size_t k = 0; k < bins; ++k) {
         // Rounding must not give an odd kernel a mean, nor an even one a phase.
         const std::complex<double> value =

@@ -181,8 +181,8 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
       bins, Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(all.size()), u_count));
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t u = 0; u < plan.unknowns; ++u) {
-      const Traction load = u == 0 ? Traction::normal : Traction::tangential;
-      const std::vector<double> kernel = sampled_kernel(all[c], load, material, n, array.pitch);
+      const std::vector<double> kernel =
+          sampled_kernel(all[c], traction_components[u], material, n, array.pitch);
       transform_kernel(plan.padded, kernel);
       Spectrum spectrum(plan.padded.bins().begin(), plan.padded.bins().end());
       for (Complex& bin : spectrum) bin /= static_cast<double>(plan.padded.size());
