@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "inverse/checks.hpp"
 #include "inverse/nonnegative.hpp"
 #include "inverse/stacked.hpp"
-#include "numeric/finite.hpp"
 
 namespace tactile_net {
 namespace {
@@ -75,11 +75,7 @@ ConstrainedTikhonov& ConstrainedTikhonov::operator=(ConstrainedTikhonov&&) noexc
 ConstrainedSolution ConstrainedTikhonov::solve(std::span<const double> readings,
                                                std::size_t iteration_limit) const {
   const System& s = *system_;
-  if (std::ssize(readings) != s.weights.size())
-    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
-                                " values, the problem has " + std::to_string(s.weights.size()) +
-                                " rows");
-  if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
+  check_readings(readings, static_cast<std::size_t>(s.weights.size()));
 
   Eigen::VectorXd g = s.weights.cwiseProduct(as_eigen(readings));
   const double scale = g.cwiseAbs().maxCoeff();

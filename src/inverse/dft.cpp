@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "inverse/rounding.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/named.hpp"
 #include "numeric/real_fft.hpp"
@@ -117,11 +118,8 @@ double DftInverse::forward_bound(std::span<const double> readings) const noexcep
   double peak = 0.0;
   for (const double reading : readings) peak = std::max(peak, std::abs(reading));
   if (peak == 0.0) return 0.0;
-  const double underflow =
-      std::numeric_limits<double>::denorm_min() * static_cast<double>(readings.size()) / peak;
-  const double transforms = 3.0 * std::log2(static_cast<double>(plan_->fft.size()) + 2.0) *
-                            std::numeric_limits<double>::epsilon();
-  return plan_->gain.largest * (plan_->kernel_error + transforms + underflow);
+  return plan_->gain.largest * (plan_->kernel_error + transforms_error(plan_->fft.size()) +
+                                underflow_error(2 * readings.size(), peak));
 }
 
 DftVerdict DftInverse::verdict() const noexcept {

@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "inverse/checks.hpp"
 #include "inverse/kernel_error.hpp"
+#include "inverse/rounding.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/real_fft.hpp"
@@ -193,15 +195,12 @@ double DftTikhonov::forward_bound(std::span<const double> readings, double alpha
   }
   double solution = 0.0;
   for (const double f : tractions) solution += (f / frame.scale) * (f / frame.scale);
-  const double transforms = 3.0 * std::log2(static_cast<double>(plan_->fft.size()) + 2.0) *
-                            std::numeric_limits<double>::epsilon();
-  // Readings and tractions near the smallest doubles lose digits to it.
-  const double underflow = std::numeric_limits<double>::denorm_min() / frame.scale *
-                           std::sqrt(static_cast<double>(readings.size() + tractions.size()));
+  const double underflow = underflow_error(readings.size() + tractions.size(), frame.scale);
   const double lost = solution > 0.0 ? underflow / std::sqrt(solution) : 0.0;
   return wedin_bound(condition(alpha), std::hypot(plan_->largest, std::sqrt(alpha)),
                      std::sqrt(right), std::sqrt(residual), std::sqrt(solution),
-                     plan_->kernel_error / plan_->largest + transforms + underflow) +
+                     plan_->kernel_error / plan_->largest + transforms_error(plan_->fft.size()) +
+                         underflow) +
          lost;
 }
 
@@ -227,11 +226,7 @@ bool DftTikhonov::cut_off(std::span<const double> readings, double alpha) const 
 FilterFrame DftTikhonov::analyse(std::span<const double> readings) {
   Plan& plan = *plan_;
   const std::size_t n = plan.fft.size();
-  if (readings.size() != plan.weights.size() * n)
-    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
-                                " values, the array has " +
-                                std::to_string(plan.weights.size() * n));
-  if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
+  check_readings(readings, plan.weights.size() * n);
 
   FilterFrame frame;
   frame.rows = readings.size();

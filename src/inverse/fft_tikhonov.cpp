@@ -8,9 +8,9 @@
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
+#include "inverse/checks.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/real_fft.hpp"
 #include "tactile_net/sensing/sampled.hpp"
@@ -206,8 +206,7 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
 }
 
 void FftTikhonov::use_alpha(double alpha) {
-  if (!(alpha > 0.0) || !std::isfinite(alpha))
-    throw std::invalid_argument("alpha must be > 0 and finite");
+  check_alpha(alpha);
   Plan& plan = *plan_;
   plan.alpha = alpha;
   plan.size = std::sqrt(alpha);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "inverse/checks.hpp"
 #include "inverse/kernel_error.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/sensing/sampled.hpp"
@@ -78,8 +79,7 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
 }
 
 Matrix normal_matrix(const InverseProblem& problem, double alpha) {
-  if (!(alpha > 0.0) || !std::isfinite(alpha))
-    throw std::invalid_argument("alpha must be > 0 and finite");
+  check_alpha(alpha);
   const auto kernel = as_eigen(problem.kernel);
   RowMajor p = RowMajor::Zero(kernel.cols(), kernel.cols());
   p.selfadjointView<Eigen::Upper>().rankUpdate(kernel.transpose());
@@ -100,10 +100,7 @@ Matrix normal_matrix(const InverseProblem& problem, double alpha) {
 
 std::vector<double> normal_right_side(const InverseProblem& problem,
                                       std::span<const double> readings) {
-  if (readings.size() != problem.weights.size())
-    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
-                                " values, the problem has " +
-                                std::to_string(problem.weights.size()) + " rows");
+  check_size(readings, problem.weights.size());
   std::vector<double> right_side(problem.kernel.columns);
   Eigen::Map<Eigen::VectorXd>(right_side.data(), std::ssize(right_side)) =
       as_eigen(problem.kernel).transpose() *

@@ -4,6 +4,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
+#include "inverse/checks.hpp"
 #include "inverse/stacked.hpp"
 #include "inverse/standard_form.hpp"
 #include "tactile_net/sensing/resultant.hpp"
