@@ -75,14 +75,17 @@ ConstrainedTikhonov& ConstrainedTikhonov::operator=(ConstrainedTikhonov&&) noexc
 ConstrainedSolution ConstrainedTikhonov::solve(std::span<const double> readings,
                                                std::size_t iteration_limit) const {
   const System& s = *system_;
-  check_readings(readings, static_cast<std::size_t>(s.weights.size()));
+  if (std::ssize(readings) != s.weights.size()) return {.status = FrameStatus::wrong_size};
+  if (!all_finite(readings)) return {.status = FrameStatus::not_finite};
 
   Eigen::VectorXd g = s.weights.cwiseProduct(as_eigen(readings));
   const double scale = g.cwiseAbs().maxCoeff();
+  if (!std::isfinite(scale)) return {.status = FrameStatus::too_large};
   if (scale > 0.0) g = g / scale;
   NonnegativeSolution found =
       nonnegative_least_squares(s.triangle, s.q.transpose() * g, s.bounded, iteration_limit);
   const Eigen::VectorXd f = s.edges * found.z.cwiseQuotient(s.norms) * scale;
+  if (!f.allFinite()) return {.status = FrameStatus::too_large};
 
   ConstrainedSolution solution{
       .tractions = {f.begin(), f.end()},

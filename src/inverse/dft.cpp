@@ -108,6 +108,7 @@ FrameStatus DftInverse::solve(std::span<const double> readings,
   for (std::size_t k = 0; k < plan_->inverse.size(); ++k)
     fft.bins()[k] = product(fft.bins()[k], plan_->inverse[k]);
   fft.backward();
+  if (!all_finite(fft.samples())) return FrameStatus::too_large;
   std::copy_n(fft.samples().begin(), tractions.size(), tractions.begin());
   return FrameStatus::ok;
 }

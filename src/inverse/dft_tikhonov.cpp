@@ -94,6 +94,7 @@ struct DftTikhonov::Plan {
   double kernel_error = 0.0;  // of the matrices' entries
   Eigen::MatrixXcd spectrum;  // channels x frequencies
   Eigen::MatrixXcd solution;  // unknowns x frequencies
+  std::vector<double> tractions;
 };
 
 DftTikhonov::~DftTikhonov() = default;
@@ -168,6 +169,7 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
   }
   plan.spectrum.resize(rows, static_cast<Eigen::Index>(bins));
   plan.solution.resize(columns, static_cast<Eigen::Index>(bins));
+  plan.tractions.resize(plan.unknowns * n);
 }
 
 std::span<const DftNullMode> DftTikhonov::null_modes() const noexcept { return plan_->null_modes; }
@@ -288,8 +290,10 @@ FrameStatus DftTikhonov::solve(std::span<const double> readings, double alpha,
           static_cast<double>(n);
     plan.fft.backward();
     std::copy_n(plan.fft.samples().begin(), n,
-                tractions.begin() + static_cast<std::ptrdiff_t>(u * n));
+                plan.tractions.begin() + static_cast<std::ptrdiff_t>(u * n));
   }
+  if (!all_finite(plan.tractions)) return FrameStatus::too_large;
+  std::copy(plan.tractions.begin(), plan.tractions.end(), tractions.begin());
   return FrameStatus::ok;
 }
 

@@ -248,6 +248,7 @@ FrameStatus FftTikhonov::solve(std::span<const double> readings, std::span<doubl
     p.right[i] = p.weights[i] * readings[i];
     scale = std::max(scale, std::abs(p.right[i]));
   }
+  if (!std::isfinite(scale)) return FrameStatus::too_large;
   if (scale == 0.0) {
     std::fill(tractions.begin(), tractions.end(), 0.0);
     return FrameStatus::ok;
@@ -292,7 +293,9 @@ FrameStatus FftTikhonov::solve(std::span<const double> readings, std::span<doubl
       p.direction[i] = p.preconditioned[i] + turn * p.direction[i];
   }
   if (power == 0.0) c.converged = true;
-  for (std::size_t i = 0; i < tractions.size(); ++i) tractions[i] = p.f[i] * scale;
+  for (double& traction : p.f) traction *= scale;
+  if (!all_finite(p.f)) return FrameStatus::too_large;
+  std::copy(p.f.begin(), p.f.end(), tractions.begin());
   return FrameStatus::ok;
 }
 
