@@ -11,35 +11,36 @@ namespace {
 
 /// A radial compression 2 cos(angle to the load) / (pi r), resolved along x and y. With the cosine
 /// c and the sine s of the angle to the x axis no power of a length can overflow.
-Stress<double> kernel(Traction load, double depth, double y) noexcept {
+Stress<double> kernel(Traction component, double depth, double y) noexcept {
   const double r = std::hypot(depth, y);
   const double c = depth / r;
   const double s = y / r;
-  const double radial = 2.0 / std::numbers::pi / r * (load == Traction::normal ? c : s);
+  const double radial = 2.0 / std::numbers::pi / r * (component == Traction::normal ? c : s);
   return {radial * c * c, radial * s * s, radial * c * s};
 }
 
-Stress<std::complex<double>> transform(Traction load, double depth, double wavenumber) noexcept {
+Stress<std::complex<double>> transform(Traction component, double depth,
+                                       double wavenumber) noexcept {
   const double a = std::abs(wavenumber) * depth;
   const double decay = std::exp(-a);
   if (decay == 0.0) return {};  // a may be infinite: no inf * 0
   const double sign = wavenumber > 0.0 ? 1.0 : wavenumber < 0.0 ? -1.0 : 0.0;
   const std::complex<double> odd{0.0, -sign * decay};
-  if (load == Traction::normal) return {(1.0 + a) * decay, (1.0 - a) * decay, odd * a};
+  if (component == Traction::normal) return {(1.0 + a) * decay, (1.0 - a) * decay, odd * a};
   return {odd * a, odd * (2.0 - a), (1.0 - a) * decay};
 }
 
 }  // namespace
 
-double half_plane_kernel(Quantity quantity, Traction load, const Material& material, double depth,
-                         double y) noexcept {
-  return read(quantity, kernel(load, depth, y), material);
+double half_plane_kernel(Quantity quantity, Traction component, const Material& material,
+                         double depth, double y) noexcept {
+  return read(quantity, kernel(component, depth, y), material);
 }
 
-std::complex<double> half_plane_transform(Quantity quantity, Traction load,
+std::complex<double> half_plane_transform(Quantity quantity, Traction component,
                                           const Material& material, double depth,
                                           double wavenumber) noexcept {
-  return read(quantity, transform(load, depth, wavenumber), material);
+  return read(quantity, transform(component, depth, wavenumber), material);
 }
 
 }  // namespace tactile_net

@@ -26,7 +26,7 @@ struct Scaled {
 };
 
 /// Amplitudes for k > 0; the imaginary ones (odd in y) without their factor -i.
-Stress<double> bonded(Traction load, double nu, const Scaled& f) {
+Stress<double> bonded(Traction component, double nu, const Scaled& f) {
   const auto& [H, a, t, cosh_U, sinh_U, cosh_a, sinh_a, square] = f;
   const double kappa = 3.0 - 4.0 * nu;
   const double m = 1.0 - 2.0 * nu;
@@ -36,7 +36,7 @@ Stress<double> bonded(Traction load, double nu, const Scaled& f) {
   const double even = (H * t + 0.5 * (n * n + m * m)) * cosh_a;
   const double odd = (H * t + n * m) * sinh_a;
   const double mixed = 0.5 * a * (kappa * cosh_U + cosh_a);
-  if (load == Traction::normal)
+  if (component == Traction::normal)
     return {(0.5 * kappa * (cosh_U + a * sinh_U) + even + 0.5 * (H + t) * sinh_a) / delta,
             (0.5 * kappa * (cosh_U - a * sinh_U) + (0.5 - m * n - H * t) * cosh_a +
              0.5 * (3.0 * H - t) * sinh_a) /
@@ -48,10 +48,10 @@ Stress<double> bonded(Traction load, double nu, const Scaled& f) {
       (0.5 * kappa * (cosh_U - a * sinh_U) + even - 0.5 * (H + t) * sinh_a) / delta};
 }
 
-Stress<double> frictionless(Traction load, const Scaled& f) {
+Stress<double> frictionless(Traction component, const Scaled& f) {
   const auto& [H, a, t, cosh_U, sinh_U, cosh_a, sinh_a, square] = f;
   const double d = -std::expm1(-4.0 * H) + H * square;
-  if (load == Traction::normal) {
+  if (component == Traction::normal) {
     const double mean = sinh_U + sinh_a;
     const double wave = a * cosh_U + (H + t) * cosh_a;
     return {0.5 * (mean + wave) / d, 0.5 * (mean - wave) / d,
@@ -64,12 +64,13 @@ Stress<double> frictionless(Traction load, const Scaled& f) {
 
 }  // namespace
 
-std::complex<double> layer_transform(Quantity quantity, Traction load, const Material& material,
-                                     double depth, double wavenumber) noexcept {
+std::complex<double> layer_transform(Quantity quantity, Traction component,
+                                     const Material& material, double depth,
+                                     double wavenumber) noexcept {
   const Layer& layer = *material.layer;
   if (std::abs(wavenumber) * (layer.thickness - depth) > 400.0)  // the base is exp(-800) away
-    return half_plane_transform(quantity, load, material, depth, wavenumber);
-  const bool normal = load == Traction::normal;
+    return half_plane_transform(quantity, component, material, depth, wavenumber);
+  const bool normal = component == Traction::normal;
   const double k = std::abs(wavenumber);
   Stress<double> s{};
   if (k == 0.0) {
@@ -83,8 +84,8 @@ std::complex<double> layer_transform(Quantity quantity, Traction load, const Mat
       s = {0.0, 0.0, is_bonded ? 1.0 : 1.0 - depth / layer.thickness};
   } else if (k * depth < 745.0) {  // beyond it exp(-k depth) is zero
     const Scaled f(layer.thickness, depth, k);
-    s = layer.base == Base::bonded ? bonded(load, material.poisson_ratio, f)
-                                   : frictionless(load, f);
+    s = layer.base == Base::bonded ? bonded(component, material.poisson_ratio, f)
+                                   : frictionless(component, f);
   }
   const std::complex<double> odd{0.0, wavenumber > 0.0 ? -1.0 : 1.0};
   const std::complex<double> even{1.0, 0.0};

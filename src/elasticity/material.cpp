@@ -1,18 +1,16 @@
 #include "tactile_net/elasticity/material.hpp"
 
+#include "numeric/named.hpp"
 #include "numeric/require.hpp"
 
 namespace tactile_net {
+namespace {
 
-std::string_view name(Base base) noexcept {
-  switch (base) {
-    case Base::bonded:
-      return "bonded";
-    case Base::frictionless:
-      return "frictionless";
-  }
-  return "";
-}
+constexpr Named<Base> bases[] = {{Base::bonded, "bonded"}, {Base::frictionless, "frictionless"}};
+
+}  // namespace
+
+std::string_view name(Base base) noexcept { return name_in<bases>(base); }
 
 void check(const Material& material) {
   require_positive("youngs_modulus", material.youngs_modulus);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "elasticity/hooke.hpp"
 #include "numeric/require.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
 #include "tactile_net/elasticity/layer.hpp"
@@ -53,18 +54,18 @@ double interpolate(const double* values, double at) noexcept {
 
 }  // namespace
 
-std::complex<double> pad_transform(Quantity quantity, Traction load, const Material& material,
+std::complex<double> pad_transform(Quantity quantity, Traction component, const Material& material,
                                    double depth, double wavenumber) noexcept {
-  return material.layer ? layer_transform(quantity, load, material, depth, wavenumber)
-                        : half_plane_transform(quantity, load, material, depth, wavenumber);
+  return material.layer ? layer_transform(quantity, component, material, depth, wavenumber)
+                        : half_plane_transform(quantity, component, material, depth, wavenumber);
 }
 
-PadKernel::PadKernel(Quantity quantity, Traction load, const Material& material, double depth)
+PadKernel::PadKernel(Quantity quantity, Traction component, const Material& material, double depth)
     : quantity_(quantity),
-      load_(load),
+      component_(component),
       material_(material),
       depth_(depth),
-      is_odd_(is_odd(quantity, load)) {
+      is_odd_(tactile_net::is_odd(quantity, component)) {
   check(material);
   require_positive("depth", depth);
   if (!material.layer) return;
@@ -72,15 +73,8 @@ PadKernel::PadKernel(Quantity quantity, Traction load, const Material& material,
   require(depth <= h, "depth", "be at most the layer's thickness", depth);
 
   // What holds a tangential load on a frictionless base is stress_y, half of it on each side.
-  if (load == Traction::tangential && material.layer->base == Base::frictionless) {
-    const double stress_y = 0.5 / h;
-    const double nu = material.poisson_ratio;
-    if (quantity == Quantity::stress_y) limit_ = stress_y;
-    if (quantity == Quantity::strain_y)
-      limit_ = (1.0 - nu * nu) * stress_y / material.youngs_modulus;
-    if (quantity == Quantity::strain_x)
-      limit_ = -nu * (1.0 + nu) * stress_y / material.youngs_modulus;
-  }
+  if (component == Traction::tangential && material.layer->base == Base::frictionless)
+    limit_ = read(quantity, Stress<double>{.x = 0.0, .y = 0.5 / h, .shear = 0.0}, material);
 
   // 20 points resolve 20 radians of exp(i k y) at the largest y, and every pole's distance.
   using Rule = boost::math::quadrature::gauss<double, 20>;
@@ -89,8 +83,8 @@ PadKernel::PadKernel(Quantity quantity, Traction load, const Material& material,
   values_.assign(panels * points, 0.0);
   const auto add = [&](double k, double weight) {
     const std::complex<double> difference =
-        layer_transform(quantity, load, material, depth, k) -
-        half_plane_transform(quantity, load, material, depth, k);
+        layer_transform(quantity, component, material, depth, k) -
+        half_plane_transform(quantity, component, material, depth, k);
     const double amplitude = (is_odd_ ? -difference.imag() : difference.real()) * weight / pi;
     const std::complex<double> step = std::polar(1.0, k * panel_width * h);
     for (std::size_t i = 0; i < points; ++i) {
@@ -121,10 +115,10 @@ double PadKernel::operator()(double y) const noexcept {
     if (!(at < static_cast<double>(panels))) return sign * limit_;
     const auto panel = static_cast<std::size_t>(at);
     const double inside = 2.0 * (at - static_cast<double>(panel)) - 1.0;
-    return half_plane_kernel(quantity_, load_, material_, depth_, y) +
+    return half_plane_kernel(quantity_, component_, material_, depth_, y) +
            sign * interpolate(values_.data() + panel * points, inside);
   }
-  return half_plane_kernel(quantity_, load_, material_, depth_, y);
+  return half_plane_kernel(quantity_, component_, material_, depth_, y);
 }
 
 double relative_kernel_error(const Material& material) noexcept {

@@ -1,31 +1,28 @@
 #include "tactile_net/elasticity/quantity.hpp"
 
-namespace tactile_net {
+#include "numeric/named.hpp"
 
-std::string_view name(Quantity quantity) noexcept {
-  switch (quantity) {
-    case Quantity::stress_x:
-      return "stress_x";
-    case Quantity::stress_y:
-      return "stress_y";
-    case Quantity::shear_xy:
-      return "shear_xy";
-    case Quantity::strain_x:
-      return "strain_x";
-    case Quantity::strain_y:
-      return "strain_y";
-  }
-  return "";
-}
+namespace tactile_net {
+namespace {
+
+constexpr Named<Traction> components[] = {{Traction::normal, "normal"},
+                                          {Traction::tangential, "tangential"}};
+static_assert(traction_components.size() == std::size(components));
+
+}  // namespace
+
+std::string_view name(Quantity quantity) noexcept { return name_in<quantity_traits>(quantity); }
 
 std::optional<Quantity> quantity_named(std::string_view text) noexcept {
-  for (const Quantity quantity : quantities)
-    if (name(quantity) == text) return quantity;
-  return std::nullopt;
+  return named_in<quantity_traits>(text);
 }
 
-bool is_strain(Quantity quantity) noexcept {
-  return quantity == Quantity::strain_x || quantity == Quantity::strain_y;
+std::string_view name(Traction component) noexcept { return name_in<components>(component); }
+
+bool is_strain(Quantity quantity) noexcept { return row_in<quantity_traits>(quantity).unit == "1"; }
+
+bool is_odd(Quantity quantity, Traction component) noexcept {
+  return row_in<quantity_traits>(quantity).odd_for_normal == (component == Traction::normal);
 }
 
 bool is_odd(Quantity quantity, Traction component) noexcept {

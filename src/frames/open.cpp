@@ -12,7 +12,7 @@ namespace {
 
 /// Which columns hold readings of dead taxels.
 std::vector<bool> unread_columns(const Scene& scene) {
-  std::vector<bool> unread(channels(scene.sensor).size() * scene.sensor.count);
+  std::vector<bool> unread(reading_count(scene.sensor));
   for (std::size_t i = 0; i < unread.size(); ++i)
     for (const std::size_t taxel : scene.dead_taxels)
       if (i % scene.sensor.count == taxel) unread[i] = true;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "numeric/named.hpp"
+
 namespace tactile_net {
 namespace {
 
@@ -269,47 +271,29 @@ void require_noise(AlphaRule rule, std::optional<double> noise_rms) {
     throw std::invalid_argument("the rule discrepancy needs the noise's rms");
 }
 
+constexpr Named<AlphaRule> rules[] = {{AlphaRule::rgcv, "rgcv"},
+                                      {AlphaRule::gcv, "gcv"},
+                                      {AlphaRule::discrepancy, "discrepancy"},
+                                      {AlphaRule::l_curve, "l_curve"},
+                                      {AlphaRule::ncp, "ncp"},
+                                      {AlphaRule::gml, "gml"}};
+static_assert(alpha_rules.size() == std::size(rules));
+
+constexpr Named<AlphaVerdict> verdicts[] = {{AlphaVerdict::ok, "ok"},
+                                            {AlphaVerdict::border, "border"},
+                                            {AlphaVerdict::unstable, "unstable"},
+                                            {AlphaVerdict::no_root, "no_root"},
+                                            {AlphaVerdict::rules_disagree, "rules_disagree"}};
+
 }  // namespace
 
-std::string_view name(AlphaRule rule) noexcept {
-  switch (rule) {
-    case AlphaRule::rgcv:
-      return "rgcv";
-    case AlphaRule::gcv:
-      return "gcv";
-    case AlphaRule::discrepancy:
-      return "discrepancy";
-    case AlphaRule::l_curve:
-      return "l_curve";
-    case AlphaRule::ncp:
-      return "ncp";
-    case AlphaRule::gml:
-      return "gml";
-  }
-  return "";
-}
+std::string_view name(AlphaRule rule) noexcept { return name_in<rules>(rule); }
 
 std::optional<AlphaRule> alpha_rule_named(std::string_view text) noexcept {
-  for (const AlphaRule rule : alpha_rules)
-    if (name(rule) == text) return rule;
-  return std::nullopt;
+  return named_in<rules>(text);
 }
 
-std::string_view name(AlphaVerdict verdict) noexcept {
-  switch (verdict) {
-    case AlphaVerdict::ok:
-      return "ok";
-    case AlphaVerdict::border:
-      return "border";
-    case AlphaVerdict::no_root:
-      return "no_root";
-    case AlphaVerdict::unstable:
-      return "unstable";
-    case AlphaVerdict::rules_disagree:
-      return "rules_disagree";
-  }
-  return "";
-}
+std::string_view name(AlphaVerdict verdict) noexcept { return name_in<verdicts>(verdict); }
 
 const AlphaChoice& AlphaSweep::choice(AlphaRule rule) const {
   for (const Curve& curve : curves)

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "inverse/checks.hpp"
 #include "inverse/stacked.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 

@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "inverse/checks.hpp"
 #include "inverse/nonnegative.hpp"
 #include "inverse/stacked.hpp"
-#include "numeric/finite.hpp"
 
 namespace tactile_net {
 namespace {
@@ -75,18 +75,17 @@ ConstrainedTikhonov& ConstrainedTikhonov::operator=(ConstrainedTikhonov&&) noexc
 ConstrainedSolution ConstrainedTikhonov::solve(std::span<const double> readings,
                                                std::size_t iteration_limit) const {
   const System& s = *system_;
-  if (std::ssize(readings) != s.weights.size())
-    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
-                                " values, the problem has " + std::to_string(s.weights.size()) +
-                                " rows");
-  if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
+  if (std::ssize(readings) != s.weights.size()) return {.status = FrameStatus::wrong_size};
+  if (!all_finite(readings)) return {.status = FrameStatus::not_finite};
 
   Eigen::VectorXd g = s.weights.cwiseProduct(as_eigen(readings));
   const double scale = g.cwiseAbs().maxCoeff();
+  if (!std::isfinite(scale)) return {.status = FrameStatus::too_large};
   if (scale > 0.0) g = g / scale;
   NonnegativeSolution found =
       nonnegative_least_squares(s.triangle, s.q.transpose() * g, s.bounded, iteration_limit);
   const Eigen::VectorXd f = s.edges * found.z.cwiseQuotient(s.norms) * scale;
+  if (!f.allFinite()) return {.status = FrameStatus::too_large};
 
   ConstrainedSolution solution{
       .tractions = {f.begin(), f.end()},

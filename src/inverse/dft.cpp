@@ -9,7 +9,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "inverse/rounding.hpp"
 #include "numeric/finite.hpp"
+#include "numeric/named.hpp"
 #include "numeric/real_fft.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 
@@ -18,21 +20,14 @@ namespace {
 
 constexpr double accepted_gain = 1e4;
 
+constexpr Named<DftVerdict> verdicts[] = {{DftVerdict::ok, "ok"},
+                                          {DftVerdict::noise_amplified, "noise_amplified"},
+                                          {DftVerdict::sign_change, "sign_change"},
+                                          {DftVerdict::cut_off, "cut_off"}};
+
 }  // namespace
 
-std::string_view name(DftVerdict verdict) noexcept {
-  switch (verdict) {
-    case DftVerdict::ok:
-      return "ok";
-    case DftVerdict::noise_amplified:
-      return "noise_amplified";
-    case DftVerdict::sign_change:
-      return "sign_change";
-    case DftVerdict::cut_off:
-      return "cut_off";
-  }
-  return "";
-}
+std::string_view name(DftVerdict verdict) noexcept { return name_in<verdicts>(verdict); }
 
 struct DftInverse::Plan {
   explicit Plan(std::size_t count) : fft(count), inverse(fft.bins().size()) {}
@@ -51,7 +46,7 @@ DftInverse::DftInverse(const SensorArray& array, const Material& material, doubl
   check(array);
   check(material);
   if (!(gain_limit >= 1.0)) throw std::invalid_argument("the noise gain's limit must be >= 1");
-  if (array.reads.size() * array.depths.size() != 1)
+  if (channel_count(array) != 1)
     throw std::invalid_argument("dft solves for one quantity at one depth, not for several");
 
   const std::size_t n = array.count;
@@ -113,6 +108,7 @@ FrameStatus DftInverse::solve(std::span<const double> readings,
   for (std::size_t k = 0; k < plan_->inverse.size(); ++k)
     fft.bins()[k] = product(fft.bins()[k], plan_->inverse[k]);
   fft.backward();
+  if (!all_finite(fft.samples())) return FrameStatus::too_large;
   std::copy_n(fft.samples().begin(), tractions.size(), tractions.begin());
   return FrameStatus::ok;
 }
@@ -123,11 +119,8 @@ double DftInverse::forward_bound(std::span<const double> readings) const noexcep
   double peak = 0.0;
   for (const double reading : readings) peak = std::max(peak, std::abs(reading));
   if (peak == 0.0) return 0.0;
-  const double underflow =
-      std::numeric_limits<double>::denorm_min() * static_cast<double>(readings.size()) / peak;
-  const double transforms = 3.0 * std::log2(static_cast<double>(plan_->fft.size()) + 2.0) *
-                            std::numeric_limits<double>::epsilon();
-  return plan_->gain.largest * (plan_->kernel_error + transforms + underflow);
+  return plan_->gain.largest * (plan_->kernel_error + transforms_error(plan_->fft.size()) +
+                                underflow_error(2 * readings.size(), peak));
 }
 
 DftVerdict DftInverse::verdict() const noexcept {

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "numeric/finite.hpp"
+#include "numeric/named.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
 namespace tactile_net {
@@ -58,9 +60,8 @@ bool fills(std::span<const double> blurred, std::size_t width, double spread) {
   double outside = 0.0;
   double all = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    const double distance = std::abs(static_cast<double>(i) - 0.5 * static_cast<double>(n - 1));
     all += blurred[i];
-    if (distance > edge) outside += blurred[i];
+    if (std::abs(centred(i, n)) > edge) outside += blurred[i];
   }
   return std::abs(outside) <= tolerated * all;
 }
@@ -69,23 +70,16 @@ double square(std::span<const double> values) {
   return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
 }
 
+constexpr Named<FrictionVerdict> verdicts[] = {
+    {FrictionVerdict::ok, "ok"},
+    {FrictionVerdict::dft, "dft"},
+    {FrictionVerdict::not_one_contact, "not_one_contact"},
+    {FrictionVerdict::drag_in_noise, "drag_in_noise"},
+    {FrictionVerdict::no_contact, "no_contact"}};
+
 }  // namespace
 
-std::string_view name(FrictionVerdict verdict) noexcept {
-  switch (verdict) {
-    case FrictionVerdict::ok:
-      return "ok";
-    case FrictionVerdict::dft:
-      return "dft";
-    case FrictionVerdict::not_one_contact:
-      return "not_one_contact";
-    case FrictionVerdict::drag_in_noise:
-      return "drag_in_noise";
-    case FrictionVerdict::no_contact:
-      return "no_contact";
-  }
-  return "";
-}
+std::string_view name(FrictionVerdict verdict) noexcept { return name_in<verdicts>(verdict); }
 
 DftFriction::DftFriction(const SensorArray& array, const Material& material, double friction,
                          double gain_limit)
@@ -97,29 +91,12 @@ DftFriction::DftFriction(const SensorArray& array, const Material& material, dou
   if (!std::isfinite(friction)) throw std::invalid_argument("friction must be finite");
 }
 
-FrictionSolution DftFriction::solve(std::span<const double> readings) {
-  const std::size_t n = kernel_.size() / 2 + 1;
-  std::vector<double> even(n);
-  std::vector<double> odd(n);
-  FrictionSolution solution{.normal = std::vector<double>(n), .tangential = std::vector<double>(n)};
-  if (readings.size() != n) throw std::invalid_argument("readings need one value per taxel");
-  for (std::size_t i = 0; i < n; ++i) {
-    even[i] = 0.5 * (readings[i] + readings[n - 1 - i]);
-    odd[i] = 0.5 * (readings[i] - readings[n - 1 - i]);
-  }
-  if (division_.solve(even, solution.normal) != FrameStatus::ok)
-    throw std::invalid_argument("readings are not finite");
-  solution.dft = division_.verdict(even);
-  const double force = std::accumulate(solution.normal.begin(), solution.normal.end(), 0.0);
-  if (!(force > 0.0)) {
-    solution.verdict = FrictionVerdict::no_contact;
-    (void)division_.solve(readings, solution.normal);
-    return solution;
-  }
-
-  // Boxes that grow by a taxel on each side; `pattern` is K2 * box of height 1 / w.
-  std::vector<double> sum(n);
-  std::vector<double> best(n);
+/// Boxes that grow by a taxel on each side: the one whose drag explains the odd readings best.
+DftFriction::Drag DftFriction::likeliest(std::span<const double> odd,
+                                         std::span<const double> normal, double force) const {
+  const std::size_t n = odd.size();
+  Drag likeliest{.width = 0, .readings = std::vector<double>(n)};
+  std::vector<double> sum(n);  // K2 * box of height 1
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t width = n % 2 == 0 ? 2 : 1; width <= n; width += 2) {
     const std::size_t first = (n - width) / 2;
@@ -134,44 +111,76 @@ FrictionSolution DftFriction::solve(std::span<const double> readings) {
     // Without friction every width fits: then the one that holds nearly all of the normal force.
     if (friction_ == 0.0) {
       double inside = 0.0;
-      for (std::size_t i = first; i < n - first; ++i) inside += solution.normal[i];
+      for (std::size_t i = first; i < n - first; ++i) inside += normal[i];
       misfit = inside >= 0.99 * force ? static_cast<double>(width)
                                       : static_cast<double>(n) + force - inside;
     }
     if (misfit < least) {
       least = misfit;
-      solution.width = width;
-      for (std::size_t i = 0; i < n; ++i) best[i] = height * sum[i];
+      likeliest.width = width;
+      for (std::size_t i = 0; i < n; ++i) likeliest.readings[i] = height * sum[i];
     }
   }
+  return likeliest;
+}
 
-  std::vector<double> rest(readings.begin(), readings.end());
-  for (std::size_t i = 0; i < n; ++i) {
-    rest[i] -= best[i];
-    odd[i] -= best[i];
-  }
-  const bool one =
-      fills(blurred(solution.normal, depth_), friction_ == 0.0 ? n : solution.width, depth_);
-  const Misfit misfit = examine(odd);
+FrictionVerdict DftFriction::judge(std::span<const double> even, std::span<const double> rest,
+                                   std::span<const double> normal, const Drag& drag) const {
+  const std::size_t n = even.size();
+  const bool one = fills(blurred(normal, depth_), friction_ == 0.0 ? n : drag.width, depth_);
+  const Misfit misfit = examine(rest);
   // The model is as uncertain as the normal force, which the readings' sum gives.
   const double sum_of_readings = std::accumulate(even.begin(), even.end(), 0.0);
   const double force_doubt =
       3.0 * misfit.noise * std::sqrt(static_cast<double>(n)) / std::abs(sum_of_readings);
-  const double size = square(friction_ == 0.0 ? even : best);
+  const double size = square(friction_ == 0.0 ? even : std::span<const double>(drag.readings));
   const double allowed = tolerated * tolerated * size;
   const bool contradicted =
       misfit.shape > std::pow(tolerated + force_doubt, 2) * size + misfit.doubt;
-  if (contradicted || (!one && force_doubt <= tolerated))
-    solution.verdict = FrictionVerdict::not_one_contact;
-  else if (misfit.shape + misfit.doubt > allowed || force_doubt > tolerated)
-    solution.verdict = FrictionVerdict::drag_in_noise;
-  else if (solution.dft != DftVerdict::ok)
+  if (contradicted || (!one && force_doubt <= tolerated)) return FrictionVerdict::not_one_contact;
+  if (misfit.shape + misfit.doubt > allowed || force_doubt > tolerated)
+    return FrictionVerdict::drag_in_noise;
+  return FrictionVerdict::ok;
+}
+
+FrictionSolution DftFriction::solve(std::span<const double> readings) {
+  const std::size_t n = kernel_.size() / 2 + 1;
+  if (readings.size() != n) return {.status = FrameStatus::wrong_size};
+  if (!all_finite(readings)) return {.status = FrameStatus::not_finite};
+  const FrictionSolution too_large{.status = FrameStatus::too_large};
+
+  std::vector<double> even(n);
+  std::vector<double> odd(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    even[i] = 0.5 * (readings[i] + readings[n - 1 - i]);
+    odd[i] = 0.5 * (readings[i] - readings[n - 1 - i]);
+  }
+  FrictionSolution solution{.normal = std::vector<double>(n), .tangential = std::vector<double>(n)};
+  if (division_.solve(even, solution.normal) != FrameStatus::ok) return too_large;
+  solution.dft = division_.verdict(even);
+  const double force = std::accumulate(solution.normal.begin(), solution.normal.end(), 0.0);
+  if (!(force > 0.0)) {
+    if (division_.solve(readings, solution.normal) != FrameStatus::ok) return too_large;
+    solution.verdict = FrictionVerdict::no_contact;
+    return solution;
+  }
+
+  const Drag drag = likeliest(odd, solution.normal, force);
+  const double height = friction_ * force / static_cast<double>(drag.width);
+  if (!std::isfinite(height)) return too_large;  // also if the squares overflowed for every width
+  std::vector<double> rest(readings.begin(), readings.end());
+  for (std::size_t i = 0; i < n; ++i) {
+    rest[i] -= drag.readings[i];
+    odd[i] -= drag.readings[i];
+  }
+  solution.width = drag.width;
+  solution.verdict = judge(even, odd, solution.normal, drag);
+  if (solution.verdict == FrictionVerdict::ok && solution.dft != DftVerdict::ok)
     solution.verdict = FrictionVerdict::dft;
 
-  (void)division_.solve(rest, solution.normal);
-  const double height = friction_ * force / static_cast<double>(solution.width);
-  std::fill_n(solution.tangential.begin() + static_cast<std::ptrdiff_t>((n - solution.width) / 2),
-              solution.width, height);
+  if (division_.solve(rest, solution.normal) != FrameStatus::ok) return too_large;
+  std::fill_n(solution.tangential.begin() + static_cast<std::ptrdiff_t>((n - drag.width) / 2),
+              drag.width, height);
   return solution;
 }
 

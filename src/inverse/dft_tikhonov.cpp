@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "inverse/checks.hpp"
 #include "inverse/kernel_error.hpp"
+#include "inverse/rounding.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/real_fft.hpp"
@@ -92,6 +94,7 @@ struct DftTikhonov::Plan {
   double kernel_error = 0.0;  // of the matrices' entries
   Eigen::MatrixXcd spectrum;  // channels x frequencies
   Eigen::MatrixXcd solution;  // unknowns x frequencies
+  std::vector<double> tractions;
 };
 
 DftTikhonov::~DftTikhonov() = default;
@@ -119,12 +122,14 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
   std::vector<Eigen::MatrixXcd> a(bins, Eigen::MatrixXcd::Zero(rows, columns));
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t u = 0; u < plan.unknowns; ++u) {
-      const Traction load = u == 0 ? Traction::normal : Traction::tangential;
-      const std::vector<double> kernel = sampled_kernel(all[c], load, material, n, array.pitch);
-      plan.kernel_error = std::hypot(
-          plan.kernel_error, plan.weights[c] * kernel_error(all[c], load, material, array, kernel));
+      const Traction component = traction_components[u];
+      const std::vector<double> kernel =
+          sampled_kernel(all[c], component, material, n, array.pitch);
+      plan.kernel_error =
+          std::hypot(plan.kernel_error,
+                     plan.weights[c] * kernel_error(all[c], component, material, array, kernel));
       transform_circular(plan.fft, kernel);
-      const bool odd = (all[c].quantity == Quantity::shear_xy) == (load == Traction::normal);
+      const bool odd = is_odd(all[c].quantity, component);
       for (std::size_t k = 0; k < bins; ++k) {
         // Rounding must not give an odd kernel a mean, nor an even one a phase.
         const std::complex<double> value =
@@ -164,6 +169,7 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
   }
   plan.spectrum.resize(rows, static_cast<Eigen::Index>(bins));
   plan.solution.resize(columns, static_cast<Eigen::Index>(bins));
+  plan.tractions.resize(plan.unknowns * n);
 }
 
 std::span<const DftNullMode> DftTikhonov::null_modes() const noexcept { return plan_->null_modes; }
@@ -191,15 +197,12 @@ double DftTikhonov::forward_bound(std::span<const double> readings, double alpha
   }
   double solution = 0.0;
   for (const double f : tractions) solution += (f / frame.scale) * (f / frame.scale);
-  const double transforms = 3.0 * std::log2(static_cast<double>(plan_->fft.size()) + 2.0) *
-                            std::numeric_limits<double>::epsilon();
-  // Readings and tractions near the smallest doubles lose digits to it.
-  const double underflow = std::numeric_limits<double>::denorm_min() / frame.scale *
-                           std::sqrt(static_cast<double>(readings.size() + tractions.size()));
+  const double underflow = underflow_error(readings.size() + tractions.size(), frame.scale);
   const double lost = solution > 0.0 ? underflow / std::sqrt(solution) : 0.0;
   return wedin_bound(condition(alpha), std::hypot(plan_->largest, std::sqrt(alpha)),
                      std::sqrt(right), std::sqrt(residual), std::sqrt(solution),
-                     plan_->kernel_error / plan_->largest + transforms + underflow) +
+                     plan_->kernel_error / plan_->largest + transforms_error(plan_->fft.size()) +
+                         underflow) +
          lost;
 }
 
@@ -225,11 +228,7 @@ bool DftTikhonov::cut_off(std::span<const double> readings, double alpha) const 
 FilterFrame DftTikhonov::analyse(std::span<const double> readings) {
   Plan& plan = *plan_;
   const std::size_t n = plan.fft.size();
-  if (readings.size() != plan.weights.size() * n)
-    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
-                                " values, the array has " +
-                                std::to_string(plan.weights.size() * n));
-  if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
+  check_readings(readings, plan.weights.size() * n);
 
   FilterFrame frame;
   frame.rows = readings.size();
@@ -291,8 +290,10 @@ FrameStatus DftTikhonov::solve(std::span<const double> readings, double alpha,
           static_cast<double>(n);
     plan.fft.backward();
     std::copy_n(plan.fft.samples().begin(), n,
-                tractions.begin() + static_cast<std::ptrdiff_t>(u * n));
+                plan.tractions.begin() + static_cast<std::ptrdiff_t>(u * n));
   }
+  if (!all_finite(plan.tractions)) return FrameStatus::too_large;
+  std::copy(plan.tractions.begin(), plan.tractions.end(), tractions.begin());
   return FrameStatus::ok;
 }
 

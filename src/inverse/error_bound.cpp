@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "inverse/rounding.hpp"
 #include "inverse/stabiliser.hpp"
 #include "numeric/eigen.hpp"
 
@@ -46,13 +47,12 @@ double forward_bound(const InverseProblem& problem, double alpha, std::span<cons
   }
   const double rounding = std::numeric_limits<double>::epsilon() / 2.0 *
                           std::sqrt(static_cast<double>(kernel.rows() + 2 * kernel.cols()));
-  // Readings and tractions near the smallest doubles lose digits to it.
-  const double underflow = std::numeric_limits<double>::denorm_min() *
-                           std::sqrt(static_cast<double>(kernel.rows() + kernel.cols()));
+  const double underflow =
+      underflow_error(static_cast<std::size_t>(kernel.rows() + kernel.cols()), scale);
   const double size = std::max(response, stabiliser);
   return wedin_bound(condition, size, right.norm(), residual, f.norm(),
-                     problem.kernel_error / size + rounding + underflow / scale) +
-         underflow / (scale * f.norm());
+                     problem.kernel_error / size + rounding + underflow) +
+         underflow / f.norm();
 }
 
 }  // namespace tactile_net

@@ -8,9 +8,9 @@
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
+#include "inverse/checks.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/real_fft.hpp"
 #include "tactile_net/sensing/sampled.hpp"
@@ -181,8 +181,8 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
       bins, Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(all.size()), u_count));
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t u = 0; u < plan.unknowns; ++u) {
-      const Traction load = u == 0 ? Traction::normal : Traction::tangential;
-      const std::vector<double> kernel = sampled_kernel(all[c], load, material, n, array.pitch);
+      const std::vector<double> kernel =
+          sampled_kernel(all[c], traction_components[u], material, n, array.pitch);
       transform_kernel(plan.padded, kernel);
       Spectrum spectrum(plan.padded.bins().begin(), plan.padded.bins().end());
       for (Complex& bin : spectrum) bin /= static_cast<double>(plan.padded.size());
@@ -206,8 +206,7 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
 }
 
 void FftTikhonov::use_alpha(double alpha) {
-  if (!(alpha > 0.0) || !std::isfinite(alpha))
-    throw std::invalid_argument("alpha must be > 0 and finite");
+  check_alpha(alpha);
   Plan& plan = *plan_;
   plan.alpha = alpha;
   plan.size = std::sqrt(alpha);
@@ -249,6 +248,7 @@ FrameStatus FftTikhonov::solve(std::span<const double> readings, std::span<doubl
     p.right[i] = p.weights[i] * readings[i];
     scale = std::max(scale, std::abs(p.right[i]));
   }
+  if (!std::isfinite(scale)) return FrameStatus::too_large;
   if (scale == 0.0) {
     std::fill(tractions.begin(), tractions.end(), 0.0);
     return FrameStatus::ok;
@@ -293,7 +293,9 @@ FrameStatus FftTikhonov::solve(std::span<const double> readings, std::span<doubl
       p.direction[i] = p.preconditioned[i] + turn * p.direction[i];
   }
   if (power == 0.0) c.converged = true;
-  for (std::size_t i = 0; i < tractions.size(); ++i) tractions[i] = p.f[i] * scale;
+  for (double& traction : p.f) traction *= scale;
+  if (!all_finite(p.f)) return FrameStatus::too_large;
+  std::copy(p.f.begin(), p.f.end(), tractions.begin());
   return FrameStatus::ok;
 }
 

@@ -15,7 +15,7 @@ namespace tactile_net {
 /// How far rounding may have moved one Toeplitz block (`sampled_kernel`), in the 2-norm. Half
 /// plane: some ulp of every entry, so that the 1-norm of the lags bounds it. Layer: each lag is off
 /// by a share of the half plane's peak, one way as well as the other.
-[[nodiscard]] inline double kernel_error(const Channel& channel, Traction load,
+[[nodiscard]] inline double kernel_error(const Channel& channel, Traction component,
                                          const Material& material, const SensorArray& array,
                                          std::span<const double> kernel) {
   const double relative = relative_kernel_error(material);
@@ -24,9 +24,9 @@ namespace tactile_net {
   if (!material.layer) return relative * sum;
   double peak = 0.0;
   for (std::size_t i = 0; i < array.count; ++i)
-    peak =
-        std::max(peak, std::abs(half_plane_kernel(channel.quantity, load, material, channel.depth,
-                                                  static_cast<double>(i) * array.pitch)));
+    peak = std::max(peak,
+                    std::abs(half_plane_kernel(channel.quantity, component, material, channel.depth,
+                                               static_cast<double>(i) * array.pitch)));
   return relative * peak * array.pitch * std::sqrt(static_cast<double>(kernel.size()));
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "inverse/checks.hpp"
 #include "inverse/kernel_error.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/sensing/sampled.hpp"
@@ -15,7 +16,7 @@ void check(const SensorArray& array, const Material& material, const ProblemOpti
   check(material);
   if (options.unknowns != 1 && options.unknowns != 2)
     throw std::invalid_argument("unknowns must be 1 (normal) or 2 (normal and tangential)");
-  if (options.unknowns > array.reads.size() * array.depths.size())
+  if (options.unknowns > channel_count(array))
     throw std::invalid_argument(
         "two tractions cannot be told apart by one quantity at one depth: read a second one");
   if (!(options.smoothing_length >= 0.0) || !std::isfinite(options.smoothing_length))
@@ -27,7 +28,7 @@ void check(const SensorArray& array, const Material& material, const ProblemOpti
       throw std::invalid_argument(
           "strains and stresses read together need channel_rms: the sum of their squares has no "
           "unit");
-  } else if (options.channel_rms.size() != array.reads.size() * array.depths.size()) {
+  } else if (options.channel_rms.size() != channel_count(array)) {
     throw std::invalid_argument("channel_rms needs one value per channel");
   }
   for (const double rms : options.channel_rms)
@@ -60,11 +61,12 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
     for (const std::size_t taxel : options.dead_taxels) row_weights[taxel] = 0.0;
 
     for (std::size_t u = 0; u < options.unknowns; ++u) {
-      const Traction load = u == 0 ? Traction::normal : Traction::tangential;
-      const std::vector<double> kernel = sampled_kernel(all[c], load, material, n, array.pitch);
+      const Traction component = traction_components[u];
+      const std::vector<double> kernel =
+          sampled_kernel(all[c], component, material, n, array.pitch);
       const double weight = options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[c];
       problem.kernel_error = std::hypot(
-          problem.kernel_error, weight * kernel_error(all[c], load, material, array, kernel));
+          problem.kernel_error, weight * kernel_error(all[c], component, material, array, kernel));
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j)
           problem.kernel(c * n + i, u * n + j) = row_weights[i] * kernel[i + n - 1 - j];
@@ -77,8 +79,7 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
 }
 
 Matrix normal_matrix(const InverseProblem& problem, double alpha) {
-  if (!(alpha > 0.0) || !std::isfinite(alpha))
-    throw std::invalid_argument("alpha must be > 0 and finite");
+  check_alpha(alpha);
   const auto kernel = as_eigen(problem.kernel);
   RowMajor p = RowMajor::Zero(kernel.cols(), kernel.cols());
   p.selfadjointView<Eigen::Upper>().rankUpdate(kernel.transpose());
@@ -99,10 +100,7 @@ Matrix normal_matrix(const InverseProblem& problem, double alpha) {
 
 std::vector<double> normal_right_side(const InverseProblem& problem,
                                       std::span<const double> readings) {
-  if (readings.size() != problem.weights.size())
-    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
-                                " values, the problem has " +
-                                std::to_string(problem.weights.size()) + " rows");
+  check_size(readings, problem.weights.size());
   std::vector<double> right_side(problem.kernel.columns);
   Eigen::Map<Eigen::VectorXd>(right_side.data(), std::ssize(right_side)) =
       as_eigen(problem.kernel).transpose() *

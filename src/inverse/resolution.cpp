@@ -49,13 +49,13 @@ std::vector<Complex> columns_of(const SensorArray& array, const Material& materi
   std::vector<Complex> columns;  // one after the other
   for (std::size_t u = 0; u < options.unknowns; ++u)
     for (std::size_t c = 0; c < all.size(); ++c) {
-      const Traction load = u == 0 ? Traction::normal : Traction::tangential;
-      const bool odd = (all[c].quantity == Quantity::shear_xy) == (load == Traction::normal);
+      const Traction component = traction_components[u];
+      const bool odd = is_odd(all[c].quantity, component);
       const double rms = options.channel_rms.empty() ? 1.0 : options.channel_rms[c];
-      columns.push_back(
-          odd && on_grid
-              ? 0.0
-              : pad_transform(all[c].quantity, load, material, all[c].depth, wavenumber) / rms);
+      columns.push_back(odd && on_grid ? 0.0
+                                       : pad_transform(all[c].quantity, component, material,
+                                                       all[c].depth, wavenumber) /
+                                             rms);
     }
   return columns;
 }

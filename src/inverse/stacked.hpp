@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "inverse/stabiliser.hpp"
@@ -13,11 +12,6 @@
 #include "tactile_net/inverse/problem.hpp"
 
 namespace tactile_net {
-
-inline void check_alpha(double alpha) {
-  if (!(alpha > 0.0) || !std::isfinite(alpha))
-    throw std::invalid_argument("alpha must be > 0 and finite");
-}
 
 /// [W K; sqrt(alpha) L].
 [[nodiscard]] inline Eigen::MatrixXd stacked(const InverseProblem& problem, double alpha) {

@@ -1,7 +1,5 @@
-#include <string>
-
+#include "inverse/checks.hpp"
 #include "inverse/stacked.hpp"
-#include "numeric/finite.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 
 namespace tactile_net {
@@ -15,12 +13,7 @@ Reconstruction tikhonov(const InverseProblem& problem, double alpha) {
 std::vector<double> tikhonov_solve(const InverseProblem& problem, double alpha,
                                    std::span<const double> readings) {
   check_alpha(alpha);
-  if (readings.size() != problem.kernel.rows)
-    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
-                                " values, the problem has " + std::to_string(problem.kernel.rows) +
-                                " rows");
-  if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
-
+  check_readings(readings, problem.kernel.rows);
   const Eigen::MatrixXd a = stacked(problem, alpha);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(a.rows());
   right.head(std::ssize(readings)) =

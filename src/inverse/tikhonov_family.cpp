@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "inverse/checks.hpp"
 #include "inverse/stacked.hpp"
 #include "inverse/standard_form.hpp"
-#include "numeric/finite.hpp"
 
 namespace tactile_net {
 namespace {
@@ -92,11 +92,7 @@ double TikhonovFamily::condition(double alpha) const noexcept {
 
 FilterFrame TikhonovFamily::analyse(std::span<const double> readings) const {
   const Factors& factors = *factors_;
-  if (std::ssize(readings) != factors.weights.size())
-    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
-                                " values, the problem has " +
-                                std::to_string(factors.weights.size()) + " rows");
-  if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
+  check_readings(readings, static_cast<std::size_t>(factors.weights.size()));
 
   FilterFrame frame{.gamma = factors.gamma, .beta = std::vector<double>(factors.gamma.size())};
   frame.rows = static_cast<std::size_t>((factors.weights.array() != 0.0).count());

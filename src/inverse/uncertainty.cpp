@@ -4,6 +4,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
+#include "inverse/checks.hpp"
 #include "inverse/stacked.hpp"
 #include "inverse/standard_form.hpp"
 #include "tactile_net/sensing/resultant.hpp"
@@ -108,8 +109,7 @@ UncertainResultant resultant_of(const InverseProblem& problem, std::span<const d
   for (std::size_t i = 0; i < n; ++i) {
     on_normal[i] = d;
     if (two) on_tangential[n + i] = d;
-    const double place = (static_cast<double>(i) - 0.5 * static_cast<double>(n - 1)) * d;
-    if (centre) on_centre[i] = d * (place - *centre) / sum.normal;
+    if (centre) on_centre[i] = d * (centred(i, n) * d - *centre) / sum.normal;
   }
   const auto uncertain = [&](double value, std::span<const double> gradient) {
     return Uncertain{value, covariance.deviation(gradient) * noise_rms};

@@ -67,7 +67,7 @@ bool SensorRecording::next(bool wanted) {
     if (wanted || path_.has_memory())
       load(at.time);
     else
-      readings_.assign(channels(scene_.sensor).size() * scene_.sensor.count, 0.0);
+      readings_.assign(reading_count(scene_.sensor), 0.0);
     path_.apply(at, readings_);
     if (!at.recorded) continue;
     time_ = at.time;

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "numeric/eigen.hpp"
+#include "numeric/named.hpp"
 #include "tactile_net/network/reduction.hpp"
 #include "tactile_net/network/state_space.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -198,23 +199,15 @@ void add_warnings(Certificate& c, const Circuit& circuit, const RealizationOptio
                          " ohm: further apart than a simulator's digits");
 }
 
+constexpr Named<Stability> stabilities[] = {{Stability::stable, "stable"},
+                                            {Stability::unstable, "unstable"},
+                                            {Stability::not_definite, "not_definite"},
+                                            {Stability::lossless, "lossless"},
+                                            {Stability::not_modelled, "not_modelled"}};
+
 }  // namespace
 
-std::string_view name(Stability stability) noexcept {
-  switch (stability) {
-    case Stability::stable:
-      return "stable";
-    case Stability::unstable:
-      return "unstable";
-    case Stability::not_definite:
-      return "not_definite";
-    case Stability::lossless:
-      return "lossless";
-    case Stability::not_modelled:
-      return "not_modelled";
-  }
-  return "";
-}
+std::string_view name(Stability stability) noexcept { return name_in<stabilities>(stability); }
 
 Certificate certify(Realization realization, const NetworkProblem& problem,
                     const RealizationOptions& options, double accuracy) {

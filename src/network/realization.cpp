@@ -7,6 +7,7 @@
 
 #include "inverse/stabiliser.hpp"
 #include "numeric/eigen.hpp"
+#include "numeric/named.hpp"
 
 namespace tactile_net {
 
@@ -22,32 +23,21 @@ void drop_rounding(Matrix& matrix, double known_to) {
     if (std::abs(value) <= floor) value = 0.0;
 }
 
+constexpr Named<Realization> names[] = {{Realization::ideal, "ideal"},
+                                        {Realization::nic, "nic"},
+                                        {Realization::rail, "rail"},
+                                        {Realization::crossbar, "crossbar"},
+                                        {Realization::least_squares, "least_squares"},
+                                        {Realization::lc, "lc"},
+                                        {Realization::ndr, "ndr"}};
+static_assert(realizations.size() == std::size(names));
+
 }  // namespace
 
-std::string_view name(Realization realization) noexcept {
-  switch (realization) {
-    case Realization::ideal:
-      return "ideal";
-    case Realization::nic:
-      return "nic";
-    case Realization::rail:
-      return "rail";
-    case Realization::crossbar:
-      return "crossbar";
-    case Realization::least_squares:
-      return "least_squares";
-    case Realization::lc:
-      return "lc";
-    case Realization::ndr:
-      return "ndr";
-  }
-  return "";
-}
+std::string_view name(Realization realization) noexcept { return name_in<names>(realization); }
 
 std::optional<Realization> realization_named(std::string_view text) noexcept {
-  const auto found = std::find_if(realizations.begin(), realizations.end(),
-                                  [&](Realization one) { return name(one) == text; });
-  return found == realizations.end() ? std::nullopt : std::optional(*found);
+  return named_in<names>(text);
 }
 
 bool has_amplifiers(Realization realization) noexcept {

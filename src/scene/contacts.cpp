@@ -157,7 +157,7 @@ void check_size(const std::optional<Value>& value, const std::vector<double>& nu
 SampledTractions read_tractions(Table& table, const SensorArray& array) {
   SampledTractions contact;
   contact.pitch = array.pitch;
-  if (array.count > 0) contact.first = -0.5 * static_cast<double>(array.count - 1) * array.pitch;
+  if (array.count > 0) contact.first = position(array, 0);
   const auto normal = table.required(
       "normal", "the normal traction at every taxel, from the lowest y: normal = [0.0, 0.5, 0.0]");
   const auto tangential = table.value("tangential");

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numeric/named.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
 
 namespace tactile_net {
@@ -38,40 +39,25 @@ void merge(std::vector<Instant>& instants, double apart) {
   instants = std::move(merged);
 }
 
+constexpr Named<ForwardModel> forward_models[] = {{ForwardModel::sampled, "sampled"},
+                                                  {ForwardModel::exact, "exact"}};
+constexpr Named<Method> methods[] = {{Method::dft, "dft"},
+                                     {Method::tikhonov, "tikhonov"},
+                                     {Method::closed_form, "closed_form"},
+                                     {Method::network, "network"}};
+
 }  // namespace
 
-std::string_view name(ForwardModel model) noexcept {
-  switch (model) {
-    case ForwardModel::sampled:
-      return "sampled";
-    case ForwardModel::exact:
-      return "exact";
-  }
-  return "";
-}
+std::string_view name(ForwardModel model) noexcept { return name_in<forward_models>(model); }
 
-std::string_view name(Method method) noexcept {
-  switch (method) {
-    case Method::dft:
-      return "dft";
-    case Method::tikhonov:
-      return "tikhonov";
-    case Method::closed_form:
-      return "closed_form";
-    case Method::network:
-      return "network";
-  }
-  return "";
-}
+std::string_view name(Method method) noexcept { return name_in<methods>(method); }
 
 std::optional<Method> method_named(std::string_view text) noexcept {
-  for (const Method method : {Method::dft, Method::tikhonov, Method::closed_form, Method::network})
-    if (name(method) == text) return method;
-  return std::nullopt;
+  return named_in<methods>(text);
 }
 
 std::size_t unknowns(const Scene& scene) {
-  if (scene.sensor.reads.size() * scene.sensor.depths.size() < 2) return 1;
+  if (channel_count(scene.sensor) < 2) return 1;
   const ReconstructOptions& options = scene.reconstruct;
   if (options.friction_limit) return 2;
   if (options.tangential) return *options.tangential ? 2 : 1;
@@ -106,8 +92,7 @@ SignalPath signal_path(const Scene& scene) {
   SignalPath path;
   for (const SceneEffect& effect : scene_effects())
     if (effect.make != nullptr && effect.present(scene)) path.add(effect.make(scene));
-  if (path.has_memory())
-    path.begin(scene.sensor.count * scene.sensor.reads.size() * scene.sensor.depths.size());
+  if (path.has_memory()) path.begin(reading_count(scene.sensor));
   return path;
 }
 

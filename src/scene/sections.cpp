@@ -234,7 +234,7 @@ void check_methods(const std::vector<NamedMethod>& methods, const Scene& scene, 
 void read_constraints(Table& table, const Scene& scene, const Read& read,
                       const std::vector<NamedMethod>& methods, ReconstructOptions& options) {
   const bool known = read.reads_complete && read.depths_complete;
-  const bool one_channel = scene.sensor.reads.size() * scene.sensor.depths.size() == 1;
+  const bool one_channel = channel_count(scene.sensor) == 1;
   const auto uses = [&](Method method) {
     return methods.empty() ? method == Method::tikhonov
                            : std::any_of(methods.begin(), methods.end(),

@@ -20,7 +20,7 @@ void check(const SensorArray& array) {
 }
 
 double position(const SensorArray& array, std::size_t taxel) noexcept {
-  return (static_cast<double>(taxel) - 0.5 * static_cast<double>(array.count - 1)) * array.pitch;
+  return centred(taxel, array.count) * array.pitch;
 }
 
 std::vector<double> positions(const SensorArray& array) {
@@ -30,9 +30,17 @@ std::vector<double> positions(const SensorArray& array) {
   return result;
 }
 
+std::size_t channel_count(const SensorArray& array) noexcept {
+  return array.reads.size() * array.depths.size();
+}
+
+std::size_t reading_count(const SensorArray& array) noexcept {
+  return channel_count(array) * array.count;
+}
+
 std::vector<Channel> channels(const SensorArray& array) {
   std::vector<Channel> result;
-  result.reserve(array.reads.size() * array.depths.size());
+  result.reserve(channel_count(array));
   for (const Quantity quantity : array.reads)
     for (std::size_t i = 0; i < array.depths.size(); ++i) {
       std::string label(name(quantity));

@@ -112,8 +112,8 @@ struct View {
   double y;
   const Quadrature& rule;
 
-  [[nodiscard]] double kernel(Traction load, double s) const noexcept {
-    return load == Traction::normal ? normal(y - s) : tangential(y - s);
+  [[nodiscard]] double kernel(Traction component, double s) const noexcept {
+    return component == Traction::normal ? normal(y - s) : tangential(y - s);
   }
 
   /// The load on s.from ... s.to, which `image` maps to t.from ... t.to, where `integrand` lives.

@@ -7,9 +7,9 @@
 
 namespace tactile_net {
 
-std::vector<double> sampled_kernel(const Channel& channel, Traction load, const Material& material,
-                                   std::size_t count, double pitch) {
-  const PadKernel response(channel.quantity, load, material, channel.depth);
+std::vector<double> sampled_kernel(const Channel& channel, Traction component,
+                                   const Material& material, std::size_t count, double pitch) {
+  const PadKernel response(channel.quantity, component, material, channel.depth);
   std::vector<double> kernel(2 * count - 1);
   const auto centre = static_cast<double>(count - 1);
   for (std::size_t i = 0; i < kernel.size(); ++i) {
@@ -38,9 +38,10 @@ std::vector<double> sampled_readings(const SensorArray& array, const Material& m
   const std::vector<Channel> all = channels(array);
   return superpose(
       array, field,
-      [&](std::size_t channel, Traction load, std::span<const double> in, std::span<double> out) {
-        add_convolution(sampled_kernel(all[channel], load, material, array.count, array.pitch), in,
-                        out);
+      [&](std::size_t channel, Traction component, std::span<const double> in,
+          std::span<double> out) {
+        add_convolution(sampled_kernel(all[channel], component, material, array.count, array.pitch),
+                        in, out);
       });
 }
 

@@ -82,15 +82,15 @@ SampledModel::SampledModel(SampledModel&&) noexcept = default;
 SampledModel& SampledModel::operator=(SampledModel&&) noexcept = default;
 
 std::vector<double> SampledModel::readings(const TractionField& field) {
-  return superpose(
-      array_, field,
-      [&](std::size_t channel, Traction load, std::span<const double> in, std::span<double> out) {
-        auto& block = blocks_[2 * channel + (load == Traction::tangential ? 1 : 0)];
-        if (!block)
-          block = std::make_unique<Block>(
-              sampled_kernel(channels_[channel], load, material_, array_.count, array_.pitch));
-        block->add(in, out);
-      });
+  const auto add_block = [&](std::size_t channel, Traction component, std::span<const double> in,
+                             std::span<double> out) {
+    auto& block = blocks_[2 * channel + static_cast<std::size_t>(component)];
+    if (!block)
+      block = std::make_unique<Block>(
+          sampled_kernel(channels_[channel], component, material_, array_.count, array_.pitch));
+    block->add(in, out);
+  };
+  return superpose(array_, field, add_block);
 }
 
 std::vector<double> fast_sampled_readings(const SensorArray& array, const Material& material,

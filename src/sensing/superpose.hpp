@@ -13,8 +13,8 @@
 namespace tactile_net {
 
 /// The readings of every channel, channels x count: the normal and the tangential field, each
-/// through `add_block(channel, load, in, out)`, which adds one Toeplitz block times `in` to `out`;
-/// channel is an index.
+/// through `add_block(channel, component, in, out)`, which adds one Toeplitz block times `in` to
+/// `out`; channel is an index.
 ///
 /// @throw std::invalid_argument  as `sampled_readings`
 std::vector<double> superpose(const SensorArray& array, const TractionField& field,
@@ -25,7 +25,7 @@ std::vector<double> superpose(const SensorArray& array, const TractionField& fie
   require(field.tangential.empty() || field.tangential.size() == count, "tangential", rule,
           field.tangential.size());
 
-  const std::size_t all = array.reads.size() * array.depths.size();
+  const std::size_t all = channel_count(array);
   std::vector<double> readings(all * count);
   for (std::size_t channel = 0; channel < all; ++channel) {
     const auto block = std::span(readings).subspan(channel * count, count);

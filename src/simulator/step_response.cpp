@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "numeric/named.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 
 namespace tactile_net {
@@ -64,21 +65,14 @@ double growth_of(const Waveforms& waveforms) {
   return t1 > t0 && early > 0.0 ? std::log(late / early) / (t1 - t0) : 0.0;
 }
 
+constexpr Named<Judgement> judgements[] = {{Judgement::settles, "settles"},
+                                           {Judgement::grows, "grows"},
+                                           {Judgement::unsettled, "unsettled"},
+                                           {Judgement::unfinished, "unfinished"}};
+
 }  // namespace
 
-std::string_view name(Judgement judgement) noexcept {
-  switch (judgement) {
-    case Judgement::settles:
-      return "settles";
-    case Judgement::grows:
-      return "grows";
-    case Judgement::unsettled:
-      return "unsettled";
-    case Judgement::unfinished:
-      return "unfinished";
-  }
-  return "";
-}
+std::string_view name(Judgement judgement) noexcept { return name_in<judgements>(judgement); }
 
 Waveforms step_response(Simulator& simulator, const Circuit& circuit,
                         const StepResponse& response) {

@@ -157,6 +157,6 @@ TEST_CASE("what cannot be asked is refused", "[constrained]") {
   const InverseProblem two = problem_of_both();
   CHECK_THROWS_AS(ConstrainedTikhonov(two, 1e-3, {.friction_limit = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(ConstrainedTikhonov(two, 0.0, {}), std::invalid_argument);
-  CHECK_THROWS_AS(ConstrainedTikhonov(two, 1e-3, {}).solve(std::vector<double>(31)),
-                  std::invalid_argument);
+  CHECK(ConstrainedTikhonov(two, 1e-3, {}).solve(std::vector<double>(31)).status ==
+        FrameStatus::wrong_size);
 }

@@ -132,6 +132,6 @@ TEST_CASE("what is not one contact in the middle gets its verdict", "[dft_fricti
   CHECK(without.solve(sampled_readings(array, rubber, sliding(121, 9, 0.4))).verdict !=
         FrictionVerdict::ok);
   CHECK(inverse.solve(std::vector<double>(121)).verdict == FrictionVerdict::no_contact);
-  CHECK_THROWS_AS(inverse.solve(std::vector<double>(120)), std::invalid_argument);
+  CHECK(inverse.solve(std::vector<double>(120)).status == FrameStatus::wrong_size);
   CHECK_THROWS_AS(DftFriction(array, rubber, std::nan("")), std::invalid_argument);
 }

@@ -28,8 +28,8 @@ namespace tactile_net {
 /// The reading caused by a unit line load at the origin [Pa / (N/m) for stress, 1 / (N/m) for
 /// strain]. Stresses are correct to a few ulp, strains to a few ulp of the larger of Hooke's two
 /// terms, at any scale: no power of a length is formed.
-[[nodiscard]] double half_plane_kernel(Quantity quantity, Traction load, const Material& material,
-                                       double depth, double y) noexcept;
+[[nodiscard]] double half_plane_kernel(Quantity quantity, Traction component,
+                                       const Material& material, double depth, double y) noexcept;
 
 /// Its transform, integral over y of kernel(y) exp(-i k y), with a = |k| x and s = sgn k:
 ///
@@ -39,7 +39,7 @@ namespace tactile_net {
 /// Even kernels have a real transform, odd ones an imaginary one; both parts are returned.
 ///
 /// @param wavenumber  k [1/m], any sign
-[[nodiscard]] std::complex<double> half_plane_transform(Quantity quantity, Traction load,
+[[nodiscard]] std::complex<double> half_plane_transform(Quantity quantity, Traction component,
                                                         const Material& material, double depth,
                                                         double wavenumber) noexcept;
 

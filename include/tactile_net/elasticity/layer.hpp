@@ -44,7 +44,7 @@ namespace tactile_net {
 /// Preconditions: material.layer is present, 0 < depth <= thickness. Pure, no allocation.
 ///
 /// @param wavenumber  k [1/m], any sign
-[[nodiscard]] std::complex<double> layer_transform(Quantity quantity, Traction load,
+[[nodiscard]] std::complex<double> layer_transform(Quantity quantity, Traction component,
                                                    const Material& material, double depth,
                                                    double wavenumber) noexcept;
 

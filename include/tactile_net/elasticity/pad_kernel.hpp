@@ -11,7 +11,7 @@
 namespace tactile_net {
 
 /// The transform of a kernel: `half_plane_transform` or `layer_transform`.
-[[nodiscard]] std::complex<double> pad_transform(Quantity quantity, Traction load,
+[[nodiscard]] std::complex<double> pad_transform(Quantity quantity, Traction component,
                                                  const Material& material, double depth,
                                                  double wavenumber) noexcept;
 
@@ -35,7 +35,7 @@ class PadKernel {
   ///
   /// @throw std::invalid_argument  the material is out of range; depth is not > 0, or below the
   /// base
-  PadKernel(Quantity quantity, Traction load, const Material& material, double depth);
+  PadKernel(Quantity quantity, Traction component, const Material& material, double depth);
 
   /// At the distance y [m] from the load [Pa / (N/m) for stress, 1 / (N/m) for strain], within
   /// `relative_kernel_error` of the half plane's peak.
@@ -43,7 +43,7 @@ class PadKernel {
 
  private:
   Quantity quantity_;
-  Traction load_;
+  Traction component_;
   Material material_;
   double depth_;
   bool is_odd_;

@@ -17,6 +17,7 @@
 
 #include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/numeric/matrix.hpp"
+#include "tactile_net/realtime/frame_status.hpp"
 
 namespace tactile_net {
 
@@ -30,7 +31,9 @@ enum class ConstrainedVerdict {
   iteration_limit,  ///< stopped early: the tractions obey the constraints, but are not the best
 };
 
+/// Of one frame. Unless the status is `ok`, nothing else in it is set.
 struct ConstrainedSolution {
+  FrameStatus status = FrameStatus::ok;
   std::vector<double> tractions{};  ///< [Pa], unknowns x count
   ConstrainedVerdict verdict = ConstrainedVerdict::ok;
   /// What is left of the optimality conditions (Karush, Kuhn, Tucker), over the size of the right
@@ -53,10 +56,10 @@ class ConstrainedTikhonov {
   ConstrainedTikhonov(ConstrainedTikhonov&&) noexcept;
   ConstrainedTikhonov& operator=(ConstrainedTikhonov&&) noexcept;
 
-  /// One frame: about ten QR factorisations of the free columns. Allocates.
+  /// One frame: about ten QR factorisations of the free columns. Allocates. `too_large` if any
+  /// weighted reading or traction would not be finite.
   ///
   /// @param iteration_limit  factorisations after which the best so far is returned
-  /// @throw std::invalid_argument  readings have the wrong size or are not finite
   [[nodiscard]] ConstrainedSolution solve(std::span<const double> readings,
                                           std::size_t iteration_limit = 1000) const;
 

@@ -52,6 +52,11 @@ class DftInverse {
 
   /// One frame, O(count log count). Uses buffers of its own: one object per thread. FFTW may
   /// allocate inside for counts with large prime factors.
+  ///
+  /// `too_large` if any traction would not be finite, or the transforms overflow on the way to it.
+  ///
+  /// @param readings   g, `count` values
+  /// @param tractions  f [Pa], `count` values; untouched unless the status is `ok`
   FrameStatus solve(std::span<const double> readings, std::span<double> tractions) noexcept;
 
   [[nodiscard]] const NoiseGain& noise_gain() const noexcept;

@@ -28,6 +28,7 @@
 
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/inverse/dft.hpp"
+#include "tactile_net/realtime/frame_status.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
@@ -46,7 +47,9 @@ enum class FrictionVerdict {
 /// The spelling in JSON and tables: "ok", "not_one_contact", "no_contact"; for `dft` see there.
 [[nodiscard]] std::string_view name(FrictionVerdict verdict) noexcept;
 
+/// Of one frame. Unless the status is `ok`, nothing else in it is set.
 struct FrictionSolution {
+  FrameStatus status = FrameStatus::ok;
   std::vector<double> normal{};      ///< f_v [Pa], one per taxel
   std::vector<double> tangential{};  ///< c on the contact, 0 elsewhere [Pa]
   std::size_t width = 0;             ///< w, taxels in contact; even or odd as the array's count
@@ -63,12 +66,22 @@ class DftFriction {
               double gain_limit = 1e8);
 
   /// One frame: O(count^2). Uses buffers of its own: one object per thread.
-  /// @throw std::invalid_argument  readings have the wrong size or are not finite
+  /// `too_large` if any traction would not be finite, or a square on the way to it.
   [[nodiscard]] FrictionSolution solve(std::span<const double> readings);
 
   [[nodiscard]] const DftInverse& division() const noexcept { return division_; }
 
  private:
+  /// A box of tangential traction, and what it adds to the readings.
+  struct Drag {
+    std::size_t width = 0;
+    std::vector<double> readings{};
+  };
+  [[nodiscard]] Drag likeliest(std::span<const double> odd, std::span<const double> normal,
+                               double force) const;
+  [[nodiscard]] FrictionVerdict judge(std::span<const double> even, std::span<const double> rest,
+                                      std::span<const double> normal, const Drag& drag) const;
+
   DftInverse division_;
   double friction_;
   double depth_;  // in pitches

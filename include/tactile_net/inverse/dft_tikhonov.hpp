@@ -68,9 +68,12 @@ class DftTikhonov {
   /// @throw std::invalid_argument  readings have the wrong size or are not finite
   [[nodiscard]] FilterFrame analyse(std::span<const double> readings);
 
-  /// One frame, O(count log count).
+  /// One frame, O(count log count). `too_large` if any traction would not be finite, or the
+  /// weighted readings or the transforms overflow on the way to it.
   ///
-  /// @param alpha  >= 0
+  /// @param readings   channels x count values
+  /// @param alpha      >= 0
+  /// @param tractions  f [Pa], unknowns x count values; untouched unless the status is `ok`
   FrameStatus solve(std::span<const double> readings, double alpha,
                     std::span<double> tractions) noexcept;
 

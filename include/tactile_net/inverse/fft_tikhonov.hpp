@@ -47,6 +47,10 @@ class FftTikhonov {
 
   /// One frame. Uses buffers of its own: one object per thread. Allocates nothing.
   ///
+  /// `too_large` if any weighted reading or traction would not be finite.
+  ///
+  /// @param readings    channels x count values
+  /// @param tractions   f [Pa], unknowns x count values; untouched unless the status is `ok`
   /// @param tolerance   wanted |error|_2 / |f|_2 against the exact minimiser, > 0
   /// @param step_limit  after which the best so far is returned, with `converged` false
   FrameStatus solve(std::span<const double> readings, std::span<double> tractions,

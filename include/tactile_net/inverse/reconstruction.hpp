@@ -21,6 +21,8 @@ class Reconstruction {
   /// One frame: O(readings x tractions), no allocation, no lock, no exception; const, so threads
   /// may share one object. Sums in a fixed order: equal frames give equal bits.
   ///
+  /// `too_large` if any traction, or a partial sum of it, would not be finite.
+  ///
   /// @param readings   g, `readings()` values
   /// @param tractions  f [Pa], `tractions()` values, the normal ones first; untouched unless the
   ///                   status is `ok`; must not overlap `readings`
@@ -37,8 +39,11 @@ class Reconstruction {
   [[nodiscard]] double condition() const noexcept { return condition_; }
 
  private:
+  [[nodiscard]] double traction(std::span<const double> readings, std::size_t row) const noexcept;
+
   Matrix transposed_;
   double condition_;
+  double safe_;  // readings up to this overflow no sum
 };
 
 /// Minimises the functional of problem.hpp by a QR of the stacked matrix [W K; sqrt(alpha) L],

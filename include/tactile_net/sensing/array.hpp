@@ -31,11 +31,22 @@ struct Channel {
 /// @throw std::invalid_argument  a value is out of its range or not finite
 void check(const SensorArray& array);
 
-/// y of taxel j [m]: (j - (count - 1) / 2) * pitch.
+/// Place `index` of `count` equally spaced ones, in units of their distance, with 0 at the middle.
+[[nodiscard]] constexpr double centred(std::size_t index, std::size_t count) noexcept {
+  return static_cast<double>(index) - 0.5 * static_cast<double>(count - 1);
+}
+
+/// y of taxel j [m]: centred(j, count) * pitch.
 [[nodiscard]] double position(const SensorArray& array, std::size_t taxel) noexcept;
 
 /// y of every taxel [m], `count` values.
 [[nodiscard]] std::vector<double> positions(const SensorArray& array);
+
+/// Quantities times depths.
+[[nodiscard]] std::size_t channel_count(const SensorArray& array) noexcept;
+
+/// Values of one frame: channels times taxels.
+[[nodiscard]] std::size_t reading_count(const SensorArray& array) noexcept;
 
 /// Every channel, in the order of the readings.
 [[nodiscard]] std::vector<Channel> channels(const SensorArray& array);

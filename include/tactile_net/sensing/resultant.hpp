@@ -7,6 +7,8 @@
 #include <optional>
 #include <span>
 
+#include "tactile_net/sensing/array.hpp"
+
 namespace tactile_net {
 
 /// Sums over the taxels, with y = 0 at the array's middle. Tractions on a flat surface have no
@@ -33,10 +35,9 @@ struct Resultant {
                                             std::span<const double> tangential,
                                             double pitch) noexcept {
   Resultant sum;
-  const double middle = 0.5 * (static_cast<double>(normal.size()) - 1.0);
   for (std::size_t i = 0; i < normal.size(); ++i) {
     sum.normal += pitch * normal[i];
-    sum.moment += pitch * ((static_cast<double>(i) - middle) * pitch) * normal[i];
+    sum.moment += pitch * (centred(i, normal.size()) * pitch) * normal[i];
   }
   for (const double traction : tangential) sum.tangential += pitch * traction;
   return sum;

@@ -16,7 +16,7 @@ namespace tactile_net {
 
 /// k(m D) D for m = -(count - 1) ... count - 1: the 2 count - 1 distinct entries of one Toeplitz
 /// block of K, entry m at index m + count - 1 [reading per Pa].
-[[nodiscard]] std::vector<double> sampled_kernel(const Channel& channel, Traction load,
+[[nodiscard]] std::vector<double> sampled_kernel(const Channel& channel, Traction component,
                                                  const Material& material, std::size_t count,
                                                  double pitch);
 

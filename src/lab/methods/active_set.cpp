@@ -1,5 +1,6 @@
 // tikhonov where nothing pulls and friction has a limit.
-#include "lab/methods/frame_check.hpp"
+#include <algorithm>
+
 #include "lab/methods/methods.hpp"
 
 namespace tactile_net::lab {
@@ -9,17 +10,15 @@ class ActiveSet final : public FrameSolver {
  public:
   ActiveSet(const SceneProblem& problem, double alpha)
       : inverse_(problem.problem(), alpha, *problem.constraints()),
-        readings_(problem.readings()),
         tractions_(problem.tractions()),
         alpha_(alpha) {}
 
   FrameResult solve(std::span<const double> readings, std::span<double> tractions) override {
-    if (const auto status = check_frame(readings, readings_, tractions, tractions_);
-        status != FrameStatus::ok)
-      return {.status = status};
+    if (tractions.size() != tractions_) return {.status = FrameStatus::wrong_size};
     ConstrainedSolution solution = inverse_.solve(readings);
-    FrameResult result{.status = deliver(solution.tractions, tractions),
-                       .alpha = ChosenAlpha{.value = alpha_},
+    if (solution.status != FrameStatus::ok) return {.status = solution.status};
+    std::copy(solution.tractions.begin(), solution.tractions.end(), tractions.begin());
+    FrameResult result{.alpha = ChosenAlpha{.value = alpha_},
                        .condition = Condition{solution.condition}};
     if (solution.verdict == ConstrainedVerdict::iteration_limit) {
       result.verdict = Verdict::iteration_limit;
@@ -32,7 +31,6 @@ class ActiveSet final : public FrameSolver {
 
  private:
   ConstrainedTikhonov inverse_;
-  std::size_t readings_;
   std::size_t tractions_;
   double alpha_;
 };

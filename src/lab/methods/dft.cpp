@@ -2,6 +2,8 @@
 // by frequency where there are several channels.
 #include "tactile_net/inverse/dft.hpp"
 
+#include <algorithm>
+
 #include "lab/methods/frame_check.hpp"
 #include "lab/methods/methods.hpp"
 #include "tactile_net/inverse/dft_friction.hpp"
@@ -61,14 +63,12 @@ class Sliding final : public FrameSolver {
         remarks_(dead_taxels(scene)) {}
 
   FrameResult solve(std::span<const double> readings, std::span<double> tractions) override {
-    if (const auto status = check_frame(readings, count_, tractions, 2 * count_);
-        status != FrameStatus::ok)
-      return {.status = status};
+    if (tractions.size() != 2 * count_) return {.status = FrameStatus::wrong_size};
     const FrictionSolution solution = inverse_.solve(readings);
-    if (!all_finite(solution.normal) || !all_finite(solution.tangential))
-      return {.status = FrameStatus::too_large};
-    (void)deliver(solution.normal, tractions.first(count_));
-    (void)deliver(solution.tangential, tractions.subspan(count_));
+    if (solution.status != FrameStatus::ok) return {.status = solution.status};
+    std::copy(solution.normal.begin(), solution.normal.end(), tractions.begin());
+    std::copy(solution.tangential.begin(), solution.tangential.end(),
+              tractions.begin() + static_cast<std::ptrdiff_t>(count_));
     FrameResult result{.verdict = verdict_of(solution),
                        .condition = Condition{inverse_.division().noise_gain().largest,
                                               Condition::Kind::noise_gain},
@@ -156,7 +156,7 @@ class Frequencies final : public FrameSolver {
 std::unique_ptr<FrameSolver> make_dft(const SceneProblem& problem, std::optional<double> alpha) {
   const Scene& scene = problem.scene();
   if (scene.reconstruct.contact_friction) return std::make_unique<Sliding>(scene);
-  if (channels(scene.sensor).size() == 1) return std::make_unique<Division>(scene);
+  if (channel_count(scene.sensor) == 1) return std::make_unique<Division>(scene);
   return std::make_unique<Frequencies>(problem, alpha);
 }
 

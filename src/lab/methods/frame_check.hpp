@@ -3,16 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
+#include "numeric/finite.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
 
 namespace tactile_net::lab {
-
-inline bool all_finite(std::span<const double> values) noexcept {
-  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
 
 /// Whether a frame may be solved: its size and that of the room for its tractions, and its values.
 inline FrameStatus check_frame(std::span<const double> readings, std::size_t expected,

@@ -11,7 +11,7 @@ class Gains final : public SensorEffect {
   Gains(const GainError& error, const SensorArray& array) {
     if (!error.values.empty()) require_one_per_taxel(error.values, array, "values");
     require_not_negative("rms", error.rms);
-    for (std::size_t c = 0; c < channels(array).size(); ++c) {
+    for (std::size_t c = 0; c < channel_count(array); ++c) {
       NormalStream draw(error.seed, c, Draws::gain_error);
       for (std::size_t j = 0; j < array.count; ++j)
         factor_.push_back(1.0 + (error.values.empty() ? error.rms * draw() : error.values[j]));

@@ -113,7 +113,7 @@ void run(const PlanOptions& options, const Streams& streams) {
   if (!planner.friction_coefficient)
     planner.friction_coefficient = scene.reconstruct.friction_limit;
   if (scene.quantization)
-    planner.ranges.assign(channels(scene.sensor).size(),
+    planner.ranges.assign(channel_count(scene.sensor),
                           {scene.quantization->low, scene.quantization->high});
   planner.label = scene.title.empty() ? scene.file : scene.title;
   if (lab::constraints_of(scene))

@@ -1,0 +1,34 @@
+/// @file
+/// The checks that the methods of this room share. Private.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "numeric/finite.hpp"
+
+namespace tactile_net {
+
+/// @throw std::invalid_argument  alpha is not > 0 and finite
+inline void check_alpha(double alpha) {
+  if (!(alpha > 0.0) || !std::isfinite(alpha))
+    throw std::invalid_argument("alpha must be > 0 and finite");
+}
+
+/// @throw std::invalid_argument  there is not one reading per row of the problem
+inline void check_size(std::span<const double> readings, std::size_t rows) {
+  if (readings.size() != rows)
+    throw std::invalid_argument("readings have " + std::to_string(readings.size()) +
+                                " values, the problem has " + std::to_string(rows) + " rows");
+}
+
+/// @throw std::invalid_argument  as `check_size`; a reading is not finite
+inline void check_readings(std::span<const double> readings, std::size_t rows) {
+  check_size(readings, rows);
+  if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,142 @@
+// Readings so large that tractions overflow a double: every solver says so, and leaves its output
+// alone.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/dft.hpp"
+#include "tactile_net/inverse/dft_friction.hpp"
+#include "tactile_net/inverse/dft_tikhonov.hpp"
+#include "tactile_net/inverse/fft_tikhonov.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
+#include "tests/catch.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr std::size_t count = 41;
+constexpr double alpha = 1e-12;
+const SensorArray one{count, 0.25, {1.5}, {Quantity::stress_x}};
+const SensorArray two{count, 0.25, {1.5}, {Quantity::stress_x, Quantity::shear_xy}};
+const Material rubber{.youngs_modulus = 2e6, .poisson_ratio = 0.5};
+const ProblemOptions both{.unknowns = 2, .smoothing_length = 1.5};
+
+using Solve = std::function<FrameStatus(std::span<const double>, std::span<double>)>;
+
+struct Solver {
+  const char* name;
+  std::size_t readings, tractions;
+  Solve solve;
+};
+
+template <class Inverse>
+Solve shared(Inverse inverse, auto call) {
+  return [inverse = std::make_shared<Inverse>(std::move(inverse)), call](auto g, auto f) {
+    return call(*inverse, g, f);
+  };
+}
+
+FrameStatus copy(const auto& solution, std::span<double> f) {
+  if (solution.status != FrameStatus::ok) return solution.status;
+  std::vector<double> all;
+  if constexpr (requires { solution.tractions; }) {
+    all = solution.tractions;
+  } else {
+    all = solution.normal;
+    all.insert(all.end(), solution.tangential.begin(), solution.tangential.end());
+  }
+  std::copy(all.begin(), all.end(), f.begin());
+  return FrameStatus::ok;
+}
+
+std::vector<Solver> solvers() {
+  const InverseProblem problem = make_problem(two, rubber, both);
+  const auto plain = [](auto& inverse, auto g, auto f) { return inverse.solve(g, f); };
+  return {
+      {"tikhonov", 2 * count, 2 * count, shared(tikhonov(problem, alpha), plain)},
+      {"closed_form", 2 * count, 2 * count, shared(closed_form(problem, alpha), plain)},
+      {"dft", count, count, shared(DftInverse(one, rubber), plain)},
+      {"dft of two", 2 * count, 2 * count,
+       shared(DftTikhonov(two, rubber, both),
+              [](auto& inverse, auto g, auto f) { return inverse.solve(g, alpha, f); })},
+      {"fft", 2 * count, 2 * count,
+       shared(FftTikhonov(two, rubber, both, alpha),
+              [](auto& inverse, auto g, auto f) { return inverse.solve(g, f); })},
+      {"dft with friction", count, 2 * count,
+       shared(DftFriction(one, rubber, 0.4),
+              [](auto& inverse, auto g, auto f) { return copy(inverse.solve(g), f); })},
+      {"active set", 2 * count, 2 * count,
+       shared(ConstrainedTikhonov(problem, alpha, {.nonnegative = false}),
+              [](auto& inverse, auto g, auto f) { return copy(inverse.solve(g), f); })},
+  };
+}
+
+/// Alternating readings at the last taxels of the first channel: amplified, and far from the first
+/// traction.
+std::vector<double> at_the_end(const Solver& solver, double size) {
+  std::vector<double> readings(solver.readings);
+  readings[count - 2] = size;
+  readings[count - 1] = -size;
+  return readings;
+}
+
+TEST_CASE("a frame whose tractions overflow is too large, and leaves the output alone",
+          "[too_large]") {
+  const double size = GENERATE(1e306, 1.7e308);
+  for (const Solver& solver : solvers()) {
+    CAPTURE(solver.name, size);
+    std::vector<double> f(solver.tractions, 7.0);
+    CHECK(solver.solve(at_the_end(solver, size), f) == FrameStatus::too_large);
+    CHECK(std::all_of(f.begin(), f.end(), [](double value) { return value == 7.0; }));
+  }
+}
+
+TEST_CASE("whatever is solved is finite, however large the readings", "[too_large]") {
+  for (const Solver& solver : solvers())
+    for (int exponent = 280; exponent <= 308; ++exponent) {
+      CAPTURE(solver.name, exponent);
+      std::vector<double> f(solver.tractions, 7.0);
+      const FrameStatus status = solver.solve(at_the_end(solver, std::pow(10.0, exponent)), f);
+      const bool finite =
+          std::all_of(f.begin(), f.end(), [](double value) { return std::isfinite(value); });
+      CHECK(finite);
+      CHECK((status == FrameStatus::ok || status == FrameStatus::too_large));
+      const bool alone = std::all_of(f.begin(), f.end(), [](double value) { return value == 7.0; });
+      CHECK(alone == (status != FrameStatus::ok));
+    }
+}
+
+TEST_CASE("linear solvers do not give up before they must", "[too_large]") {
+  for (const Solver& solver : solvers()) {
+    if (solver.name == std::string("dft with friction")) continue;  // squares readings
+    CAPTURE(solver.name);
+    std::vector<double> small(solver.tractions);
+    std::vector<double> large(solver.tractions);
+    const double scale = std::ldexp(1.0, 1000);
+    REQUIRE(solver.solve(at_the_end(solver, 1.0), small) == FrameStatus::ok);
+    REQUIRE(solver.solve(at_the_end(solver, scale), large) == FrameStatus::ok);
+    for (std::size_t i = 0; i < small.size(); ++i) CHECK(large[i] == scale * small[i]);
+  }
+}
+
+TEST_CASE("a product with a matrix is too large exactly where a sum overflows", "[too_large]") {
+  constexpr double largest = std::numeric_limits<double>::max();
+  const Reconstruction sum(Matrix{2, 2, {1.0, 1.0, 1.0, -1.0}}, 1.0);
+  std::vector<double> f{7.0, 7.0};
+  CHECK(sum.solve(std::vector{0.5 * largest, 0.5 * largest}, f) == FrameStatus::ok);
+  CHECK(f == std::vector{largest, 0.0});
+  f = {7.0, 7.0};
+  CHECK(sum.solve(std::vector{0.75 * largest, 0.5 * largest}, f) == FrameStatus::too_large);
+  CHECK(f == std::vector{7.0, 7.0});
+  const double infinite = std::numeric_limits<double>::infinity();
+  CHECK(sum.solve(std::vector{infinite, 0.0}, f) == FrameStatus::not_finite);
+  CHECK(sum.solve(std::vector{0.0, std::nan("")}, f) == FrameStatus::not_finite);
+  CHECK(f == std::vector{7.0, 7.0});
+}
+
+}  // namespace
+}  // namespace tactile_net
