@@ -49,8 +49,8 @@ void settling_times(Floors& floors) {
             .opamp = one_pole, .inverters = kind.inverters, .node_capacitance = 1e-11};
         const Dynamics promised =
             certify(kind.realization, network.problem, options).dynamics.value();
-        const Judged seen =
-            bench::judged(realize(kind.realization, network.problem, options), promised);
+        const Transient seen =
+            bench::transient(realize(kind.realization, network.problem, options), promised);
         const double certified = promised.settling_seconds.value_or(infinity);
         const double simulated = seen.settling_seconds.value_or(-infinity);
         worst = std::max(worst, std::abs(simulated / certified - 1.0));
@@ -98,11 +98,11 @@ void verdicts(Floors& floors) {
       if ((bench::slowest(circuit) < 0.0) != definite) ++poles_wrong;
       if (trial >= 2 * simulated) continue;
       ++transients;
-      const Judgement judgement = bench::judged(circuit, bench::dynamics(circuit)).judgement;
-      const bool right = judgement == (definite ? Judgement::settles : Judgement::grows);
+      const TransientEnd end = bench::transient(circuit, bench::dynamics(circuit)).end;
+      const bool right = end == (definite ? TransientEnd::settles : TransientEnd::grows);
       if (!right) ++ngspice_wrong;
       progress(text("%s, %zu nodes, smallest eigenvalue %+.1e: ngspice says %s%s",
-                    label(realization), p.rows, smallest_eigenvalue(p), label(judgement),
+                    label(realization), p.rows, smallest_eigenvalue(p), label(end),
                     right ? "" : ", wrong"));
     }
   }
@@ -121,7 +121,7 @@ void speed(Floors& floors) {
   const ArrayNetwork network = array_network(41, 1e-6);
   const auto settled = [&](Realization realization) {
     const Circuit circuit = realize(realization, network.problem, {.opamp = one_pole});
-    return bench::judged(circuit, bench::dynamics(circuit)).settling_seconds.value();
+    return bench::transient(circuit, bench::dynamics(circuit)).settling_seconds.value();
   };
   const double least_squares = settled(Realization::least_squares);
   const double nic = settled(Realization::nic);
@@ -153,11 +153,11 @@ void least_squares_stability(Floors& floors) {
           // Both ends without spread, and between them with it: the transient takes 160 steps per
           // ratio of the fastest bandwidth to the slowest.
           if (power != (rho == 1.0 ? -3 : rho == 10.0 ? 0 : 3) || spread != (rho == 10.0)) continue;
-          const Judged seen = bench::judged(circuit, bench::dynamics(circuit));
+          const Transient seen = bench::transient(circuit, bench::dynamics(circuit));
           ++simulated;
-          if (seen.judgement != Judgement::settles) ++unsettled;
+          if (seen.end != TransientEnd::settles) ++unsettled;
           progress(text("alpha %.0e, rho %g, ratio %g%s: ngspice says %s, %.4g us, took %.0f s",
-                        alpha, rho, ratio, spread ? ", spread" : "", label(seen.judgement),
+                        alpha, rho, ratio, spread ? ", spread" : "", label(seen.end),
                         1e6 * seen.settling_seconds.value_or(infinity), seen.seconds));
         }
   }

@@ -27,7 +27,7 @@ inline double log_uniform(std::mt19937& generator, double low, double high) {
 /// every capacitor and every input capacitance a value of its own, 0.1 pF to 1 nF.
 inline tactile_net::Circuit scattered(const tactile_net::Circuit& circuit, bool bandwidths,
                                       bool capacitances, std::mt19937& generator) {
-  tactile_net::Circuit flat = tactile_net::flattened(circuit);
+  tactile_net::Circuit flat = tactile_net::FlatCircuit(circuit).circuit();
   if (capacitances)
     for (tactile_net::Capacitor& one : flat.capacitors)
       one.farad = log_uniform(generator, 1e-13, 1e-9);
@@ -68,12 +68,12 @@ inline double slowest(const tactile_net::Circuit& circuit) {
 }
 
 /// ngspice's transient of any circuit, which no certificate need be for.
-inline tactile_net::Judged judged(const tactile_net::Circuit& circuit,
-                                  const tactile_net::Dynamics& dynamics) {
+inline tactile_net::Transient transient(const tactile_net::Circuit& circuit,
+                                        const tactile_net::Dynamics& dynamics) {
   tactile_net::Certificate certificate;
   certificate.dynamics = dynamics;
   tactile_net::Ngspice ngspice({.time_limit = std::chrono::minutes(10)});
-  return judge(ngspice, circuit, certificate, relaxed(circuit));
+  return settle(ngspice, circuit, certificate, relaxed(circuit));
 }
 
 inline tactile_net::Dynamics dynamics(const tactile_net::Circuit& circuit) {

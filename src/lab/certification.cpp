@@ -1,11 +1,23 @@
 #include "tactile_net/lab/certification.hpp"
 
-#include <algorithm>
+#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/workload.hpp"
 
 namespace tactile_net::lab {
 
-bool Certification::loaded() const noexcept {
-  return std::any_of(plan.direct.begin(), plan.direct.end(), [](double f) { return f != 0.0; });
+Certification certify(const Scene& scene, Observer& observer) {
+  observer.step({Step::Kind::readings});
+  const SceneFrame frame(SceneProblem(scene), simulate(scene).readings);
+  Certification result{.circuit = SceneCircuit(frame)};
+  observer.step({Step::Kind::certificate});
+  (void)result.certificate();
+  if (result.circuit.loaded() && calls_for_tolerance(scene.network)) {
+    observer.step({Step::Kind::draws});
+    result.tolerance = tolerate(result.circuit.network().reduction(), *scene.network.tolerance);
+  }
+  observer.step({Step::Kind::realizations});
+  result.recommendation = recommend(result.circuit);
+  return result;
 }
 
 }  // namespace tactile_net::lab

@@ -164,25 +164,22 @@ MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer
   try {
     const Stopwatch setup(run.options.clock);
     const ChosenAlpha alpha = run.frame.alpha();
-    const CircuitPlan plan = plan_circuit(experiment.scene, run.frame.readings(), alpha.value);
-    experiment.deck = deck_text(plan, Answer::printed);
+    const SceneCircuit& circuit = experiment.circuit.emplace(run.frame, alpha);
     result.setup_seconds = setup.elapsed();
     result.alpha = alpha;
-    const Relaxation relaxation = relax(plan, simulator, observer);
+    const Relaxation relaxation = relax(circuit, simulator, observer);
     result.frame_seconds = relaxation.ngspice_seconds;
-    result.condition = {relaxation.condition, Condition::Kind::bound};
+    result.condition = relaxation.condition;
     measure(result, relaxation.tractions, experiment.scene, experiment.frame.truth);
     experiment.relaxation = relaxation;
-    if (relaxation.failure().empty())
+    if (!relaxation.disagreement())
       result.verdict = !relaxation.resolved()         ? Verdict::ill_conditioned
                        : relaxation.difference > 0.01 ? Verdict::inaccurate
                                                       : Verdict::ok;
     if (relaxation.stable && !relaxation.resolved())
       result.remarks.emplace_back(
-          remark::VoltagesUnresolved{relaxation.condition, relaxation.limit});
-    if (relaxation.stable)
-      result.error_bound =
-          relaxation.limit + relaxation.curves + 1.2 * relaxation.predicted.value_or(0.0);
+          remark::VoltagesUnresolved{relaxation.condition.value, relaxation.explained.limit});
+    if (relaxation.stable) result.error_bound = relaxation.explained.total();
     if (run.problem.constraints()) result.remarks.emplace_back(remark::ConstraintsIgnored{});
   } catch (const SimulatorError& error) {
     result.refusal = error.what();
@@ -218,7 +215,7 @@ Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& optio
       .results = {},
       .relaxation = {},
       .course = {},
-      .deck = {}};
+      .circuit = {}};
   experiment.sampled_force = sampled_force(experiment.frame.truth.normal, scene.sensor.pitch);
   const SceneProblem problem(scene);
   const Run run{options, problem, SceneFrame(problem, experiment.frame.readings), experiment};

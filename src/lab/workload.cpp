@@ -255,8 +255,7 @@ bool calls_for_certificate(const NetworkOptions& options) noexcept {
 }
 
 bool calls_for_tolerance(const NetworkOptions& options) noexcept {
-  return options.tolerance && options.realization != Realization::lc &&
-         options.realization != Realization::ndr;
+  return options.tolerance && traits(options.realization).linear();
 }
 
 }  // namespace tactile_net::lab

@@ -5,103 +5,49 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 
 #include "numeric/eigen.hpp"
 #include "numeric/named.hpp"
-#include "tactile_net/network/reduction.hpp"
-#include "tactile_net/network/state_space.hpp"
-#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {
 
-std::string brief(double value) {
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
 double radians(double hertz) { return 2.0 * std::numbers::pi * hertz; }
 
-Theorem theorem_of(Realization realization, const RealizationOptions& options, bool definite) {
-  Theorem t;
-  switch (realization) {
-    case Realization::ideal:
-      t = {"T0",
-           "With capacitance at its nodes the network settles if and only if P is positive "
-           "definite.",
-           true,
-           {}};
-      break;
-    case Realization::nic:
-      t = {"T1",
-           "Converters with '+' at the network's nodes: stable for any node capacitance, any "
-           "bandwidths and any second poles if and only if P is positive definite.",
-           true,
-           {}};
-      break;
-    case Realization::rail:
-      t = {"T2",
-           "Op-amps of equal bandwidth: stable for any node capacitance if and only if P is "
-           "positive definite.",
-           true,
-           {}};
-      break;
-    case Realization::crossbar:
-      t = options.inverters
-              ? Theorem{"T3",
-                        "Main op-amps of at most half the inverters' bandwidth: stable if P "
-                        "is positive definite, for any capacitance at the summing nodes.",
-                        true,
-                        {}}
-              : Theorem{"T5",
-                        "Complementary outputs: stable if and only if P is positive definite, "
-                        "for any bandwidths and any capacitance at the summing nodes.",
-                        true,
-                        {}};
-      break;
-    case Realization::least_squares:
-      t = options.inverters
-              ? Theorem{"T4",
-                        "Main op-amps slow enough: stable. How slow is not proven; 0.2/rho of "
-                        "the others' bandwidth is a rule of thumb.",
-                        false, "how slow is enough is not proven"}
-              : Theorem{"T6",
-                        "Complementary outputs: stable for every gain rho and any bandwidths.",
-                        true,
-                        {}};
-      break;
-    case Realization::lc:
-      t = {"passive", "Passive parts cannot be unstable; lossless ones never settle.", true, {}};
-      break;
-    case Realization::ndr:
-      t = {"convex",
-           "A slope that is nowhere below -g leaves the potential strictly convex: one "
-           "operating point, approached from everywhere, if P is positive definite.",
-           true,
-           {}};
-      break;
+bool is_met(TheoremCondition condition, const RealizationOptions& options, double ratio,
+            bool definite) {
+  switch (condition) {
+    case TheoremCondition::definite:
+      return definite;
+    case TheoremCondition::no_input_capacitance:
+    case TheoremCondition::no_inverter_input_capacitance:
+      return !options.opamp.input_capacitance;
+    case TheoremCondition::no_second_pole:
+      return !options.opamp.second_pole;
+    case TheoremCondition::main_at_most_half_of_inverters:
+      return ratio <= 0.5;
+    case TheoremCondition::main_slow_enough:
+      return false;
   }
-  const auto fails = [&](const std::string& condition) {
-    t.holds = false;
-    if (t.condition.empty()) t.condition = condition;
-  };
-  if (!definite && realization != Realization::lc) fails("P is not positive definite");
-  const bool inputs = options.opamp.input_capacitance.has_value();
-  if (inputs && realization != Realization::crossbar && has_amplifiers(realization))
-    fails("capacitance at inverting inputs");
-  if (options.inverters && inputs && realization == Realization::crossbar)
-    fails("capacitance at the inverters' inputs");
-  if (options.opamp.second_pole && realization != Realization::nic && has_amplifiers(realization))
-    fails("a second pole");
+  return false;
+}
+
+Theorem theorem_of(Realization realization, const RealizationOptions& options, bool definite) {
+  const RealizationTraits& one = traits(realization);
+  const StabilityTheorem& said =
+      one.drives_nodes && options.inverters ? one.theorem_with_inverters : one.theorem;
+  Theorem theorem{.name = said.name, .statement = said.statement, .unmet = {}};
   const double ratio = options.main_bandwidth(realization);
-  if (options.inverters && realization == Realization::crossbar && ratio > 0.5)
-    fails("main op-amps of " + brief(ratio) + " times the inverters' bandwidth");
-  return t;
+  const auto unmet = std::find_if_not(
+      said.needs.begin(), said.needs.end(),
+      [&](TheoremCondition condition) { return is_met(condition, options, ratio, definite); });
+  if (unmet != said.needs.end())
+    theorem.unmet = {*unmet,
+                     *unmet == TheoremCondition::main_at_most_half_of_inverters ? ratio : 0.0};
+  return theorem;
 }
 
 /// Largest eps with D^-1/2 (sym S - eps B) D^-1/2 > 0 for every error within eps B: 1 over the
@@ -135,8 +81,7 @@ std::optional<double> margin_of(const Reduction& reduction, const Equations& equ
   return 2.0 * x / (1.0 + 2.0 * x + std::sqrt(1.0 + 4.0 * x));
 }
 
-Dynamics dynamics_of(const Circuit& circuit, double accuracy) {
-  const StateSpace system = state_space(circuit);
+Dynamics dynamics_of(const StateSpace& system, double accuracy) {
   Dynamics dynamics{.states = system.states(), .poles = poles(system)};
   dynamics.slowest = dynamics.poles.front().real();
   for (const auto& pole : dynamics.poles)
@@ -150,53 +95,96 @@ Dynamics dynamics_of(const Circuit& circuit, double accuracy) {
   return dynamics;
 }
 
-void add_warnings(Certificate& c, const Circuit& circuit, const RealizationOptions& options,
-                  const Equations& equations, const Reduction& reduction) {
+/// Where the op-amps' limits and capacitances come in.
+void add_opamp_remarks(Certificate& c, const NetworkCircuit& circuit, const Equations& equations) {
+  using Kind = CircuitRemark::Kind;
+  const RealizationOptions& options = circuit.options();
+  const RealizationTraits& realization = traits(circuit.realization());
   const OpAmp& o = options.opamp;
   const double reach = o.rail ? *o.rail - 0.6 : 0.0;  // where the clamp's diodes begin to conduct
   if (o.rail && c.largest_voltage > reach)
-    c.warnings.push_back("a node would reach " + brief(c.largest_voltage) +
-                         " V, op-amps clamp from " + brief(reach) + " V (rail - 0.6 V): volts = " +
-                         brief(0.8 * reach / c.largest_voltage * options.scale.volts));
-  if (options.node_capacitance &&
-      (c.realization == Realization::crossbar || c.realization == Realization::least_squares))
-    c.warnings.emplace_back(
-        "parasitic.node has no effect: the nodes are the amplifiers' outputs; parasitic.input is "
-        "what loads their summing nodes");
-  if (o.input_capacitance && o.bandwidth && has_subcircuits(circuit)) {
+    c.remarks.push_back({.kind = Kind::clamps,
+                         .value = c.largest_voltage,
+                         .limit = reach,
+                         .repair = 0.8 * reach / c.largest_voltage * options.scale.volts});
+  if (options.node_capacitance && realization.drives_nodes)
+    c.remarks.push_back({.kind = Kind::capacitance_at_outputs});
+  if (!o.input_capacitance || !o.bandwidth) return;
+  if (circuit.flat().had_subcircuits()) {
     const double limit = 1.0 / (2.0 * radians(*o.bandwidth) * *o.input_capacitance);
     if (options.divider > limit)
-      c.warnings.push_back("resistors of " + brief(options.divider) +
-                           " ohm at inverting inputs ring with their capacitance: divider = " +
-                           brief(0.99 * limit) + " at most, 1/(2 W C)");
+      c.remarks.push_back({.kind = Kind::divider_rings,
+                           .value = options.divider,
+                           .limit = limit,
+                           .repair = 0.99 * limit});
   }
-  if (c.realization == Realization::least_squares && !options.inverters && o.input_capacitance &&
-      o.bandwidth) {
+  if (realization.takes_readings && !options.inverters) {
     // Measured: stable while k rho^2 C W / D < 5, D the residual rows' conductance.
     double least = std::numeric_limits<double>::infinity();
+    const Reduction& reduction = circuit.reduction();
     for (std::size_t row = reduction.outputs(); row < reduction.rows(); ++row)
       least = std::min(least, equations.total[row]);
     const double k = options.main_bandwidth(c.realization);
     const double number = k * options.residual_gain * options.residual_gain * *o.input_capacitance *
                           radians(*o.bandwidth) / least;
     if (number > 1.0)
-      c.warnings.push_back(
-          "capacitance at the summing nodes counts (k rho^2 C W/D = " + brief(number) +
-          ", to be well below 5): siemens = " + brief(options.scale.siemens * number) +
-          " or more, or a smaller residual_gain");
+      c.remarks.push_back({.kind = Kind::summing_capacitance,
+                           .value = number,
+                           .limit = 5.0,
+                           .repair = options.scale.siemens * number});
   }
+}
+
+/// What nobody could buy or measure.
+void add_scale_remarks(Certificate& c, const Scale& scale) {
+  using Kind = CircuitRemark::Kind;
   if (c.least_ohm > 0.0 && (c.greatest_ohm > 1e9 || c.least_ohm < 1.0))
-    c.warnings.push_back(
-        "resistors from " + brief(c.least_ohm) + " to " + brief(c.greatest_ohm) +
-        " ohm cannot be bought: siemens = " +
-        brief(options.scale.siemens * std::sqrt(c.least_ohm) * std::sqrt(c.greatest_ohm) / 1e5) +
-        " would centre them at 100 kilo-ohm");
+    c.remarks.push_back(
+        {.kind = Kind::not_for_sale,
+         .least = c.least_ohm,
+         .greatest = c.greatest_ohm,
+         .repair = scale.siemens * std::sqrt(c.least_ohm) * std::sqrt(c.greatest_ohm) / 1e5});
   if (c.largest_voltage > 100.0 || (c.largest_voltage > 0.0 && c.largest_voltage < 1e-4))
-    c.warnings.push_back("the largest voltage is " + brief(c.largest_voltage) + " V: volts = " +
-                         brief(options.scale.volts / c.largest_voltage) + " would make it 1 V");
+    c.remarks.push_back({.kind = Kind::odd_voltage,
+                         .value = c.largest_voltage,
+                         .repair = scale.volts / c.largest_voltage});
   if (c.least_ohm > 0.0 && c.greatest_ohm > 1e15 * c.least_ohm)
-    c.warnings.push_back("resistors from " + brief(c.least_ohm) + " to " + brief(c.greatest_ohm) +
-                         " ohm: further apart than a simulator's digits");
+    c.remarks.push_back(
+        {.kind = Kind::beyond_digits, .least = c.least_ohm, .greatest = c.greatest_ohm});
+}
+
+/// What the reduced equations say: voltages, heat, and the errors of components they bear.
+void add_equations(Certificate& c, const NetworkCircuit& circuit) {
+  const Reduction& reduction = circuit.reduction();
+  const RealizationOptions& options = circuit.options();
+  const Equations equations = reduction.equations();
+  const Eigen::VectorXd z = Eigen::PartialPivLU<Eigen::MatrixXd>(as_eigen(equations.matrix))
+                                .solve(as_eigen(std::span(equations.right_side)));
+  if (!z.allFinite()) throw std::domain_error("the network has no unique answer");
+  const Reduction::Load load = reduction.load({z.data(), static_cast<std::size_t>(z.size())});
+  c.largest_voltage = load.largest_voltage;
+  c.power = load.power;
+  if (c.theorem.holds()) c.tolerance_margin = margin_of(reduction, equations);
+  const bool one_pole = !options.opamp.second_pole && !options.opamp.input_capacitance;
+  c.margin_for_any_bandwidth =
+      c.tolerance_margin &&
+      (!has_amplifiers(c.realization) || (one_pole && !circuit.flat().had_subcircuits()));
+  add_opamp_remarks(c, circuit, equations);
+  add_scale_remarks(c, options.scale);
+}
+
+/// From the poles where there are any, otherwise from the theorem.
+void add_stability(Certificate& c, const NetworkCircuit& circuit, bool definite) {
+  const std::size_t states =
+      takes_time(c.realization, circuit.options()) ? count_states(circuit.flat()) : 0;
+  if (states > 0 && states <= most_states) {
+    c.dynamics = dynamics_of(circuit.state_space(), c.accuracy);
+    c.stability = c.dynamics->slowest < 0.0 ? Stability::stable : Stability::unstable;
+  } else {
+    if (states > 0) c.remarks.push_back({.kind = CircuitRemark::Kind::too_many_states});
+    c.stability = c.theorem.holds() ? Stability::stable : Stability::not_modelled;
+  }
+  if (!definite) c.stability = Stability::not_definite;
 }
 
 constexpr Named<Stability> stabilities[] = {{Stability::stable, "stable"},
@@ -209,76 +197,42 @@ constexpr Named<Stability> stabilities[] = {{Stability::stable, "stable"},
 
 std::string_view name(Stability stability) noexcept { return name_in<stabilities>(stability); }
 
-Certificate certify(Realization realization, const NetworkProblem& problem,
-                    const RealizationOptions& options, double accuracy) {
+Certificate certify(const NetworkCircuit& circuit, double accuracy) {
   if (!(accuracy > 0.0 && accuracy < 1.0))
     throw std::invalid_argument("the accuracy must be > 0 and < 1");
-  const Circuit circuit = realize(realization, problem, options);
-  Certificate c{.realization = realization, .accuracy = accuracy};
-  const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
-                                          as_eigen(problem.matrix), Eigen::EigenvaluesOnly)
-                                          .eigenvalues();
-  c.smallest_eigenvalue = eigenvalues(0);
-  const double largest = eigenvalues(eigenvalues.size() - 1);
-  // Below the rounding of P's entries either sign means nothing. least_squares never forms P.
-  const double rounding =
-      static_cast<double>(eigenvalues.size()) * std::numeric_limits<double>::epsilon() * largest;
-  const bool definite =
-      c.smallest_eigenvalue > rounding || realization == Realization::least_squares;
-  c.condition = c.smallest_eigenvalue > rounding ? largest / c.smallest_eigenvalue
+  const RealizationTraits& realization = traits(circuit.realization());
+  Certificate c{.realization = circuit.realization(), .accuracy = accuracy};
+  const EigenvalueRange& eigenvalues = circuit.eigenvalues();
+  c.smallest_eigenvalue = eigenvalues.smallest;
+  // Below the rounding of P's entries either sign means nothing.
+  const double rounding = static_cast<double>(circuit.problem().matrix.rows) *
+                          std::numeric_limits<double>::epsilon() * eigenvalues.largest;
+  const bool definite = c.smallest_eigenvalue > rounding || realization.takes_readings;
+  c.condition = c.smallest_eigenvalue > rounding ? eigenvalues.largest / c.smallest_eigenvalue
                                                  : std::numeric_limits<double>::infinity();
-  c.theorem = theorem_of(realization, options, definite);
-  c.elements = count_elements(circuit);
-
-  for (const double ohm : resistances(circuit)) {
+  c.theorem = theorem_of(c.realization, circuit.options(), definite);
+  c.elements = count_elements(circuit.flat());
+  for (const double ohm : resistances(circuit.flat())) {
     const double size = std::abs(ohm);
     c.least_ohm = c.least_ohm == 0.0 ? size : std::min(c.least_ohm, size);
     c.greatest_ohm = std::max(c.greatest_ohm, size);
   }
 
-  if (realization == Realization::lc || realization == Realization::ndr) {
-    c.stability = !definite                        ? Stability::not_definite
-                  : realization == Realization::lc ? Stability::lossless
-                                                   : Stability::stable;
-    if (realization == Realization::lc) {
-      if (options.node_capacitance)
-        c.warnings.emplace_back(
-            "parasitic.node is left out: at one frequency it is part of each node's capacitor");
-      return c;
-    }
-  } else {
-    const Reduction reduction(circuit);
-    const Equations equations = reduction.equations();
-    const Eigen::VectorXd z = Eigen::PartialPivLU<Eigen::MatrixXd>(as_eigen(equations.matrix))
-                                  .solve(as_eigen(std::span(equations.right_side)));
-    if (!z.allFinite()) throw std::domain_error("the network has no unique answer");
-    const Reduction::Load load = reduction.load({z.data(), static_cast<std::size_t>(z.size())});
-    c.largest_voltage = load.largest_voltage;
-    c.power = load.power;
-    if (c.theorem.holds) c.tolerance_margin = margin_of(reduction, equations);
-    const bool one_pole = !options.opamp.second_pole && !options.opamp.input_capacitance;
-    c.margin_for_any_bandwidth = c.tolerance_margin && (!has_amplifiers(realization) ||
-                                                        (one_pole && !has_subcircuits(circuit)));
-    add_warnings(c, circuit, options, equations, reduction);
-  }
-
-  const std::size_t states = takes_time(realization, options) ? count_states(circuit) : 0;
-  if (states > 0 && states <= most_states) {
-    c.dynamics = dynamics_of(circuit, accuracy);
-    c.stability = c.dynamics->slowest < 0.0 ? Stability::stable : Stability::unstable;
-    if (!definite) c.stability = Stability::not_definite;
+  if (realization.parts == RealizationTraits::Parts::lossless) {
+    c.stability = definite ? Stability::lossless : Stability::not_definite;
+    if (circuit.options().node_capacitance)
+      c.remarks.push_back({.kind = CircuitRemark::Kind::capacitance_at_one_frequency});
     return c;
   }
-  if (states > 0)
-    c.warnings.push_back("more than " + std::to_string(most_states) +
-                         " states: poles and settling time are left out");
-  if (!definite)
-    c.stability = Stability::not_definite;
-  else if (c.theorem.holds)
-    c.stability = Stability::stable;
-  else
-    c.stability = Stability::not_modelled;
+  if (realization.linear()) add_equations(c, circuit);
+  add_stability(c, circuit, definite);
   return c;
+}
+
+Certificate certify(Realization realization, const NetworkProblem& problem,
+                    const RealizationOptions& options, double accuracy) {
+  const std::shared_ptr<const NetworkProblem> not_owned(std::shared_ptr<void>(), &problem);
+  return certify(NetworkCircuit(realization, not_owned, options), accuracy);
 }
 
 }  // namespace tactile_net

@@ -52,12 +52,15 @@ ConductanceNetwork conductances(const Matrix& matrix) {
   return network;
 }
 
-double smallest_eigenvalue(const Matrix& matrix) {
+EigenvalueRange eigenvalue_range(const Matrix& matrix) {
   check_square(matrix);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(as_eigen(matrix),
                                                               Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()(0);
+  const auto& ascending = solver.eigenvalues();
+  return {ascending(0), ascending(ascending.size() - 1)};
 }
+
+double smallest_eigenvalue(const Matrix& matrix) { return eigenvalue_range(matrix).smallest; }
 
 std::vector<double> solve_symmetric(const Matrix& matrix, const std::vector<double>& right_side) {
   check_square(matrix);

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "tactile_net/network/subcircuits.hpp"
+#include "network/subcircuit_of.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
@@ -54,14 +54,10 @@ class Check {
     }
     for (const Instance& x : circuit.instances) {
       unique(x.name);
-      const AmplifierModel* model = amplifier(circuit, x.subcircuit);
-      const std::size_t pins = model == nullptr                    ? subcircuit(x.subcircuit).pins
-                               : model->outputs == Outputs::single ? 3
-                                                                   : 4;
+      (void)subcircuit_of(circuit, x);
       element(x.name,
-              x.pins.size() == pins && std::all_of(x.pins.begin(), x.pins.end(),
-                                                   [&](Node node) { return exists(node); }),
-              "its pins do not fit the sub-circuit");
+              std::all_of(x.pins.begin(), x.pins.end(), [&](Node node) { return exists(node); }),
+              "a node does not exist");
     }
     if (!(circuit.divider > 0.0) || !std::isfinite(circuit.divider))
       throw std::invalid_argument("a sub-circuit's resistors must be > 0 and finite");

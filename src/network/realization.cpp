@@ -7,14 +7,12 @@
 
 #include "inverse/stabiliser.hpp"
 #include "numeric/eigen.hpp"
-#include "numeric/named.hpp"
 
 namespace tactile_net {
-
 namespace {
 
-/// Entries below the rounding of the largest, or below what the matrix is known to, are zero: they
-/// say nothing, and would be resistors beyond any other.
+/// Sets entries to 0 that are only rounding: below eps/2 times the largest, or below the accuracy
+/// `known_to` of the matrix. Kept, each would become a resistor of absurd value.
 void drop_rounding(Matrix& matrix, double known_to) {
   double largest = 0.0;
   for (const double value : matrix.values) largest = std::max(largest, std::abs(value));
@@ -23,27 +21,7 @@ void drop_rounding(Matrix& matrix, double known_to) {
     if (std::abs(value) <= floor) value = 0.0;
 }
 
-constexpr Named<Realization> names[] = {{Realization::ideal, "ideal"},
-                                        {Realization::nic, "nic"},
-                                        {Realization::rail, "rail"},
-                                        {Realization::crossbar, "crossbar"},
-                                        {Realization::least_squares, "least_squares"},
-                                        {Realization::lc, "lc"},
-                                        {Realization::ndr, "ndr"}};
-static_assert(realizations.size() == std::size(names));
-
 }  // namespace
-
-std::string_view name(Realization realization) noexcept { return name_in<names>(realization); }
-
-std::optional<Realization> realization_named(std::string_view text) noexcept {
-  return named_in<names>(text);
-}
-
-bool has_amplifiers(Realization realization) noexcept {
-  return realization == Realization::nic || realization == Realization::rail ||
-         realization == Realization::crossbar || realization == Realization::least_squares;
-}
 
 NetworkProblem network_problem(const InverseProblem& problem, double alpha,
                                std::span<const double> readings) {
@@ -61,17 +39,6 @@ NetworkProblem network_problem(const InverseProblem& problem, double alpha,
   return result;
 }
 
-double RealizationOptions::main_bandwidth(Realization realization) const noexcept {
-  if (bandwidth_ratio) return *bandwidth_ratio;
-  if (!inverters) return 1.0;
-  return realization == Realization::crossbar ? 0.5 : 0.2 / residual_gain;
-}
-
-bool takes_time(Realization realization, const RealizationOptions& options) noexcept {
-  if (has_amplifiers(realization)) return options.opamp.bandwidth.has_value();
-  return realization != Realization::lc && options.node_capacitance.has_value();
-}
-
 void check(const RealizationOptions& options) {
   const auto positive = [](double value, const char* name) {
     if (!(value > 0.0) || !std::isfinite(value))
@@ -86,20 +53,6 @@ void check(const RealizationOptions& options) {
   positive(options.frequency, "frequency");
   positive(options.device_volts, "a device's volts");
   check(options.opamp);
-}
-
-Circuit realize(Realization realization, const NetworkProblem& problem,
-                const RealizationOptions& options) {
-  if (realization == Realization::crossbar)
-    return crossbar(problem.matrix, problem.right_side, options);
-  if (realization == Realization::least_squares) return least_squares(problem, options);
-  const ConductanceNetwork network = conductances(problem.matrix);
-  const auto build = realization == Realization::nic    ? nic
-                     : realization == Realization::rail ? rail
-                     : realization == Realization::lc   ? lc
-                     : realization == Realization::ndr  ? ndr
-                                                        : ideal;
-  return build(network, problem.right_side, options);
 }
 
 }  // namespace tactile_net

@@ -4,57 +4,84 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "network/subcircuit_of.hpp"
+
 namespace tactile_net {
+
+/// Which node an ideal amplifier, inverter or converter holds at its voltage.
+struct Reduction::Roles {
+  struct Amplifier {
+    Node summing, out, inverse;  // inverse 0: there is none
+  };
+  std::vector<Amplifier> amplifiers;
+  std::vector<bool> driven;  // per node; ground too
+};
 
 Reduction::Reduction(const Circuit& circuit) : fixed_(circuit.nodes.size()) {
   if (!circuit.inductors.empty() || !circuit.devices.empty())
     throw std::invalid_argument("inductors and N-shaped devices have no equations of this form");
-  outputs_ = circuit.outputs.size();
+  const Roles roles = roles_of(circuit);
+  const std::vector<std::size_t> row_of = number_rows(circuit, roles);
+  add_parts(circuit, row_of);
+  for (const Instance& x : circuit.instances)
+    if (const Subcircuit* const subcircuit = subcircuit_of(circuit, x))
+      add_subcircuit(x, subcircuit->kind, 1.0 / circuit.divider, row_of);
+}
 
-  // Which node is whose unknown, summing node, or copy.
-  std::vector<std::size_t> row_of(circuit.nodes.size(), none);
-  std::vector<bool> driven(circuit.nodes.size());
-  driven[0] = true;
-  struct Amplifier {
-    Node summing, out, inverse;
-  };
-  std::vector<Amplifier> amplifiers;
+Reduction::Roles Reduction::roles_of(const Circuit& circuit) {
+  Roles roles{.amplifiers = {}, .driven = std::vector<bool>(circuit.nodes.size())};
+  roles.driven[0] = true;
   for (const Instance& x : circuit.instances) {
-    if (amplifier(circuit, x.subcircuit) != nullptr) {
+    const Subcircuit* const subcircuit = subcircuit_of(circuit, x);
+    if (subcircuit == nullptr) {
       if (x.pins[0] != 0)
         throw std::invalid_argument("element " + x.name + ": its '+' input is not grounded");
-      amplifiers.push_back({x.pins[1], x.pins[2], x.pins.size() > 3 ? x.pins[3] : 0});
-      driven[x.pins[1]] = driven[x.pins[2]] = true;
-      if (x.pins.size() > 3) driven[x.pins[3]] = true;
-    } else if (x.subcircuit == "inverter" || x.subcircuit == "grounded_nic") {
-      driven[x.pins[1]] = true;
-    } else {  // floating_nic
-      driven[x.pins[2]] = driven[x.pins[3]] = true;
+      roles.amplifiers.push_back({x.pins[1], x.pins[2], x.pins.size() > 3 ? x.pins[3] : 0});
+      for (std::size_t pin = 1; pin < x.pins.size(); ++pin) roles.driven[x.pins[pin]] = true;
+      continue;
+    }
+    switch (subcircuit->kind) {
+      case Subcircuit::Kind::inverter:
+      case Subcircuit::Kind::grounded_nic:
+        roles.driven[x.pins[1]] = true;
+        break;
+      case Subcircuit::Kind::floating_nic:
+        roles.driven[x.pins[2]] = roles.driven[x.pins[3]] = true;
+        break;
     }
   }
+  return roles;
+}
 
-  // Rows: outputs in their order, then the rest.
+/// Rows: outputs in their order, then the rest. Returns the row of each node's law, or none.
+std::vector<std::size_t> Reduction::number_rows(const Circuit& circuit, const Roles& roles) {
+  outputs_ = circuit.outputs.size();
   std::vector<Node> unknowns(circuit.outputs);
-  const auto is_output = [&](Node node) {
-    return std::find(circuit.outputs.begin(), circuit.outputs.end(), node) != circuit.outputs.end();
-  };
-  for (const Amplifier& one : amplifiers)
-    if (!is_output(one.out)) unknowns.push_back(one.out);
+  std::vector<bool> is_output(circuit.nodes.size());
+  for (const Node node : circuit.outputs) is_output[node] = true;
+  for (const Roles::Amplifier& one : roles.amplifiers)
+    if (!is_output[one.out]) unknowns.push_back(one.out);
   for (Node node = 1; node < circuit.nodes.size(); ++node)
-    if (!driven[node] && !is_output(node)) unknowns.push_back(node);
+    if (!roles.driven[node] && !is_output[node]) unknowns.push_back(node);
   rows_ = unknowns.size();
+
+  std::vector<std::size_t> row_of(circuit.nodes.size(), none);
   amplifier_rows_.assign(rows_, false);
   for (std::size_t row = 0; row < rows_; ++row) {
     fixed_[unknowns[row]] = {row, none, 1.0, 0.0};
-    if (!driven[unknowns[row]]) row_of[unknowns[row]] = row;
+    if (!roles.driven[unknowns[row]]) row_of[unknowns[row]] = row;
   }
-  for (const Amplifier& one : amplifiers) {
+  for (const Roles::Amplifier& one : roles.amplifiers) {
     const std::size_t row = fixed_[one.out].i;
     amplifier_rows_[row] = true;
     row_of[one.summing] = row;
     if (one.inverse != 0) fixed_[one.inverse] = {row, none, -1.0, 0.0};
   }
+  return row_of;
+}
 
+/// The circuit's own sources and resistors.
+void Reduction::add_parts(const Circuit& circuit, const std::vector<std::size_t>& row_of) {
   sources_.assign(rows_, 0.0);
   for (const CurrentSource& i : circuit.sources)
     if (row_of[i.into] != none) sources_[row_of[i.into]] += i.ampere;
@@ -64,30 +91,31 @@ Reduction::Reduction(const Circuit& circuit) : fixed_(circuit.nodes.size()) {
     names_.push_back(r.name);
     siemens_.push_back(r.siemens);
   }
-  // In sub-circuits R1 is from the input or output to the '-' input, as in circuits/*.lib.
-  const auto inside = [&](const Instance& x, std::size_t count) {
-    const std::size_t first = names_.size();
-    for (std::size_t k = 1; k <= count; ++k) {
-      names_.push_back('R' + std::to_string(k) + '.' + x.name);
-      siemens_.push_back(1.0 / circuit.divider);
-    }
-    return first;
-  };
-  for (const Instance& x : circuit.instances) {
-    const auto unknown = [&](std::size_t pin) { return fixed_[x.pins[pin]].i; };
-    if (x.subcircuit == "inverter") {  // out = -(g1 / g2) in
-      const std::size_t r = inside(x, 2);
+}
+
+/// R1 of each is from the input or output to the '-' input, as in circuits/*.lib.
+void Reduction::add_subcircuit(const Instance& x, Subcircuit::Kind kind, double siemens,
+                               const std::vector<std::size_t>& row_of) {
+  const std::size_t r = names_.size();
+  const std::size_t count = kind == Subcircuit::Kind::floating_nic ? 3 : 2;
+  for (std::size_t k = 1; k <= count; ++k) {
+    names_.push_back('R' + std::to_string(k) + '.' + x.name);
+    siemens_.push_back(siemens);
+  }
+  const auto unknown = [&](std::size_t pin) { return fixed_[x.pins[pin]].i; };
+  switch (kind) {
+    case Subcircuit::Kind::inverter:  // out = -(g1 / g2) in
       derived_.push_back({x.pins[1], unknown(0), none, r + 1, r, true});
       parts_.push_back({row_of[x.pins[0]], none, x.pins[0], 0});
       part_resistor_.push_back(r);
-    } else if (x.subcircuit == "grounded_nic") {  // out = (1 + g2 / g1) a
-      const std::size_t r = inside(x, 2);
+      break;
+    case Subcircuit::Kind::grounded_nic:  // out = (1 + g2 / g1) a
       derived_.push_back({x.pins[1], unknown(0), none, r, r + 1, false});
-    } else if (x.subcircuit == "floating_nic") {  // oa = (1 + g2 / g1) a - (g2 / g1) b
-      const std::size_t r = inside(x, 3);
+      break;
+    case Subcircuit::Kind::floating_nic:  // oa = (1 + g2 / g1) a - (g2 / g1) b
       derived_.push_back({x.pins[2], unknown(0), unknown(1), r, r + 1, false});
       derived_.push_back({x.pins[3], unknown(1), unknown(0), r + 2, r + 1, false});
-    }
+      break;
   }
 }
 

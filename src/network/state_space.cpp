@@ -1,15 +1,8 @@
 #include "tactile_net/network/state_space.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SparseCore>
-#include <Eigen/SparseLU>
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <unsupported/Eigen/MatrixFunctions>
-#include <utility>
 
 #include "numeric/eigen.hpp"
 
@@ -20,154 +13,157 @@ double radians(double hertz) { return 2.0 * std::numbers::pi * hertz; }
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-}  // namespace
+constexpr auto none = static_cast<std::size_t>(-1);
 
-std::size_t count_states(const Circuit& circuit) {
-  const Circuit flat = flattened(circuit);
-  std::size_t states = flat.capacitors.size();
-  for (const Instance& x : flat.instances) {
-    const OpAmp& opamp = amplifier(flat, x.subcircuit)->opamp;
-    states += (opamp.second_pole ? 2U : 1U) + (opamp.input_capacitance && x.pins[1] != 0 ? 1U : 0U);
+/// Kirchhoff's laws of a circuit, part by part: first what holds charge (amplifiers, capacitors),
+/// then `number`, then what carries current (resistors, sources), then `system`.
+class Stamps {
+ public:
+  explicit Stamps(const FlatCircuit& circuit)
+      : circuit_(circuit.circuit()),
+        capacitance_(nodes()),
+        sign_(nodes()),
+        source_(nodes()),
+        state_of_(nodes(), none),
+        other_of_(nodes(), none) {}
+
+  void amplifier(const FlatCircuit::Amplifier& x, const OpAmp& opamp, const std::string& name) {
+    if (!opamp.bandwidth)
+      throw std::invalid_argument("element " + name + ": an amplifier without bandwidth");
+    if (opamp.input_capacitance) capacitance_[x.minus] += *opamp.input_capacitance;
+    drive(x.out, 1.0);
+    if (x.inverse != 0) drive(x.inverse, -1.0);
+    amplifiers_.push_back({opamp, x.plus, x.minus});
   }
-  return states;
-}
 
-StateSpace state_space(const Circuit& circuit) {
-  const Circuit flat = flattened(circuit);
-  const std::size_t nodes = flat.nodes.size();
-  if (!flat.inductors.empty()) throw std::invalid_argument("an inductor has no place here");
+  void capacitor(const Capacitor& c) {
+    if (c.from != 0 && c.to != 0)
+      throw std::invalid_argument("element " + c.name + ": a capacitor not to ground");
+    capacitance_[c.from + c.to] += c.farad;
+  }
 
-  // Amplifiers: their states, and the nodes they drive.
+  /// Nodes with capacitance are states, and so are the amplifiers' poles; other nodes follow.
+  void number() {
+    for (Node node = 1; node < nodes(); ++node) {
+      if (sign_[node] != 0.0) continue;
+      if (capacitance_[node] > 0.0)
+        state_of_[node] = states_++;
+      else
+        other_of_[node] = others_++;
+    }
+    const Eigen::Index held = index(states_);
+    for (Amplifier& one : amplifiers_) {
+      one.state = states_;
+      states_ += one.opamp.second_pole ? 2U : 1U;
+    }
+    of_held_ = Eigen::MatrixXd::Zero(held, index(states_ + others_));
+    of_others_ = Eigen::MatrixXd::Zero(index(others_), index(states_ + others_));
+    into_held_ = Eigen::VectorXd::Zero(held);
+    into_others_ = Eigen::VectorXd::Zero(index(others_));
+  }
+
+  void resistor(Node from, Node to, double siemens) {
+    leave(from, to, siemens);
+    leave(to, from, siemens);
+  }
+
+  void source(const CurrentSource& i) {
+    if (state_of_[i.into] != none)
+      into_held_(index(state_of_[i.into])) += i.ampere;
+    else if (other_of_[i.into] != none)
+      into_others_(index(other_of_[i.into])) += i.ampere;
+  }
+
+  [[nodiscard]] StateSpace system() {
+    eliminate_others();
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(index(states_), index(states_));
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(index(states_));
+    for (Node node = 1; node < nodes(); ++node)
+      if (state_of_[node] != none) add_node_row(node, a, b);
+    for (const Amplifier& one : amplifiers_) add_amplifier_rows(one, a, b);
+
+    StateSpace system{
+        .dynamics = from_eigen(a), .drive = {b.begin(), b.end()}, .output = {}, .direct = {}};
+    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(std::ssize(circuit_.outputs), index(states_));
+    for (std::size_t k = 0; k < circuit_.outputs.size(); ++k) {
+      Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(index(states_));
+      double rest = 0.0;
+      add_voltage(circuit_.outputs[k], 1.0, row, rest);
+      c.row(index(k)) = row;
+      system.direct.push_back(rest);
+    }
+    system.output = from_eigen(c);
+    return system;
+  }
+
+ private:
   struct Amplifier {
     OpAmp opamp;
     Node plus, minus;
     std::size_t state = 0;
   };
-  std::vector<Amplifier> amplifiers;
-  std::vector<double> capacitance(nodes);
-  std::vector<double> sign(nodes);         // of a driven node
-  std::vector<std::size_t> source(nodes);  // the amplifier that drives it
-  for (const Instance& x : flat.instances) {
-    const OpAmp& opamp = amplifier(flat, x.subcircuit)->opamp;
-    if (!opamp.bandwidth)
-      throw std::invalid_argument("element " + x.name + ": an amplifier without bandwidth");
-    if (opamp.input_capacitance) capacitance[x.pins[1]] += *opamp.input_capacitance;
-    sign[x.pins[2]] = 1.0;
-    source[x.pins[2]] = amplifiers.size();
-    if (x.pins.size() > 3) {
-      sign[x.pins[3]] = -1.0;
-      source[x.pins[3]] = amplifiers.size();
-    }
-    amplifiers.push_back({opamp, x.pins[0], x.pins[1]});
-  }
-  for (const Capacitor& c : flat.capacitors) {
-    if (c.from != 0 && c.to != 0)
-      throw std::invalid_argument("element " + c.name + ": a capacitor not to ground");
-    capacitance[c.from + c.to] += c.farad;
-  }
 
-  // Unknown nodes: those with capacitance are states, the others follow.
-  constexpr auto none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> state_of(nodes, none);
-  std::vector<std::size_t> other_of(nodes, none);
-  std::size_t states = 0;
-  std::size_t others = 0;
-  for (Node node = 1; node < nodes; ++node) {
-    if (sign[node] != 0.0) continue;
-    if (capacitance[node] > 0.0)
-      state_of[node] = states++;
-    else
-      other_of[node] = others++;
-  }
-  const std::size_t held = states;
-  for (Amplifier& one : amplifiers) {
-    one.state = states;
-    states += one.opamp.second_pole ? 2U : 1U;
-  }
-  const auto output_state = [&](const Amplifier& one) {
+  [[nodiscard]] std::size_t nodes() const noexcept { return circuit_.nodes.size(); }
+
+  [[nodiscard]] static std::size_t output_state(const Amplifier& one) {
     return one.state + (one.opamp.second_pole ? 1U : 0U);
-  };
+  }
 
-  // Kirchhoff: G_hh v_h + G_ho v_o + G_hx x = i_h - C v_h', and the same without C for the others.
-  // Columns: states; then the others.
-  Eigen::MatrixXd of_held = Eigen::MatrixXd::Zero(index(held), index(states + others));
-  Eigen::MatrixXd of_others = Eigen::MatrixXd::Zero(index(others), index(states + others));
-  Eigen::VectorXd into_held = Eigen::VectorXd::Zero(index(held));
-  Eigen::VectorXd into_others = Eigen::VectorXd::Zero(index(others));
-  const auto stamp = [&](Node here, Node there, double siemens) {
-    if (here == 0 || sign[here] != 0.0) return;
-    auto row = state_of[here] != none ? of_held.row(index(state_of[here]))
-                                      : of_others.row(index(other_of[here]));
+  /// The amplifier that comes next drives the node.
+  void drive(Node node, double sign) {
+    sign_[node] = sign;
+    source_[node] = amplifiers_.size();
+  }
+
+  /// The current that leaves a node through a conductance to another.
+  void leave(Node here, Node there, double siemens) {
+    if (here == 0 || sign_[here] != 0.0) return;
+    auto row = state_of_[here] != none ? of_held_.row(index(state_of_[here]))
+                                       : of_others_.row(index(other_of_[here]));
     const auto add = [&](Node node, double value) {
       if (node == 0) return;
-      if (sign[node] != 0.0)
-        row(index(output_state(amplifiers[source[node]]))) += sign[node] * value;
+      if (sign_[node] != 0.0)
+        row(index(output_state(amplifiers_[source_[node]]))) += sign_[node] * value;
       else
-        row(index(state_of[node] != none ? state_of[node] : states + other_of[node])) += value;
+        row(index(state_of_[node] != none ? state_of_[node] : states_ + other_of_[node])) += value;
     };
     add(here, siemens);
     add(there, -siemens);
-  };
-  for (const Resistor& r : flat.resistors) {
-    stamp(r.from, r.to, r.siemens);
-    stamp(r.to, r.from, r.siemens);
-  }
-  for (const NShapedDevice& b : flat.devices) {
-    stamp(b.from, b.to, -b.siemens);
-    stamp(b.to, b.from, -b.siemens);
-  }
-  for (const CurrentSource& i : flat.sources) {
-    if (state_of[i.into] != none)
-      into_held(index(state_of[i.into])) += i.ampere;
-    else if (other_of[i.into] != none)
-      into_others(index(other_of[i.into])) += i.ampere;
   }
 
-  // Others: v_o = E x + e.
-  Eigen::MatrixXd e = Eigen::MatrixXd::Zero(index(others), index(states));
-  Eigen::VectorXd constant = Eigen::VectorXd::Zero(index(others));
-  if (others > 0) {
+  /// v_o = E x + e of the nodes that are no states.
+  void eliminate_others() {
+    e_ = Eigen::MatrixXd::Zero(index(others_), index(states_));
+    constant_ = Eigen::VectorXd::Zero(index(others_));
+    if (others_ == 0) return;
     // In units of each node's own conductance, so that no scale decides what is singular.
     const Eigen::VectorXd units =
-        of_others.rightCols(index(others)).rowwise().lpNorm<Eigen::Infinity>().cwiseInverse();
+        of_others_.rightCols(index(others_)).rowwise().lpNorm<Eigen::Infinity>().cwiseInverse();
     if (!units.allFinite())
       throw std::domain_error("nodes without capacitance have no unique voltage");
-    of_others = units.asDiagonal() * of_others;
-    into_others = units.cwiseProduct(into_others);
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(of_others.rightCols(index(others)));
+    of_others_ = units.asDiagonal() * of_others_;
+    into_others_ = units.cwiseProduct(into_others_);
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(of_others_.rightCols(index(others_)));
     if (!(lu.rcond() > 1e-15))
       throw std::domain_error("nodes without capacitance have no unique voltage");
-    e = -lu.solve(of_others.leftCols(index(states)));
-    constant = lu.solve(into_others);
+    e_ = -lu.solve(of_others_.leftCols(index(states_)));
+    constant_ = lu.solve(into_others_);
   }
 
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(index(states), index(states));
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(index(states));
-  for (Node node = 1; node < nodes; ++node) {
-    if (state_of[node] == none) continue;
-    const Eigen::Index row = index(state_of[node]);
+  /// Kirchhoff: G_hh v_h + G_ho v_o + G_hx x = i_h - C v_h'.
+  void add_node_row(Node node, Eigen::MatrixXd& a, Eigen::VectorXd& b) const {
+    const Eigen::Index row = index(state_of_[node]);
     a.row(row) =
-        -(of_held.row(row).head(index(states)) + of_held.row(row).tail(index(others)) * e) /
-        capacitance[node];
-    b(row) =
-        (into_held(row) - of_held.row(row).tail(index(others)).dot(constant)) / capacitance[node];
+        -(of_held_.row(row).head(index(states_)) + of_held_.row(row).tail(index(others_)) * e_) /
+        capacitance_[node];
+    b(row) = (into_held_(row) - of_held_.row(row).tail(index(others_)).dot(constant_)) /
+             capacitance_[node];
   }
-  // v(node) = row * x + constant.
-  const auto add_voltage = [&](Node node, double factor, auto&& row, double& rest) {
-    if (node == 0) return;
-    if (sign[node] != 0.0) {
-      row(index(output_state(amplifiers[source[node]]))) += factor * sign[node];
-    } else if (state_of[node] != none) {
-      row(index(state_of[node])) += factor;
-    } else {
-      row += factor * e.row(index(other_of[node]));
-      rest += factor * constant(index(other_of[node]));
-    }
-  };
-  for (const Amplifier& one : amplifiers) {
+
+  void add_amplifier_rows(const Amplifier& one, Eigen::MatrixXd& a, Eigen::VectorXd& b) const {
     const Eigen::Index x = index(one.state);
     const double w = radians(*one.opamp.bandwidth);
-    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(index(states));
+    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(index(states_));
     double rest = w * one.opamp.offset.value_or(0.0);
     add_voltage(one.plus, w, row, rest);
     add_voltage(one.minus, -w, row, rest);
@@ -181,166 +177,59 @@ StateSpace state_space(const Circuit& circuit) {
     }
   }
 
-  StateSpace system{
-      .dynamics = from_eigen(a), .drive = {b.begin(), b.end()}, .output = {}, .direct = {}};
-  Eigen::MatrixXd c = Eigen::MatrixXd::Zero(std::ssize(flat.outputs), index(states));
-  for (std::size_t k = 0; k < flat.outputs.size(); ++k) {
-    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(index(states));
-    double rest = 0.0;
-    add_voltage(flat.outputs[k], 1.0, row, rest);
-    c.row(index(k)) = row;
-    system.direct.push_back(rest);
-  }
-  system.output = from_eigen(c);
-  return system;
-}
-
-std::vector<std::complex<double>> poles(const StateSpace& system) {
-  const Eigen::VectorXcd values =
-      Eigen::EigenSolver<Eigen::MatrixXd>(as_eigen(system.dynamics), false).eigenvalues();
-  std::vector<std::complex<double>> all(values.begin(), values.end());
-  std::sort(all.begin(), all.end(),
-            [](const auto& x, const auto& y) { return x.real() > y.real(); });
-  return all;
-}
-
-std::vector<double> slowest_mode(const StateSpace& system) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(as_eigen(system.dynamics)));
-  Eigen::Index slowest = 0;
-  solver.eigenvalues().real().maxCoeff(&slowest);
-  Eigen::VectorXd mode = (as_eigen(system.output) * solver.eigenvectors().col(slowest)).real();
-  if (mode.norm() > 0.0) mode.normalize();
-  return {mode.begin(), mode.end()};
-}
-
-std::vector<double> steady_state(const StateSpace& system) {
-  const Eigen::MatrixXd a = as_eigen(system.dynamics);
-  const Eigen::VectorXd x = -a.partialPivLu().solve(as_eigen(std::span(system.drive)));
-  const Eigen::VectorXd v = as_eigen(system.output) * x + as_eigen(std::span(system.direct));
-  return {v.begin(), v.end()};
-}
-
-std::vector<double> operating_voltages(const Circuit& circuit) {
-  const Circuit flat = flattened(circuit);
-  if (!flat.inductors.empty()) throw std::invalid_argument("an inductor has no place here");
-  const auto count = static_cast<Eigen::Index>(flat.nodes.size()) - 1;
-  std::vector<bool> driven(flat.nodes.size());
-  for (const Instance& x : flat.instances)
-    for (std::size_t pin = 2; pin < x.pins.size(); ++pin) driven[x.pins[pin]] = true;
-
-  // One row per node but ground: Kirchhoff's law, or the amplifier's over its gain.
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
-  const auto add = [&](Node row, Node column, double value) {
-    if (row != 0 && column != 0) entries.emplace_back(index(row) - 1, index(column) - 1, value);
-  };
-  const auto conductance = [&](Node from, Node to, double siemens) {
-    for (const auto& [here, there] : {std::pair(from, to), std::pair(to, from)}) {
-      if (driven[here]) continue;
-      add(here, here, siemens);
-      add(here, there, -siemens);
-    }
-  };
-  for (const Resistor& r : flat.resistors) conductance(r.from, r.to, r.siemens);
-  for (const NShapedDevice& b : flat.devices) conductance(b.from, b.to, -b.siemens);
-  for (const CurrentSource& i : flat.sources)
-    if (i.into != 0 && !driven[i.into]) right(index(i.into) - 1) += i.ampere;
-  for (const Instance& x : flat.instances) {
-    const OpAmp& opamp = amplifier(flat, x.subcircuit)->opamp;
-    add(x.pins[2], x.pins[2], 1.0 / opamp.dc_gain());
-    add(x.pins[2], x.pins[0], -1.0);
-    add(x.pins[2], x.pins[1], 1.0);
-    right(index(x.pins[2]) - 1) = opamp.offset.value_or(0.0);
-    if (x.pins.size() > 3) {
-      add(x.pins[3], x.pins[3], 1.0);
-      add(x.pins[3], x.pins[2], 1.0);
+  /// Adds factor * v(node), as row * x + rest.
+  void add_voltage(Node node, double factor, Eigen::RowVectorXd& row, double& rest) const {
+    if (node == 0) return;
+    if (sign_[node] != 0.0) {
+      row(index(output_state(amplifiers_[source_[node]]))) += factor * sign_[node];
+    } else if (state_of_[node] != none) {
+      row(index(state_of_[node])) += factor;
+    } else {
+      row += factor * e_.row(index(other_of_[node]));
+      rest += factor * constant_(index(other_of_[node]));
     }
   }
-  Eigen::SparseMatrix<double> a(count, count);
-  a.setFromTriplets(entries.begin(), entries.end());
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(a);
-  if (lu.info() != Eigen::Success) throw std::domain_error("the circuit has no operating point");
-  const Eigen::VectorXd v = lu.solve(right);
-  std::vector<double> outputs;
-  for (const Node node : flat.outputs) outputs.push_back(v(index(node) - 1));
-  return outputs;
-}
 
-namespace {
-
-/// Of the outputs from their end: C (x - x_end), which begins at -x_end and follows exp(A t).
-class Deviation {
- public:
-  explicit Deviation(const StateSpace& system)
-      : a_(as_eigen(system.dynamics)),
-        c_(as_eigen(system.output)),
-        start_(a_.partialPivLu().solve(as_eigen(std::span(system.drive)))),
-        end_((c_ * start_ - as_eigen(std::span(system.direct))).norm()) {}
-
-  /// |v_end|_2
-  [[nodiscard]] double end() const noexcept { return end_; }
-
-  /// |v - v_end|_2 at t = 0, step, ... : exact at each, however far apart they are.
-  [[nodiscard]] std::vector<double> sizes(double step, std::size_t steps) const {
-    const Eigen::MatrixXd advance = (a_ * step).exp();
-    Eigen::VectorXd x = start_;
-    std::vector<double> sizes = {(c_ * x).norm()};
-    while (sizes.size() <= steps) {
-      x = advance * x;
-      sizes.push_back((c_ * x).norm());
-    }
-    return sizes;
-  }
-
- private:
-  Eigen::MatrixXd a_;
-  Eigen::MatrixXd c_;
-  Eigen::VectorXd start_;
-  double end_;
+  const Circuit& circuit_;
+  std::vector<double> capacitance_;
+  std::vector<double> sign_;         // of a node that an amplifier drives; 0: none does
+  std::vector<std::size_t> source_;  // that amplifier
+  std::vector<Amplifier> amplifiers_;
+  std::vector<std::size_t> state_of_, other_of_;
+  std::size_t states_ = 0, others_ = 0;
+  // Currents that leave nodes with capacitance and other nodes, per state and then per other node;
+  // those that sources send into them.
+  Eigen::MatrixXd of_held_, of_others_;
+  Eigen::VectorXd into_held_, into_others_;
+  Eigen::MatrixXd e_;
+  Eigen::VectorXd constant_;
 };
 
 }  // namespace
 
-std::vector<double> step_errors(const StateSpace& system, double step, std::size_t steps) {
-  if (!(step > 0.0) || !std::isfinite(step)) throw std::invalid_argument("a step must be > 0");
-  const Deviation deviation(system);
-  if (deviation.end() == 0.0) throw std::domain_error("the outputs rest at 0: no relative error");
-  std::vector<double> errors = deviation.sizes(step, steps);
-  for (double& error : errors) error /= deviation.end();
-  return errors;
+std::size_t count_states(const FlatCircuit& circuit) {
+  std::size_t states = circuit.circuit().capacitors.size();
+  for (const FlatCircuit::Amplifier& x : circuit.amplifiers()) {
+    const OpAmp& opamp = circuit.opamp(x);
+    states += (opamp.second_pole ? 2U : 1U) + (opamp.input_capacitance && x.minus != 0 ? 1U : 0U);
+  }
+  return states;
 }
 
-std::optional<double> settling_time(const StateSpace& system, double accuracy, double slowest) {
-  if (!(slowest < 0.0)) return std::nullopt;
-  const Deviation deviation(system);
-  if (deviation.end() == 0.0) return 0.0;
-
-  constexpr std::size_t points = 4000;
-  const double limit = accuracy * deviation.end();
-  double horizon = (4.0 - std::log(accuracy)) / -slowest;
-  for (int refinement = 0; refinement < 40; ++refinement) {
-    const double step = horizon / static_cast<double>(points);
-    const std::vector<double> sizes = deviation.sizes(step, points);
-    double settled = 0.0;
-    for (std::size_t k = 1; k <= points; ++k) {
-      const double before = sizes[k - 1];
-      const double now = sizes[k];
-      const auto end = static_cast<double>(k);
-      if (before > limit && now <= limit)  // on a straight line between logarithms
-        settled = step *
-                  (end - 1.0 + std::log(before / limit) / std::log(before / std::max(now, 1e-300)));
-      else if (now > limit)
-        settled = step * end;
-    }
-    if (settled >= horizon) {  // far from normal: it grows before it decays
-      horizon *= 4.0;
-    } else if (settled < 0.2 * horizon && settled > 0.0) {
-      horizon = 1.5 * settled;
-    } else {
-      return settled;
-    }
+StateSpace state_space(const FlatCircuit& circuit) {
+  const Circuit& flat = circuit.circuit();
+  if (!flat.inductors.empty()) throw std::invalid_argument("an inductor has no place here");
+  Stamps stamps(circuit);
+  for (std::size_t k = 0; k < flat.instances.size(); ++k) {
+    const FlatCircuit::Amplifier& x = circuit.amplifiers()[k];
+    stamps.amplifier(x, circuit.opamp(x), flat.instances[k].name);
   }
-  return std::nullopt;
+  for (const Capacitor& c : flat.capacitors) stamps.capacitor(c);
+  stamps.number();
+  for (const Resistor& r : flat.resistors) stamps.resistor(r.from, r.to, r.siemens);
+  for (const NShapedDevice& b : flat.devices) stamps.resistor(b.from, b.to, -b.siemens);
+  for (const CurrentSource& i : flat.sources) stamps.source(i);
+  return stamps.system();
 }
 
 }  // namespace tactile_net

@@ -155,8 +155,8 @@ std::vector<double> drawn(const Reduction& reduction, const ToleranceOptions& op
   return siemens;
 }
 
-Circuit perturbed(const Circuit& circuit, std::span<const double> siemens) {
-  Circuit flat = flattened(circuit);
+Circuit perturbed(const FlatCircuit& circuit, std::span<const double> siemens) {
+  Circuit flat = circuit.circuit();
   if (siemens.size() != flat.resistors.size())
     throw std::invalid_argument("the circuit has another number of resistors");
   for (std::size_t r = 0; r < siemens.size(); ++r) flat.resistors[r].siemens = siemens[r];

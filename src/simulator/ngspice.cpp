@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "simulator/judgement.hpp"
+#include "simulator/ngspice_log.hpp"
 #include "simulator/private_folder.hpp"
 #include "tactile_net/simulator/child_process.hpp"
 
@@ -28,7 +28,7 @@ Simulation Ngspice::run(const std::string& deck) {
                          {});
   if (process.end == ProcessResult::End::cancelled)
     throw SimulatorError(SimulatorError::Cause::cancelled, "ngspice was stopped on request", {});
-  return judge(folder, process, options_.time_limit, options_.output_limit);
+  return accept_log(folder, process, options_.time_limit, options_.output_limit);
 }
 
 }  // namespace tactile_net

@@ -12,7 +12,7 @@
 #include <iterator>
 
 #include "simulator/descriptor.hpp"
-#include "simulator/judgement.hpp"
+#include "simulator/ngspice_log.hpp"
 #include "simulator/ngspice_worker.hpp"
 #include "simulator/private_folder.hpp"
 
@@ -107,7 +107,7 @@ Simulation NgspiceLibrary::run(const std::string& deck) {
   write_file(folder.path() / "deck.cir", deck);
   if (worker_ == nullptr) worker_ = std::make_unique<Worker>(options_.output_limit);
   try {
-    return judge(folder, worker_->run(folder.path(), options_.time_limit), options_.time_limit,
+    return accept_log(folder, worker_->run(folder.path(), options_.time_limit), options_.time_limit,
                  options_.output_limit);
   } catch (...) {
     worker_.reset();

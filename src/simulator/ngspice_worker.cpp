@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-#include "simulator/judgement.hpp"
+#include "simulator/ngspice_log.hpp"
 
 namespace tactile_net {
 namespace {

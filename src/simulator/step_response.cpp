@@ -65,14 +65,14 @@ double growth_of(const Waveforms& waveforms) {
   return t1 > t0 && early > 0.0 ? std::log(late / early) / (t1 - t0) : 0.0;
 }
 
-constexpr Named<Judgement> judgements[] = {{Judgement::settles, "settles"},
-                                           {Judgement::grows, "grows"},
-                                           {Judgement::unsettled, "unsettled"},
-                                           {Judgement::unfinished, "unfinished"}};
+constexpr Named<TransientEnd> transient_ends[] = {{TransientEnd::settles, "settles"},
+                                                  {TransientEnd::grows, "grows"},
+                                                  {TransientEnd::unsettled, "unsettled"},
+                                                  {TransientEnd::unfinished, "unfinished"}};
 
 }  // namespace
 
-std::string_view name(Judgement judgement) noexcept { return name_in<judgements>(judgement); }
+std::string_view name(TransientEnd end) noexcept { return name_in<transient_ends>(end); }
 
 Waveforms step_response(Simulator& simulator, const Circuit& circuit,
                         const StepResponse& response) {
@@ -118,28 +118,28 @@ std::optional<double> settling_time(const Waveforms& waveforms, std::span<const 
   return settled;
 }
 
-Judged judge(Simulator& simulator, const Circuit& circuit, const Certificate& certificate,
-             std::span<const double> end) {
+Transient settle(Simulator& simulator, const Circuit& circuit, const Certificate& certificate,
+                 std::span<const double> end) {
   if (!certificate.dynamics) throw std::invalid_argument("the certificate has no dynamics");
   const Dynamics& dynamics = *certificate.dynamics;
   const double size = l2_norm(end);
-  Judged judged;
+  Transient seen;
   if (size == 0.0) throw std::invalid_argument("without a load there is nothing to settle to");
   const auto bounded = [&](const Waveforms& waveforms) {
     return l2_norm(at(waveforms, waveforms.time.size() - 1)) <= 1e3 * size;
   };
   const auto grown = [&](const Waveforms& waveforms) {
-    judged.judgement = Judgement::grows;
-    judged.growth = growth_of(waveforms);
-    judged.mode = at(waveforms, waveforms.time.size() - 1);
-    const double length = l2_norm(judged.mode);
-    for (double& value : judged.mode) value /= length;
-    return judged;
+    seen.end = TransientEnd::grows;
+    seen.growth = growth_of(waveforms);
+    seen.mode = at(waveforms, waveforms.time.size() - 1);
+    const double length = l2_norm(seen.mode);
+    for (double& value : seen.mode) value /= length;
+    return seen;
   };
   const auto run = [&](const StepResponse& response) {
     Waveforms waveforms = step_response(simulator, circuit, response);
-    judged.seconds += waveforms.seconds;
-    judged.simulated = response.stop;
+    seen.seconds += waveforms.seconds;
+    seen.simulated = response.stop;
     return waveforms;
   };
 
@@ -166,20 +166,20 @@ Judged judge(Simulator& simulator, const Circuit& circuit, const Certificate& ce
     }
     const Waveforms waveforms = run({.step = step, .stop = horizon, .kick = kick});
     if (!bounded(waveforms)) return grown(waveforms);
-    judged.end_error = distance(at(waveforms, waveforms.time.size() - 1), end) / size;
-    judged.settling_seconds = settling_time(waveforms, end, certificate.accuracy);
-    judged.judgement = judged.settling_seconds ? Judgement::settles : Judgement::unsettled;
+    seen.end_error = distance(at(waveforms, waveforms.time.size() - 1), end) / size;
+    seen.settling_seconds = settling_time(waveforms, end, certificate.accuracy);
+    seen.end = seen.settling_seconds ? TransientEnd::settles : TransientEnd::unsettled;
   } catch (const SimulatorError& error) {
     if (error.cause() == SimulatorError::Cause::diverged)
-      judged.judgement = Judgement::grows;
+      seen.end = TransientEnd::grows;
     else if (error.cause() == SimulatorError::Cause::timed_out)
-      judged.judgement = Judgement::unfinished;
+      seen.end = TransientEnd::unfinished;
     else
       throw;
     std::error_code ignored;  // the deck and the log are in the verdict
     std::filesystem::remove_all(error.folder(), ignored);
   }
-  return judged;
+  return seen;
 }
 
 }  // namespace tactile_net

@@ -59,9 +59,9 @@ TEST_CASE("only comments to other simulators make ngspice print the answer", "[d
 }
 
 TEST_CASE("a nic brings its sub-circuits, each once, and its cards", "[deck]") {
-  const std::vector<double> current{1.0, 0.0, 0.0};
-  const std::string text = deck(nic(conductances({3, 3, {4, 1, -2, 1, 1, -2, -2, -2, 3}}), current,
-                                    {.scale = {.siemens = 1.0}}));
+  const NetworkProblem problem{.matrix = {3, 3, {4, 1, -2, 1, 1, -2, -2, -2, 3}},
+                               .right_side = {1.0, 0.0, 0.0}};
+  const std::string text = deck(realize(Realization::nic, problem, {.scale = {.siemens = 1.0}}));
   std::string expected = "* t\n";
   expected += subcircuit_text({.name = "opamp"});
   for (const char* one : {"floating_nic", "grounded_nic"}) expected += subcircuit(one).text;

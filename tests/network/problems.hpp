@@ -7,6 +7,7 @@
 
 #include "tactile_net/elasticity/contact.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
@@ -38,7 +39,7 @@ inline ArrayNetwork array_network(std::size_t count, double alpha, std::size_t u
 
 /// '+' and '-' of every converter's op-amps exchanged.
 inline Circuit swapped(const Circuit& circuit) {
-  Circuit flat = flattened(circuit);
+  Circuit flat = FlatCircuit(circuit).circuit();
   for (Instance& x : flat.instances)
     if (x.name.find(".Xr") == std::string::npos) std::swap(x.pins[0], x.pins[1]);
   return flat;

@@ -1,30 +1,32 @@
 #include "tactile_net/network/realization.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 
+#include "tactile_net/network/reduction.hpp"
+#include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/network/subcircuits.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/networks.hpp"
+#include "tests/network/problems.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
 /// P with one positive entry off the diagonal, one negative row sum and one that is zero.
-const ConductanceNetwork mixed = conductances({3, 3, {4, 1, -2, 1, 1, -2, -2, -2, 3}});
-const std::array current{1.0, 0.0, -2.0};
+const NetworkProblem mixed{.matrix = {3, 3, {4, 1, -2, 1, 1, -2, -2, -2, 3}},
+                           .right_side = {1.0, 0.0, -2.0}};
 
 }  // namespace
 
 TEST_CASE("ideal takes a resistor a branch, and one to ground where the row sum is not zero",
           "[ideal]") {
-  const ElementCounts counts = count_elements(ideal(mixed, current, {}));
-  CHECK(mixed.ground == std::vector<double>{3.0, 0.0, -1.0});
+  const ElementCounts counts = count_elements(realize(Realization::ideal, mixed));
+  CHECK(conductances(mixed.matrix).ground == std::vector<double>{3.0, 0.0, -1.0});
   CHECK(counts.resistors == 5);
   CHECK(counts.negative_resistors == 2);
   CHECK(counts.opamps == 0);
@@ -33,14 +35,15 @@ TEST_CASE("ideal takes a resistor a branch, and one to ground where the row sum 
 
 TEST_CASE("nic takes two op-amps a negative branch, one a negative row sum, no negative resistor",
           "[nic]") {
-  const ElementCounts counts = count_elements(nic(mixed, current, {}));
+  const ElementCounts counts = count_elements(realize(Realization::nic, mixed));
   CHECK(counts.opamps == 3);
   CHECK(counts.negative_resistors == 0);
   CHECK(counts.resistors == 2 + 1 + (2 + 3) + (1 + 2));  // branches, ground, floating, grounded
 }
 
 TEST_CASE("siemens and volts scale conductances and currents", "[realization]") {
-  const Circuit circuit = ideal(mixed, current, {.scale = {.siemens = 2e-3, .volts = 0.5}});
+  const Circuit circuit =
+      realize(Realization::ideal, mixed, {.scale = {.siemens = 2e-3, .volts = 0.5}});
   CHECK(circuit.resistors[1].siemens == 2e-3 * 2.0);
   CHECK(circuit.sources[2].ampere == -2.0 * 2e-3 * 0.5);
 }
@@ -48,6 +51,23 @@ TEST_CASE("siemens and volts scale conductances and currents", "[realization]") 
 TEST_CASE("realisations are found by the names they have", "[realization]") {
   for (const Realization one : realizations) CHECK(realization_named(name(one)) == one);
   CHECK_FALSE(realization_named("nics"));
+}
+
+TEST_CASE("every realisation has a row of its own, which says what it is", "[realization]") {
+  for (const Realization one : realizations) {
+    CAPTURE(name(one));
+    const RealizationTraits& said = traits(one);
+    CHECK(said.realization == one);
+    CHECK_FALSE(said.theorem.name.empty());
+    CHECK(said.theorem_with_inverters.name.empty() != said.drives_nodes);
+    CHECK((said.bandwidth_ratio != nullptr) == said.drives_nodes);
+    const Circuit circuit = realize(one, array_network(5, 1e-3).problem);
+    CHECK((count_elements(circuit).opamps > 0) == said.uses_opamps);
+    if (said.linear())
+      CHECK_NOTHROW(Reduction(circuit));
+    else
+      CHECK_THROWS_AS(Reduction(circuit), std::invalid_argument);
+  }
 }
 
 TEST_CASE("what is only rounding becomes no resistor", "[realization][property]") {
@@ -73,10 +93,19 @@ TEST_CASE("what is only rounding becomes no resistor", "[realization][property]"
 
 TEST_CASE("currents and scales that make no circuit are refused", "[realization]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_AS(ideal(mixed, std::array{1.0}, {}), std::invalid_argument);
-  CHECK_THROWS_AS(nic(mixed, std::array{1.0, nan, 0.0}, {}), std::invalid_argument);
-  CHECK_THROWS_AS(ideal(mixed, current, {.scale = {.siemens = 0.0}}), std::invalid_argument);
-  CHECK_THROWS_AS(ideal(mixed, current, {.scale = {.volts = -1.0}}), std::invalid_argument);
+  for (const Realization one : {Realization::ideal, Realization::nic, Realization::rail,
+                                Realization::crossbar, Realization::lc, Realization::ndr}) {
+    CAPTURE(name(one));
+    NetworkProblem bad = mixed;
+    bad.right_side = {1.0};
+    CHECK_THROWS_AS(realize(one, bad), std::invalid_argument);
+    bad.right_side = {1.0, nan, 0.0};
+    CHECK_THROWS_AS(realize(one, bad), std::invalid_argument);
+  }
+  CHECK_THROWS_AS(realize(Realization::ideal, mixed, {.scale = {.siemens = 0.0}}),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(realize(Realization::ideal, mixed, {.scale = {.volts = -1.0}}),
+                  std::invalid_argument);
 }
 
 TEST_CASE("what is said of a sub-circuit is what its text holds", "[subcircuits]") {

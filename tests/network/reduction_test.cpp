@@ -128,7 +128,7 @@ TEST_CASE("resistors stand in the order of the flattened circuit", "[reduction]"
     const Circuit circuit =
         realize(kind.realization, network.problem, {.inverters = kind.inverters});
     const Reduction reduction(circuit);
-    const Circuit flat = flattened(circuit);
+    const Circuit flat = FlatCircuit(circuit).circuit();
     REQUIRE(flat.resistors.size() == reduction.resistors().size());
     for (std::size_t r = 0; r < flat.resistors.size(); ++r) {
       CHECK(flat.resistors[r].name == reduction.resistors()[r]);
@@ -139,8 +139,8 @@ TEST_CASE("resistors stand in the order of the flattened circuit", "[reduction]"
 
 TEST_CASE("the load is that of a circuit solved by hand", "[reduction]") {
   // 2 S to ground from a converter's -1 S and a resistor of 3 S: 1 A makes 0.5 V, the output 1 V.
-  const ConductanceNetwork network{.nodes = 1, .branches = {}, .ground = {-1.0}};
-  Circuit circuit = nic(network, std::vector{1.0}, {.scale = {.siemens = 1.0}, .divider = 4.0});
+  const NetworkProblem problem{.matrix = {1, 1, {-1.0}}, .right_side = {1.0}};
+  Circuit circuit = realize(Realization::nic, problem, {.scale = {.siemens = 1.0}, .divider = 4.0});
   circuit.resistors.push_back({"R3", circuit.outputs[0], 0, 3.0});
   const Reduction reduction(circuit);
   const Equations equations = reduction.equations();
@@ -158,4 +158,17 @@ TEST_CASE("what has no such equations is refused", "[reduction]") {
   Circuit circuit = realize(Realization::crossbar, network.problem);
   circuit.instances[0].pins[0] = circuit.outputs[1];
   CHECK_THROWS_WITH(Reduction(circuit), ContainsSubstring("'+' input is not grounded"));
+}
+
+TEST_CASE("a sub-circuit that nobody knows is refused by name, wherever it would count",
+          "[reduction][flat_circuit]") {
+  Circuit circuit = realize(Realization::nic, array_network(5, 1e-3).problem);
+  circuit.instances[0].subcircuit = "gyrator";
+  const auto named =
+      ContainsSubstring("element " + circuit.instances[0].name) && ContainsSubstring("'gyrator'");
+  CHECK_THROWS_WITH(Reduction(circuit), named);
+  CHECK_THROWS_WITH(FlatCircuit(circuit), named);
+  circuit.instances[0].subcircuit = "inverter";  // two pins, where four are connected
+  CHECK_THROWS_WITH(Reduction(circuit), ContainsSubstring("its pins do not fit 'inverter'"));
+  CHECK_THROWS_WITH(FlatCircuit(circuit), ContainsSubstring("its pins do not fit 'inverter'"));
 }

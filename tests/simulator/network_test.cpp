@@ -33,7 +33,10 @@ Case make_case(std::size_t n, unsigned seed) {
   return one;
 }
 
-std::vector<double> plain(const Eigen::VectorXd& vector) { return {vector.begin(), vector.end()}; }
+Circuit realized(Realization realization, const Case& one, const RealizationOptions& options = {}) {
+  const NetworkProblem problem{.matrix = one.p, .right_side = {one.b.begin(), one.b.end()}};
+  return realize(realization, problem, options);
+}
 
 Eigen::VectorXd relaxed(const Circuit& circuit) {
   std::ostringstream deck;
@@ -50,7 +53,7 @@ TEST_CASE("the ideal network's voltages solve P v = b", "[spice][ideal]") {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     CAPTURE(n, seed);
     const Case one = make_case(n, seed);
-    const Eigen::VectorXd v = relaxed(ideal(conductances(one.p), plain(one.b), {}));
+    const Eigen::VectorXd v = relaxed(realized(Realization::ideal, one));
     CHECK((v - one.answer).norm() <= 1e-10 * one.answer.norm());
   }
 }
@@ -61,7 +64,7 @@ TEST_CASE("the op-amp network's voltages solve it too, negative row sums include
   for (unsigned seed = 1; seed <= 3; ++seed) {
     CAPTURE(n, seed);
     const Case one = make_case(n, seed);
-    const Eigen::VectorXd v = relaxed(nic(conductances(one.p), plain(one.b), {}));
+    const Eigen::VectorXd v = relaxed(realized(Realization::nic, one));
     CHECK((v - one.answer).norm() <= 1e-9 * one.answer.norm());
   }
 }
@@ -76,18 +79,18 @@ TEST_CASE("some of those networks have negative row sums", "[spice][nic]") {
 TEST_CASE("the answer is free of the scale", "[spice][property]") {
   const double siemens = GENERATE(1e-9, 1e3);
   const double volts = GENERATE(0.1, 10.0);
-  const auto realization = GENERATE(ideal, nic, rail);
+  const Realization realization = GENERATE(Realization::ideal, Realization::nic, Realization::rail);
   CAPTURE(siemens, volts);
   const Case one = make_case(5, 4);
-  const Eigen::VectorXd v = relaxed(realization(
-      conductances(one.p), plain(one.b), {.scale = {siemens, volts}, .divider = 10.0 / siemens}));
+  const Eigen::VectorXd v =
+      relaxed(realized(realization, one, {.scale = {siemens, volts}, .divider = 10.0 / siemens}));
   CHECK((v / volts - one.answer).norm() <= 1e-9 * one.answer.norm());
 }
 
 TEST_CASE("the resistors dissipate what the sources deliver", "[spice][property]") {
   const Case one = make_case(12, 5);
   const ConductanceNetwork network = conductances(one.p);
-  const Eigen::VectorXd v = relaxed(ideal(network, plain(one.b), {.scale = {.siemens = 1.0}}));
+  const Eigen::VectorXd v = relaxed(realized(Realization::ideal, one, {.scale = {.siemens = 1.0}}));
   double dissipated = 0.0;
   for (const Branch& branch : network.branches)
     dissipated += branch.conductance * std::pow(v(static_cast<Eigen::Index>(branch.from)) -
@@ -100,7 +103,7 @@ TEST_CASE("the resistors dissipate what the sources deliver", "[spice][property]
 
 TEST_CASE("the voltages minimise the power", "[spice][property]") {
   const Case one = make_case(12, 6);
-  const Eigen::VectorXd v = relaxed(ideal(conductances(one.p), plain(one.b), {}));
+  const Eigen::VectorXd v = relaxed(realized(Realization::ideal, one));
   const auto power = [&](const Eigen::VectorXd& x) {
     return 0.5 * x.dot(one.dense * x) - one.b.dot(x);
   };
@@ -114,7 +117,7 @@ TEST_CASE("the voltages minimise the power", "[spice][property]") {
 
 TEST_CASE("plain `ngspice -b` prints the digits that the raw file holds", "[spice][deck]") {
   const Case one = make_case(5, 8);
-  const Circuit circuit = ideal(conductances(one.p), plain(one.b), {});
+  const Circuit circuit = realized(Realization::ideal, one);
   const Eigen::VectorXd v = relaxed(circuit);
   std::ostringstream deck;
   write_deck(deck, circuit, {.title = "test"}, Answer::printed);

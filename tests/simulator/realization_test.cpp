@@ -39,7 +39,7 @@ TEST_CASE("every realisation solves P f = b, with one unknown and two, on a laye
   for (const Realization one : {Realization::ideal, Realization::nic, Realization::rail,
                                 Realization::crossbar, Realization::least_squares, Realization::lc})
     for (const bool inverters : {false, true}) {
-      if (inverters && one != Realization::crossbar && one != Realization::least_squares) continue;
+      if (inverters && !traits(one).drives_nodes) continue;
       CAPTURE(kind.count, kind.unknowns, kind.layer.has_value(), alpha, name(one), inverters);
       const RealizationOptions options{.inverters = inverters};
       const Analysis analysis = one == Realization::lc

@@ -66,12 +66,11 @@ TEST_CASE("ngspice settles in the certificate's time", "[spice][step_response]")
       const Certificate certificate = certify(one, network.problem, options);
       const Circuit circuit = realize(one, network.problem, options);
       Ngspice ngspice;
-      const Judged judged = judge(ngspice, circuit, certificate, at_rest(circuit));
+      const Transient seen = settle(ngspice, circuit, certificate, at_rest(circuit));
       CAPTURE(alpha, name(one));
-      REQUIRE(judged.judgement == Judgement::settles);
-      CHECK_THAT(*judged.settling_seconds,
-                 WithinRel(*certificate.dynamics->settling_seconds, 0.02));
-      CHECK(judged.end_error < 1e-3);
+      REQUIRE(seen.end == TransientEnd::settles);
+      CHECK_THAT(*seen.settling_seconds, WithinRel(*certificate.dynamics->settling_seconds, 0.02));
+      CHECK(seen.end_error < 1e-3);
     }
   }
 }
@@ -87,11 +86,11 @@ TEST_CASE("converters with swapped inputs agree at rest, and grow", "[spice][ste
     const Certificate certificate = certified(wrong);
     CHECK(certificate.dynamics->slowest > 0.0);
     Ngspice ngspice;
-    const Judged judged = judge(ngspice, wrong, certificate, v);
-    CHECK(judged.judgement == Judgement::grows);
+    const Transient seen = settle(ngspice, wrong, certificate, v);
+    CHECK(seen.end == TransientEnd::grows);
     // The fastest modes are inside the converters; the outputs grow with slower ones.
-    CHECK(judged.growth <= 1.05 * certificate.dynamics->slowest);
-    CHECK(judged.growth >= 0.5 * certificate.dynamics->slowest);
+    CHECK(seen.growth <= 1.05 * certificate.dynamics->slowest);
+    CHECK(seen.growth >= 0.5 * certificate.dynamics->slowest);
   }
 }
 
@@ -105,11 +104,11 @@ TEST_CASE("an indefinite P grows in its own mode", "[spice][step_response]") {
     const Certificate certificate = certify(one, problem, options);
     const Circuit circuit = realize(one, problem, options);
     Ngspice ngspice;
-    const Judged judged = judge(ngspice, circuit, certificate, at_rest(circuit));
+    const Transient seen = settle(ngspice, circuit, certificate, at_rest(circuit));
     CAPTURE(name(one));
-    REQUIRE(judged.judgement == Judgement::grows);
-    CHECK_THAT(judged.growth, WithinRel(certificate.dynamics->slowest, 0.05));
-    CHECK(overlap(judged.mode, certificate.dynamics->mode) > 0.99);
+    REQUIRE(seen.end == TransientEnd::grows);
+    CHECK_THAT(seen.growth, WithinRel(certificate.dynamics->slowest, 0.05));
+    CHECK(overlap(seen.mode, certificate.dynamics->mode) > 0.99);
   }
 }
 
@@ -179,10 +178,10 @@ TEST_CASE("a node's capacitance and no amplifier settle as the ideal network doe
     const Certificate certificate = certify(one, network.problem, options);
     const Circuit circuit = realize(one, network.problem, options);
     Ngspice ngspice;
-    const Judged judged = judge(ngspice, circuit, certificate, at_rest(circuit));
+    const Transient seen = settle(ngspice, circuit, certificate, at_rest(circuit));
     CAPTURE(name(one));
-    CHECK(judged.judgement == Judgement::settles);
+    CHECK(seen.end == TransientEnd::settles);
     // design: 2.995e-5 s, N-shaped devices behave as their slope
-    CHECK_THAT(judged.settling_seconds.value(), WithinRel(2.98e-5, 0.02));
+    CHECK_THAT(seen.settling_seconds.value(), WithinRel(2.98e-5, 0.02));
   }
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <vector>
 
@@ -19,7 +20,6 @@
 
 namespace tactile_net::circuits {
 namespace {
-
 
 constexpr double accuracy = 1e-3;
 const OpAmp one_pole{.gain = 1e6, .bandwidth = 10e6};
@@ -60,27 +60,29 @@ Row measured(Realization realization, bool inverters, double alpha) {
   const Network one = network(alpha);
   RealizationOptions options{.inverters = inverters};
   const Circuit ideal = realize(realization, one.problem, options);
-  const Analysis analysis = realization == Realization::lc
-                                ? Analysis{SingleFrequency{options.frequency}}
-                                : Analysis{DirectCurrent{}};
+  const RealizationTraits& kind = traits(realization);
+  const bool lossless = kind.parts == RealizationTraits::Parts::lossless;
+  const Analysis analysis =
+      lossless ? Analysis{SingleFrequency{options.frequency}} : Analysis{DirectCurrent{}};
   Row row{.elements = count_elements(ideal),
           .agreement = relative_l2_error(at_rest(ideal, analysis), one.direct),
           .certificate = {},
           .settled = {},
           .tolerance = {}};
-  if (has_amplifiers(realization))
+  if (kind.uses_opamps)
     options.opamp = one_pole;
-  else if (realization != Realization::lc)
+  else if (!lossless)
     options.node_capacitance = 1e-11;
-  row.certificate = certify(realization, one.problem, options, accuracy);
+  const NetworkCircuit built(realization, std::make_shared<const NetworkProblem>(one.problem),
+                             options);
+  row.certificate = certify(built, accuracy);
   if (row.certificate.dynamics) {
     Ngspice ngspice;
-    const Circuit real = realize(realization, one.problem, options);
+    const Circuit& real = built.circuit();
     row.settled =
-        judge(ngspice, real, row.certificate, at_rest(real, DirectCurrent{})).settling_seconds;
+        settle(ngspice, real, row.certificate, at_rest(real, DirectCurrent{})).settling_seconds;
   }
-  if (realization != Realization::lc && realization != Realization::ndr)
-    row.tolerance = tolerate(Reduction(ideal), {.relative = 0.01, .trials = 1000});
+  if (kind.linear()) row.tolerance = tolerate(Reduction(ideal), {.relative = 0.01, .trials = 1000});
   return row;
 }
 
@@ -136,7 +138,7 @@ std::string comparison(double alpha) {
   std::string text = std::string("| realisation | op-amps ") + head + "|---" + rule;
   for (const Realization one : realizations)
     for (const bool inverters : {false, true}) {
-      if (inverters && one != Realization::crossbar && one != Realization::least_squares) continue;
+      if (inverters && !traits(one).drives_nodes) continue;
       const Row row = measured(one, inverters, alpha);
       text += "| " + std::string(name(one)) + (inverters ? ", inverters" : "") + " | " +
               std::to_string(row.elements.opamps) + " | " + cells(row);

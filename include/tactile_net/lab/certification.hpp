@@ -4,19 +4,24 @@
 
 #include <optional>
 
-#include "tactile_net/lab/relaxation.hpp"
+#include "tactile_net/lab/observer.hpp"
+#include "tactile_net/lab/recommendation.hpp"
 
 namespace tactile_net::lab {
 
 struct Certification {
-  Scene scene;
-  CircuitPlan plan;
-  Certificate certificate{};
-  std::optional<ToleranceResult> tolerance{};
+  SceneCircuit circuit;
+  std::optional<ToleranceResult> tolerance{};  ///< where the scene gives one, for a linear circuit
   Recommendation recommendation{};
 
-  /// Whether there is an answer for the circuit to settle to.
-  [[nodiscard]] bool loaded() const noexcept;
+  [[nodiscard]] const Scene& scene() const noexcept { return circuit.scene(); }
+  [[nodiscard]] const Certificate& certificate() const { return circuit.certificate(); }
 };
+
+/// For the scene's simulated readings; without a simulator of circuits, and without solving for the
+/// tractions.
+///
+/// @throw std::invalid_argument, std::domain_error  the scene's options make no circuit
+[[nodiscard]] Certification certify(const Scene& scene, Observer& observer = silent);
 
 }  // namespace tactile_net::lab

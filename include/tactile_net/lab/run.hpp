@@ -64,7 +64,7 @@ struct Experiment {
   std::vector<MethodResult> results;
   std::optional<Relaxation> relaxation;
   std::optional<TimeCourse> course;
-  std::string deck;  ///< as `gen` writes it; empty if the network is not a method
+  std::optional<SceneCircuit> circuit;  ///< if the network is a method
 
   /// True if every method has an answer and the circuit agrees with the direct solve.
   [[nodiscard]] bool succeeded() const noexcept;

@@ -6,11 +6,10 @@
 #include <complex>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "tactile_net/network/realization.hpp"
+#include "tactile_net/network/network_circuit.hpp"
 
 namespace tactile_net {
 
@@ -24,12 +23,54 @@ enum class Stability {
 
 [[nodiscard]] std::string_view name(Stability stability) noexcept;
 
-/// The theorem on a realisation (proofs: docs/circuits.md).
+/// A condition of a theorem that a circuit does not meet.
+struct UnmetCondition {
+  TheoremCondition condition = TheoremCondition::definite;
+  /// main_at_most_half_of_inverters: what the circuit has, over the inverters' bandwidth.
+  double bandwidth_ratio = 0.0;
+};
+
+/// The theorem on a realisation, and whether it speaks of this circuit.
 struct Theorem {
-  std::string_view name{};       ///< "T5"
-  std::string_view statement{};  ///< one sentence
-  bool holds = false;            ///< its conditions are met here
-  std::string condition{};       ///< which one is not; empty if it holds
+  std::string_view name{};                ///< "T5"
+  std::string_view statement{};           ///< one sentence
+  std::optional<UnmetCondition> unmet{};  ///< the first one; absent: all are met
+
+  [[nodiscard]] bool holds() const noexcept { return !unmet; }
+};
+
+/// A rule that a circuit breaks, and the number that mends it. Numbers that a kind does not name
+/// are 0.
+struct CircuitRemark {
+  enum class Kind {
+    /// A node would reach `value` [V], op-amps clamp from `limit` [V]; `repair`: `Scale::volts`.
+    clamps,
+    /// `node_capacitance` has no effect: the nodes are op-amps' outputs.
+    capacitance_at_outputs,
+    /// `node_capacitance` is left out: at one frequency it is part of each node's capacitor.
+    capacitance_at_one_frequency,
+    /// Resistors of `value` [ohm] at inverting inputs ring with their capacitance; `repair`: the
+    /// largest `divider` [ohm] that does not.
+    divider_rings,
+    /// Capacitance at the summing nodes: k rho^2 C W/D = `value`, to be well below 5; `repair`:
+    /// `Scale::siemens`, at least.
+    summing_capacitance,
+    /// Resistors from `least` to `greatest` [ohm] cannot be bought; `repair`: the `Scale::siemens`
+    /// that centres them at 100 kilo-ohm.
+    not_for_sale,
+    /// The largest voltage is `value` [V]; `repair`: the `Scale::volts` that makes it 1 V.
+    odd_voltage,
+    /// Resistors from `least` to `greatest` [ohm]: further apart than a simulator's digits.
+    beyond_digits,
+    /// More than `most_states` states: poles and settling time are left out.
+    too_many_states,
+  };
+  Kind kind = Kind::clamps;
+  double value = 0.0;
+  double limit = 0.0;
+  double least = 0.0;
+  double greatest = 0.0;
+  double repair = 0.0;
 };
 
 /// What the linear state space of the circuit says.
@@ -46,7 +87,7 @@ struct Dynamics {
 struct Certificate {
   Realization realization = Realization::ideal;
   double smallest_eigenvalue = 0.0;  ///< of P
-  double condition = 0.0;            ///< of P; infinite if it is not positive definite
+  double condition = 0.0;            ///< of P, exact; infinite if it is not positive definite
   Stability stability = Stability::not_modelled;
   Theorem theorem{};
   /// Every error of resistors up to this, relative, leaves the network stable: proven by the
@@ -63,13 +104,21 @@ struct Certificate {
   double greatest_ohm = 0.0;     ///< largest resistor
   double largest_voltage = 0.0;  ///< at any node, ideal amplifiers' outputs included [V]
   double power = 0.0;            ///< heat in the resistors, ideal amplifiers' supply aside [W]
-  std::vector<std::string> warnings{};  ///< rules that are broken, and what to do
+  std::vector<CircuitRemark> remarks{};  ///< rules that are broken, and what to do
 };
 
 /// More states than this are not decomposed: their poles would take minutes.
 inline constexpr std::size_t most_states = 1500;
 
+/// What is made for it (flat circuit, reduction, state space, eigenvalues) stays with the circuit.
+///
 /// @param accuracy  settled: within this of the end, relative to its 2-norm, 0 < accuracy < 1
+/// @throw std::invalid_argument  the accuracy is out of range
+/// @throw std::domain_error      the network has no unique answer
+[[nodiscard]] Certificate certify(const NetworkCircuit& circuit, double accuracy = 1e-3);
+
+/// Builds the circuit for this alone.
+///
 /// @throw std::invalid_argument  options or accuracy out of range
 /// @throw std::domain_error      the network has no unique answer
 [[nodiscard]] Certificate certify(Realization realization, const NetworkProblem& problem,

@@ -83,37 +83,8 @@ Node add_node(Circuit& circuit, std::string name);
 /// Names of the outputs' nodes, in their order.
 [[nodiscard]] std::vector<std::string> output_names(const Circuit& circuit);
 
-/// Whether converters or inverters stand in it: sub-circuits of the library.
-[[nodiscard]] bool has_subcircuits(const Circuit& circuit);
-
 /// The model of that name, or nullptr.
 [[nodiscard]] const AmplifierModel* amplifier(const Circuit& circuit, std::string_view name);
-
-/// The same circuit without sub-circuits of the library: their resistors and amplifiers stand in it
-/// under names such as "R1.Xf0_1". What is left as an instance is an amplifier.
-///
-/// @throw std::invalid_argument  an instance names no sub-circuit, or has the wrong number of pins
-[[nodiscard]] Circuit flattened(const Circuit& circuit);
-
-/// Every resistor [ohm], those inside sub-circuits after the circuit's own; negative: a negative
-/// resistor.
-///
-/// @throw std::invalid_argument  as `flattened`
-[[nodiscard]] std::vector<double> resistances(const Circuit& circuit);
-
-/// What the circuit is made of, sub-circuits' contents included.
-struct ElementCounts {
-  std::size_t resistors = 0;           ///< all, negative ones included
-  std::size_t negative_resistors = 0;  ///< ideal ones, of negative value
-  std::size_t opamps = 0;              ///< one with complementary outputs counts as one
-  std::size_t inductors = 0;
-  std::size_t capacitors = 0;
-  std::size_t devices = 0;  ///< N-shaped
-  std::size_t sources = 0;
-};
-
-/// @throw std::invalid_argument  as `flattened`
-[[nodiscard]] ElementCounts count_elements(const Circuit& circuit);
 
 /// How the numbers of P f = b become physical: conductance = siemens * P_ij, node voltage =
 /// volts * f_i, source current = siemens * volts * b_i.

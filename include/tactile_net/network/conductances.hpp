@@ -29,10 +29,20 @@ struct ConductanceNetwork {
 ///                               largest entry)
 [[nodiscard]] ConductanceNetwork conductances(const Matrix& matrix);
 
-/// Smallest eigenvalue of a symmetric matrix. With capacitance at its nodes the network settles
-/// if and only if it is positive: C dv/dt = -P v + b. O(n^3).
+struct EigenvalueRange {
+  double smallest = 0.0;
+  double largest = 0.0;
+};
+
+/// The extreme eigenvalues of a symmetric matrix. O(n^3).
 ///
 /// @throw std::invalid_argument  the matrix is not square, empty or not finite
+[[nodiscard]] EigenvalueRange eigenvalue_range(const Matrix& matrix);
+
+/// With capacitance at its nodes the network settles if and only if this is positive:
+/// C dv/dt = -P v + b. O(n^3).
+///
+/// @throw std::invalid_argument  as `eigenvalue_range`
 [[nodiscard]] double smallest_eigenvalue(const Matrix& matrix);
 
 /// x of P x = b for a symmetric P. O(n^3).

@@ -39,12 +39,13 @@ struct SingleFrequency {
 struct StepResponse {
   double step = 0.0;  ///< longest time step [s], > 0
   double stop = 0.0;  ///< [s], > step
-  /// Until `overdrive_until` [s] the sources are `overdrive` times as large: to see whether
-  /// amplifiers that reach their rails come back.
+  /// Test of recovery: until `overdrive_until` [s] the sources are `overdrive` times as large,
+  /// which drives amplifiers into their rails; whether they come back is seen afterwards.
   double overdrive = 1.0;
   double overdrive_until = 0.0;
-  /// For the first thousandth of the time each source is off by up to this, relative, each by
-  /// another share: so that a symmetric load wakes every mode.
+  /// Symmetry breaker: for the first thousandth of the time each source is off by a share of its
+  /// own, up to this. Without it a symmetric load never excites the antisymmetric modes, and an
+  /// instability there would stay unseen.
   double kick = 0.0;
 };
 

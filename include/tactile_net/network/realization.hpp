@@ -31,9 +31,6 @@ inline constexpr std::array realizations = {
 [[nodiscard]] std::string_view name(Realization realization) noexcept;
 [[nodiscard]] std::optional<Realization> realization_named(std::string_view name) noexcept;
 
-/// Whether a realisation is built from op-amps.
-[[nodiscard]] bool has_amplifiers(Realization realization) noexcept;
-
 /// What a network solves: P f = b, and the least-squares problem that it comes from.
 struct NetworkProblem {
   Matrix matrix{};                   ///< P = K'K + R
@@ -50,10 +47,10 @@ struct NetworkProblem {
 struct RealizationOptions {
   Scale scale{};
   OpAmp opamp{};
-  /// crossbar, least_squares: op-amps with inverters instead of complementary outputs.
+  /// Where op-amps drive the nodes: inverters instead of complementary outputs.
   bool inverters = false;
   double residual_gain = 10.0;  ///< least_squares: rho, the residual amplifiers' gain, > 0
-  /// crossbar, least_squares: bandwidth of the main amplifiers over that of the others; absent:
+  /// Where op-amps drive the nodes: bandwidth of the main ones over that of the others; absent:
   /// 1, and with inverters what keeps the loop stable: 1/2 (crossbar), 0.2/rho (least_squares).
   std::optional<double> bandwidth_ratio{};
   double divider = 1e4;                      ///< resistors of converters and inverters [ohm], > 0
@@ -66,67 +63,77 @@ struct RealizationOptions {
   [[nodiscard]] double main_bandwidth(Realization realization) const noexcept;
 };
 
-/// Whether something in the circuit has a time of its own that is modelled: op-amps with a
-/// bandwidth, or nodes with capacitance where there are none. `lc` is for one frequency.
-[[nodiscard]] bool takes_time(Realization realization, const RealizationOptions& options) noexcept;
-
 /// @throw std::invalid_argument  an option is out of range
 void check(const RealizationOptions& options);
 
-/// One resistor per branch and one to ground per node whose row sum is not zero.
+/// What a theorem on stability asks for beyond what it says of P.
+enum class TheoremCondition {
+  definite,                        ///< P is positive definite
+  no_input_capacitance,            ///< none at the op-amps' inverting inputs
+  no_inverter_input_capacitance,   ///< none at the inverters' inputs
+  no_second_pole,                  ///< of the op-amps
+  main_at_most_half_of_inverters,  ///< bandwidth of the main op-amps over the inverters'
+  main_slow_enough,                ///< how slow is enough is not proven: never met
+};
+
+/// What is proven of a realisation's stability (proofs: docs/circuits.md).
+struct StabilityTheorem {
+  std::string_view name{};                    ///< "T5"
+  std::string_view statement{};               ///< one sentence
+  std::span<const TheoremCondition> needs{};  ///< in the order in which they are checked
+};
+
+/// What a realisation is. Code that treats realisations differently asks these, not which one it
+/// is: one more of them is one file and one row of the table in src/network/realizations.
+struct RealizationTraits {
+  Realization realization = Realization::ideal;
+  std::string_view name{};
+
+  enum class Parts {
+    linear,    ///< resistors and op-amps: has `Reduction` and tolerances
+    lossless,  ///< capacitors and inductors: has its answer at one frequency, and never settles
+    curved,    ///< resistors and N-shaped devices, linear for small voltages
+  };
+  Parts parts = Parts::linear;
+
+  bool uses_opamps = false;
+  /// The number of op-amps grows with the square of that of the nodes.
+  bool opamps_per_branch = false;
+  /// The network's nodes are op-amps' outputs. Such a realisation has a second form with inverters
+  /// in place of complementary outputs, and its main op-amps may be slower than the others.
+  bool drives_nodes = false;
+  /// Built from K and the readings, with residual amplifiers: P is never formed, and K'K + R is
+  /// definite whatever rounding makes of it.
+  bool takes_readings = false;
+  /// What a simulator's elimination may leave in the answer for a well-conditioned P, relative.
+  double rounding = 1e-10;
+
+  StabilityTheorem theorem{};
+  StabilityTheorem theorem_with_inverters{};  ///< if `drives_nodes`
+  /// With inverters: default of `RealizationOptions::bandwidth_ratio`; nullptr: 1.
+  double (*bandwidth_ratio)(const RealizationOptions&) = nullptr;
+
+  Circuit (*build)(const NetworkProblem& problem, const RealizationOptions& options) = nullptr;
+
+  [[nodiscard]] constexpr bool linear() const noexcept { return parts == Parts::linear; }
+};
+
+[[nodiscard]] const RealizationTraits& traits(Realization realization) noexcept;
+
+/// Whether a realisation is built from op-amps.
+[[nodiscard]] bool has_amplifiers(Realization realization) noexcept;
+
+/// Whether something in the circuit has a time of its own that is modelled: op-amps with a
+/// bandwidth, or nodes with capacitance where there are none. A lossless circuit is for one
+/// frequency.
+[[nodiscard]] bool takes_time(Realization realization, const RealizationOptions& options) noexcept;
+
+/// Builds the circuit. Its nodes are n0, n1, ..., one per row of P, and are its outputs; sources
+/// are I0, I1, ...; parts are named after the entry of P or K that they stand for. How each
+/// realisation does it stands at the head of its file in src/network/realizations.
 ///
-/// Node i is named n0, n1, ...; branch R<i>_<j>; ground Rg<i>; source I<i>.
-///
-/// @param right_side  b, one value per node
-/// @throw std::invalid_argument  sizes differ, a value is not finite, an option is out of range
-[[nodiscard]] Circuit ideal(const ConductanceNetwork& network, std::span<const double> right_side,
-                            const RealizationOptions& options = {});
-
-/// As `ideal`, with every negative branch built from two op-amps (`floating_nic`) and every
-/// negative ground conductance from one (`grounded_nic`). The '+' input of each op-amp is at the
-/// network's node: with the inputs swapped the operating point is the same and the circuit is
-/// unstable. Stable for any node capacitance and any bandwidths if and only if P is positive
-/// definite (design: docs/circuits.md, theorem T1).
-[[nodiscard]] Circuit nic(const ConductanceNetwork& network, std::span<const double> right_side,
-                          const RealizationOptions& options = {});
-
-/// An inverter per node gives the rail r_j = -v_j: a negative branch is a resistor from each of its
-/// nodes to the other's rail, which leaves P_ii - sum |P_ij| to ground, and what the inverter loads
-/// the node with taken off: a grounded converter where that is negative. Two op-amps a node; stable
-/// if and only if P is positive definite, with op-amps of equal bandwidth (theorem T2).
-[[nodiscard]] Circuit rail(const ConductanceNetwork& network, std::span<const double> right_side,
-                           const RealizationOptions& options = {});
-
-/// Amplifier i drives node i; its summing node s_i takes |P_ij| from node j, or from its inverse
-/// where P_ij < 0, and gives off the current b_i. With complementary outputs it is stable if and
-/// only if P is positive definite, whatever the bandwidths and capacitances (theorem T5); with
-/// inverters if main amplifiers have at most half their bandwidth (theorem T3).
-///
-/// @param matrix  P, square
-[[nodiscard]] Circuit crossbar(const Matrix& matrix, std::span<const double> right_side,
-                               const RealizationOptions& options = {});
-
-/// Residual amplifiers e_i = -rho (K f - g)_i and main amplifiers that hold K'e = rho R f: the
-/// fixed point is K'K f + R f = K'g. Takes the readings themselves. With complementary outputs it
-/// is stable for every rho and every bandwidth (theorem T6).
-///
-/// Conductances are siemens * scale^2 * K/scale, scale = the largest 2-norm of a column of K, and
-/// rho * siemens * R: the answer is free of K's unit. The outputs are the main amplifiers'.
-[[nodiscard]] Circuit least_squares(const NetworkProblem& problem,
-                                    const RealizationOptions& options = {});
-
-/// As `ideal`, at one frequency w: a capacitor g/w for every conductance g > 0, an inductor
-/// 1/(w|g|) for every g < 0, currents of phase 90 degrees. Node voltages are real. Lossless: it
-/// never settles.
-[[nodiscard]] Circuit lc(const ConductanceNetwork& network, std::span<const double> right_side,
-                         const RealizationOptions& options = {});
-
-/// As `ideal`, with an N-shaped device for every negative conductance. The answer errs as the
-/// square of node voltages over `device_volts`.
-[[nodiscard]] Circuit ndr(const ConductanceNetwork& network, std::span<const double> right_side,
-                          const RealizationOptions& options = {});
-
-/// Calls the function of that name.
+/// @throw std::invalid_argument  sizes differ, a value is not finite, P is not symmetric, K is zero
+///                               where it is used, or an option is out of range
 [[nodiscard]] Circuit realize(Realization realization, const NetworkProblem& problem,
                               const RealizationOptions& options = {});
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tactile_net/network/circuit.hpp"
+#include "tactile_net/network/subcircuits.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 
 namespace tactile_net {
@@ -29,7 +30,7 @@ class Reduction {
   ///
   /// @throw std::invalid_argument  the circuit has parts that are no resistors, sources, capacitors
   ///                               to ground, converters, inverters, or amplifiers with '+'
-  ///                               grounded
+  ///                               grounded; an instance names no sub-circuit that is known
   explicit Reduction(const Circuit& circuit);
 
   /// Unknowns: the circuit's outputs in their order, then the others.
@@ -85,6 +86,13 @@ class Reduction {
     std::size_t from_row = none, to_row = none;  // rows of its ends, if they have one
     Node from = 0, to = 0;
   };
+
+  struct Roles;
+  [[nodiscard]] static Roles roles_of(const Circuit& circuit);
+  [[nodiscard]] std::vector<std::size_t> number_rows(const Circuit& circuit, const Roles& roles);
+  void add_parts(const Circuit& circuit, const std::vector<std::size_t>& row_of);
+  void add_subcircuit(const Instance& instance, Subcircuit::Kind kind, double siemens,
+                      const std::vector<std::size_t>& row_of);
 
   [[nodiscard]] std::vector<Voltage> voltages(std::span<const double> siemens) const;
 

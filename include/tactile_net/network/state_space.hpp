@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/network/circuit.hpp"
+#include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 
 namespace tactile_net {
@@ -26,30 +26,23 @@ struct StateSpace {
 };
 
 /// How many states a circuit has: to know what its analysis costs before it is done.
-[[nodiscard]] std::size_t count_states(const Circuit& circuit);
+[[nodiscard]] std::size_t count_states(const FlatCircuit& circuit);
 
 /// @throw std::invalid_argument  a part has no place in it: an amplifier without bandwidth, an
 ///                               inductor, an N-shaped device (its slope at 0 V is taken), a
 ///                               capacitor not to ground
 /// @throw std::domain_error      nodes without capacitance have no unique voltage
-[[nodiscard]] StateSpace state_space(const Circuit& circuit);
+[[nodiscard]] StateSpace state_space(const FlatCircuit& circuit);
 
 /// Every eigenvalue of A, the one of largest real part first. O(states^3), 25 states^3 or so.
 [[nodiscard]] std::vector<std::complex<double>> poles(const StateSpace& system);
 
-/// Real eigenvalue problem's vector of the pole with the largest real part, in the outputs: how the
-/// circuit grows if it is unstable. 2-norm 1; the real part of a complex mode.
+/// The output voltages' part of the eigenvector of the rightmost pole (its real part, scaled to
+/// 2-norm 1): the pattern in which an unstable circuit grows.
 [[nodiscard]] std::vector<double> slowest_mode(const StateSpace& system);
 
 /// The outputs at rest, C A^-1 (-b) + d [V].
 [[nodiscard]] std::vector<double> steady_state(const StateSpace& system);
-
-/// The outputs at rest with amplifiers of finite gain (1e6 where a model gives none) and their
-/// offsets [V], by a sparse elimination: for circuits of any size, and without bandwidths.
-///
-/// @throw std::invalid_argument  the circuit has an inductor
-/// @throw std::domain_error      it has no unique operating point
-[[nodiscard]] std::vector<double> operating_voltages(const Circuit& circuit);
 
 /// From rest at t = 0: |v - v_end|_2 / |v_end|_2 at t = 0, step, ..., steps * step, by the exact
 /// solution; of an unstable circuit, from the rest that it leaves. Not 1 at first where nodes

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/network/circuit.hpp"
+#include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/network/reduction.hpp"
 
 namespace tactile_net {
@@ -35,7 +35,7 @@ struct ToleranceOptions {
                                         std::size_t trial);
 
 /// The circuit of one trial, without sub-circuits: to be replayed in a simulator.
-[[nodiscard]] Circuit perturbed(const Circuit& circuit, std::span<const double> siemens);
+[[nodiscard]] Circuit perturbed(const FlatCircuit& circuit, std::span<const double> siemens);
 
 struct Trial {
   bool stable = false;

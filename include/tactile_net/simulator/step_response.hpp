@@ -1,5 +1,5 @@
 /// @file
-/// The simulator as the judge of a circuit over time.
+/// A circuit over time in the simulator: does it settle?
 #pragma once
 
 #include <optional>
@@ -27,17 +27,17 @@ struct Waveforms {
 [[nodiscard]] std::optional<double> settling_time(const Waveforms& waveforms,
                                                   std::span<const double> end, double accuracy);
 
-enum class Judgement {
+enum class TransientEnd {
   settles,
   grows,       ///< the answer leaves every bound
   unsettled,   ///< bounded, and not at its end within the time simulated
-  unfinished,  ///< the simulator's limit on wall time came first: not judged
+  unfinished,  ///< the simulator's limit on wall time came first: nothing is known
 };
 
-[[nodiscard]] std::string_view name(Judgement judgement) noexcept;
+[[nodiscard]] std::string_view name(TransientEnd end) noexcept;
 
-struct Judged {
-  Judgement judgement = Judgement::unsettled;
+struct Transient {
+  TransientEnd end = TransientEnd::unsettled;
   std::optional<double> settling_seconds{};  ///< if it settles
   double growth = 0.0;                       ///< [1/s], if it grows: of the outputs' 2-norm
   std::vector<double> mode{};                ///< if it grows: the outputs at the end, 2-norm 1
@@ -55,7 +55,7 @@ struct Judged {
 /// @param end  the DC answer, one voltage per output [V]
 /// @throw SimulatorError         the simulator failed otherwise than by divergence
 /// @throw std::invalid_argument  the certificate has no dynamics
-[[nodiscard]] Judged judge(Simulator& simulator, const Circuit& circuit,
-                           const Certificate& certificate, std::span<const double> end);
+[[nodiscard]] Transient settle(Simulator& simulator, const Circuit& circuit,
+                               const Certificate& certificate, std::span<const double> end);
 
 }  // namespace tactile_net

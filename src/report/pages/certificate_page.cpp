@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "tactile_net/network/state_space.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/pages/html.hpp"
 #include "tactile_net/report/words/network_words.hpp"
@@ -46,7 +45,7 @@ std::pair<std::string, double> unit_of_time(double seconds) {
 }
 
 Figure settling_figure(const lab::Certification& c) {
-  const Dynamics& dynamics = *c.certificate.dynamics;
+  const Dynamics& dynamics = *c.certificate().dynamics;
   Plot plot;
   plot.title = "From a step of all inputs to the answer";
   plot.y_label = "|v - v end| / |v end|";
@@ -55,15 +54,15 @@ Figure settling_figure(const lab::Certification& c) {
   const double horizon = dynamics.settling_seconds ? 1.5 * *dynamics.settling_seconds
                                                    : 5.0 / std::abs(dynamics.slowest);
   const double step = horizon / static_cast<double>(steps);
-  plot.curves.push_back(
-      {"error of all node voltages", step_errors(state_space(c.plan.circuit), step, steps), 1});
+  plot.curves.push_back({"error of all node voltages",
+                         step_errors(c.circuit.network().state_space(), step, steps), 1});
   const auto [unit, seconds] = unit_of_time(horizon);
   plot.x_label = "time [" + unit + "]";
   for (std::size_t k = 0; k <= steps; ++k)
     plot.x.push_back(step * static_cast<double>(k) / seconds);
   if (dynamics.settling_seconds) {
-    Curve settled{"settled: " + brief(c.certificate.accuracy),
-                  std::vector<double>(steps + 1, c.certificate.accuracy)};
+    Curve settled{"settled: " + brief(c.certificate().accuracy),
+                  std::vector<double>(steps + 1, c.certificate().accuracy)};
     settled.dashed = true;
     plot.curves.push_back(std::move(settled));
   }
@@ -92,7 +91,7 @@ void add_builds(Plot& plot, const std::string& label, std::size_t colour,
 }
 
 Figure builds_figure(const lab::Certification& c) {
-  const ToleranceOptions options = lab::drawn_options(c.plan);
+  const ToleranceOptions options = c.circuit.tolerance();
   Plot plot{"Builds with real parts: how far they err",
             "error of the answer, relative",
             "share of builds",
@@ -102,12 +101,12 @@ Figure builds_figure(const lab::Certification& c) {
   plot.from_zero = true;
   plot.y_end = 1.02;
   for (const auto& candidate : c.recommendation.candidates)
-    if (!c.tolerance || candidate.realization != c.plan.options.realization)
+    if (!c.tolerance || candidate.realization != c.circuit.options().realization)
       add_builds(plot, std::string(name(candidate.realization)),
                  1 + static_cast<std::size_t>(candidate.realization), candidate.tolerance);
   if (c.tolerance)
-    add_builds(plot, std::string(name(c.plan.options.realization)) + " (this)",
-               1 + static_cast<std::size_t>(c.plan.options.realization), *c.tolerance);
+    add_builds(plot, std::string(name(c.circuit.options().realization)) + " (this)",
+               1 + static_cast<std::size_t>(c.circuit.options().realization), *c.tolerance);
   if (plot.curves.empty()) return {};
   Curve accurate{"accurate: " + brief(options.accuracy), {0.0, 1.0}};
   accurate.x = {options.accuracy, options.accuracy};
@@ -122,7 +121,7 @@ Figure builds_figure(const lab::Certification& c) {
       std::move(plot)};
 }
 
-Figure resistors_figure(const Circuit& circuit) {
+Figure resistors_figure(const FlatCircuit& circuit) {
   std::vector<double> ohms = resistances(circuit);
   std::sort(ohms.begin(), ohms.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
   Plot plot{"The resistors it takes", "resistance [ohm]", "resistors up to this", {}, {}, true};
@@ -157,22 +156,22 @@ std::string parts_note(const lab::Certification& c) {
 
 std::vector<Figure> figures_of(const lab::Certification& c) {
   std::vector<Figure> figures;
-  if (c.certificate.dynamics) {
-    figures.push_back(poles_figure(*c.certificate.dynamics));
-    const bool moves = c.certificate.dynamics->settling_seconds.value_or(1.0) > 0.0 &&
-                       c.certificate.dynamics->slowest != 0.0;
-    if (c.loaded() && moves) figures.push_back(settling_figure(c));
+  if (c.certificate().dynamics) {
+    figures.push_back(poles_figure(*c.certificate().dynamics));
+    const bool moves = c.certificate().dynamics->settling_seconds.value_or(1.0) > 0.0 &&
+                       c.certificate().dynamics->slowest != 0.0;
+    if (c.circuit.loaded() && moves) figures.push_back(settling_figure(c));
   }
   figures.push_back(builds_figure(c));
-  figures.push_back(resistors_figure(c.plan.circuit));
+  figures.push_back(resistors_figure(c.circuit.network().flat()));
   return figures;
 }
 
 }  // namespace
 
 std::vector<std::string> tolerance_in_words(const lab::Certification& c) {
-  std::vector<std::string> lines = in_words(lab::drawn_options(c.plan), *c.tolerance);
-  if (c.certificate.stability == Stability::unstable && c.tolerance->stable > 0)
+  std::vector<std::string> lines = in_words(c.circuit.tolerance(), *c.tolerance);
+  if (c.certificate().stability == Stability::unstable && c.tolerance->stable > 0)
     lines.push_back(
         "the builds take op-amps for infinitely fast: the certificate's poles say otherwise");
   return lines;
@@ -181,14 +180,14 @@ std::vector<std::string> tolerance_in_words(const lab::Certification& c) {
 Report certificate_html(const lab::Certification& c) {
   const Figures figures(figures_of(c));
   Report report{.missing = figures.missing(), .files = figures.data()};
-  const bool bad = c.certificate.stability == Stability::unstable ||
-                   c.certificate.stability == Stability::not_definite;
-  const std::vector<std::string> words = in_words(c.certificate);
+  const bool bad = c.certificate().stability == Stability::unstable ||
+                   c.certificate().stability == Stability::not_definite;
+  const std::vector<std::string> words = in_words(c.certificate());
 
   std::string& html = report.html;
-  html += element("h1", c.scene.title.empty() ? c.scene.file : c.scene.title);
-  html += element("p", c.scene.file + ": " + sensor_in_words(c.scene) + "; " +
-                           material_in_words(c.scene) + ".");
+  html += element("h1", c.scene().title.empty() ? c.scene().file : c.scene().title);
+  html += element("p", c.scene().file + ": " + sensor_in_words(c.scene()) + "; " +
+                           material_in_words(c.scene()) + ".");
   html += element("p", words.front(), bad ? "bad" : "answer");
   if (const std::string note = parts_note(c); !bad && !note.empty())
     html += element("p", note, "note");
@@ -196,8 +195,8 @@ Report certificate_html(const lab::Certification& c) {
   if (!report.missing.empty()) html += element("p", report.missing, "note");
 
   html += element("h2", "Over time");
-  if (!c.certificate.dynamics)
-    html += element("p", takes_time(c.plan.options.realization, c.plan.options.parts)
+  if (!c.certificate().dynamics)
+    html += element("p", takes_time(c.circuit.options().realization, c.circuit.options().parts)
                              ? "It has more than 1500 states: no poles, no settling."
                              : "Nothing here takes a time that is modelled, neither op-amps with a "
                                "bandwidth nor a capacitance: no poles, no settling.");
@@ -206,10 +205,10 @@ Report certificate_html(const lab::Certification& c) {
   html += element("h2", "With real parts");
   if (c.tolerance) html += html_list(tolerance_in_words(c));
   if (!c.recommendation.candidates.empty()) html += html_table(cells(c.recommendation));
-  html += element("p", c.recommendation.text, "answer");
+  html += element("p", in_words(c.recommendation), "answer");
   html += figures.html("parts");
   html += "<p>All numbers: <a href=\"certificate.json\">certificate.json</a>.</p>\n";
-  html = html_page(c.scene.file + " - tactile-net certify", html);
+  html = html_page(c.scene().file + " - tactile-net certify", html);
   return report;
 }
 

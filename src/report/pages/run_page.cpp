@@ -176,13 +176,14 @@ std::vector<Figure> figures_of(const lab::Experiment& experiment) {
 }
 
 std::string network_section(const lab::Relaxation& relaxation) {
+  const std::optional<lab::Disagreement> disagreement = relaxation.disagreement();
   return element("h2", "The circuit") +
          element("p", "Realisation " + std::string(name(relaxation.realization)) + ": " +
                           std::to_string(relaxation.nodes) + " nodes, " +
                           elements_in_words(relaxation.elements) + ".") +
          "<p>Its deck: <a href=\"network.cir\">network.cir</a>, to be run by ngspice -b.</p>\n" +
          html_list(in_words(relaxation)) +
-         (relaxation.failure().empty() ? "" : element("p", relaxation.failure(), "bad"));
+         (disagreement ? element("p", in_words(*disagreement), "bad") : "");
 }
 
 }  // namespace

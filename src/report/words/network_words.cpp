@@ -9,8 +9,6 @@
 namespace tactile_net::report {
 namespace {
 
-std::string percent(double share) { return brief(100.0 * share) + " %"; }
-
 std::string error_in_words(double error) {
   return std::isfinite(error) ? percent(error) : "unstable";
 }
@@ -43,39 +41,57 @@ std::string dynamics_in_words(const Certificate& c) {
   return text;
 }
 
-std::string judged_in_words(const lab::Relaxation& relaxation) {
-  const Judged& j = *relaxation.judged;
+std::string transient_in_words(const lab::Relaxation& relaxation) {
+  const Transient& t = *relaxation.transient;
   const auto& dynamics = relaxation.certificate->dynamics;
-  const std::string simulated = duration(j.simulated) + " simulated in " + duration(j.seconds);
-  if (j.judgement == Judgement::settles) {
-    std::string text = "ngspice's transient settles in " + duration(*j.settling_seconds);
+  const std::string simulated = duration(t.simulated) + " simulated in " + duration(t.seconds);
+  if (t.end == TransientEnd::settles) {
+    std::string text = "ngspice's transient settles in " + duration(*t.settling_seconds);
     if (dynamics->settling_seconds)
       text += ", the certificate says " + duration(*dynamics->settling_seconds) + " (" +
-              percent(std::abs(*j.settling_seconds / *dynamics->settling_seconds - 1.0)) +
+              percent(std::abs(*t.settling_seconds / *dynamics->settling_seconds - 1.0)) +
               " apart)";
     return text + "; " + simulated;
   }
-  if (j.judgement == Judgement::grows) {
+  if (t.end == TransientEnd::grows) {
     std::string text = "ngspice's transient GROWS";
-    if (j.growth > 0.0) text += " at " + brief(j.growth) + " 1/s";
+    if (t.growth > 0.0) text += " at " + brief(t.growth) + " 1/s";
     if (dynamics->slowest > 0.0)
       text += ", the certificate's pole is at " + brief(dynamics->slowest) + " 1/s";
     if (dynamics->rings) text += " (a ringing pair)";
-    if (!dynamics->rings && j.mode.size() == dynamics->mode.size() && !j.mode.empty()) {
+    if (!dynamics->rings && t.mode.size() == dynamics->mode.size() && !t.mode.empty()) {
       double overlap = 0.0;
       std::size_t largest = 0;
-      for (std::size_t i = 0; i < j.mode.size(); ++i) {
-        overlap += j.mode[i] * dynamics->mode[i];
-        if (std::abs(j.mode[i]) > std::abs(j.mode[largest])) largest = i;
+      for (std::size_t i = 0; i < t.mode.size(); ++i) {
+        overlap += t.mode[i] * dynamics->mode[i];
+        if (std::abs(t.mode[i]) > std::abs(t.mode[largest])) largest = i;
       }
       text += "; the growing mode is largest at n" + std::to_string(largest) +
               ", overlap with the certificate's " + brief(std::abs(overlap));
     }
     return text + "; " + simulated;
   }
-  if (j.judgement == Judgement::unfinished)
+  if (t.end == TransientEnd::unfinished)
     return "ngspice's transient did not end within the time limit: not judged; raise --time-limit";
-  return "ngspice's transient has NOT SETTLED after " + duration(j.simulated);
+  return "ngspice's transient has NOT SETTLED after " + duration(t.simulated);
+}
+
+std::string unmet_in_words(const UnmetCondition& unmet) {
+  switch (unmet.condition) {
+    case TheoremCondition::definite:
+      return "P is not positive definite";
+    case TheoremCondition::no_input_capacitance:
+      return "capacitance at inverting inputs";
+    case TheoremCondition::no_inverter_input_capacitance:
+      return "capacitance at the inverters' inputs";
+    case TheoremCondition::no_second_pole:
+      return "a second pole";
+    case TheoremCondition::main_at_most_half_of_inverters:
+      return "main op-amps of " + brief(unmet.bandwidth_ratio) + " times the inverters' bandwidth";
+    case TheoremCondition::main_slow_enough:
+      return "how slow is enough is not proven";
+  }
+  return {};
 }
 
 }  // namespace
@@ -97,13 +113,53 @@ std::string elements_in_words(const ElementCounts& elements) {
   return join(parts, ", ");
 }
 
+std::string condition_in_words(const Theorem& theorem) {
+  return theorem.unmet ? unmet_in_words(*theorem.unmet) : std::string();
+}
+
+std::string in_words(const CircuitRemark& remark) {
+  using Kind = CircuitRemark::Kind;
+  const std::string range =
+      "resistors from " + brief(remark.least) + " to " + brief(remark.greatest) + " ohm";
+  switch (remark.kind) {
+    case Kind::clamps:
+      return "a node would reach " + brief(remark.value) + " V, op-amps clamp from " +
+             brief(remark.limit) + " V (rail - 0.6 V): volts = " + brief(remark.repair);
+    case Kind::capacitance_at_outputs:
+      return "parasitic.node has no effect: the nodes are the amplifiers' outputs; parasitic.input "
+             "is what loads their summing nodes";
+    case Kind::capacitance_at_one_frequency:
+      return "parasitic.node is left out: at one frequency it is part of each node's capacitor";
+    case Kind::divider_rings:
+      return "resistors of " + brief(remark.value) +
+             " ohm at inverting inputs ring with their capacitance: divider = " +
+             brief(remark.repair) + " at most, 1/(2 W C)";
+    case Kind::summing_capacitance:
+      return "capacitance at the summing nodes counts (k rho^2 C W/D = " + brief(remark.value) +
+             ", to be well below " + brief(remark.limit) + "): siemens = " + brief(remark.repair) +
+             " or more, or a smaller residual_gain";
+    case Kind::not_for_sale:
+      return range + " cannot be bought: siemens = " + brief(remark.repair) +
+             " would centre them at 100 kilo-ohm";
+    case Kind::odd_voltage:
+      return "the largest voltage is " + brief(remark.value) +
+             " V: volts = " + brief(remark.repair) + " would make it 1 V";
+    case Kind::beyond_digits:
+      return range + ": further apart than a simulator's digits";
+    case Kind::too_many_states:
+      return "more than " + std::to_string(most_states) +
+             " states: poles and settling time are left out";
+  }
+  return {};
+}
+
 std::vector<std::string> in_words(const Certificate& c) {
   std::vector<std::string> lines;
   lines.push_back(std::string(name(c.realization)) + ": " + stability_in_words(c));
-  lines.push_back("theorem " + std::string(c.theorem.name) + ": " +
-                  std::string(c.theorem.statement) +
-                  (c.theorem.holds ? " Its conditions hold."
-                                   : " It does NOT apply here: " + c.theorem.condition + "."));
+  lines.push_back(
+      "theorem " + std::string(c.theorem.name) + ": " + std::string(c.theorem.statement) +
+      (c.theorem.holds() ? " Its conditions hold."
+                         : " It does NOT apply here: " + condition_in_words(c.theorem) + "."));
   lines.push_back("P: smallest eigenvalue " + brief(c.smallest_eigenvalue) + ", condition number " +
                   brief(c.condition));
   if (c.dynamics) lines.push_back(dynamics_in_words(c));
@@ -119,7 +175,7 @@ std::vector<std::string> in_words(const Certificate& c) {
     lines.push_back("largest voltage at rest " + brief(c.largest_voltage) + " V; " +
                     (c.power < 1.0 ? brief(1e3 * c.power) + " mW" : brief(c.power) + " W") +
                     " in the resistors");
-  for (const std::string& warning : c.warnings) lines.push_back("warning: " + warning);
+  for (const CircuitRemark& remark : c.remarks) lines.push_back("warning: " + in_words(remark));
   return lines;
 }
 
@@ -144,40 +200,98 @@ std::vector<std::string> in_words(const ToleranceOptions& options, const Toleran
   return lines;
 }
 
+std::string in_words(const lab::RelaxationRemark& remark) {
+  using Kind = lab::RelaxationRemark::Kind;
+  switch (remark.kind) {
+    case Kind::no_load:
+      return "there is no load: nothing to settle to, and nothing for components to change";
+    case Kind::inaccurate:
+      return "the circuit's answer is " + percent(remark.value) +
+             " off the direct solve: not accurate, though its parts explain it";
+    case Kind::draws_without_opamps:
+      return "draws of components are judged without the op-amps' dynamics, which are unstable "
+             "here";
+    case Kind::settles_otherwise:
+      return "ngspice's settling time is " + percent(remark.value) +
+             " off the certificate's, which is for linear parts that start from zero: offsets, "
+             "rails and curves are not in it";
+    case Kind::nothing_takes_time:
+      return "settling is asked for, and nothing here takes a time that is modelled: give the "
+             "op-amps a bandwidth, opamp = { bandwidth = 10e6 }, or the nodes a capacitance, "
+             "parasitic = { node = 1e-11 }";
+    case Kind::tolerances_not_linear:
+      return "tolerances are studied for networks of resistors and op-amps";
+  }
+  return {};
+}
+
+std::string in_words(const lab::Disagreement& d) {
+  using Kind = lab::Disagreement::Kind;
+  switch (d.kind) {
+    case Kind::curves:
+      return "node voltages are too large for the devices, whose curves may change the answer by " +
+             brief(d.value) + " of itself: raise device_volts, or lower volts";
+    case Kind::difference:
+      return "the circuit differs from the direct solve by " + brief(d.value) + ", more than " +
+             (d.explained.predicted ? "its op-amps (" + brief(*d.explained.predicted) + ") and "
+                                    : "") +
+             (d.explained.curves > 0.0 ? "its devices (" + brief(d.explained.curves) + ") and "
+                                       : "") +
+             "rounding explain (" + brief(d.explained.limit) + ")";
+    case Kind::transient:
+      return std::string("the certificate says ") + (d.value < 0.0 ? "stable" : "unstable") +
+             ", the simulator's transient " + std::string(name(d.seen));
+    case Kind::not_definite:
+      return "P is not positive definite: the circuit would not settle";
+    case Kind::unstable:
+      return "the circuit is unstable: its slowest pole is at " + brief(d.value) + " 1/s";
+    case Kind::draws:
+      return "draws of components differ in the simulator by " + brief(d.value);
+  }
+  return {};
+}
+
+std::vector<std::string> warnings_of(const lab::Relaxation& relaxation) {
+  std::vector<std::string> lines;
+  if (relaxation.certificate)
+    for (const CircuitRemark& remark : relaxation.certificate->remarks)
+      lines.push_back(in_words(remark));
+  for (const lab::RelaxationRemark& remark : relaxation.remarks) lines.push_back(in_words(remark));
+  return lines;
+}
+
 std::vector<std::string> in_words(const lab::Relaxation& relaxation) {
   std::vector<std::string> lines;
   lines.push_back("ngspice against the direct solve of P f = b: " + brief(relaxation.difference) +
                   (!relaxation.agrees()    ? " (DIFFERS"
                    : relaxation.resolved() ? " (agrees"
                                            : " (NOT RESOLVED") +
-                  (relaxation.predicted
-                       ? "; the op-amps' gain and offset explain " + brief(*relaxation.predicted)
+                  (relaxation.explained.predicted ? "; the op-amps' gain and offset explain " +
+                                                        brief(*relaxation.explained.predicted)
+                                                  : "") +
+                  (relaxation.explained.curves > 0.0
+                       ? "; the devices' curves explain up to " + brief(relaxation.explained.curves)
                        : "") +
-                  (relaxation.curves > 0.0
-                       ? "; the devices' curves explain up to " + brief(relaxation.curves)
-                       : "") +
-                  "; rounding explains up to " + brief(relaxation.limit) + ")");
+                  "; rounding explains up to " + brief(relaxation.explained.limit) + ")");
   if (relaxation.certificate) {
     for (const std::string& line : in_words(*relaxation.certificate)) lines.push_back(line);
   } else {
-    const std::string settles = relaxation.realization == Realization::lc
-                                    ? " > 0; lossless: it rings for ever, and never settles"
-                                    : " > 0: settles with capacitance at its nodes";
+    const std::string settles =
+        traits(relaxation.realization).parts == RealizationTraits::Parts::lossless
+            ? " > 0; lossless: it rings for ever, and never settles"
+            : " > 0: settles with capacitance at its nodes";
     lines.push_back("smallest eigenvalue of P: " + brief(relaxation.smallest_eigenvalue) +
                     (relaxation.stable ? settles : ": NOT positive definite, would not settle"));
   }
-  if (relaxation.judged) lines.push_back(judged_in_words(relaxation));
+  if (relaxation.transient) lines.push_back(transient_in_words(relaxation));
   if (relaxation.tolerance) {
     const lab::ToleranceStudy& study = *relaxation.tolerance;
     for (const std::string& line : in_words(study.options, study.result)) lines.push_back(line);
     lines.push_back(std::to_string(study.replayed) +
                     " of these draws in ngspice: voltages agree to " + brief(study.difference));
   }
-  for (const std::string& warning : relaxation.warnings)
-    if (!relaxation.certificate ||
-        std::find(relaxation.certificate->warnings.begin(), relaxation.certificate->warnings.end(),
-                  warning) == relaxation.certificate->warnings.end())
-      lines.push_back("warning: " + warning);
+  for (const lab::RelaxationRemark& remark : relaxation.remarks)
+    lines.push_back("warning: " + in_words(remark));
   lines.push_back("ngspice took " + duration(relaxation.ngspice_seconds) +
                   " for the operating point");
   return lines;
@@ -193,6 +307,30 @@ std::vector<std::vector<std::string>> cells(const lab::Recommendation& recommend
          error_in_words(one.tolerance.median), error_in_words(one.tolerance.p95),
          percent(one.tolerance.yield())});
   return rows;
+}
+
+std::string in_words(const lab::Recommendation& r) {
+  using Outcome = lab::Recommendation::Outcome;
+  if (r.outcome == Outcome::no_load)
+    return "There is no load: nothing for errors of components to change.";
+  std::string parts =
+      r.drawn.relative ? "parts of " + percent(*r.drawn.relative) : "parts of the series";
+  if (r.inverters_replaced) parts += ", complementary outputs instead of the scene's inverters,";
+  const std::string accuracy = percent(r.drawn.accuracy);
+  const lab::Recommendation::Candidate& chosen = r.chosen();
+  if (r.outcome == Outcome::reached)
+    return "With " + parts + " and an accuracy of " + accuracy + ": " +
+           std::string(name(chosen.realization)) + ", the fewest amplifiers (" +
+           std::to_string(chosen.opamps) + ") of those that reach it in 95 of 100 builds.";
+  std::string text = "With " + parts + " no realisation is within " + accuracy +
+                     " in 95 of 100 builds; " + std::string(name(chosen.realization)) +
+                     " comes nearest" +
+                     (std::isfinite(chosen.tolerance.p95)
+                          ? " (95 of 100 within " + percent(chosen.tolerance.p95) + ")."
+                          : ", and is not stable in 95 of 100 either.");
+  if (r.parts_needed)
+    text += " It would take parts of about " + percent(*r.parts_needed) + ", or a larger alpha.";
+  return text;
 }
 
 }  // namespace tactile_net::report

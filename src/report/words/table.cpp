@@ -67,7 +67,7 @@ std::vector<std::string> remarks_in_words(const lab::Experiment& experiment,
                                           const lab::MethodResult& result) {
   std::vector<std::string> sentences;
   if (result.method == Method::network && experiment.relaxation)
-    sentences = experiment.relaxation->warnings;
+    sentences = warnings_of(*experiment.relaxation);
   for (const lab::Remark& one : result.remarks) sentences.push_back(in_words(one));
   return sentences;
 }
@@ -75,7 +75,8 @@ std::vector<std::string> remarks_in_words(const lab::Experiment& experiment,
 std::string failure_in_words(const lab::Experiment& experiment, const lab::MethodResult& result) {
   if (!result.refusal.empty() || result.method != Method::network || !experiment.relaxation)
     return result.refusal;
-  return experiment.relaxation->failure();
+  const std::optional<lab::Disagreement> disagreement = experiment.relaxation->disagreement();
+  return disagreement ? in_words(*disagreement) : std::string();
 }
 
 std::vector<std::vector<std::string>> rule_cells(const AlphaSweep& sweep) {
@@ -110,7 +111,7 @@ void print_relaxation(std::ostream& out, const lab::Relaxation& relaxation) {
 
 void print_certificate(std::ostream& out, const lab::Certification& c) {
   std::string indent;
-  for (const std::string& line : in_words(c.certificate)) {
+  for (const std::string& line : in_words(c.certificate())) {
     out << indent << line << '\n';
     indent = "  ";
   }
@@ -118,7 +119,7 @@ void print_certificate(std::ostream& out, const lab::Certification& c) {
     for (const std::string& line : tolerance_in_words(c)) out << "  " << line << '\n';
   out << '\n';
   if (!c.recommendation.candidates.empty()) print_cells(out, cells(c.recommendation));
-  out << c.recommendation.text << '\n';
+  out << in_words(c.recommendation) << '\n';
 }
 
 void print_deck_answer(std::ostream& out, const std::string& file, const lab::DeckAnswer& answer) {

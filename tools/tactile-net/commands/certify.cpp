@@ -1,9 +1,9 @@
 #include "commands/certify.hpp"
 
 #include "failure.hpp"
+#include "tactile_net/lab/certification.hpp"
 #include "tactile_net/lab/deck_file.hpp"
-#include "tactile_net/lab/run.hpp"
-#include "tactile_net/report/json/run_json.hpp"
+#include "tactile_net/report/json/network_json.hpp"
 #include "tactile_net/report/pages/certificate_page.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -16,26 +16,14 @@ void run(const CertifyOptions& options, const Streams& streams) {
   apply(options.network, scene, streams.err);
   Results results(options.results, streams);
   Progress progress(streams);
-  const std::vector<double> readings = lab::simulate(scene).readings;
-  lab::Certification c{.scene = scene, .plan = lab::plan_circuit(scene, readings)};
-  progress.say("certifying ...");
-  c.certificate = lab::certify(c.plan);
-  if (c.loaded() && lab::calls_for_tolerance(c.plan.options)) {
-    progress.say("drawing components ...");
-    c.tolerance = lab::tolerate(c.plan);
-  }
-  progress.say("comparing realisations ...");
-  if (c.loaded())
-    c.recommendation = lab::recommend(c.plan);
-  else
-    c.recommendation.text = "There is no load: nothing for errors of components to change.";
+  const lab::Certification c = lab::certify(scene, progress);
   results.write({.print = [&](std::ostream& out) { report::print_certificate(out, c); },
                  .json = [&] { return report::certificate_json(c); },
                  .page = [&] { return report::certificate_html(c); },
                  .json_name = "certificate.json"},
                 progress);
-  if (c.certificate.stability == Stability::unstable ||
-      c.certificate.stability == Stability::not_definite)
+  if (c.certificate().stability == Stability::unstable ||
+      c.certificate().stability == Stability::not_definite)
     throw CheckFailed("the circuit is not stable");
 }
 

@@ -2,8 +2,9 @@
 
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/lab/deck_file.hpp"
-#include "tactile_net/lab/relaxation.hpp"
+#include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/report/words/deck_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::tool {
@@ -13,8 +14,8 @@ void run(const GenOptions& options, const Streams& streams) {
   Scene scene = read_scene(options.scene);
   apply(options.network, scene, streams.err);
   frames::OutputFile output(options.output, &streams.out);
-  output.stream() << lab::deck_text(lab::plan_circuit(scene, lab::simulate(scene).readings),
-                                    Answer::printed);
+  const lab::SceneFrame frame(lab::SceneProblem(scene), lab::simulate(scene).readings);
+  output.stream() << report::deck_text(lab::SceneCircuit(frame), Answer::printed);
   output.commit();
 }
 

@@ -9,7 +9,8 @@
 #include "tactile_net/lab/relaxation.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/json/run_json.hpp"
+#include "tactile_net/report/json/network_json.hpp"
+#include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/scene/reader.hpp"
 
@@ -43,13 +44,13 @@ void run_scene(const RelaxOptions& options, Simulator& simulator, const Streams&
   apply(options.network, scene, streams.err);
   Results results({.json = options.json}, streams);
   Progress progress(streams);
-  const lab::CircuitPlan plan = lab::plan_circuit(scene, lab::simulate(scene).readings);
-  const lab::Relaxation relaxation = lab::relax(plan, simulator, progress);
+  const lab::SceneFrame frame(lab::SceneProblem(scene), lab::simulate(scene).readings);
+  const lab::Relaxation relaxation = lab::relax(lab::SceneCircuit(frame), simulator, progress);
   results.write({.print = [&](std::ostream& out) { report::print_relaxation(out, relaxation); },
                  .json = [&] { return report::relaxation_json(scene, relaxation); }},
                 progress);
-  if (const std::string failure = relaxation.failure(); !failure.empty())
-    throw CheckFailed(failure);
+  if (const auto disagreement = relaxation.disagreement())
+    throw CheckFailed(report::in_words(*disagreement));
 }
 
 }  // namespace

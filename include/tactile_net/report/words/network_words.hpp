@@ -1,11 +1,11 @@
 /// @file
-/// A circuit's numbers as sentences, for the terminal and the report alike.
+/// A circuit's results as sentences, for the terminal and the report alike.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "tactile_net/lab/recommendation.hpp"
 #include "tactile_net/lab/relaxation.hpp"
 
 namespace tactile_net::report {
@@ -13,10 +13,22 @@ namespace tactile_net::report {
 /// "3321 resistors (539 negative), 81 sources"; kinds that are absent are left out.
 [[nodiscard]] std::string elements_in_words(const ElementCounts& elements);
 
+/// "a second pole": which of the theorem's conditions is not met; empty if it holds.
+[[nodiscard]] std::string condition_in_words(const Theorem& theorem);
+
+/// A rule that is broken, and what to write in the scene to mend it.
+[[nodiscard]] std::string in_words(const CircuitRemark& remark);
+[[nodiscard]] std::string in_words(const lab::RelaxationRemark& remark);
+[[nodiscard]] std::string in_words(const lab::Disagreement& disagreement);
+
+/// Every remark on a relaxation, its certificate's first.
+[[nodiscard]] std::vector<std::string> warnings_of(const lab::Relaxation& relaxation);
+
 /// One fact a line: stability and theorem, poles, settling, tolerance margin, parts, voltages.
 [[nodiscard]] std::vector<std::string> in_words(const Certificate& certificate);
 
-/// What draws of components did.
+/// How many random draws of component values stayed stable, and how far they moved the answer; one
+/// fact a line.
 [[nodiscard]] std::vector<std::string> in_words(const ToleranceOptions& options,
                                                 const ToleranceResult& result);
 
@@ -26,5 +38,8 @@ namespace tactile_net::report {
 /// Candidates of a recommendation: realisation, op-amps, median, 95 %, yield.
 [[nodiscard]] std::vector<std::vector<std::string>> cells(
     const lab::Recommendation& recommendation);
+
+/// Which realisation to build, and why.
+[[nodiscard]] std::string in_words(const lab::Recommendation& recommendation);
 
 }  // namespace tactile_net::report

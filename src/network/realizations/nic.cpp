@@ -1,4 +1,10 @@
-#include "network/nodes.hpp"
+/// @file
+/// As `ideal`, with every negative branch built from two op-amps (`floating_nic`) and every
+/// negative ground conductance from one (`grounded_nic`). The '+' input of each op-amp is at the
+/// network's node: with the inputs swapped the operating point is the same and the circuit is
+/// unstable.
+#include "network/realizations/nodes.hpp"
+#include "network/realizations/traits.hpp"
 
 namespace tactile_net {
 namespace {
@@ -15,11 +21,9 @@ void add_negative_branch(Circuit& circuit, const Branch& branch, double siemens)
   circuit.resistors.push_back({"Rb" + name, b, out_b, siemens});
 }
 
-}  // namespace
-
-Circuit nic(const ConductanceNetwork& network, std::span<const double> right_side,
-            const RealizationOptions& options) {
-  Circuit circuit = driven_nodes(network, right_side, options);
+Circuit build(const NetworkProblem& problem, const RealizationOptions& options) {
+  const ConductanceNetwork network = conductances(problem.matrix);
+  Circuit circuit = driven_nodes(network, problem.right_side, options);
   circuit.amplifiers.push_back({"opamp", options.opamp, Outputs::single});
   for (const Branch& branch : network.branches) {
     const double siemens = options.scale.siemens * branch.conductance;
@@ -33,5 +37,21 @@ Circuit nic(const ConductanceNetwork& network, std::span<const double> right_sid
     add_ground(circuit, i, options.scale.siemens * network.ground[i]);
   return circuit;
 }
+
+constexpr TheoremCondition needs[] = {TheoremCondition::definite,
+                                      TheoremCondition::no_input_capacitance};
+
+}  // namespace
+
+constexpr RealizationTraits nic_traits{
+    .realization = Realization::nic,
+    .name = "nic",
+    .uses_opamps = true,
+    .opamps_per_branch = true,
+    .theorem = {"T1",
+                "Converters with '+' at the network's nodes: stable for any node capacitance, any "
+                "bandwidths and any second poles if and only if P is positive definite.",
+                needs},
+    .build = build};
 
 }  // namespace tactile_net

@@ -1,4 +1,4 @@
-#include "simulator/judgement.hpp"
+#include "simulator/ngspice_log.hpp"
 
 #include <cctype>
 #include <cmath>
@@ -71,8 +71,8 @@ bool is_complaint(std::string_view line) {
   return false;
 }
 
-Simulation judge(PrivateFolder& folder, const ProcessResult& process,
-                 std::chrono::milliseconds time_limit, std::size_t output_limit) {
+Simulation accept_log(PrivateFolder& folder, const ProcessResult& process,
+                      std::chrono::milliseconds time_limit, std::size_t output_limit) {
   const std::string log = process.errors + process.output;
   if (process.end == End::timed_out)
     fail(folder, Cause::timed_out,

@@ -1,12 +1,20 @@
+/// @file
+/// Residual amplifiers e_i = -rho (K f - g)_i and main amplifiers that hold K'e = rho R f: the
+/// fixed point is K'K f + R f = K'g. Takes the readings themselves.
+///
+/// Conductances are siemens * scale^2 * K/scale, scale = the largest 2-norm of a column of K, and
+/// rho * siemens * R: the answer is free of K's unit. The outputs are the main amplifiers'.
 #include <algorithm>
 #include <cmath>
 
-#include "network/nodes.hpp"
+#include "network/realizations/nodes.hpp"
+#include "network/realizations/traits.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
+namespace {
 
-Circuit least_squares(const NetworkProblem& problem, const RealizationOptions& options) {
+Circuit build(const NetworkProblem& problem, const RealizationOptions& options) {
   check(options);
   const Matrix& k = problem.kernel;
   const double scale = as_eigen(k).colwise().norm().maxCoeff();
@@ -57,5 +65,31 @@ Circuit least_squares(const NetworkProblem& problem, const RealizationOptions& o
                  rho * options.scale.siemens * problem.stabiliser(i, j));
   return circuit;
 }
+
+constexpr TheoremCondition needs[] = {TheoremCondition::definite,
+                                      TheoremCondition::no_input_capacitance,
+                                      TheoremCondition::no_second_pole};
+constexpr TheoremCondition needs_with_inverters[] = {
+    TheoremCondition::main_slow_enough, TheoremCondition::definite,
+    TheoremCondition::no_input_capacitance, TheoremCondition::no_second_pole};
+
+}  // namespace
+
+constexpr RealizationTraits least_squares_traits{
+    .realization = Realization::least_squares,
+    .name = "least_squares",
+    .uses_opamps = true,
+    .drives_nodes = true,
+    .takes_readings = true,
+    .theorem = {"T6", "Complementary outputs: stable for every gain rho and any bandwidths.",
+                needs},
+    .theorem_with_inverters =
+        {"T4",
+         "Main op-amps slow enough: stable. How slow is not proven; 0.2/rho of "
+         "the others' bandwidth is a rule of thumb.",
+         needs_with_inverters},
+    .bandwidth_ratio =
+        [](const RealizationOptions& options) { return 0.2 / options.residual_gain; },
+    .build = build};
 
 }  // namespace tactile_net

@@ -1,10 +1,16 @@
-#include "network/nodes.hpp"
+/// @file
+/// An inverter per node gives the rail r_j = -v_j: a negative branch is a resistor from each of its
+/// nodes to the other's rail. That leaves P_ii - sum |P_ij| to ground, with what the inverter loads
+/// the node with taken off: a grounded converter where it is negative. Two op-amps a node.
+#include "network/realizations/nodes.hpp"
+#include "network/realizations/traits.hpp"
 
 namespace tactile_net {
+namespace {
 
-Circuit rail(const ConductanceNetwork& network, std::span<const double> right_side,
-             const RealizationOptions& options) {
-  Circuit circuit = driven_nodes(network, right_side, options);
+Circuit build(const NetworkProblem& problem, const RealizationOptions& options) {
+  const ConductanceNetwork network = conductances(problem.matrix);
+  Circuit circuit = driven_nodes(network, problem.right_side, options);
   circuit.amplifiers.push_back({"opamp", options.opamp, Outputs::single});
 
   // A resistor from n_i to r_j = -v_j carries |g| (v_i + v_j): -|g| (v_i - v_j) as it should, and
@@ -43,5 +49,21 @@ Circuit rail(const ConductanceNetwork& network, std::span<const double> right_si
     add_ground(circuit, i, siemens * ground[i] - (inverted[i] ? 1.0 / options.divider : 0.0));
   return circuit;
 }
+
+constexpr TheoremCondition needs[] = {TheoremCondition::definite,
+                                      TheoremCondition::no_input_capacitance,
+                                      TheoremCondition::no_second_pole};
+
+}  // namespace
+
+constexpr RealizationTraits rail_traits{
+    .realization = Realization::rail,
+    .name = "rail",
+    .uses_opamps = true,
+    .theorem = {"T2",
+                "Op-amps of equal bandwidth: stable for any node capacitance if and only if P is "
+                "positive definite.",
+                needs},
+    .build = build};
 
 }  // namespace tactile_net

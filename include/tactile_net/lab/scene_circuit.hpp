@@ -1,0 +1,79 @@
+/// @file
+/// A scene's circuit for one frame of readings, and all that several results need of it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tactile_net/lab/condition.hpp"
+#include "tactile_net/lab/scene_problem.hpp"
+#include "tactile_net/network/certificate.hpp"
+#include "tactile_net/network/deck.hpp"
+#include "tactile_net/network/network_circuit.hpp"
+#include "tactile_net/network/tolerance.hpp"
+#include "tactile_net/numeric/once.hpp"
+#include "tactile_net/scene/scene.hpp"
+
+namespace tactile_net::lab {
+
+/// What may stand between the circuit's answer and the direct solve, relative.
+struct ExplainedDifference {
+  double limit = 0.0;                 ///< largest difference that rounding explains
+  double curves = 0.0;                ///< largest that the devices' curves explain
+  std::optional<double> predicted{};  ///< the difference that the op-amps' gain and offset make
+
+  /// The largest that all of them explain, a fifth of the prediction on top.
+  [[nodiscard]] double total() const noexcept {
+    return limit + curves + 1.2 * predicted.value_or(0.0);
+  }
+};
+
+/// Everything but the circuit itself is made on first use, and once. Used from one thread at a
+/// time.
+class SceneCircuit {
+ public:
+  /// With the scene's alpha, or the one its rule chooses for the frame.
+  ///
+  /// @throw std::invalid_argument, std::domain_error  the scene's options make no circuit
+  explicit SceneCircuit(const SceneFrame& frame);
+  SceneCircuit(const SceneFrame& frame, const ChosenAlpha& alpha);
+
+  [[nodiscard]] const Scene& scene() const noexcept { return frame_.problem().scene(); }
+  [[nodiscard]] const NetworkOptions& options() const noexcept { return scene().network; }
+  [[nodiscard]] const ChosenAlpha& alpha() const noexcept { return alpha_; }
+
+  /// The circuit, with its flat form, reduction, state space and P's eigenvalues.
+  [[nodiscard]] const NetworkCircuit& network() const noexcept { return network_; }
+  [[nodiscard]] std::size_t nodes() const noexcept { return network_.problem().matrix.rows; }
+
+  /// Whether there is an answer to settle to: a load that is not zero.
+  [[nodiscard]] bool loaded() const noexcept;
+
+  /// f of the direct solve of P f = b [Pa], by a method that does not form P.
+  [[nodiscard]] const std::vector<double>& direct() const;
+
+  /// A bound on P's condition number: largest row sum over the smallest eigenvalue; may be
+  /// infinite.
+  [[nodiscard]] Condition condition() const;
+
+  [[nodiscard]] const ExplainedDifference& explained() const;
+
+  /// With the scene's accuracy of settling; 1e-3 where it gives none.
+  [[nodiscard]] const Certificate& certificate() const;
+
+  /// Where the answer is: the operating point, or one frequency.
+  [[nodiscard]] Analysis analysis() const;
+
+  /// The scene's tolerances; parts of 1 % where it has none.
+  [[nodiscard]] ToleranceOptions tolerance() const;
+
+ private:
+  SceneFrame frame_;
+  ChosenAlpha alpha_;
+  NetworkCircuit network_;
+  Once<std::vector<double>> direct_;
+  Once<ExplainedDifference> explained_;
+  Once<Certificate> certificate_;
+};
+
+}  // namespace tactile_net::lab

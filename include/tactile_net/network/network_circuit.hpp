@@ -1,0 +1,49 @@
+/// @file
+/// The circuit of a network problem, and what is derived from it.
+#pragma once
+
+#include <memory>
+
+#include "tactile_net/network/realization.hpp"
+#include "tactile_net/network/reduction.hpp"
+#include "tactile_net/network/state_space.hpp"
+#include "tactile_net/numeric/once.hpp"
+
+namespace tactile_net {
+
+/// Everything is made on first use and once, so that a certificate, a tolerance study and a
+/// simulation of the same circuit share it. Used from one thread at a time.
+class NetworkCircuit {
+ public:
+  /// @throw std::invalid_argument  as `realize`
+  NetworkCircuit(Realization realization, std::shared_ptr<const NetworkProblem> problem,
+                 const RealizationOptions& options);
+
+  [[nodiscard]] Realization realization() const noexcept { return realization_; }
+  [[nodiscard]] const RealizationOptions& options() const noexcept { return options_; }
+  [[nodiscard]] const NetworkProblem& problem() const noexcept { return *problem_; }
+  [[nodiscard]] const std::shared_ptr<const NetworkProblem>& shared_problem() const noexcept {
+    return problem_;
+  }
+  [[nodiscard]] const Circuit& circuit() const noexcept { return circuit_; }
+
+  [[nodiscard]] const FlatCircuit& flat() const;
+  /// @throw std::invalid_argument  the realisation is not linear, as `Reduction`
+  [[nodiscard]] const Reduction& reduction() const;
+  /// @throw std::invalid_argument, std::domain_error  as `tactile_net::state_space`
+  [[nodiscard]] const StateSpace& state_space() const;
+  /// Of P.
+  [[nodiscard]] const EigenvalueRange& eigenvalues() const;
+
+ private:
+  Realization realization_;
+  RealizationOptions options_;
+  std::shared_ptr<const NetworkProblem> problem_;
+  Circuit circuit_;
+  Once<FlatCircuit> flat_;
+  Once<Reduction> reduction_;
+  Once<StateSpace> state_space_;
+  Once<EigenvalueRange> eigenvalues_;
+};
+
+}  // namespace tactile_net

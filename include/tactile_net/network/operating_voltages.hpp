@@ -1,0 +1,18 @@
+/// @file
+/// A circuit at rest, with what finite gain and offsets do to it.
+#pragma once
+
+#include <vector>
+
+#include "tactile_net/network/flat_circuit.hpp"
+
+namespace tactile_net {
+
+/// The outputs at rest with amplifiers of finite gain (1e6 where a model gives none) and their
+/// offsets [V], by a sparse elimination: for circuits of any size, and without bandwidths.
+///
+/// @throw std::invalid_argument  the circuit has an inductor
+/// @throw std::domain_error      it has no unique operating point
+[[nodiscard]] std::vector<double> operating_voltages(const FlatCircuit& circuit);
+
+}  // namespace tactile_net

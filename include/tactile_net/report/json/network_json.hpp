@@ -1,0 +1,21 @@
+/// @file
+/// A circuit's results as JSON; the format is docs/results.md.
+#pragma once
+
+#include <string>
+
+#include "tactile_net/lab/certification.hpp"
+#include "tactile_net/lab/deck_file.hpp"
+#include "tactile_net/lab/relaxation.hpp"
+#include "tactile_net/scene/scene.hpp"
+
+namespace tactile_net::report {
+
+/// The document of `experiment_json` with the network alone.
+[[nodiscard]] std::string relaxation_json(const Scene& scene, const lab::Relaxation& relaxation);
+
+[[nodiscard]] std::string certificate_json(const lab::Certification& certification);
+
+[[nodiscard]] std::string deck_answer_json(const std::string& file, const lab::DeckAnswer& answer);
+
+}  // namespace tactile_net::report

@@ -1,0 +1,123 @@
+#include "tactile_net/lab/scene_circuit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/network/operating_voltages.hpp"
+#include "tactile_net/numeric/comparison.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+/// Largest row sum of |P|, which bounds its largest eigenvalue.
+double row_sum_norm(const Matrix& matrix) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < matrix.rows; ++i) {
+    double sum = 0.0;
+    for (const double value : matrix.row(i)) sum += std::abs(value);
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+/// What the devices' curves do to the answer, to first order: P dv = -(their currents beyond
+/// -g v), and twice that for the orders left out.
+double bound_of_curves(const SceneCircuit& circuit) {
+  const RealizationOptions& parts = circuit.options().parts;
+  const std::vector<double>& direct = circuit.direct();
+  const double volts = parts.scale.volts;
+  const double own = parts.device_volts;
+  const Matrix& matrix = circuit.network().problem().matrix;
+  const ConductanceNetwork network = conductances(matrix);
+  std::vector<double> extra(network.nodes);  // in units of P and f
+  const auto add = [&](std::size_t i, double g, double v) {
+    const double u = v * volts / own;
+    const double beyond =
+        parts.curve == Curve::cubic ? u * u * u : (2.0 + u) * std::exp(-u) - 2.0 + u;
+    extra[i] += g * own / volts * beyond;
+  };
+  for (const Branch& branch : network.branches)
+    if (branch.conductance < 0.0) {
+      const double v = direct[branch.from] - direct[branch.to];
+      add(branch.from, -branch.conductance, v);
+      add(branch.to, branch.conductance, v);  // the same current, out of the other end
+    }
+  for (std::size_t i = 0; i < network.nodes; ++i)
+    if (network.ground[i] < 0.0) add(i, -network.ground[i], direct[i]);
+  const std::vector<double> moved = solve_symmetric(matrix, extra);
+  const double size = l2_norm(direct);
+  return size > 0.0 ? 2.0 * l2_norm(moved) / size : 0.0;
+}
+
+/// What finite gain and offset do to the answer, from the linear equations of the same parts.
+std::optional<double> predicted_difference(const SceneCircuit& circuit) {
+  const RealizationOptions& parts = circuit.options().parts;
+  if (parts.opamp.is_nullor() || !has_amplifiers(circuit.network().realization()))
+    return std::nullopt;
+  std::vector<double> v = operating_voltages(circuit.network().flat());
+  for (double& value : v) value /= parts.scale.volts;
+  return l2_difference(v, circuit.direct());
+}
+
+}  // namespace
+
+SceneCircuit::SceneCircuit(const SceneFrame& frame) : SceneCircuit(frame, frame.alpha()) {}
+
+SceneCircuit::SceneCircuit(const SceneFrame& frame, const ChosenAlpha& alpha)
+    : frame_(frame),
+      alpha_(alpha),
+      network_(options().realization,
+               std::make_shared<const NetworkProblem>(
+                   network_problem(frame.problem().problem(), alpha.value, frame.readings())),
+               options().parts) {}
+
+bool SceneCircuit::loaded() const noexcept {
+  const std::vector<double>& b = network_.problem().right_side;
+  return std::any_of(b.begin(), b.end(), [](double value) { return value != 0.0; });
+}
+
+const std::vector<double>& SceneCircuit::direct() const {
+  return direct_.get(
+      [&] { return tikhonov_solve(frame_.problem().problem(), alpha_.value, frame_.readings()); });
+}
+
+Condition SceneCircuit::condition() const {
+  const double smallest = network_.eigenvalues().smallest;
+  return {smallest > 0.0 ? row_sum_norm(network_.problem().matrix) / smallest
+                         : std::numeric_limits<double>::infinity(),
+          Condition::Kind::bound};
+}
+
+const ExplainedDifference& SceneCircuit::explained() const {
+  return explained_.get([&] {
+    const RealizationTraits& realization = traits(network_.realization());
+    // Rounding of P's entries and of the simulator's elimination, both multiplied by the condition.
+    ExplainedDifference result{
+        .limit = realization.rounding +
+                 100.0 * std::numeric_limits<double>::epsilon() * condition().value,
+        .predicted = predicted_difference(*this)};
+    if (realization.parts == RealizationTraits::Parts::curved)
+      result.curves = bound_of_curves(*this);
+    return result;
+  });
+}
+
+const Certificate& SceneCircuit::certificate() const {
+  return certificate_.get(
+      [&] { return tactile_net::certify(network_, options().settling_accuracy.value_or(1e-3)); });
+}
+
+Analysis SceneCircuit::analysis() const {
+  if (traits(network_.realization()).parts == RealizationTraits::Parts::lossless)
+    return SingleFrequency{options().parts.frequency};
+  return DirectCurrent{};
+}
+
+ToleranceOptions SceneCircuit::tolerance() const {
+  return options().tolerance.value_or(ToleranceOptions{.relative = 0.01});
+}
+
+}  // namespace tactile_net::lab

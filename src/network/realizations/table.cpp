@@ -1,0 +1,48 @@
+#include <algorithm>
+#include <array>
+
+#include "network/realizations/traits.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr std::array table = {&ideal_traits,         &nic_traits, &rail_traits, &crossbar_traits,
+                              &least_squares_traits, &lc_traits,  &ndr_traits};
+static_assert(table.size() == realizations.size(), "one row per realisation");
+
+}  // namespace
+
+const RealizationTraits& traits(Realization realization) noexcept {
+  return **std::find_if(table.begin(), table.end(), [=](const RealizationTraits* one) {
+    return one->realization == realization;
+  });
+}
+
+std::string_view name(Realization realization) noexcept { return traits(realization).name; }
+
+std::optional<Realization> realization_named(std::string_view text) noexcept {
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [=](const RealizationTraits* one) { return one->name == text; });
+  return found == table.end() ? std::nullopt : std::optional((*found)->realization);
+}
+
+bool has_amplifiers(Realization realization) noexcept { return traits(realization).uses_opamps; }
+
+double RealizationOptions::main_bandwidth(Realization realization) const noexcept {
+  if (bandwidth_ratio) return *bandwidth_ratio;
+  const RealizationTraits& one = traits(realization);
+  return inverters && one.bandwidth_ratio != nullptr ? one.bandwidth_ratio(*this) : 1.0;
+}
+
+bool takes_time(Realization realization, const RealizationOptions& options) noexcept {
+  const RealizationTraits& one = traits(realization);
+  if (one.uses_opamps) return options.opamp.bandwidth.has_value();
+  return one.parts != RealizationTraits::Parts::lossless && options.node_capacitance.has_value();
+}
+
+Circuit realize(Realization realization, const NetworkProblem& problem,
+                const RealizationOptions& options) {
+  return traits(realization).build(problem, options);
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,134 @@
+#include "tactile_net/report/json/network_json.hpp"
+
+#include "report/json/network_values.hpp"
+#include "report/json/scene_json.hpp"
+#include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/words/network_words.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+Json elements_of(const ElementCounts& elements) {
+  return {{"resistors", elements.resistors},   {"negative_resistors", elements.negative_resistors},
+          {"opamps", elements.opamps},         {"inductors", elements.inductors},
+          {"capacitors", elements.capacitors}, {"devices", elements.devices},
+          {"sources", elements.sources}};
+}
+
+Json certificate(const Certificate& c) {
+  Json json = {{"realization", name(c.realization)},
+               {"stability", name(c.stability)},
+               {"theorem",
+                {{"name", c.theorem.name},
+                 {"statement", c.theorem.statement},
+                 {"holds", c.theorem.holds()},
+                 {"condition", condition_in_words(c.theorem)}}},
+               {"lambda_min", c.smallest_eigenvalue},
+               {"condition", finite_or_null(c.condition)},
+               {"tolerance_margin", number_or_null(c.tolerance_margin)},
+               {"margin_for_any_bandwidth", c.margin_for_any_bandwidth},
+               {"elements", elements_of(c.elements)},
+               {"ohm", {c.least_ohm, c.greatest_ohm}},
+               {"largest_voltage", c.largest_voltage},
+               {"power", c.power},
+               {"dynamics", nullptr},
+               {"warnings", Json::array()}};
+  for (const CircuitRemark& remark : c.remarks) json["warnings"].push_back(in_words(remark));
+  if (c.dynamics)
+    json["dynamics"] = {{"states", c.dynamics->states},
+                        {"slowest_pole", c.dynamics->slowest},
+                        {"damping", c.dynamics->damping},
+                        {"accuracy", c.accuracy},
+                        {"settling_seconds", number_or_null(c.dynamics->settling_seconds)},
+                        {"growing_mode", list_or_null(c.dynamics->mode)}};
+  return json;
+}
+
+Json tolerance_json(const ToleranceResult& result) {
+  Json worst = Json::array();
+  for (const Contribution& one : result.worst)
+    worst.push_back({{"component", one.component}, {"share", one.share}});
+  return {{"trials", result.trials},
+          {"stable", result.stable},
+          {"accurate", result.accurate},
+          {"yield", result.yield()},
+          {"median_error", finite_or_null(result.median)},
+          {"p95_error", finite_or_null(result.p95)},
+          {"predicted_error", result.predicted},
+          {"worst_components", worst}};
+}
+
+Json transient_json(const Transient& transient) {
+  return {{"judgement", name(transient.end)},
+          {"settling_seconds", number_or_null(transient.settling_seconds)},
+          {"growth", transient.growth},
+          {"growing_mode", list_or_null(transient.mode)},
+          {"end_error", transient.end_error},
+          {"simulated_seconds", transient.simulated},
+          {"ngspice_seconds", transient.seconds}};
+}
+
+}  // namespace
+
+Json network_json(const lab::Relaxation& relaxation) {
+  Json json = {{"realization", name(relaxation.realization)},
+               {"nodes", relaxation.nodes},
+               {"elements", elements_of(relaxation.elements)},
+               {"voltages", relaxation.voltages},
+               {"difference_to_direct", relaxation.difference},
+               {"difference_limit", relaxation.explained.limit},
+               {"difference_of_devices", relaxation.explained.curves},
+               {"difference_predicted", number_or_null(relaxation.explained.predicted)},
+               {"lambda_min", relaxation.smallest_eigenvalue},
+               {"stable", relaxation.stable},
+               {"settling_seconds", nullptr},
+               {"ngspice_seconds", relaxation.ngspice_seconds},
+               {"certificate", nullptr},
+               {"transient", nullptr},
+               {"tolerance", nullptr},
+               {"warnings", warnings_of(relaxation)}};
+  if (relaxation.certificate) json["certificate"] = certificate(*relaxation.certificate);
+  if (relaxation.transient) {
+    json["settling_seconds"] = number_or_null(relaxation.transient->settling_seconds);
+    json["transient"] = transient_json(*relaxation.transient);
+  }
+  if (relaxation.tolerance) {
+    json["tolerance"] = tolerance_json(relaxation.tolerance->result);
+    json["tolerance"]["replayed"] = relaxation.tolerance->replayed;
+    json["tolerance"]["replay_difference"] = relaxation.tolerance->difference;
+  }
+  return json;
+}
+
+std::string relaxation_json(const Scene& scene, const lab::Relaxation& relaxation) {
+  Json json = scene_json(scene);
+  json["network"] = network_json(relaxation);
+  return text_of(json);
+}
+
+std::string certificate_json(const lab::Certification& c) {
+  Json json = scene_json(c.scene());
+  json["certificate"] = certificate(c.certificate());
+  json["tolerance"] = c.tolerance ? tolerance_json(*c.tolerance) : Json(nullptr);
+  Json candidates = Json::array();
+  for (const auto& one : c.recommendation.candidates) {
+    Json row = tolerance_json(one.tolerance);
+    row["realization"] = name(one.realization);
+    row["opamps"] = one.opamps;
+    candidates.push_back(row);
+  }
+  json["recommendation"] = {{"text", in_words(c.recommendation)}, {"candidates", candidates}};
+  return text_of(json);
+}
+
+std::string deck_answer_json(const std::string& file, const lab::DeckAnswer& answer) {
+  Json nodes = Json::array();
+  for (const lab::NodeAnswer& one : answer.nodes)
+    nodes.push_back({{"node", one.node}, {"expected", one.expected}, {"found", one.found}});
+  const Json json = {{"tactile_net", version()}, {"deck", file},
+                     {"nodes", nodes},           {"difference", finite_or_null(answer.difference)},
+                     {"within", answer.within},  {"ngspice_seconds", answer.ngspice_seconds}};
+  return text_of(json);
+}
+
+}  // namespace tactile_net::report

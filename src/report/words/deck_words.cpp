@@ -1,0 +1,60 @@
+#include "tactile_net/report/words/deck_words.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+DeckHeader header_of(const lab::SceneCircuit& circuit) {
+  const Scene& scene = circuit.scene();
+  const double first = position(scene.sensor, 0);
+  const Scale& scale = circuit.options().parts.scale;
+  const std::string volts = shortest(scale.volts);
+  const bool two = unknowns(scene) == 2;
+  DeckHeader header{
+      .title = "tactile-net " + std::string(version()) + ": " + scene.file + ", realization " +
+               std::string(name(circuit.options().realization)),
+      .comments =
+          {two ? "Solves P f = b for the tractions f on the surface above a tactile array: the "
+                 "normal "
+                 "ones, then the tangential ones."
+               : "Solves P f = b for the normal traction f on the surface above a tactile array.",
+           "P = K'K + alpha (l^2/D^2 Q + I), b = K'g; K: kernel x pitch, g: readings, Q: squared "
+           "differences of neighbours.",
+           "Sensor: " + sensor_in_words(scene) + ".", "Material: " + material_in_words(scene) + ".",
+           "alpha = " + shortest(circuit.alpha().value) +
+               ", l = " + shortest(scene.reconstruct.smoothing_length) +
+               ", D = " + shortest(scene.sensor.pitch) + ".",
+           "Scale: " + shortest(scale.siemens) + " S per unit of P, " + volts +
+               " V per unit of f: f_i = v(n_i) / " + volts + ".",
+           "Node n_i stands for the taxel at y = " + shortest(first) + " + " +
+               shortest(scene.sensor.pitch) +
+               (two ? " (i modulo " + std::to_string(scene.sensor.count) + ")." : " i."),
+           "Expected below: the direct solve of P f = b, in volts."},
+      .expected = circuit.direct()};
+  for (double& value : header.expected) value *= scale.volts;
+  return header;
+}
+
+}  // namespace
+
+std::string deck_text(const lab::SceneCircuit& circuit, Answer answer) {
+  DeckHeader header = header_of(circuit);
+  if (answer == Answer::printed) {
+    // Without a load the difference is not relative, but in volts.
+    const double unit = circuit.loaded() ? 1.0 : circuit.options().parts.scale.volts;
+    const double within = circuit.explained().total() * unit;
+    if (std::isfinite(within)) header.within = within;
+  }
+  std::ostringstream deck;
+  write_deck(deck, circuit.network().circuit(), header, answer, circuit.analysis());
+  return std::move(deck).str();
+}
+
+}  // namespace tactile_net::report
