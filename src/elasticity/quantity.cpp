@@ -25,8 +25,4 @@ bool is_odd(Quantity quantity, Traction component) noexcept {
   return row_in<quantity_traits>(quantity).odd_for_normal == (component == Traction::normal);
 }
 
-bool is_odd(Quantity quantity, Traction component) noexcept {
-  return (quantity == Quantity::shear_xy) == (component == Traction::normal);
-}
-
 }  // namespace tactile_net
