@@ -48,13 +48,13 @@ TEST_CASE("warnings are those of the fingertips, then those of the answers", "[g
   lab::GraspResult grasp = two_fingers();
   grasp.remarks = {{Weak::idle, GraspAnswer::held, 1},
                    {Weak::near_slipping, GraspAnswer::measured, 0}};
-  grasp.tips[1].remarks = {lab::remark::ForceBeyondEnds{0.025}, CutOffNote{"saturation", 3, 81},
+  grasp.tips[1].remarks = {lab::remark::ForceBeyondEnds{0.025}, CutOffNote{"saturation", 3, 82},
                            lab::remark::Doubtful{lab::Verdict::unstable},
                            lab::remark::ModelError{2.0}, lab::remark::TangentialUnseen{}};
   CHECK(warnings_in_words(grasp) ==
         std::vector<std::string>{
             "finger 'index': 2.5 % of the normal force lies beyond the ends of the array",
-            "finger 'index': saturation: 3 of 81 readings are cut off at the range's ends",
+            "finger 'index': saturation: 3 of 82 readings are cut off at the range's ends",
             "finger 'index': the reconstruction's verdict is unstable",
             "finger 'index': the residual is larger than the noise stated explains: the model is "
             "off by about 2 times the noise, which the bands do not hold",
