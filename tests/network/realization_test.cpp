@@ -6,8 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tactile_net/network/reduction.hpp"
 #include "tactile_net/network/flat_circuit.hpp"
+#include "tactile_net/network/reduction.hpp"
 #include "tactile_net/network/subcircuits.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/networks.hpp"

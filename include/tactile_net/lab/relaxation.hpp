@@ -35,6 +35,8 @@ struct Disagreement {
   double value = 0.0;
   ExplainedDifference explained{};
   TransientEnd seen = TransientEnd::unsettled;
+
+  bool operator==(const Disagreement&) const = default;
 };
 
 /// What is worth knowing of a relaxation beside its numbers and its certificate's remarks.

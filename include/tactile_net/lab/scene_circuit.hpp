@@ -26,6 +26,8 @@ struct ExplainedDifference {
   [[nodiscard]] double total() const noexcept {
     return limit + curves + 1.2 * predicted.value_or(0.0);
   }
+
+  bool operator==(const ExplainedDifference&) const = default;
 };
 
 /// Everything but the circuit itself is made on first use, and once. Used from one thread at a

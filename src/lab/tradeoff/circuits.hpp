@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/lab/tradeoff/study.hpp"
 #include "tactile_net/simulator/simulator.hpp"
 
@@ -17,6 +18,11 @@ using Stop = std::function<bool()>;
 /// has them.
 [[nodiscard]] Scene with_circuit(const StudyInput& input, Realization realization,
                                  std::optional<double> bandwidth = {});
+
+/// That scene's circuit for the study's frame and alpha.
+[[nodiscard]] inline SceneCircuit circuit_of(const StudyInput& input, const Scene& scene) {
+  return {SceneFrame(SceneProblem(scene), input.readings), {.value = input.alpha}};
+}
 
 /// One realisation's step response at every bandwidth.
 [[nodiscard]] StudySection settling(const StudyInput& input, Realization realization,

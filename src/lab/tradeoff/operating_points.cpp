@@ -1,5 +1,4 @@
 #include <exception>
-#include <string>
 
 #include "lab/tradeoff/circuits.hpp"
 #include "lab/tradeoff/points.hpp"
@@ -9,19 +8,19 @@ namespace tactile_net::lab {
 
 StudySection operating_points(const StudyInput& input, Simulator& simulator) {
   StudySection section;
-  for (const Realization realization : {Realization::ideal, Realization::nic, Realization::rail,
-                                        Realization::crossbar, Realization::least_squares}) {
+  for (const Realization realization : realizations) {
+    if (!traits(realization).linear()) continue;
     WorkPoint result;
     result.curve = {.family = WorkCurve::Family::circuit, .realization = realization};
     result.knob = {.kind = Knob::Kind::operating_point};
     result.time_of = TimeOf::simulator;
     try {
-      const Relaxation relaxation = relax(
-          plan_circuit(with_circuit(input, realization), input.readings, input.alpha), simulator);
+      const Relaxation relaxation =
+          relax(circuit_of(input, with_circuit(input, realization)), simulator);
       result.seconds = result.seconds_low = result.seconds_high = relaxation.ngspice_seconds;
       result.error_to_solution = relaxation.difference;
-      if (const std::string what = relaxation.failure(); !what.empty())
-        result.failure = Failure{.kind = Failure::Kind::disagrees, .what = what};
+      if (const auto disagreement = relaxation.disagreement())
+        result.failure = Failure{.kind = Failure::Kind::disagrees, .disagreement = disagreement};
     } catch (const std::exception&) {
       result.failure = caught();
     }

@@ -1,23 +1,24 @@
 #include <utility>
 
 #include "lab/tradeoff/circuits.hpp"
-#include "tactile_net/lab/relaxation.hpp"
 
 namespace tactile_net::lab {
 
 StudySection parts_floors(const StudyInput& input, const Stop& stop) {
   StudySection section;
-  for (const Realization realization :
-       {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares})
+  for (const Realization realization : realizations) {
+    if (!traits(realization).linear() || !traits(realization).uses_opamps) continue;
     for (const double relative : {0.01, 0.001}) {
       if (stop()) return section;
       Scene scene = with_circuit(input, realization);
       scene.network.tolerance = ToleranceOptions{.relative = relative, .trials = 40};
-      const ToleranceResult result = tolerate(plan_circuit(scene, input.readings, input.alpha));
+      const SceneCircuit circuit = circuit_of(input, scene);
+      const ToleranceResult result = tolerate(circuit.network().reduction(), circuit.tolerance());
       PartsFloor floor{.realization = realization, .relative = relative};
       if (2 * result.stable > result.trials) floor.median = result.median;
       section.floors.push_back(std::move(floor));
     }
+  }
   return section;
 }
 

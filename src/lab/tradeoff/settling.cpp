@@ -5,7 +5,6 @@
 
 #include "lab/tradeoff/circuits.hpp"
 #include "lab/tradeoff/points.hpp"
-#include "tactile_net/lab/relaxation.hpp"
 #include "tactile_net/network/state_space.hpp"
 #include "tactile_net/simulator/step_response.hpp"
 
@@ -35,13 +34,13 @@ std::optional<Failure> without_settling(const Certificate& certificate) {
 }
 
 /// By the simulator's waveforms, up to 1.2 times `last` [s], when the last level is reached.
-void add_simulated(StudySection& section, const WorkCurve& curve, const CircuitPlan& plan,
-                   const StateSpace& system, double last, Simulator& simulator) {
-  std::vector<double> end = plan.direct;
-  for (double& value : end) value *= plan.options.parts.scale.volts;
+void add_simulated(StudySection& section, const WorkCurve& curve, const SceneCircuit& circuit,
+                   double last, Simulator& simulator) {
+  std::vector<double> end = circuit.direct();
+  for (double& value : end) value *= circuit.options().parts.scale.volts;
   const double stop = 1.2 * last;
   const double step = stop / 4000.0;
-  const std::vector<double> errors = step_errors(system, 4.0 * step, 1000);
+  const std::vector<double> errors = step_errors(circuit.network().state_space(), 4.0 * step, 1000);
   const auto instant = [&](double level) {  // when the error is within it for good
     const auto late =
         std::find_if(errors.rbegin(), errors.rend(), [=](double error) { return error > level; });
@@ -49,7 +48,7 @@ void add_simulated(StudySection& section, const WorkCurve& curve, const CircuitP
   };
   // Ten steps to the first level, but not beyond what ngspice can bear.
   const Waveforms waveforms = step_response(
-      simulator, plan.circuit,
+      simulator, circuit.network().circuit(),
       {.step = std::clamp(instant(settling_levels[0]) / 10.0, step, stop / 400.0), .stop = stop});
   for (std::size_t level = 0; level < settling_levels.size(); ++level) {
     const double error = settling_levels[level];
@@ -70,22 +69,21 @@ void add_by_poles(StudySection& section, const WorkCurve& curve, const StateSpac
 
 /// A circuit's answer to a step of all its inputs: when it has come within each level of f*.
 void add_settling(StudySection& section, const WorkCurve& curve, const StudyInput& input,
-                  const Scene& scene, Simulator& simulator, const Stop& stop) {
-  CircuitPlan plan = plan_circuit(scene, input.readings, input.alpha);
-  plan.options.settling_accuracy = settling_levels.back();
-  const Certificate certificate = certify(plan);
+                  Scene scene, Simulator& simulator, const Stop& stop) {
+  scene.network.settling_accuracy = settling_levels.back();
+  const SceneCircuit circuit = circuit_of(input, scene);
+  const Certificate& certificate = circuit.certificate();
   if (auto failure = without_settling(certificate)) {
     section.points.push_back(failed(curve, {}, TimeOf::settling, std::move(*failure)));
     return;
   }
   if (stop()) return;
-  const StateSpace system = state_space(plan.circuit);
   const Dynamics& dynamics = *certificate.dynamics;
   try {
-    add_simulated(section, curve, plan, system, *dynamics.settling_seconds, simulator);
+    add_simulated(section, curve, circuit, *dynamics.settling_seconds, simulator);
   } catch (const SimulatorError& error) {
     if (error.cause() != SimulatorError::Cause::timed_out) throw;
-    add_by_poles(section, curve, system, dynamics.slowest);
+    add_by_poles(section, curve, circuit.network().state_space(), dynamics.slowest);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tactile_net/frames/csv.hpp"
+#include "tactile_net/report/words/deck_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -36,7 +37,8 @@ Files run_files(const lab::Experiment& experiment) {
     if (result.has_answer())
       files.emplace_back("tractions-" + std::string(name(result.method)) + ".csv",
                          tractions_csv(result.normal.traction, result.tangential.traction));
-  if (!experiment.deck.empty()) files.emplace_back("network.cir", experiment.deck);
+  if (experiment.circuit)
+    files.emplace_back("network.cir", deck_text(*experiment.circuit, Answer::printed));
   return files;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
@@ -248,7 +249,7 @@ std::string in_words(const lab::Failure& failure) {
   switch (failure.kind) {
     case Kind::refused:
     case Kind::disagrees:
-      return failure.what;
+      return in_words(*failure.disagreement);
     case Kind::no_frame:
       return "the frame was refused";
     case Kind::dead_taxels:

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tactile_net/lab/relaxation.hpp"
 #include "tactile_net/lab/tradeoff/job.hpp"
 #include "tactile_net/network/certificate.hpp"
 #include "tactile_net/network/realization.hpp"
@@ -108,12 +109,13 @@ struct Failure {
     not_stable,   ///< the circuit, by its certificate: `stability`
     unsettled,    ///< the circuit's poles do not bring it to an end
     no_time,      ///< the circuit has no time constant
-    disagrees,    ///< the circuit's answer is not that of the direct solve: `what` says how
+    disagrees,    ///< the circuit's answer is not that of the direct solve: `disagreement`
   };
   Kind kind = Kind::refused;
   std::string what{};  ///< text of the exception from below
   std::size_t count = 0;
   Stability stability = Stability::stable;
+  std::optional<Disagreement> disagreement{};
 
   bool operator==(const Failure&) const = default;
 };

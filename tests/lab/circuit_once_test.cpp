@@ -1,0 +1,122 @@
+// Each thing derived from a circuit once: the linker puts a counter before what makes it (--wrap,
+// see CMakeLists.txt), under their mangled names.
+#include <map>
+#include <string>
+
+#include "tactile_net/lab/certification.hpp"
+#include "tactile_net/lab/circuit_options.hpp"
+#include "tactile_net/lab/relaxation.hpp"
+#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/report/pages/certificate_page.hpp"
+#include "tactile_net/report/words/deck_words.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tactile_net/simulator/ngspice.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+std::map<std::string, int> made;
+
+Scene certified(Realization realization) {
+  Scene scene = read_scene(SCENES "/circuits/rail.toml");
+  scene.network.realization = realization;
+  scene.network.tolerance = ToleranceOptions{.relative = 0.01, .trials = 20};
+  lab::give_bandwidth(scene, 1e6);
+  return scene;
+}
+
+}  // namespace
+
+// The linker's names for what is counted, and for the counters.
+Circuit real_realize(Realization, const NetworkProblem&, const RealizationOptions&) asm(
+    "__real__ZN11tactile_net7realizeENS_11RealizationERKNS_14NetworkProblemERKNS_"
+    "18RealizationOptionsE");
+Circuit counted_realize(Realization, const NetworkProblem&, const RealizationOptions&) asm(
+    "__wrap__ZN11tactile_net7realizeENS_11RealizationERKNS_14NetworkProblemERKNS_"
+    "18RealizationOptionsE");
+void real_flat(void*, const Circuit&) asm("__real__ZN11tactile_net11FlatCircuitC1ERKNS_7CircuitE");
+void counted_flat(void*,
+                  const Circuit&) asm("__wrap__ZN11tactile_net11FlatCircuitC1ERKNS_7CircuitE");
+void real_reduction(void*,
+                    const Circuit&) asm("__real__ZN11tactile_net9ReductionC1ERKNS_7CircuitE");
+void counted_reduction(void*,
+                       const Circuit&) asm("__wrap__ZN11tactile_net9ReductionC1ERKNS_7CircuitE");
+Certificate real_certify(const NetworkCircuit&,
+                         double) asm("__real__ZN11tactile_net7certifyERKNS_14NetworkCircuitEd");
+Certificate counted_certify(const NetworkCircuit&,
+                            double) asm("__wrap__ZN11tactile_net7certifyERKNS_14NetworkCircuitEd");
+StateSpace real_states(const FlatCircuit&) asm(
+    "__real__ZN11tactile_net11state_spaceERKNS_11FlatCircuitE");
+StateSpace counted_states(const FlatCircuit&) asm(
+    "__wrap__ZN11tactile_net11state_spaceERKNS_11FlatCircuitE");
+EigenvalueRange real_eigenvalues(const Matrix&) asm(
+    "__real__ZN11tactile_net16eigenvalue_rangeERKNS_6MatrixE");
+EigenvalueRange counted_eigenvalues(const Matrix&) asm(
+    "__wrap__ZN11tactile_net16eigenvalue_rangeERKNS_6MatrixE");
+
+Circuit counted_realize(Realization realization, const NetworkProblem& problem,
+                        const RealizationOptions& options) {
+  ++made["circuit"];
+  return real_realize(realization, problem, options);
+}
+void counted_flat(void* self, const Circuit& circuit) {
+  ++made["flat circuit"];
+  real_flat(self, circuit);
+}
+void counted_reduction(void* self, const Circuit& circuit) {
+  ++made["reduction"];
+  real_reduction(self, circuit);
+}
+Certificate counted_certify(const NetworkCircuit& circuit, double accuracy) {
+  ++made["certificate"];
+  return real_certify(circuit, accuracy);
+}
+StateSpace counted_states(const FlatCircuit& circuit) {
+  ++made["state space"];
+  return real_states(circuit);
+}
+EigenvalueRange counted_eigenvalues(const Matrix& matrix) {
+  ++made["eigenvalues"];
+  return real_eigenvalues(matrix);
+}
+
+TEST_CASE("relax and its deck make one circuit, and each thing that is derived from it once",
+          "[lab][once]") {
+  const Scene scene = certified(Realization::rail);
+  Ngspice ngspice;
+  made.clear();
+  const lab::SceneFrame frame(lab::SceneProblem(scene), lab::simulate(scene).readings);
+  const lab::SceneCircuit circuit(frame);
+  const lab::Relaxation relaxation = lab::relax(circuit, ngspice);
+  CHECK_FALSE(report::deck_text(circuit, Answer::printed).empty());
+  REQUIRE(relaxation.transient);
+  REQUIRE(relaxation.tolerance);
+  CHECK(made == std::map<std::string, int>{{"circuit", 1},
+                                           {"flat circuit", 1},
+                                           {"reduction", 1},
+                                           {"certificate", 1},
+                                           {"state space", 1},
+                                           {"eigenvalues", 1}});
+}
+
+TEST_CASE("certify and its report make one circuit per realisation", "[lab][once]") {
+  const Realization realization = GENERATE(Realization::rail, Realization::ideal);
+  CAPTURE(name(realization));
+  Scene scene = certified(realization);
+  scene.network.parts.node_capacitance = 1e-11;
+  made.clear();
+  const lab::Certification certification = lab::certify(scene);
+  REQUIRE(certification.certificate().dynamics);
+  CHECK_FALSE(report::certificate_html(certification).html.empty());
+  // The scene's own, and the candidates of the recommendation, which are all from op-amps.
+  const int circuits = has_amplifiers(realization) ? 4 : 5;
+  CHECK(certification.recommendation.candidates.size() == 4);
+  CHECK(made == std::map<std::string, int>{{"circuit", circuits},
+                                           {"flat circuit", circuits},
+                                           {"reduction", circuits},
+                                           {"certificate", 1},
+                                           {"state space", 1},
+                                           {"eigenvalues", 1}});
+}
