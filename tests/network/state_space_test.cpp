@@ -50,8 +50,8 @@ TEST_CASE("the error after a step falls as the exponential it is", "[state_space
 TEST_CASE("settling is where the error after a step passes its accuracy", "[state_space]") {
   const ArrayNetwork network = array_network(11, 1e-3);
   for (const Realization one : {Realization::nic, Realization::least_squares}) {
-    const StateSpace system = state_space(realize(
-        one, network.problem, {.opamp = one_pole, .node_capacitance = 1e-12}));
+    const StateSpace system =
+        state_space(realize(one, network.problem, {.opamp = one_pole, .node_capacitance = 1e-12}));
     const double settled = settling_time(system, 1e-3, poles(system).front().real()).value();
     const std::vector<double> errors = step_errors(system, settled / 500.0, 1000);
     CAPTURE(name(one));

@@ -20,7 +20,6 @@
 namespace tactile_net::circuits {
 namespace {
 
-
 constexpr double accuracy = 1e-3;
 const OpAmp one_pole{.gain = 1e6, .bandwidth = 10e6};
 
