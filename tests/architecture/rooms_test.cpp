@@ -79,7 +79,7 @@ const std::vector<Rule> rules{
     {"a clock",
      {},
      {"steady_clock", "system_clock", "high_resolution_clock"},
-     {"include/tactile_net/simulator/", "src/simulator/", "include/tactile_net/lab/stopwatch.hpp"},
+     {"include/tactile_net/simulator/", "src/simulator/", "src/lab/stopwatch.cpp"},
      library},
 };
 
