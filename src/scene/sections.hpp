@@ -2,7 +2,11 @@
 /// The tables of a scene, one function each: from checked values to plain data.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "scene/table.hpp"
@@ -20,6 +24,14 @@ void read_sections(Table& root, Scene& scene);
 /// @param timed  the scene has a table [time]
 void read_contacts(std::vector<Table> tables, bool timed, Scene& scene);
 
+/// The table [network].
+[[nodiscard]] NetworkOptions read_network(Table table);
+
+/// The knots of a temperature that changes.
+///
+/// @param timed  the scene has a table [time]; a problem where it has none
+[[nodiscard]] PiecewiseLinear read_trajectory(const Value& trajectory, bool timed);
+
 /// What later sections need to know of earlier ones beyond the scene itself.
 struct Read {
   std::optional<Value> reads{};
@@ -33,6 +45,14 @@ void read_sensor_effects(Table& root, const Read& read, Scene& scene);
 
 [[nodiscard]] inline std::optional<Table> table_of(const std::optional<Value>& value) {
   return value ? value->table() : std::nullopt;
+}
+
+/// The words of an enum, in the order of its list.
+template <typename Enum, std::size_t size>
+[[nodiscard]] std::array<std::string_view, size> names_of(const std::array<Enum, size>& all) {
+  std::array<std::string_view, size> names;
+  std::transform(all.begin(), all.end(), names.begin(), [](Enum one) { return name(one); });
+  return names;
 }
 
 }  // namespace tactile_net

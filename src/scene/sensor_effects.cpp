@@ -242,7 +242,7 @@ class Reader {
     if (change && trajectory)
       trajectory->problem("and temperature.change exclude each other", "keep one of the two");
     if (change) result.change = {{0.0}, {change->number(any_number).value_or(0.0)}};
-    if (trajectory) result.change = temperatures(*trajectory);
+    if (trajectory) result.change = read_trajectory(*trajectory, read_.timed);
     table.finish();
     return result;
   }
@@ -349,27 +349,6 @@ class Reader {
   static void exclude(const std::optional<Value>& values, const std::optional<Value>& rms) {
     if (values && rms)
       values->problem("and rms exclude each other", "list the errors, or draw them");
-  }
-
-  PiecewiseLinear temperatures(const Value& trajectory) const {
-    PiecewiseLinear result;
-    if (!read_.timed)
-      trajectory.problem("changes over time, and this scene has none",
-                         "add [time], or give one change = 10.0");
-    auto knots = trajectory.tables();
-    if (knots && knots->empty())
-      trajectory.problem("must hold at least one knot", "trajectory = [{ t = 0.0, change = 0.0 }]");
-    for (Table& knot : knots.value_or(std::vector<Table>{})) {
-      const auto t = knot.required("t", "when, in seconds from the first frame: t = 0.5");
-      const auto change = knot.required("change", "in kelvin: change = 10.0");
-      const double time = t ? t->number(not_negative).value_or(0.0) : 0.0;
-      if (t && !result.times.empty() && time <= result.times.back())
-        t->misfit("must be later than the knot before");
-      result.times.push_back(time);
-      result.values.push_back(change ? change->number(any_number).value_or(0.0) : 0.0);
-      knot.finish();
-    }
-    return result;
   }
 
   const Read& read_;

@@ -3,8 +3,8 @@
 #include <cerrno>
 #include <cstdlib>
 
-#include "src/numeric/real_fft.hpp"
 #include "src/control/circulant.hpp"
+#include "src/numeric/real_fft.hpp"
 #include "tactile_net/control/fftw_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"

@@ -21,4 +21,4 @@ add_test(NAME "fuzz: plan file"
     --build-options -DCMAKE_CXX_COMPILER=${TACTILE_NET_CLANG}
     --test-command plan_file_fuzz -seed=1 -max_total_time=20 -runs=200000 -max_len=8192 -timeout=20
       -artifact_prefix=${CMAKE_CURRENT_BINARY_DIR}/)
-set_tests_properties("fuzz: plan file" PROPERTIES LABELS fuzz TIMEOUT 600)
+set_tests_properties("fuzz: plan file" PROPERTIES LABELS fuzz TIMEOUT 600 COST 900)

@@ -1,0 +1,101 @@
+#include <cstdint>
+#include <optional>
+
+#include "scene/sections.hpp"
+
+namespace tactile_net {
+
+namespace {
+
+constexpr Rule below_one{"must be > 0 and < 1",
+                         [](double x) noexcept { return x > 0.0 && x < 1.0; }};
+constexpr Rule above_diodes{"must be > 0.6, what the clamp's diodes drop",
+                            [](double x) noexcept { return x > 0.6; }};
+
+OpAmp read_opamp(Table table) {
+  OpAmp opamp;
+  if (const auto gain = table.value("gain")) opamp.gain = gain->number(positive);
+  if (const auto bandwidth = table.value("bandwidth"))
+    opamp.bandwidth = bandwidth->number(positive);
+  if (const auto pole = table.value("second_pole")) {
+    opamp.second_pole = pole->number(positive);
+    if (!opamp.bandwidth)
+      pole->problem("needs the first pole", "beside it, bandwidth = 10e6 (gain-bandwidth product)");
+  }
+  if (const auto offset = table.value("offset")) opamp.offset = offset->number(any_number);
+  if (const auto rail = table.value("rail")) opamp.rail = rail->number(above_diodes);
+  if (opamp.is_nullor()) opamp.gain = opamp.dc_gain();
+  table.finish();
+  return opamp;
+}
+
+ToleranceOptions read_tolerance(Table table) {
+  constexpr std::array series = {Series::e12, Series::e24, Series::e48, Series::e96, Series::e192};
+  constexpr std::array<std::string_view, 5> names = {"E12", "E24", "E48", "E96", "E192"};
+  ToleranceOptions tolerance;
+  const auto relative =
+      table.required("relative", "how far a component may be off: relative = 0.01", {"series"});
+  if (relative) tolerance.relative = relative->number(below_one);
+  if (const auto value = table.value("series"))
+    if (const auto index = value->one_of("series", names)) tolerance.series = series[*index];
+  if (const auto trials = table.value("trials"))
+    tolerance.trials = static_cast<std::size_t>(trials->integer(1, 1'000'000).value_or(1000));
+  if (const auto accuracy = table.value("accuracy"))
+    tolerance.accuracy = accuracy->number(below_one).value_or(tolerance.accuracy);
+  if (const auto seed = table.value("seed"))
+    tolerance.seed = static_cast<std::uint64_t>(seed->integer(0, INT64_MAX).value_or(1));
+  table.finish();
+  return tolerance;
+}
+
+void read_parasitic(Table table, RealizationOptions& parts) {
+  if (const auto node = table.value("node")) parts.node_capacitance = node->number(positive);
+  if (const auto input = table.value("input")) {
+    parts.opamp.input_capacitance = input->number(positive);
+    if (!parts.opamp.bandwidth)
+      input->problem("shows in what op-amps do over time, and these have no bandwidth",
+                     "under [network], opamp = { bandwidth = 10e6 }");
+  }
+  table.finish();
+}
+
+}  // namespace
+
+NetworkOptions read_network(Table table) {
+  constexpr std::array curves = {Curve::cubic, Curve::tunnel_diode};
+  constexpr std::array<std::string_view, 2> curve_names = {"cubic", "tunnel_diode"};
+  NetworkOptions options;
+  RealizationOptions& parts = options.parts;
+  if (const auto realization = table.value("realization"))
+    if (const auto index = realization->one_of("realization", names_of(realizations)))
+      options.realization = realizations[*index];
+  const auto number = [&](std::string_view key, double& target) {
+    if (const auto value = table.value(key)) target = value->number(positive).value_or(target);
+  };
+  number("siemens", parts.scale.siemens);
+  number("volts", parts.scale.volts);
+  number("residual_gain", parts.residual_gain);
+  number("divider", parts.divider);
+  number("frequency", parts.frequency);
+  number("device_volts", parts.device_volts);
+  if (const auto ratio = table.value("bandwidth_ratio"))
+    parts.bandwidth_ratio = ratio->number(positive);
+  if (const auto inverters = table.value("inverters"))
+    parts.inverters = inverters->boolean().value_or(false);
+  if (const auto device = table.value("device"))
+    if (const auto index = device->one_of("device", curve_names)) parts.curve = curves[*index];
+  if (const auto opamp = table_of(table.value("opamp"))) parts.opamp = read_opamp(*opamp);
+  if (const auto parasitic = table_of(table.value("parasitic"))) read_parasitic(*parasitic, parts);
+  if (const auto tolerance = table_of(table.value("tolerance")))
+    options.tolerance = read_tolerance(*tolerance);
+  if (auto settling = table_of(table.value("settling"))) {
+    if (const auto accuracy = settling->required(
+            "accuracy", "how near to its end the answer must stay: accuracy = 1e-3"))
+      options.settling_accuracy = accuracy->number(below_one);
+    settling->finish();
+  }
+  table.finish();
+  return options;
+}
+
+}  // namespace tactile_net
