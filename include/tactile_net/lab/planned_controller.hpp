@@ -1,0 +1,57 @@
+/// @file
+/// From a scene to the plan that a controller loads: one alpha for all frames, then the fastest
+/// product that is accurate enough.
+///
+///     const lab::SceneProblem problem(read_scene("pad.toml"));
+///     if (const auto alpha = lab::plan_alpha(problem))
+///       save(lab::plan_controller(problem, *alpha).estimator.plan);
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "tactile_net/control/planner.hpp"
+#include "tactile_net/lab/observer.hpp"
+#include "tactile_net/lab/scene_problem.hpp"
+
+namespace tactile_net::lab {
+
+/// A controller's alpha, and where it comes from.
+struct PlanAlpha {
+  enum class Source {
+    given,      ///< by the scene
+    contact,    ///< the scene's rule, on the frame that its own contacts make
+    recording,  ///< the scene's rule on each of `frames` recorded frames: the median
+  };
+  double value = 0.0;
+  Source source = Source::given;
+  std::optional<AlphaRule> rule{};  ///< absent: given
+  std::size_t frames = 0;           ///< of the recording
+};
+
+/// Fills in the next recorded frame, channels x count; false: there is none.
+using NextFrame = std::function<bool(std::span<double> readings)>;
+
+/// @param next  recorded frames; absent: the scene's own contacts
+/// @return nothing: the scene has a rule, and there is no frame to apply it to
+/// @throw what `next` throws
+[[nodiscard]] std::optional<PlanAlpha> plan_alpha(const SceneProblem& problem,
+                                                  const NextFrame& next = {},
+                                                  Observer& observer = silent);
+
+struct PlannedController {
+  PlanAlpha alpha{};
+  PlannedEstimator estimator{};
+};
+
+/// A plan is linear: the scene's constraints do not bind it.
+///
+/// @param options  what they leave open is the scene's: noise, ranges and label always, the
+///                 friction coefficient where it is absent
+/// @throw std::invalid_argument, std::domain_error  as `plan_estimator`
+[[nodiscard]] PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,
+                                                PlannerOptions options = {});
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,36 @@
+#include "tactile_net/report/json/controller_json.hpp"
+
+#include "report/json/values.hpp"
+#include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/words/controller_words.hpp"
+
+namespace tactile_net::report {
+
+std::string controller_json(const Scene& scene, const lab::PlannedController& planned,
+                            double frame_seconds) {
+  Json candidates = Json::array();
+  for (const Candidate& candidate : planned.estimator.candidates)
+    candidates.push_back({{"structure", name(candidate.structure)},
+                          {"precision", name(candidate.precision)},
+                          {"ranks", candidate.ranks},
+                          {"transform_size", candidate.transform_size},
+                          {"bytes", candidate.bytes},
+                          {"error_bound", candidate.error_bound},
+                          {"accurate", candidate.accurate},
+                          {"chosen", candidate.chosen}});
+  const EstimatorPlan& plan = planned.estimator.plan;
+  return text_of(Json{{"tactile_net", version()},
+                      {"scene", scene.file},
+                      {"readings", plan.readings()},
+                      {"tractions", plan.tractions()},
+                      {"alpha", plan.alpha},
+                      {"alpha_rule", in_words(planned.alpha)},
+                      {"accuracy", plan.accuracy},
+                      {"error_bound", plan.error_bound},
+                      {"asymmetry", planned.estimator.asymmetry},
+                      {"frame_seconds", frame_seconds},
+                      {"candidates", std::move(candidates)}},
+                 2);
+}
+
+}  // namespace tactile_net::report

@@ -1,0 +1,46 @@
+#include "tactile_net/report/words/controller_words.hpp"
+
+#include <ostream>
+
+#include "tactile_net/numeric/number_text.hpp"
+
+namespace tactile_net::report {
+
+std::string in_words(const lab::PlanAlpha& alpha) {
+  const std::string rule(alpha.rule ? name(*alpha.rule) : "");
+  switch (alpha.source) {
+    case lab::PlanAlpha::Source::given:
+      return "given";
+    case lab::PlanAlpha::Source::contact:
+      return rule + ", on the scene's own contact";
+    case lab::PlanAlpha::Source::recording:
+      return rule + ", the median of " + std::to_string(alpha.frames) + " frames";
+  }
+  return {};
+}
+
+void print_controller(std::ostream& out, const lab::PlannedController& planned,
+                      double frame_seconds, std::optional<double> deadline) {
+  const EstimatorPlan& plan = planned.estimator.plan;
+  out << plan.label << ": " << plan.readings() << " readings to " << plan.tractions()
+      << " tractions, alpha " << brief(plan.alpha) << " (" << in_words(planned.alpha) << ")\n"
+      << planned.estimator.why();
+  if (plan.prediction)
+    out << "  residual, outliers, dead taxels: " << streamed_bytes(*plan.prediction)
+        << " bytes a frame more (--no-diagnostics leaves them out)\n";
+  out << "  a frame takes " << duration(frame_seconds) << " here";
+  if (deadline) out << ": " << brief(*deadline / frame_seconds) << " times inside the deadline";
+  out << '\n';
+}
+
+std::string deadline_missed_in_words(const lab::PlannedController& planned, double frame_seconds,
+                                     double deadline) {
+  const EstimatorPlan& plan = planned.estimator.plan;
+  return "the fastest plan of accuracy " + brief(plan.accuracy) + " takes " +
+         duration(frame_seconds) + ", the deadline is " + duration(deadline) +
+         ": raise --accuracy" +
+         (plan.prediction ? ", or leave the residual out: --no-diagnostics" : "") +
+         "; tradeoff tells what each method takes";
+}
+
+}  // namespace tactile_net::report
