@@ -8,6 +8,7 @@
 #include <tactile_net/numeric/comparison.hpp>
 #include <tactile_net/sensing/effects/noise.hpp>
 #include <tactile_net/sensing/exact.hpp>
+#include <tactile_net/sensing/traction_field.hpp>
 #include <vector>
 
 using namespace tactile_net;

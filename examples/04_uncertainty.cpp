@@ -7,6 +7,7 @@
 #include <tactile_net/inverse/uncertainty.hpp>
 #include <tactile_net/sensing/effects/noise.hpp>
 #include <tactile_net/sensing/exact.hpp>
+#include <tactile_net/sensing/traction_field.hpp>
 #include <vector>
 
 using namespace tactile_net;
