@@ -1,6 +1,5 @@
-// How much to smooth: a rule chooses alpha from the readings alone, and says whether it can be
-// sure. Prints what every rule chooses with its verdict, and the error with the alpha of robust
-// GCV.
+// How much to smooth: a rule chooses alpha from the readings alone, with a verdict on its choice.
+// Prints what every rule chooses, and the error of the tractions with the alpha of robust GCV.
 #include <cstdio>
 #include <string>
 #include <tactile_net/inverse/alpha.hpp>

@@ -1,5 +1,5 @@
-// What is proven of a circuit before it is built: whether it settles, how fast, what errors it
-// bears. Prints stability, theorem, settling time and margin of three realisations of one problem.
+// What is proven of a circuit before it is built: that it settles, how fast, what errors it bears.
+// Prints stability, theorem, settling time and margin of three realisations of one problem.
 #include <cstdio>
 #include <string>
 #include <tactile_net/network/certificate.hpp>

@@ -1,6 +1,5 @@
-// In a control loop: a plan, made once and slowly, and an estimator that takes a frame in
-// microseconds. Prints what was planned and why, and what one frame says of the contact, friction
-// margin included.
+// In a control loop: a plan is made once, slowly; an estimator takes each frame in microseconds.
+// Prints what was planned and why, and what one frame says of the contact and its friction.
 #include <cstdio>
 #include <tactile_net/control/planner.hpp>
 #include <tactile_net/realtime/contact_estimator.hpp>
