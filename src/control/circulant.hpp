@@ -16,7 +16,8 @@ namespace tactile_net {
 [[nodiscard]] std::size_t transform_size(std::size_t least) noexcept;
 
 /// DFT of the circulant on `size` points whose lags are the block's diagonals at their middle, as
-/// in `ProductPlan::spectra`; of two lags at one place, the shorter.
+/// in `ProductPlan::spectra`. Where two lags fall on the same index modulo `size`, the shorter one
+/// is taken.
 ///
 /// @param block  n x n, J B J = sign B
 /// @param size   even, >= n

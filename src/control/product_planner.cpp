@@ -164,8 +164,8 @@ class Planner {
     return all;
   }
 
-  /// The cheapest of circles from one that nothing wraps around down to the array's own length: the
-  /// shorter, the more there is to correct, which at a coarse accuracy may still be little.
+  /// Tries transform sizes from 2n - 1 (no wrap-around) down to n and keeps the cheapest. A shorter
+  /// transform is cheaper, but what wraps around has to be corrected by a larger low-rank part.
   std::pair<ProductPlan, Candidate> attempt_fft() {
     const auto n = static_cast<std::size_t>(task_.matrix.rows()) / task_.row_signs.size();
     std::optional<std::pair<ProductPlan, Candidate>> best;

@@ -15,13 +15,12 @@ namespace {
 
 constexpr double tolerated = 0.1;
 
-/// What a misfit of the antisymmetric readings says: `shape` is the part that neighbours share,
-/// which no white noise leaves, `doubt` three standard deviations of what it leaves there by
-/// chance; squares of 2-norms. `noise` is the readings' standard deviation.
+/// Splits the misfit of the antisymmetric readings.
 struct Misfit {
+  /// Squared 2-norm of the part correlated between neighbours, which white noise does not produce.
   double shape = 0.0;
-  double doubt = 0.0;
-  double noise = 0.0;
+  double doubt = 0.0;  ///< three standard deviations of what white noise puts there by chance
+  double noise = 0.0;  ///< standard deviation of the readings' noise
 };
 
 Misfit examine(std::span<const double> misfit) {

@@ -56,7 +56,8 @@ std::unique_ptr<Convolution> cloned(const std::unique_ptr<Convolution>& convolut
   return convolution ? convolution->clone() : nullptr;
 }
 
-/// Of what is not known before the convolution is added.
+/// Sum and first moment of f. Only for plans with a convolution, which changes f after the product;
+/// without one the product returns them.
 Moments moments_of(std::span<const double> f) noexcept {
   Moments moments;
   const double centre = 0.5 * static_cast<double>(f.size() - 1);
@@ -67,7 +68,8 @@ Moments moments_of(std::span<const double> f) noexcept {
   return moments;
 }
 
-/// For what was checked before. A dead reading that is filled in may be larger than any live one.
+/// A limit that never refuses, for input that `update` has already compared with `Ready::limit`.
+/// Filled-in dead readings may exceed that limit and are checked where they are filled in.
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
 }  // namespace

@@ -58,7 +58,8 @@ struct ReadyProduct {
   }
 };
 
-/// The vector a - b. Taken where it is used: what was just written in other pieces is slow to read.
+/// a - b, computed at each use. Storing it first would be slower: vector loads that overlap several
+/// narrower, recent stores cannot be forwarded by the processor.
 struct Difference {
   const double* a;
   const double* b;

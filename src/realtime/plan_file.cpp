@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 

@@ -1,6 +1,7 @@
 #include "tactile_net/scene/scene.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -89,11 +90,10 @@ std::vector<std::pair<std::string_view, bool>> effects(const Scene& scene) {
 }
 
 SignalPath signal_path(const Scene& scene) {
-  SignalPath path;
+  std::vector<std::unique_ptr<SensorEffect>> stages;
   for (const SceneEffect& effect : scene_effects())
-    if (effect.make != nullptr && effect.present(scene)) path.add(effect.make(scene));
-  if (path.has_memory()) path.begin(reading_count(scene.sensor));
-  return path;
+    if (effect.make != nullptr && effect.present(scene)) stages.push_back(effect.make(scene));
+  return {std::move(stages), reading_count(scene.sensor)};
 }
 
 std::vector<Instant> instants(const Scene& scene) {

@@ -1,14 +1,15 @@
 #include "tactile_net/sensing/signal_path.hpp"
 
+#include <utility>
+
 namespace tactile_net {
 
-void SignalPath::add(std::unique_ptr<SensorEffect> stage) {
-  if (!stage) return;
-  stages_.push_back(std::move(stage));
-  if (stages_.back()->has_memory()) remembering_ = stages_.size();
-}
-
-void SignalPath::begin(std::size_t readings) {
+SignalPath::SignalPath(std::vector<std::unique_ptr<SensorEffect>> stages, std::size_t readings)
+    : stages_(std::move(stages)) {
+  std::erase(stages_, nullptr);
+  for (std::size_t i = 0; i < stages_.size(); ++i)
+    if (stages_[i]->has_memory()) remembering_ = i + 1;
+  if (remembering_ == 0) return;
   std::vector<double> unloaded(readings);
   for (std::size_t i = 0; i < remembering_; ++i) stages_[i]->rest(unloaded);
 }

@@ -4,7 +4,7 @@
 
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
-#include "tactile_net/realtime/plan_file.hpp"
+#include "tactile_net/realtime/load_plan.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/tool.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "docs/examples/controller/histogram.hpp"
-#include "tactile_net/realtime/plan_file.hpp"
+#include "tactile_net/realtime/load_plan.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/tool.hpp"
 

@@ -1,5 +1,3 @@
-#include "tactile_net/realtime/plan_file.hpp"
-
 #include <unistd.h>
 
 #include <bit>
@@ -8,6 +6,7 @@
 #include <limits>
 
 #include "tactile_net/control/planner.hpp"
+#include "tactile_net/realtime/load_plan.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
 #include "tests/realtime/plan_bytes.hpp"

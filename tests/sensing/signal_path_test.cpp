@@ -35,8 +35,8 @@ class Adding final : public SensorEffect {
 }  // namespace
 
 TEST_CASE("an empty path changes nothing", "[signal_path]") {
-  SignalPath path;
-  path.add(nullptr);
+  std::vector<std::unique_ptr<SensorEffect>> absent(1);
+  SignalPath path(std::move(absent), 2);
   std::vector<double> readings{1.0, -0.0};
   path.apply({}, readings);
   CHECK(readings[0] == 1.0);
@@ -47,11 +47,12 @@ TEST_CASE("an empty path changes nothing", "[signal_path]") {
 
 TEST_CASE("stages act in their order; between frames only what a memory needs", "[signal_path]") {
   std::vector<double> seen;
-  SignalPath path;
+  std::vector<std::unique_ptr<SensorEffect>> stages;
   for (const auto& [step, memory] : {std::pair{1.0, false}, {2.0, true}, {3.0, false}})
-    path.add(std::make_unique<Adding>(step, memory, seen));
+    stages.push_back(std::make_unique<Adding>(step, memory, seen));
+  CHECK(seen.empty());
+  SignalPath path(std::move(stages), 2);
   REQUIRE(path.has_memory());
-  path.begin(2);
   CHECK(seen == std::vector{1.0, 2.0});  // the unloaded sensor, up to the memory
   std::vector<double> readings{1.0};
   path.apply({.recorded = false}, readings);

@@ -21,7 +21,7 @@
 #include <string>
 #include <string_view>
 #include <tactile_net/realtime/contact_estimator.hpp>
-#include <tactile_net/realtime/plan_file.hpp>
+#include <tactile_net/realtime/load_plan.hpp>
 #include <thread>
 #include <vector>
 

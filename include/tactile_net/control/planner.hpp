@@ -10,6 +10,11 @@
 /// Where the pitch is fixed and the array long, that rank grows with the array. There M = T + E is
 /// cheapest, T a convolution (by FFT) and E of a small rank that does not grow: only the array's
 /// two ends differ from an endless array. T alone is percents off at the ends.
+///
+///     const PlannedEstimator planned =
+///         plan_estimator(problem, 1e-3, {.accuracy = 1e-7, .friction_coefficient = 0.5});
+///     std::puts(planned.why().c_str());            // what was chosen, and against what
+///     ContactEstimator estimator(planned.plan);    // examples/07_controller.cpp
 #pragma once
 
 #include <optional>
@@ -48,9 +53,11 @@ struct Candidate {
   std::vector<std::size_t> ranks{};  ///< of the classes; empty if not of low rank
   std::size_t transform_size = 0;    ///< of fft
   std::size_t bytes = 0;             ///< streamed per frame
-  double cost = 0.0;                 ///< bytes, and what passes and transforms cost, in bytes
-  double error_bound = 0.0;          ///< proven, as `PlannerOptions::accuracy`
-  bool accurate = false;  ///< error_bound <= accuracy; the double dense product always is
+  /// Predicted time of a frame in units of one streamed byte: bytes, `cost_of_a_factor` for each
+  /// factor, and the transforms (constants in product_planner.cpp).
+  double cost = 0.0;
+  double error_bound = 0.0;  ///< proven, as `PlannerOptions::accuracy`
+  bool accurate = false;     ///< error_bound <= accuracy; the double dense product always is
   bool chosen = false;
 };
 

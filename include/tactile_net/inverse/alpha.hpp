@@ -14,6 +14,12 @@
 ///
 /// Every rule is a function of log alpha whose slope is known in closed form; the best of 200
 /// values is refined to a root of the slope. So the answer is the same in any units, to rounding.
+///
+///     const TikhonovFamily family(problem);  // once, for every alpha and every frame
+///     const FilterFrame frame = family.analyse(readings);
+///     const AlphaChoice chosen = choose_alpha(frame, AlphaRule::rgcv);
+///     const std::vector<double> tractions = family.solve(frame, chosen.alpha);
+///     name(chosen.verdict);                  // "ok", or what is wrong; examples/02_alpha.cpp
 #pragma once
 
 #include <array>

@@ -23,8 +23,11 @@ namespace tactile_net {
 /// What one frame's iteration came to.
 struct Convergence {
   std::size_t steps = 0;
-  double estimate = 0.0;  ///< of |error|_2 / |f|_2, four steps ago: what they took off |error|_P
-  double bound = 0.0;     ///< the same, proved: |gradient| / (alpha |f|), since P >= alpha
+  /// Estimate of |error|_2 / |f|_2 of the iterate four steps back: the P-norm that the last four
+  /// steps gained (Hestenes and Stiefel 1952, section 6), turned into the 2-norm by P >= alpha. The
+  /// answer returned is better.
+  double estimate = 0.0;
+  double bound = 0.0;     ///< of |error|_2 / |f|_2, proven: |gradient| / (alpha |f|)
   bool converged = true;  ///< `estimate` or `bound` reached the tolerance
 };
 

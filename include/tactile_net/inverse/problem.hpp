@@ -5,6 +5,15 @@
 /// explicit; D = pitch, l = smoothing length, differences between neighbours):
 ///
 ///     |W (K f - g)|^2 + alpha (|f|^2 + l^2/D^2 sum_j (f_{j+1} - f_j)^2)
+///
+/// A problem and a method that solves it:
+///
+///     const SensorArray array{
+///         .count = 41, .pitch = 0.5e-3, .depths = {1.5e-3}, .reads = {Quantity::stress_x}};
+///     const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.45};
+///     const InverseProblem problem = make_problem(array, silicone, {.smoothing_length = 1.5e-3});
+///     const Reconstruction method = tikhonov(problem, 1e-3);  // reconstruction.hpp
+///     const FrameStatus status = method.solve(readings, tractions);  // examples/01_tractions.cpp
 #pragma once
 
 #include <cstddef>

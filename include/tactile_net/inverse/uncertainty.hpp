@@ -13,6 +13,12 @@
 /// their stated rate or more often, on average over the array, though not at every point of it:
 /// less at a contact's edge, more where nothing touches. An error of the model (kernels, pad,
 /// positions) is not in it; `NoiseEstimate` shows it apart.
+///
+///     const double prior = choose_alone(frame, AlphaRule::gml).alpha;  // alpha.hpp
+///     const TractionCovariance covariance(problem, alpha, prior);
+///     const std::vector<double> deviations = covariance.deviations();  // times the noise: bands
+///     const UncertainResultant contact = resultant_of(problem, tractions, covariance, noise_rms);
+///     contact.normal.deviation;              // [N/m]; examples/04_uncertainty.cpp
 #pragma once
 
 #include <array>

@@ -1,6 +1,12 @@
 /// @file
 /// What can be said of a circuit before it is built: whether it settles, how fast, what errors of
 /// its components it bears, and what it asks of its amplifiers.
+///
+///     const NetworkProblem network = network_problem(problem, alpha, readings);
+///     const Certificate certificate =
+///         certify(Realization::least_squares, network, {.opamp = {.bandwidth = 10e6}});
+///     name(certificate.stability);     // "stable"; examples/06_certificate.cpp
+///     certificate.tolerance_margin;    // errors of parts that it bears
 #pragma once
 
 #include <complex>

@@ -1,6 +1,10 @@
 /// @file
 /// A circuit as plain data: what a realisation builds, the deck writer prints, and the certificate
 /// takes its equations from.
+///
+///     const NetworkProblem network = network_problem(problem, alpha, readings);
+///     const Circuit circuit = realize(Realization::nic, network);  // realization.hpp
+///     count_elements(circuit).opamps;                              // examples/05_deck.cpp
 #pragma once
 
 #include <cstddef>

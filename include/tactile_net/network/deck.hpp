@@ -1,5 +1,9 @@
 /// @file
 /// A circuit as a SPICE deck.
+///
+///     const Circuit circuit = realize(Realization::nic, network);     // realization.hpp
+///     DeckHeader header{.title = "Five taxels, negative conductances by converters"};
+///     write_deck(std::cout, circuit, header, Answer::printed);        // for `ngspice -b`
 #pragma once
 
 #include <iosfwd>

@@ -1,5 +1,12 @@
 /// @file
 /// The per-frame call of a controller: readings in, tractions and the contact's resultant out.
+///
+///     ContactEstimator estimator(plan);            // of plan_estimator or load_plan
+///     std::vector<double> tractions(estimator.tractions());
+///     ContactEstimate contact{.tractions = tractions};
+///     while (next_frame(readings))                 // examples/07_controller.cpp
+///       if (estimator.update(readings, contact) == FrameStatus::ok && contact.contact)
+///         grip(contact.normal_force, contact.friction_margin);
 #pragma once
 
 #include <cstddef>

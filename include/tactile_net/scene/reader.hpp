@@ -1,5 +1,11 @@
 /// @file
 /// Reads a scene from TOML (format: docs/scene.md).
+///
+///     try {
+///       const Scene scene = read_scene("scenes/thesis/cylinder.toml");  // examples/09_run.cpp
+///     } catch (const InputError& error) {
+///       std::fputs(error.what(), stderr);  // every problem, with its line and column
+///     }
 #pragma once
 
 #include <filesystem>

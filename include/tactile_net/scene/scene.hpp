@@ -74,9 +74,9 @@ struct Scene {
   std::string title;  ///< optional `title` at the top of the file
   SensorArray sensor;
   Material material;
-  std::optional<Timing> time;     ///< absent: one frame, of loads that have always been there
-  std::size_t frame = 0;          ///< the one that is reconstructed: the last, see `at_frame`
-  std::vector<Contact> contacts;  ///< as they are at that frame
+  std::optional<Timing> time;  ///< absent: one frame, of loads that have always been there
+  std::size_t frame = 0;  ///< that `run` reconstructs: the reader sets the last, `at_frame` another
+  std::vector<Contact> contacts;                ///< as they are at that frame
   std::vector<ContactTrajectory> trajectories;  ///< one per contact, empty where it stands still
   // Effects between the pad and the file; src/scene/scene_effects.cpp has their order.
   std::optional<Viscoelasticity> viscoelasticity;

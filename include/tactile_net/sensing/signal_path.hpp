@@ -1,5 +1,11 @@
 /// @file
 /// The way of a reading from the pad to the file, through the effects that a scene names.
+///
+///     SignalPath path = signal_path(scene);  // scene/scene.hpp; or stage by stage:
+///     std::vector<std::unique_ptr<SensorEffect>> stages;
+///     stages.push_back(make_effect(NoiseModel{.rms = {{Quantity::stress_x, 2.0}}}, array));
+///     SignalPath noisy(std::move(stages), readings.size());
+///     noisy.apply(Instant{}, readings);      // what the sensor makes of one frame
 #pragma once
 
 #include <cstddef>
@@ -11,18 +17,17 @@
 
 namespace tactile_net {
 
-/// Stages in the order in which they were added; one without stages changes nothing and costs
-/// nothing.
+/// Stages one after the other; a path without stages changes nothing and costs nothing.
 class SignalPath {
  public:
-  /// @param stage  none: nothing is added
-  void add(std::unique_ptr<SensorEffect> stage);
+  /// Without stages.
+  SignalPath() = default;
 
-  /// Puts the sensor at rest. Call once, after the last `add`; required only if a stage has a
-  /// memory.
+  /// The sensor is at rest: it has been unloaded for ever.
   ///
-  /// @param readings  how many
-  void begin(std::size_t readings);
+  /// @param stages    in the order in which a reading passes them; null ones are left out
+  /// @param readings  how many a moment has: channels x count
+  SignalPath(std::vector<std::unique_ptr<SensorEffect>> stages, std::size_t readings);
 
   /// One moment's readings, channels x count, are replaced by what the sensor makes of them. At a
   /// moment that is not recorded only what a memory needs is computed, and the readings hold

@@ -1,5 +1,11 @@
 /// @file
 /// What can run a deck: one interface, whichever way ngspice is reached.
+///
+///     Ngspice ngspice;                                       // ngspice.hpp
+///     std::ostringstream deck;
+///     write_deck(deck, circuit, {.title = "pad"}, Answer::raw_file);
+///     const OperatingPoint rest = operating_point(ngspice, deck.str(), output_names(circuit));
+///     rest.voltages[0];                                      // [V], of the first output
 #pragma once
 
 #include <filesystem>

@@ -13,9 +13,15 @@ namespace tactile_net::report {
 /// What a user has to know first, a sentence each: recommendations and where a circuit is faster.
 [[nodiscard]] std::vector<std::string> in_words(const lab::Study& study);
 
-/// The circuits of op-amps of 10 MHz, the fastest first: when each settles to 1 %, below which
-/// clock a controller that needs this machine's cycles is slower, from which bandwidth on this
-/// machine is, and how far parts of 1 % leave it. The headings alone: none was simulated.
+/// The circuits of op-amps of 10 MHz as rows, the fastest first; under their headings, which stand
+/// alone where none was simulated:
+///
+///     circuit                   the realisation's name
+///     settles to 1 %            how long it takes
+///     beats a clock below       a controller that needs as many cycles as this machine is slower
+///                               than the circuit if its clock is slower than this
+///     beats this machine from   the op-amps' bandwidth from which it is faster than this machine
+///     parts of 1 % leave        its median error with parts within 1 % of their values
 [[nodiscard]] std::vector<std::vector<std::string>> circuit_cells(const lab::Study& study);
 
 /// The answer to a demand, with its margins.

@@ -8,8 +8,8 @@ namespace tactile_net {
 ///
 ///     v(t + dt) = keep v(t) + before u(t) + now u(t + dt),  u a straight line in between
 ///
-/// keep = exp(-dt/tau); the three add up to 1. A step of no time keeps v, so that a jump of u is
-/// two moments at one time.
+/// keep = exp(-dt/tau); the three add up to 1. dt = 0 gives keep = 1: give a jump of u as two
+/// samples at the same time.
 struct FirstOrderLag {
   double keep = 1.0;
   double before = 0.0;

@@ -1,0 +1,33 @@
+/// @file
+/// A plan from disk, at a controller's start-up. Inline, so that the file is touched in the
+/// caller's own object code: tactile_net::rt itself makes no system call. Who has the bytes already
+/// calls `decode_plan` (plan_file.hpp), and includes no stream.
+///
+///     ContactEstimator estimator(load_plan("pad.plan"));
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <sstream>
+#include <stdexcept>
+
+#include "tactile_net/realtime/plan_file.hpp"
+
+namespace tactile_net {
+
+/// @throw std::runtime_error  as `decode_plan`, or the file cannot be read; names the file
+[[nodiscard]] inline EstimatorPlan load_plan(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error(path.string() + ": cannot be opened");
+  std::ostringstream content;
+  if (file.peek() != std::ifstream::traits_type::eof()) content << file.rdbuf();
+  if (file.bad() || !content) throw std::runtime_error(path.string() + ": cannot be read");
+  try {
+    return decode_plan(std::as_bytes(std::span(content.view())));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace tactile_net
