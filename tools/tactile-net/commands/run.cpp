@@ -4,6 +4,7 @@
 
 #include "failure.hpp"
 #include "tactile_net/lab/run.hpp"
+#include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/report/csv/run_csv.hpp"
 #include "tactile_net/report/json/run_json.hpp"
 #include "tactile_net/report/json/workload_json.hpp"
@@ -11,7 +12,6 @@
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
 #include "tactile_net/scene/reader.hpp"
-#include "terminal/clock.hpp"
 
 namespace tactile_net::tool {
 namespace {
@@ -55,7 +55,7 @@ void run(const RunOptions& options, const Streams& streams) {
   const lab::Experiment experiment = lab::run(scene, *simulator,
                                               {.compare_rules = options.compare_rules,
                                                .report = !options.results.folder.empty(),
-                                               .clock = seconds_now},
+                                               .clock = lab::monotonic_time},
                                               progress);
   results.write({.print = [&](std::ostream& out) { report::print_experiment(out, experiment); },
                  .json = [&] { return report::experiment_json(experiment); },

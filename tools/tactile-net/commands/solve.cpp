@@ -9,6 +9,7 @@
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
+#include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/lab/summary.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
@@ -17,7 +18,6 @@
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/reader.hpp"
-#include "terminal/clock.hpp"
 
 namespace tactile_net::tool {
 namespace {
@@ -129,7 +129,7 @@ void run(const SolveOptions& options, const Streams& streams) {
 
   Outputs outputs(options, problem, solver->tractions(), file.source().has_time(), streams);
   const auto summary = output_if(options.json, streams);
-  const double start = seconds_now();
+  const double start = lab::monotonic_time();
   lab::SolvedFrames solved;
   try {
     solved = solve_frames(*solver, file, outputs, streams);
@@ -147,7 +147,7 @@ void run(const SolveOptions& options, const Streams& streams) {
                             .method = method,
                             .columns_ignored = ignored,
                             .remarks = solved.frames > 0 ? solved.last.remarks : solver->remarks(),
-                            .seconds = seconds_now() - start}));
+                            .seconds = lab::monotonic_time() - start}));
 }
 
 }  // namespace tactile_net::tool
