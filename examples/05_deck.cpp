@@ -3,6 +3,7 @@
 #include <iostream>
 #include <tactile_net/inverse/reconstruction.hpp>
 #include <tactile_net/network/deck.hpp>
+#include <tactile_net/network/flat_circuit.hpp>
 #include <tactile_net/network/realization.hpp>
 #include <vector>
 

@@ -4,7 +4,7 @@
 ///
 ///     const NetworkProblem network = network_problem(problem, alpha, readings);
 ///     const Circuit circuit = realize(Realization::nic, network);  // realization.hpp
-///     count_elements(circuit).opamps;                              // examples/05_deck.cpp
+///     count_elements(circuit).opamps;  // flat_circuit.hpp; examples/05_deck.cpp
 #pragma once
 
 #include <cstddef>
