@@ -1,0 +1,108 @@
+#include "tactile_net/lab/relaxation.hpp"
+
+#include "tactile_net/lab/recommendation.hpp"
+#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+using lab::Disagreement;
+
+namespace {
+
+/// An answer that holds: rounding explains the difference.
+lab::Relaxation good() {
+  lab::Relaxation result;
+  result.difference = 1e-12;
+  result.explained.limit = 1e-10;
+  result.smallest_eigenvalue = 1e-3;
+  result.stable = true;
+  return result;
+}
+
+Certificate with_pole(double slowest) {
+  Certificate certificate{.stability = slowest < 0.0 ? Stability::stable : Stability::unstable};
+  certificate.dynamics = Dynamics{.states = 1, .slowest = slowest};
+  return certificate;
+}
+
+std::optional<Disagreement::Kind> kind(const lab::Relaxation& relaxation) {
+  const auto disagreement = relaxation.disagreement();
+  return disagreement ? std::optional(disagreement->kind) : std::nullopt;
+}
+
+lab::SceneCircuit circuit(Scene scene) {
+  const std::vector<double> readings = lab::simulate(scene).readings;
+  return lab::SceneCircuit(lab::SceneFrame(lab::SceneProblem(std::move(scene)), readings));
+}
+
+}  // namespace
+
+TEST_CASE("an answer holds, or says what is wrong with it and by how much", "[lab][relaxation]") {
+  using enum Disagreement::Kind;
+  CHECK_FALSE(kind(good()));
+
+  lab::Relaxation off = good();
+  off.difference = 1e-3;
+  CHECK(kind(off) == difference);
+  CHECK(off.disagreement()->value == 1e-3);
+  off.explained.predicted = 1e-3;  // the op-amps make it: within a fifth
+  CHECK_FALSE(kind(off));
+
+  lab::Relaxation bent = good();
+  bent.explained.curves = 0.7;
+  CHECK(kind(bent) == curves);
+
+  lab::Relaxation indefinite = good();
+  indefinite.smallest_eigenvalue = 0.0;
+  CHECK(kind(indefinite) == not_definite);
+
+  lab::Relaxation growing = good();
+  growing.certificate = with_pole(2.0);
+  growing.stable = false;
+  CHECK(kind(growing) == unstable);
+  CHECK(growing.disagreement()->value == 2.0);
+
+  lab::Relaxation doubted = good();
+  doubted.certificate = with_pole(-2.0);
+  doubted.transient = Transient{.end = TransientEnd::grows};
+  CHECK(kind(doubted) == transient);
+  doubted.transient->end = TransientEnd::unfinished;  // nobody has seen it grow
+  CHECK_FALSE(kind(doubted));
+
+  lab::Relaxation drawn = good();
+  drawn.tolerance = lab::ToleranceStudy{};
+  drawn.tolerance->difference = 1e-5;
+  CHECK(kind(drawn) == draws);
+}
+
+TEST_CASE("a scene's circuit hands on what it made", "[lab][scene_circuit]") {
+  const lab::SceneCircuit one = circuit(read_scene(SCENES "/circuits/rail.toml"));
+  CHECK(one.loaded());
+  CHECK(&one.direct() == &one.direct());
+  CHECK(&one.certificate() == &one.certificate());
+  CHECK(&one.network().flat() == &one.network().flat());
+  CHECK(one.condition().kind == lab::Condition::Kind::bound);
+  CHECK(one.condition().value >= one.certificate().condition);
+}
+
+TEST_CASE("a recommendation says which, or what it would take", "[lab][recommendation]") {
+  Scene scene = read_scene(SCENES "/circuits/rail.toml");
+  using enum lab::Recommendation::Outcome;
+  scene.network.tolerance = ToleranceOptions{.relative = 1e-9, .trials = 20};
+  const lab::Recommendation exact = recommend(circuit(scene));
+  CHECK(exact.outcome == reached);
+  CHECK(exact.choice == 0);  // the fewest op-amps
+  CHECK_FALSE(exact.parts_needed);
+
+  scene.network.tolerance = ToleranceOptions{.relative = 0.05, .trials = 20, .accuracy = 1e-6};
+  const lab::Recommendation rough = recommend(circuit(scene));
+  CHECK(rough.outcome == none_reaches);
+  for (const auto& candidate : rough.candidates)
+    CHECK(rough.chosen().tolerance.p95 <= candidate.tolerance.p95);
+
+  scene.contacts.clear();
+  const lab::Recommendation idle = recommend(circuit(scene));
+  CHECK(idle.outcome == no_load);
+  CHECK_FALSE(idle.choice);
+}
