@@ -5,14 +5,15 @@
 // operations that run --explain says.
 //
 // usage: bench_effects [FILE.csv]   the same numbers, as docs/effects.gnuplot draws them
-#include <array>
 #include <fstream>
 #include <string>
 #include <string_view>
 
+#include "bench/effect_tables.hpp"
 #include "bench/measure.hpp"
 #include "tactile_net/lab/workload.hpp"
 #include "tactile_net/scene/reader.hpp"
+#include "tactile_net/scene/scene_effects.hpp"
 
 namespace {
 
@@ -91,21 +92,6 @@ int main(int argc, char** argv) {
   }
   std::printf("limit 1 %%: %s\n\n", held ? "held" : "BROKEN");
 
-  const std::array<std::pair<std::string_view, std::string>, 13> effects = {{
-      {"viscoelasticity", "[viscoelasticity]\nterms = [{ fraction = 0.3, time = 1 }]\n"},
-      {"hysteresis", "[hysteresis]\nthresholds = [0.01]\nweights = [0.1]\n"},
-      {"crosstalk", "[crosstalk]\nfraction = 0.1\n"},
-      {"gain_error", "[gain_error]\nrms = 0.1\n"},
-      {"offset_error", "[offset_error]\nrms = 0.1\n"},
-      {"temperature", "[temperature]\nchange = 1\ngain = 0.1\n"},
-      {"low_pass", "[low_pass]\ncutoff = 10\n"},
-      {"sampling", "[sampling]\naperture = 0.01\n"},
-      {"noise", "[noise]\nrms = 0.1\n"},
-      {"taxel_noise", "[taxel_noise]\nindices = [3]\nrms = [0.1]\n"},
-      {"saturation", "[saturation]\nrange = [-0.1, 0.1]\n"},
-      {"quantization", "[quantization]\nbits = 12\nrange = [-1, 1]\n"},
-      {"dead_taxels", "[dead_taxels]\nindices = [3]\n"},
-  }};
   std::printf("%-16s %24s %21s\n", "effect", "instructions a reading", "operations planned");
   // Twice the frames less once: what is done once, such as drawing gains, falls out.
   const std::string twice = "[time]\nrate = 100.0\nframes = " + std::to_string(2 * frames) + "\n";
@@ -116,11 +102,13 @@ int main(int argc, char** argv) {
   };
   const double bare = per_reading("");
   std::printf("%-16s %24.1f %21s\n", "(bare)", bare, "-");
-  for (const auto& [name, table] : effects) {
+  for (const tactile_net::SceneEffect& effect : tactile_net::scene_effects()) {
+    const std::string table(bench::effect_table(effect.name));
+    if (table.empty()) continue;  // friction and layer act before the readings
     const double own = per_reading(table) - bare;
-    std::printf("%-16s %24.1f %21.1f\n", std::string(name).c_str(), own,
-                operations(scene(frames_at_100, still, table), name));
-    csv += number(std::string(name), own);
+    std::printf("%-16s %24.1f %21.1f\n", std::string(effect.name).c_str(), own,
+                operations(scene(frames_at_100, still, table), effect.name));
+    csv += number(std::string(effect.name), own);
   }
   if (argc > 1) write(argv[1], csv);
   return held ? 0 : 1;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "control/product_planner.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {
@@ -39,12 +39,6 @@ Eigen::VectorXd channel_weights(const InverseProblem& problem) {
     weights.segment(row, n).setConstant(largest > 0.0 ? largest : 1.0);
   }
   return weights;
-}
-
-std::string text(const char* format, auto... values) {
-  char buffer[128];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
 }
 
 }  // namespace
@@ -120,9 +114,9 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
 }
 
 std::string PlannedEstimator::why() const {
-  std::string result =
-      text("accuracy %.2g asked for, %.2g proven; ", plan.accuracy, plan.error_bound);
-  result += text("mirror symmetric to %.1g\n", asymmetry);
+  std::string result = "accuracy " + brief(plan.accuracy, 2) + " asked for, " +
+                       brief(plan.error_bound, 2) + " proven; mirror symmetric to " +
+                       brief(asymmetry, 1) + '\n';
   for (const Candidate& candidate : candidates) {
     std::string line(candidate.chosen ? "* " : "  ");
     line += name(candidate.structure);
@@ -136,7 +130,7 @@ std::string PlannedEstimator::why() const {
     if (candidate.transform_size > 0)
       line += ", transforms of " + std::to_string(candidate.transform_size);
     line += ": " + std::to_string(candidate.bytes) + " bytes a frame";
-    line += text(", error <= %.1g", candidate.error_bound);
+    line += ", error <= " + brief(candidate.error_bound, 1);
     if (!candidate.accurate) line += " (not accurate enough)";
     result += line + '\n';
   }

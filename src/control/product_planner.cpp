@@ -92,8 +92,7 @@ class Planner {
  public:
   explicit Planner(const ProductTask& task) : task_(task) {
     const Eigen::MatrixXd mirror = mirrored(task.matrix, task.row_signs, task.column_signs);
-    asymmetry_ =
-        0.5 * (task.matrix - mirrored(task.matrix, task.row_signs, task.column_signs)).norm();
+    asymmetry_ = 0.5 * (task.matrix - mirror).norm();
     norm_ = norm_from_below(task.matrix);
     explained_norm_ = norm_bound(task.explained);
     whole_.push_back({task.matrix, task.row_factors, task.column_factors, task.explained});

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numeric/named.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -48,6 +49,12 @@ void press(Fingertip& tip, const UncertainResultant& resultant, double breadth) 
     fail(tip, "the centre of pressure is at " + brief(tip.force->centre) +
                   ", outside the fingertip, which ends at " + brief(end));
 }
+
+constexpr Named<Fingertip::Source> sources[] = {{Fingertip::Source::assumed, "assumed"},
+                                                {Fingertip::Source::resultant, "resultant"},
+                                                {Fingertip::Source::tractions, "tractions"},
+                                                {Fingertip::Source::readings, "readings"},
+                                                {Fingertip::Source::simulated, "simulated"}};
 
 }  // namespace
 
@@ -135,20 +142,6 @@ Fingertip FingertipMaker::make(const HandFinger& finger) {
   return tip;
 }
 
-std::string_view name(Fingertip::Source source) noexcept {
-  switch (source) {
-    case Fingertip::Source::assumed:
-      return "assumed";
-    case Fingertip::Source::resultant:
-      return "resultant";
-    case Fingertip::Source::tractions:
-      return "tractions";
-    case Fingertip::Source::readings:
-      return "readings";
-    case Fingertip::Source::simulated:
-      return "simulated";
-  }
-  return "";
-}
+std::string_view name(Fingertip::Source source) noexcept { return name_in<sources>(source); }
 
 }  // namespace tactile_net::lab

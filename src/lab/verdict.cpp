@@ -1,51 +1,37 @@
 #include "tactile_net/lab/verdict.hpp"
 
+#include "numeric/named.hpp"
 #include "tactile_net/lab/alpha.hpp"
 #include "tactile_net/lab/condition.hpp"
 
 namespace tactile_net::lab {
+namespace {
 
-std::string_view name(Verdict verdict) noexcept {
-  switch (verdict) {
-    case Verdict::ok:
-      return "ok";
-    case Verdict::failed:
-      return "failed";
-    case Verdict::border:
-      return name(AlphaVerdict::border);
-    case Verdict::unstable:
-      return name(AlphaVerdict::unstable);
-    case Verdict::no_root:
-      return name(AlphaVerdict::no_root);
-    case Verdict::rules_disagree:
-      return name(AlphaVerdict::rules_disagree);
-    case Verdict::noise_amplified:
-      return name(DftVerdict::noise_amplified);
-    case Verdict::sign_change:
-      return name(DftVerdict::sign_change);
-    case Verdict::cut_off:
-      return name(DftVerdict::cut_off);
-    case Verdict::not_one_contact:
-      return name(FrictionVerdict::not_one_contact);
-    case Verdict::drag_in_noise:
-      return name(FrictionVerdict::drag_in_noise);
-    case Verdict::no_contact:
-      return name(FrictionVerdict::no_contact);
-    case Verdict::null_mode:
-      return "null_mode";
-    case Verdict::not_converged:
-      return "not_converged";
-    case Verdict::iteration_limit:
-      return "iteration_limit";
-    case Verdict::oversmoothed:
-      return "oversmoothed";
-    case Verdict::ill_conditioned:
-      return "ill_conditioned";
-    case Verdict::inaccurate:
-      return "inaccurate";
-  }
-  return "";
-}
+constexpr Named<Verdict> verdicts[] = {{Verdict::ok, "ok"},
+                                       {Verdict::failed, "failed"},
+                                       {Verdict::border, "border"},
+                                       {Verdict::unstable, "unstable"},
+                                       {Verdict::no_root, "no_root"},
+                                       {Verdict::rules_disagree, "rules_disagree"},
+                                       {Verdict::noise_amplified, "noise_amplified"},
+                                       {Verdict::sign_change, "sign_change"},
+                                       {Verdict::cut_off, "cut_off"},
+                                       {Verdict::not_one_contact, "not_one_contact"},
+                                       {Verdict::drag_in_noise, "drag_in_noise"},
+                                       {Verdict::no_contact, "no_contact"},
+                                       {Verdict::null_mode, "null_mode"},
+                                       {Verdict::not_converged, "not_converged"},
+                                       {Verdict::iteration_limit, "iteration_limit"},
+                                       {Verdict::oversmoothed, "oversmoothed"},
+                                       {Verdict::ill_conditioned, "ill_conditioned"},
+                                       {Verdict::inaccurate, "inaccurate"}};
+constexpr Named<Condition::Kind> kinds[] = {{Condition::Kind::exact, "exact"},
+                                            {Condition::Kind::bound, "bound"},
+                                            {Condition::Kind::noise_gain, "noise_gain"}};
+
+}  // namespace
+
+std::string_view name(Verdict verdict) noexcept { return name_in<verdicts>(verdict); }
 
 Verdict verdict_of(AlphaVerdict verdict) noexcept {
   switch (verdict) {
@@ -97,16 +83,6 @@ std::string_view source(const ChosenAlpha& alpha) noexcept {
   return alpha.rule ? name(*alpha.rule) : "given";
 }
 
-std::string_view name(Condition::Kind kind) noexcept {
-  switch (kind) {
-    case Condition::Kind::exact:
-      return "exact";
-    case Condition::Kind::bound:
-      return "bound";
-    case Condition::Kind::noise_gain:
-      return "noise_gain";
-  }
-  return "";
-}
+std::string_view name(Condition::Kind kind) noexcept { return name_in<kinds>(kind); }
 
 }  // namespace tactile_net::lab

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/named.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
 
 namespace tactile_net::lab {
@@ -17,7 +18,7 @@ using Kind = Workload::Cost::Kind;
 struct Sizes {
   explicit Sizes(const Scene& scene)
       : taxels(scene.sensor.count),
-        channels(scene.sensor.reads.size() * scene.sensor.depths.size()),
+        channels(channel_count(scene.sensor)),
         readings(taxels * channels),
         unknowns(tactile_net::unknowns(scene)),
         tractions(taxels * unknowns),
@@ -200,44 +201,27 @@ class Counter {
   Workload work_;
 };
 
+constexpr Named<Computation> computations[] = {{Computation::readings, "readings"},
+                                               {Computation::history, "history"},
+                                               {Computation::tangential, "tangential"},
+                                               {Computation::layer_kernels, "layer_kernels"},
+                                               {Computation::dft, "dft"},
+                                               {Computation::tikhonov, "tikhonov"},
+                                               {Computation::closed_form, "closed_form"},
+                                               {Computation::rule_comparison, "rule_comparison"},
+                                               {Computation::bands, "bands"},
+                                               {Computation::hidden_modes, "hidden_modes"},
+                                               {Computation::circuit, "circuit"},
+                                               {Computation::certificate, "certificate"},
+                                               {Computation::transient, "transient"},
+                                               {Computation::tolerance, "tolerance"},
+                                               {Computation::time_course, "time_course"},
+                                               {Computation::report, "report"}};
+
 }  // namespace
 
 std::string_view name(Computation computation) noexcept {
-  switch (computation) {
-    case Computation::readings:
-      return "readings";
-    case Computation::history:
-      return "history";
-    case Computation::tangential:
-      return "tangential";
-    case Computation::layer_kernels:
-      return "layer_kernels";
-    case Computation::dft:
-      return "dft";
-    case Computation::tikhonov:
-      return "tikhonov";
-    case Computation::closed_form:
-      return "closed_form";
-    case Computation::rule_comparison:
-      return "rule_comparison";
-    case Computation::bands:
-      return "bands";
-    case Computation::hidden_modes:
-      return "hidden_modes";
-    case Computation::circuit:
-      return "circuit";
-    case Computation::certificate:
-      return "certificate";
-    case Computation::transient:
-      return "transient";
-    case Computation::tolerance:
-      return "tolerance";
-    case Computation::time_course:
-      return "time_course";
-    case Computation::report:
-      return "report";
-  }
-  return "";
+  return name_in<computations>(computation);
 }
 
 bool Workload::does(Computation computation) const noexcept {

@@ -16,11 +16,12 @@ std::string shortest(double number) {
   return text;
 }
 
-std::string brief(double number) {
+std::string brief(double number, int digits) {
   if (std::isnan(number)) return "-";
   char buffer[32];
   return {buffer,
-          std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general, 3).ptr};
+          std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general, digits)
+              .ptr};
 }
 
 std::string fixed(double number, int digits) {

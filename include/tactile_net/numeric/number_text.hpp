@@ -22,8 +22,8 @@ void append_number(std::string& out, double number);
 [[nodiscard]] std::string shortest(double number);
 [[nodiscard]] std::string shortest(std::integral auto number) { return std::to_string(number); }
 
-/// Three significant digits; "-" for NaN.
-[[nodiscard]] std::string brief(double number);
+/// So many significant digits, at most 17, without zeros at the end; "-" for NaN.
+[[nodiscard]] std::string brief(double number, int digits = 3);
 
 /// So many digits behind the point, at most 20; "-" for NaN.
 [[nodiscard]] std::string fixed(double number, int digits);

@@ -1,6 +1,7 @@
 #include "tactile_net/inverse/constrained.hpp"
 
 #include <cstddef>
+#include <stdexcept>
 
 #include "lab/tradeoff/digital.hpp"
 #include "lab/tradeoff/points.hpp"
@@ -17,6 +18,8 @@ void add_active_sets(StudySection& section, const StudyInput& input, const WorkC
     ConstrainedSolution solution;
     const Seconds seconds =
         time_of([&] { solution = inverse.solve(input.readings, limit); }, 0.03, clock);
+    if (solution.status != FrameStatus::ok)
+      throw std::overflow_error("the readings' tractions overflow a double");
     const bool optimal = solution.verdict == ConstrainedVerdict::ok;
     WorkPoint result =
         point(input, curve,

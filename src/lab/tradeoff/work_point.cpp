@@ -1,19 +1,17 @@
 #include "tactile_net/lab/tradeoff/work_point.hpp"
 
-namespace tactile_net::lab {
+#include "numeric/named.hpp"
 
-std::string_view name(TimeOf time_of) noexcept {
-  switch (time_of) {
-    case TimeOf::frame:
-      return "frame";
-    case TimeOf::settling:
-      return "settling";
-    case TimeOf::simulator:
-      return "simulator";
-    case TimeOf::forward:
-      return "forward";
-  }
-  return "";
-}
+namespace tactile_net::lab {
+namespace {
+
+constexpr Named<TimeOf> time_names[] = {{TimeOf::frame, "frame"},
+                                        {TimeOf::settling, "settling"},
+                                        {TimeOf::simulator, "simulator"},
+                                        {TimeOf::forward, "forward"}};
+
+}  // namespace
+
+std::string_view name(TimeOf time_of) noexcept { return name_in<time_names>(time_of); }
 
 }  // namespace tactile_net::lab
