@@ -5,8 +5,8 @@
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "inverse/rounding.hpp"
@@ -14,6 +14,7 @@
 #include "numeric/named.hpp"
 #include "numeric/real_fft.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {
@@ -24,6 +25,25 @@ constexpr Named<DftVerdict> verdicts[] = {{DftVerdict::ok, "ok"},
                                           {DftVerdict::noise_amplified, "noise_amplified"},
                                           {DftVerdict::sign_change, "sign_change"},
                                           {DftVerdict::cut_off, "cut_off"}};
+
+std::string refusal(const SensorArray& array, const NoiseGain& gain, double limit) {
+  const auto number = [](double value) { return brief(value, 6); };
+  const std::size_t half = array.count / 2;
+  std::string text = "dft would multiply errors of the readings by up to " + number(gain.largest) +
+                     " (limit " + number(limit) + "): ";
+  if (gain.frequency == 0)
+    text += "the mean of the traction is invisible to " + std::string(name(array.reads[0]));
+  else
+    text += "a ripple of wavelength " +
+            number(static_cast<double>(array.count) * array.pitch /
+                   static_cast<double>(gain.frequency)) +
+            " (frequency " + std::to_string(gain.frequency) + " of " + std::to_string(half) +
+            ") is lost at depth " + number(array.depths[0]);
+  if (gain.sign_changes > 0)
+    text += "; the kernel's DFT changes sign at " + std::to_string(gain.sign_changes) + " of " +
+            std::to_string(half + 1) + " frequencies";
+  return text;
+}
 
 }  // namespace
 
@@ -76,22 +96,7 @@ DftInverse::DftInverse(const SensorArray& array, const Material& material, doubl
   for (const double value : plan_->fft.samples()) sum += std::abs(value);
   plan_->kernel_error = relative_kernel_error(material) * sum / std::abs(*most);
 
-  if (gain.largest > gain_limit) {
-    std::ostringstream text;
-    text << "dft would multiply errors of the readings by up to " << gain.largest << " (limit "
-         << gain_limit << "): ";
-    if (gain.frequency == 0)
-      text << "the mean of the traction is invisible to " << name(array.reads[0]);
-    else
-      text << "a ripple of wavelength "
-           << static_cast<double>(n) * array.pitch / static_cast<double>(gain.frequency)
-           << " (frequency " << gain.frequency << " of " << n / 2 << ") is lost at depth "
-           << array.depths[0];
-    if (gain.sign_changes > 0)
-      text << "; the kernel's DFT changes sign at " << gain.sign_changes << " of "
-           << spectrum.size() << " frequencies";
-    throw std::domain_error(text.str());
-  }
+  if (gain.largest > gain_limit) throw std::domain_error(refusal(array, gain, gain_limit));
   std::transform(spectrum.begin(), spectrum.end(), plan_->inverse.begin(),
                  [n](auto value) { return 1.0 / (static_cast<double>(n) * value); });
 }

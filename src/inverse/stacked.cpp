@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <vector>
 
 #include "numeric/decompositions.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 
@@ -36,12 +36,10 @@ struct StackedQr::Factors : Eigen::HouseholderQR<Eigen::MatrixXd> {
     const double limit =
         1.0 / (std::numeric_limits<double>::epsilon() * static_cast<double>(rows()));
     const double condition = s(0) / s(s.size() - 1);
-    if (!(condition < limit)) {
-      std::ostringstream text;
-      text << "rank deficient in double precision: condition number " << condition
-           << " of the stacked matrix, limit " << limit << "; raise alpha";
-      throw std::domain_error(text.str());
-    }
+    if (!(condition < limit))
+      throw std::domain_error("rank deficient in double precision: condition number " +
+                              brief(condition, 6) + " of the stacked matrix, limit " +
+                              brief(limit, 6) + "; raise alpha");
     return condition;
   }
 

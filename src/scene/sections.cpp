@@ -13,7 +13,6 @@ namespace tactile_net {
 
 namespace {
 
-constexpr std::int64_t most_taxels = 4096;
 constexpr std::size_t most_depths = 64;
 constexpr std::int64_t most_frames = 1'000'000;
 constexpr Rule poisson_range{"must be from 0 to 0.5",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -13,6 +14,8 @@
 #include "tactile_net/scene/scene.hpp"
 
 namespace tactile_net {
+
+inline constexpr std::int64_t most_taxels = 4096;  ///< dense matrices take 128 MiB each then
 
 /// Fills the scene from the whole file; what is wrong goes to the problems that `root` was made
 /// with, and then the scene is not complete.

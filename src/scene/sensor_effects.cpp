@@ -14,7 +14,6 @@ namespace tactile_net {
 
 namespace {
 
-constexpr std::int64_t most_taxels = 4096;
 constexpr Rule up_to_half{"must be from 0 to 0.5",
                           [](double x) noexcept { return x >= 0.0 && x <= 0.5; }};
 constexpr Rule share{"must be >= 0 and < 1", [](double x) noexcept { return x >= 0.0 && x < 1.0; }};

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "tests/catch.hpp"
 
@@ -23,6 +27,8 @@ TEST_CASE("three digits are those of printf in the C locale", "[number_text]") {
     std::snprintf(expected, sizeof expected, "%.3g", number);
     CHECK(brief(number) == expected);
     CHECK(brief(-number) == std::string("-") + expected);
+    std::snprintf(expected, sizeof expected, "%.1g", number);
+    CHECK(brief(number, 1) == expected);
   }
   CHECK(brief(0.0) == "0");
   CHECK(brief(std::numeric_limits<double>::infinity()) == "inf");
@@ -53,16 +59,29 @@ TEST_CASE("a text that is not a number as a whole is refused", "[number_text]") 
   CHECK_FALSE(read_number(text, number));
 }
 
+/// Numbers as a German program's streams write them: "1.234,5".
+struct German : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
 TEST_CASE("a program's locale changes no number", "[number_text]") {
-  const char* german = nullptr;
+  const std::locale before = std::locale::global(std::locale(std::locale(), new German));
+  // That of C, where the machine has one.
   for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8"})
-    if (german == nullptr) german = std::setlocale(LC_ALL, name);
-  CHECK(brief(0.05) == "0.05");
-  CHECK(fixed(0.5, 2) == "0.50");
-  CHECK(shortest(1.5) == "1.5");
+    if (std::setlocale(LC_ALL, name) != nullptr) break;
+  std::ostringstream stream;
+  stream << 1234.5;
+  const std::vector<std::string> texts = {brief(0.05),       fixed(0.5, 2), shortest(1.5),
+                                          shortest(1234567), percent(0.5),  duration(2.5e-6)};
   double number = 0.0;
-  CHECK((read_number("1.5", number) && number == 1.5));
+  const bool read = read_number("1.5", number) && !read_number("1,5", number);
+  std::locale::global(before);
   std::setlocale(LC_ALL, "C");
+  CHECK(stream.str() == "1.234,5");  // the locale was in force
+  CHECK(texts == std::vector<std::string>{"0.05", "0.50", "1.5", "1234567", "50 %", "2.5 us"});
+  CHECK(read);
 }
 
 }  // namespace

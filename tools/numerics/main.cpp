@@ -1,5 +1,5 @@
 // Writes docs/numerics.md: what every method makes of every hard case, beside 50 digits.
-#include <cstdio>
+#include <charconv>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -43,8 +43,8 @@ are larger than their errors.
 std::string number(double value) {
   if (value == 0.0) return "0";
   char text[32];
-  std::snprintf(text, sizeof text, "%.0e", value);
-  return text;
+  return {text,
+          std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 0).ptr};
 }
 
 bool circular(const Outcome& outcome) { return outcome.method.substr(0, 3) == "dft"; }

@@ -9,6 +9,7 @@
 #include "tactile_net/inverse/dft_friction.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 #include "tools/thesis/chapter.hpp"
@@ -38,11 +39,7 @@ double power_of_ten_above(double number) { return std::pow(10.0, std::ceil(std::
 
 }  // namespace
 
-std::string three(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", number);
-  return text;
-}
+std::string three(double number) { return brief(number); }
 
 Chapter kernels() {
   using enum Quantity;

@@ -1,0 +1,177 @@
+/// @file
+/// What an estimator keeps: what its plan fixes, shared by copies, and what frames write. Private.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "realtime/kernels.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
+
+namespace tactile_net {
+
+/// Largest sum of magnitudes in a row: how far entries can grow.
+[[nodiscard]] inline double row_sum_norm(const Factor& factor) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < factor.rows; ++i) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < factor.columns; ++j)
+      sum += std::abs(factor.values[i * factor.columns + j]);
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+/// A bound on every number that a product makes of entries <= 1, itself >= 1.
+[[nodiscard]] inline double growth(const ProductPlan& plan) {
+  double most = 1.0;
+  const std::size_t per_class = is_low_rank(plan.structure) ? 2 : 1;
+  for (std::size_t i = 0; i < plan.factors.size(); i += per_class) {
+    double size = 2.0;  // sums of two entries
+    for (std::size_t k = 0; k < per_class; ++k) {
+      size *= row_sum_norm(plan.factors[i + k]);
+      most = std::max({most, size, size * plan.scale});
+    }
+  }
+  if (plan.structure == Structure::fft)  // a sum over the circle there, and one back
+    for (const double value : plan.spectra)
+      most = std::max(most, 2.0 * static_cast<double>(plan.transform_size) *
+                                static_cast<double>(plan.columns) * std::abs(value));
+  return 2.0 * most;  // sums of two classes, or of convolution and correction
+}
+
+/// What the plan fixes, for every copy and thread.
+struct ContactEstimator::Ready {
+  Ready(const EstimatorPlan& plan, InstructionSet chosen)
+      : label(plan.label),
+        count(plan.count),
+        channels(plan.channels),
+        unknowns(plan.unknowns),
+        pitch(plan.pitch),
+        friction(plan.friction_coefficient),
+        ranges(plan.ranges),
+        weights(plan.weights),
+        leverages(plan.leverages),
+        accuracy(plan.accuracy + static_cast<double>(plan.readings()) * 0x1p-50),
+        noise_rms(plan.noise_rms),
+        outlier_limit(plan.outlier_limit),
+        set(std::min(chosen, widest_instruction_set())),
+        loops(kernels(set)) {
+    if (plan.reconstruction.precision == Precision::float64)
+      product64.emplace(plan.reconstruction, loops.most_lines);
+    else
+      product32.emplace(plan.reconstruction, loops.most_lines);
+    double most = growth(plan.reconstruction) * static_cast<double>(plan.tractions()) *
+                  static_cast<double>(plan.count) * std::max(1.0, plan.pitch * plan.pitch) *
+                  (1.0 + plan.friction_coefficient.value_or(0.0));
+    if (plan.prediction) {
+      prediction.emplace(*plan.prediction, loops.most_lines);
+      const double weight = *std::max_element(weights.begin(), weights.end());
+      const double residual =
+          2.0 * growth(*plan.prediction) * std::max(1.0, weight);  // its square must not overflow
+      most = std::max(most, residual);
+      square_limit = std::sqrt(std::numeric_limits<double>::max() * least_pivot /
+                               static_cast<double>(plan.readings())) /
+                     residual;
+    }
+    limit = std::min(square_limit, std::numeric_limits<double>::max() / most);
+  }
+
+  [[nodiscard]] std::size_t readings() const noexcept { return channels * count; }
+
+  std::string label;
+  std::size_t count, channels, unknowns;
+  double pitch;
+  std::optional<double> friction;
+  std::vector<ReadingRange> ranges;
+  std::vector<double> weights, leverages;
+  double accuracy;  // of the prediction, relative to the weighted readings
+  double noise_rms, outlier_limit;
+  InstructionSet set;
+  const Kernels& loops;
+  std::optional<ReadyProduct<double>> product64;
+  std::optional<ReadyProduct<float>> product32;
+  std::optional<ReadyProduct<double>> prediction;
+  double square_limit = std::numeric_limits<double>::max();
+  double limit = 0.0;  // of |g - baseline|
+};
+
+/// What one thread writes.
+struct ContactEstimator::Scratch {
+  explicit Scratch(const Ready& ready)
+      : baseline(ready.readings()),
+        zero(ready.readings()),
+        x(ready.readings()),
+        predicted(ready.prediction ? ready.readings() : 0),
+        spread(ready.prediction ? ready.readings() : 0),
+        weights(ready.readings()),
+        remaining(ready.prediction ? ready.readings() : 0),
+        shares(ready.prediction ? ready.readings() : 0),
+        product64(std::max(ready.product64 ? ready.product64->scratch_size() : 0,
+                           ready.prediction ? ready.prediction->scratch_size() : 0)),
+        product32(ready.product32 ? ready.product32->scratch_size() : 0) {
+    for (std::size_t i = 0; i < ready.readings(); ++i)
+      if (ready.weights[i] == 0.0) unread.push_back(i);
+    unread.reserve(ready.readings());
+    if (ready.prediction) {
+      const std::size_t most = most_dead_taxels * ready.channels;
+      dead.reserve(most);
+      dead_rows = Aligned<double>(most * padded<double>(ready.readings()));
+      cholesky = Aligned<double>(most * most);
+      filled = Aligned<double>(most);
+    }
+    revive(ready);
+  }
+
+  /// Weights and leverages of the plan.
+  void revive(const Ready& ready) noexcept {
+    std::copy(ready.weights.begin(), ready.weights.end(), weights.data());
+    for (std::size_t i = 0; i < ready.leverages.size(); ++i)
+      remaining[i] = 1.0 - ready.leverages[i];
+    share_out(ready);
+  }
+
+  /// What follows from `weights` and `remaining`.
+  void share_out(const Ready& ready) noexcept {
+    live = 0;
+    degrees = 0.0;
+    for (std::size_t i = 0; i < ready.readings(); ++i) {
+      if (!(weights[i] > 0.0)) continue;
+      ++live;
+      if (ready.prediction) degrees += remaining[i];
+    }
+    if (!ready.prediction) return;
+    for (std::size_t i = 0; i < ready.readings(); ++i) {
+      const std::size_t taxel = i % ready.count;
+      const bool judged = weights[i] > 0.0 && remaining[i] > least_pivot &&
+                          taxel >= unjudged_ends && taxel + unjudged_ends < ready.count;
+      shares[i] = judged ? 1.0 / remaining[i] : 0.0;
+    }
+  }
+
+  Aligned<double> baseline, zero, x, predicted, spread, weights;  // weights: 0 for what is dead
+  Aligned<double> remaining;  // 1 - h_i, of the live readings' own problem
+  Aligned<double> shares;     // 1 / remaining of what may be an outlier, else 0
+  Aligned<double> product64;
+  Aligned<float> product32;
+  std::unique_ptr<Convolution> convolution, prediction_convolution;  // of fft plans
+  std::vector<std::size_t> unread;  // readings that count for nothing, whatever they say
+  std::size_t live = 0;             // readings with a weight
+  double degrees = 0.0;             // of freedom that the tractions leave to the residual
+
+  // Dead at run time, in weighted readings and with A = I - H: x_D = -A_DD^-1 A_DL x_L. With
+  // A_DD = C C' (Cholesky) and V = C^-1 A_DL, that is -C^-T V x_L, and A_LL - V'V is the A of the
+  // live readings' own problem.
+  std::vector<std::size_t> dead;  // indices of readings
+  Aligned<double> dead_rows;      // V as it acts on x: times the weights
+  Aligned<double> cholesky;       // C, row-major, stride most
+  Aligned<double> filled;
+};
+
+}  // namespace tactile_net
