@@ -41,22 +41,15 @@ Eigen::VectorXd channel_weights(const InverseProblem& problem) {
   return weights;
 }
 
-}  // namespace
-
-PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
+/// M W^-1: from weighted readings to tractions.
+ProductTask reconstruction_task(const InverseProblem& problem, const Reconstruction& inverse,
                                 const PlannerOptions& options) {
-  if (!(options.accuracy > 0.0) || !std::isfinite(options.accuracy))
-    throw std::invalid_argument("accuracy must be > 0 and finite");
-
   const Eigen::MatrixXd kernel = as_eigen(problem.kernel);  // W K
-  const Reconstruction inverse = tikhonov(problem, alpha);
-  const Eigen::VectorXd weights = channel_weights(problem);
-  const Eigen::VectorXd unweighted = weights.cwiseInverse();
-
   ProductTask task;
-  task.matrix = as_eigen(inverse.transposed()).transpose() * unweighted.asDiagonal();  // M W^-1
+  task.column_factors = channel_weights(problem);
+  task.matrix =
+      as_eigen(inverse.transposed()).transpose() * task.column_factors.cwiseInverse().asDiagonal();
   task.row_factors = Eigen::VectorXd::Ones(task.matrix.rows());
-  task.column_factors = weights;
   task.row_signs = problem.unknowns == 2 ? Signs{1, -1} : Signs{1};
   task.column_signs = channel_signs(problem);
   task.symmetric = is_symmetric(kernel, task.column_signs, task.row_signs);
@@ -66,17 +59,45 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
   task.precision = options.precision;
   task.allow_fft = options.allow_fft || options.structure == Structure::fft;
   task.all_candidates = options.all_candidates;
-  PlannedProduct reconstruction = plan_product(task);
+  return task;
+}
 
+/// W K M W^-1, eigenvalues in [0, 1): the readings that the tractions explain.
+ProductTask prediction_task(const ProductTask& reconstruction) {
+  ProductTask task;
+  task.matrix = reconstruction.explained * reconstruction.matrix;
+  task.row_factors = reconstruction.column_factors.cwiseInverse();
+  task.column_factors = reconstruction.column_factors;
+  task.row_signs = reconstruction.column_signs;
+  task.column_signs = reconstruction.column_signs;
+  task.symmetric = reconstruction.symmetric;
+  task.accuracy = reconstruction.accuracy;
+  task.allow_fft = reconstruction.allow_fft;
+  task.precision = Precision::float64;  // a residual is a small difference
+  return task;
+}
+
+std::string why_no_fft(const ProductTask& task, const PlannedProduct& planned) {
+  if (!task.allow_fft) return "it needs FFTW (GPL) in the controller: allow_fft";
+  if (!planned.symmetric) return "the array is not mirror symmetric (dead taxels?)";
+  if (task.structure.value_or(Structure::fft) != Structure::fft ||
+      task.precision == Precision::float32)
+    return "another structure or precision is asked for";
+  return {};
+}
+
+}  // namespace
+
+PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
+                                const PlannerOptions& options) {
+  if (!(options.accuracy > 0.0) || !std::isfinite(options.accuracy))
+    throw std::invalid_argument("accuracy must be > 0 and finite");
+
+  const ProductTask task = reconstruction_task(problem, tikhonov(problem, alpha), options);
+  PlannedProduct reconstruction = plan_product(task);
   PlannedEstimator planned{.candidates = std::move(reconstruction.candidates),
-                           .asymmetry = reconstruction.asymmetry};
-  if (!task.allow_fft)
-    planned.without_fft = "it needs FFTW (GPL) in the controller: allow_fft";
-  else if (!reconstruction.symmetric)
-    planned.without_fft = "the array is not mirror symmetric (dead taxels?)";
-  else if (options.structure.value_or(Structure::fft) != Structure::fft ||
-           options.precision == Precision::float32)
-    planned.without_fft = "another structure or precision is asked for";
+                           .asymmetry = reconstruction.asymmetry,
+                           .without_fft = why_no_fft(task, reconstruction)};
   EstimatorPlan& plan = planned.plan;
   plan.label = options.label;
   plan.count = problem.count;
@@ -94,16 +115,7 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
   plan.ranges = options.ranges;
 
   if (options.diagnostics) {
-    ProductTask prediction;
-    prediction.matrix = kernel * task.matrix;  // W K M W^-1, eigenvalues in [0, 1)
-    prediction.row_factors = unweighted;
-    prediction.column_factors = weights;
-    prediction.row_signs = task.column_signs;
-    prediction.column_signs = task.column_signs;
-    prediction.symmetric = task.symmetric;
-    prediction.accuracy = options.accuracy;
-    prediction.allow_fft = task.allow_fft;
-    prediction.precision = Precision::float64;  // a residual is a small difference
+    const ProductTask prediction = prediction_task(task);
     plan.prediction = plan_product(prediction).plan;
     constexpr double most = 1.0 - 1e-12;
     for (Eigen::Index i = 0; i < prediction.matrix.rows(); ++i)

@@ -222,6 +222,39 @@ class Planner {
     return circulant;
   }
 
+  [[nodiscard]] double rounding_of(const Circulant& circulant) const {
+    const double there = transform_rounding(circulant.size);
+    // Two transforms; spectrum, scaling, product, sums over blocks and with the correction.
+    return circulant.norm * (2.0 * there + there * there +
+                             rounding(Precision::float64, 3 + task_.column_signs.size()));
+  }
+
+  [[nodiscard]] double cost_of(const Circulant& circulant) const {
+    const auto m = static_cast<double>(circulant.size);
+    return cost_of_a_transform * m * std::log2(m) *
+           static_cast<double>(task_.row_signs.size() + task_.column_signs.size());
+  }
+
+  /// One factor for each class, or two whose product it is but for what the accuracy allows: the
+  /// first to act, and the second, in the orthonormal basis.
+  [[nodiscard]] std::pair<std::vector<Eigen::MatrixXd>, std::vector<Eigen::MatrixXd>> factors_of(
+      std::vector<Class>& parts, Structure structure) const {
+    std::vector<Eigen::MatrixXd> first;
+    std::vector<Eigen::MatrixXd> second;
+    for (Class& part : parts) {
+      if (!is_low_rank(structure)) {
+        first.push_back(part.matrix);
+        continue;
+      }
+      if (!part.svd) part.svd = singular_value_decomposition(part.matrix);
+      const Svd& svd = *part.svd;
+      const Eigen::Index rank = rank_for(svd, part.explained);
+      first.push_back(svd.v.leftCols(rank).transpose());
+      second.push_back(svd.u.leftCols(rank) * svd.values.head(rank).asDiagonal());
+    }
+    return {std::move(first), std::move(second)};
+  }
+
   /// @param circulant  for fft: the factors are then of what is left without it
   std::pair<ProductPlan, Candidate> attempt(Structure structure, Precision precision,
                                             const Circulant* circulant) {
@@ -231,20 +264,9 @@ class Planner {
     std::vector<Class>& parts = circulant != nullptr ? rest : parity ? classes_ : whole_;
     Candidate candidate{.structure = structure, .precision = precision};
 
-    std::vector<Eigen::MatrixXd> first;  // in the orthonormal basis
-    std::vector<Eigen::MatrixXd> second;
-    if (is_low_rank(structure)) {
-      for (Class& part : parts) {
-        if (!part.svd) part.svd = singular_value_decomposition(part.matrix);
-        const Svd& svd = *part.svd;
-        const Eigen::Index rank = rank_for(svd, part.explained);
-        first.push_back(svd.v.leftCols(rank).transpose());
-        second.push_back(svd.u.leftCols(rank) * svd.values.head(rank).asDiagonal());
-        candidate.ranks.push_back(static_cast<std::size_t>(rank));
-      }
-    } else {
-      for (const Class& part : parts) first.push_back(part.matrix);
-    }
+    auto [first, second] = factors_of(parts, structure);
+    for (const Eigen::MatrixXd& last : second)
+      candidate.ranks.push_back(static_cast<std::size_t>(last.cols()));
 
     ProductPlan plan{.structure = structure,
                      .precision = precision,
@@ -280,13 +302,8 @@ class Planner {
     if (circulant != nullptr) {
       plan.spectra = circulant->spectra;
       plan.transform_size = candidate.transform_size = circulant->size;
-      const double there = transform_rounding(circulant->size);
-      // Two transforms; spectrum, scaling, product, sums over blocks and with the correction.
-      error.rounding += circulant->norm * (2.0 * there + there * there +
-                                           rounding(precision, 3 + task_.column_signs.size()));
-      const auto m = static_cast<double>(circulant->size);
-      candidate.cost += cost_of_a_transform * m * std::log2(m) *
-                        static_cast<double>(task_.row_signs.size() + task_.column_signs.size());
+      error.rounding += rounding_of(*circulant);
+      candidate.cost += cost_of(*circulant);
     }
     candidate.bytes = streamed_bytes(plan);
     candidate.cost += static_cast<double>(candidate.bytes) +
