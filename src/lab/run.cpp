@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -12,7 +13,9 @@
 namespace tactile_net::lab {
 namespace {
 
-/// Seconds by the clock that was given; without one nothing takes time.
+constexpr double not_timed = std::numeric_limits<double>::quiet_NaN();
+
+/// Seconds by the clock that was given; NaN without one: not timed.
 class Stopwatch {
  public:
   explicit Stopwatch(const std::function<double()>& clock) : clock_(clock) { restart(); }
@@ -21,7 +24,7 @@ class Stopwatch {
   [[nodiscard]] double elapsed() const { return now() - start_; }
 
  private:
-  [[nodiscard]] double now() const { return clock_ ? clock_() : 0.0; }
+  [[nodiscard]] double now() const { return clock_ ? clock_() : not_timed; }
   const std::function<double()>& clock_;
   double start_ = 0.0;
 };
@@ -37,7 +40,7 @@ struct Run {
 /// Median time of a frame over about 20 ms.
 double frame_seconds(FrameSolver& solver, const Run& run, std::span<double> f) {
   const Stopwatch whole(run.options.clock);
-  if (!whole.runs()) return 0.0;
+  if (!whole.runs()) return not_timed;
   std::vector<double> times;
   while (times.size() < 5 || (whole.elapsed() < 0.02 && times.size() < 1000)) {
     const Stopwatch frame(run.options.clock);

@@ -39,8 +39,8 @@ struct MethodResult {
   Component normal{};
   Component tangential{};
   double force = 0.0;          ///< pitch x sum of the normal traction [N/m]
-  double setup_seconds = 0.0;  ///< what the method adds to the problem that all share
-  double frame_seconds = 0.0;  ///< the circuit: a whole run of the simulator
+  double setup_seconds = 0.0;  ///< what the method adds to the shared problem; NaN: not timed
+  double frame_seconds = 0.0;  ///< the circuit: a whole run of the simulator; NaN: not timed
   std::optional<Condition> condition{};
   /// How far rounding may have moved the answer, over its 2-norm; absent: no bound is known.
   std::optional<double> error_bound{};
