@@ -71,11 +71,11 @@ TEST_CASE("what no reading shows is listed and set to zero", "[dft_tikhonov]") {
   const SensorArray array{n, 0.5, {1.0}, {stress_x, stress_y}};
   DftTikhonov inverse(array, pad, {.unknowns = 2, .smoothing_length = 1.0});
   REQUIRE(inverse.null_modes().size() == (even ? 2 : 1));
-  const DftNullMode& mean = inverse.null_modes()[0];
-  CHECK(mean.frequency == 0);
-  CHECK(mean.unknown == Traction::tangential);
-  CHECK_FALSE(mean.wavelength.has_value());
-  CHECK_FALSE(mean.alternating);
+  const DftNullMode& constant = inverse.null_modes()[0];
+  CHECK(constant.frequency == 0);
+  CHECK(constant.unknown == Traction::tangential);
+  CHECK_FALSE(constant.wavelength.has_value());
+  CHECK_FALSE(constant.alternating);
   if (even) {
     const DftNullMode& nyquist = inverse.null_modes()[1];
     CHECK(nyquist.frequency == n / 2);
