@@ -60,7 +60,7 @@ std::vector<KnotValues> read_knots(const Value& trajectory) {
     for (const auto& [key, member] : moving) {
       knot.*member = table.value(key);
       if (!knots.empty() && (knots.front().*member).has_value() != (knot.*member).has_value())
-        trajectory.problem("must name " + quoted(key) + " in every knot, or in none",
+        trajectory.problem("must name " + in_quotes(key) + " in every knot, or in none",
                            "what no knot names keeps the contact's own value");
     }
     table.finish();

@@ -68,11 +68,11 @@ void Problems::throw_if_any() {
   throw InputError{std::move(diagnostics_)};
 }
 
-std::string quoted(std::string_view text) { return '"' + cut(text) + '"'; }
+std::string in_quotes(std::string_view text) { return '"' + cut(text) + '"'; }
 
 std::string listed(const std::vector<std::string_view>& names) {
   std::string result;
-  for (const std::string_view name : names) result += (result.empty() ? "" : ", ") + quoted(name);
+  for (const std::string_view name : names) result += (result.empty() ? "" : ", ") + in_quotes(name);
   return result;
 }
 

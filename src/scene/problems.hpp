@@ -57,7 +57,7 @@ class Problems {
 };
 
 /// `text` in double quotes, for messages; a long text is cut.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// The names in double quotes, with commas: for hints.
 [[nodiscard]] std::string listed(const std::vector<std::string_view>& names);

@@ -37,7 +37,7 @@ void read_quantities(const Value& value, SensorArray& array, Read& read) {
     if (std::find(array.reads.begin(), array.reads.end(), quantity) == array.reads.end())
       array.reads.push_back(quantity);
     else
-      item.problem("names " + quoted(name(quantity)) + " twice", "remove one");
+      item.problem("names " + in_quotes(name(quantity)) + " twice", "remove one");
   }
 }
 
@@ -182,7 +182,7 @@ std::vector<NamedMethod> read_methods(const Value& value) {
     const Method method = methods[*index];
     if (std::any_of(result.begin(), result.end(),
                     [=](const NamedMethod& named) { return named.method == method; }))
-      item.problem("names " + quoted(name(method)) + " twice", "remove one");
+      item.problem("names " + in_quotes(name(method)) + " twice", "remove one");
     else
       result.push_back({method, item});
   }

@@ -67,7 +67,7 @@ void Table::report_unknown(const toml::key& key, const toml::node& node, std::st
       hint += (known == on_offer_.front() ? " " : ", ") + std::string{known};
   }
   problems_->add(place_of(key.source().begin),
-                 (is_table ? "unknown table " : "unknown key ") + quoted(path_of(key.str())),
+                 (is_table ? "unknown table " : "unknown key ") + in_quotes(path_of(key.str())),
                  std::move(hint));
 }
 

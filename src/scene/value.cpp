@@ -91,8 +91,8 @@ std::optional<std::size_t> Value::one_of(std::string_view kind,
     if (names[i] == name) return i;
   const std::string_view near = nearest(name, names);
   const std::string hint =
-      near.empty() ? "one of " + listed(known) : "did you mean " + quoted(near) + '?';
-  problem("names an unknown " + std::string{kind} + ' ' + quoted(name), hint);
+      near.empty() ? "one of " + listed(known) : "did you mean " + in_quotes(near) + '?';
+  problem("names an unknown " + std::string{kind} + ' ' + in_quotes(name), hint);
   return std::nullopt;
 }
 
