@@ -87,9 +87,9 @@ TEST_CASE("what no reading shows is listed and set to zero", "[dft_tikhonov]") {
   std::vector<double> f = random_values(2 * n, 2);
   std::vector<double> answer(2 * n);
   REQUIRE(inverse.solve(circular_readings(array, pad, f), 0.0, answer) == FrameStatus::ok);
-  double mean = 0.0;
-  for (std::size_t i = 0; i < n; ++i) mean += answer[n + i] / static_cast<double>(n);
-  CHECK_THAT(mean, WithinAbs(0.0, 1e-10));
+  double average = 0.0;
+  for (std::size_t i = 0; i < n; ++i) average += answer[n + i] / static_cast<double>(n);
+  CHECK_THAT(average, WithinAbs(0.0, 1e-10));
   // The rest is measured.
   CHECK(relative_l2_error(std::span(answer).first(n), std::span(f).first(n)) < 1e-9);
 }
