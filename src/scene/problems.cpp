@@ -72,7 +72,8 @@ std::string in_quotes(std::string_view text) { return '"' + cut(text) + '"'; }
 
 std::string listed(const std::vector<std::string_view>& names) {
   std::string result;
-  for (const std::string_view name : names) result += (result.empty() ? "" : ", ") + in_quotes(name);
+  for (const std::string_view name : names)
+    result += (result.empty() ? "" : ", ") + in_quotes(name);
   return result;
 }
 

@@ -108,7 +108,7 @@ Simulation NgspiceLibrary::run(const std::string& deck) {
   if (worker_ == nullptr) worker_ = std::make_unique<Worker>(options_.output_limit);
   try {
     return accept_log(folder, worker_->run(folder.path(), options_.time_limit), options_.time_limit,
-                 options_.output_limit);
+                      options_.output_limit);
   } catch (...) {
     worker_.reset();
     throw;

@@ -105,8 +105,8 @@ struct Workload {
     std::optional<AlphaRule> rule{};  ///< rule_chooses
   };
 
-  /// What a computation takes. Each kind says what its count, rows and columns are of; those it does
-  /// not name are 0.
+  /// What a computation takes. Each kind says what its count, rows and columns are of; those it
+  /// does not name are 0.
   struct Cost {
     enum class Kind {
       kernel_values,     ///< some hundred for each contact and each of `count` readings
