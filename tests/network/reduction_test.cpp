@@ -164,10 +164,11 @@ TEST_CASE("a sub-circuit that nobody knows is refused by name, wherever it would
           "[reduction][flat_circuit]") {
   Circuit circuit = realize(Realization::nic, array_network(5, 1e-3).problem);
   circuit.instances[0].subcircuit = "gyrator";
-  const auto named =
-      ContainsSubstring("element " + circuit.instances[0].name) && ContainsSubstring("'gyrator'");
-  CHECK_THROWS_WITH(Reduction(circuit), named);
-  CHECK_THROWS_WITH(FlatCircuit(circuit), named);
+  for (const std::string& part :
+       {"element " + circuit.instances[0].name, std::string("'gyrator'")}) {
+    CHECK_THROWS_WITH(Reduction(circuit), ContainsSubstring(part));
+    CHECK_THROWS_WITH(FlatCircuit(circuit), ContainsSubstring(part));
+  }
   circuit.instances[0].subcircuit = "inverter";  // two pins, where four are connected
   CHECK_THROWS_WITH(Reduction(circuit), ContainsSubstring("its pins do not fit 'inverter'"));
   CHECK_THROWS_WITH(FlatCircuit(circuit), ContainsSubstring("its pins do not fit 'inverter'"));

@@ -248,6 +248,7 @@ std::string in_words(const lab::Failure& failure) {
   using Kind = lab::Failure::Kind;
   switch (failure.kind) {
     case Kind::refused:
+      return failure.what;
     case Kind::disagrees:
       return in_words(*failure.disagreement);
     case Kind::no_frame:

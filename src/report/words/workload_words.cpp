@@ -28,7 +28,7 @@ std::string size_of(const Workload::Cost& cost) {
 
 std::string about(double operations) { return "about " + brief(operations) + " operations"; }
 
-using enum Reason;
+using enum Workload::Reason;
 /// One row for each reason, in their order.
 constexpr std::array<std::pair<Reason, std::string_view>, static_cast<std::size_t>(no_report) + 1>
     sentences = {{
