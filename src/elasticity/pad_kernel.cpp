@@ -89,7 +89,7 @@ PadKernel::PadKernel(Quantity quantity, Traction component, const Material& mate
     const std::complex<double> step = std::polar(1.0, k * panel_width * h);
     for (std::size_t i = 0; i < points; ++i) {
       const double start = 0.5 * panel_width * h * (1.0 + nodes().at[i]);
-      std::complex<double> wave = std::polar(amplitude, k * start);
+      std::complex<double> wave = amplitude * std::polar(1.0, k * start);
       for (std::size_t p = 0; p < panels; ++p) {
         values_[p * points + i] += is_odd_ ? wave.imag() : wave.real();
         wave = {wave.real() * step.real() - wave.imag() * step.imag(),

@@ -206,10 +206,4 @@ void append_row(std::string& out, std::span<const double> values) {
   if (!values.empty()) out.back() = '\n';
 }
 
-std::string csv_quoted(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
-  return quoted + '"';
-}
-
 }  // namespace tactile_net::frames

@@ -1,7 +1,5 @@
 #include "tactile_net/grasp/hold.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -9,6 +7,7 @@
 
 #include "grasp/grasp_map.hpp"
 #include "grasp/least_torques.hpp"
+#include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
@@ -67,7 +66,7 @@ Eigen::MatrixXd edges(const GraspMap& map, const std::vector<double>& friction) 
 }
 
 double condition_of(const Eigen::MatrixXd& k) {
-  const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(k).singularValues();
+  const Eigen::VectorXd singular = singular_values(k);
   return singular(0) / singular(singular.size() - 1);
 }
 
@@ -112,7 +111,7 @@ LeastTorques least_torques(const Task& task) {
 struct Minimum {
   std::vector<Eigen::Index> held;  ///< unknowns that stay 0
   double condition = 0.0;
-  Eigen::FullPivLU<Eigen::MatrixXd> lu;
+  CompleteLu lu;
   Eigen::VectorXd z;
   Eigen::VectorXd f;
 
@@ -130,7 +129,7 @@ Minimum minimum_of(const Task& task) {
   auto held = least.held_bounds();
   if (!held) throw CannotHold(task.squeezed ? NoHold::beyond_cones_squeezed : NoHold::beyond_cones);
   const Eigen::MatrixXd k = least.system(*held);
-  Minimum minimum{std::move(*held), condition_of(k), Eigen::FullPivLU<Eigen::MatrixXd>(k), {}, {}};
+  Minimum minimum{std::move(*held), condition_of(k), CompleteLu(k), {}, {}};
   Eigen::VectorXd right = Eigen::VectorXd::Zero(k.rows());
   right.segment(task.joints(), least.d.size()) = least.d;
   minimum.z = minimum.lu.solve(right);

@@ -1,10 +1,9 @@
 #include "grasp/least_torques.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 
+#include "numeric/decompositions.hpp"
 #include "tactile_net/grasp/cannot_hold.hpp"
 
 namespace tactile_net {
@@ -32,14 +31,13 @@ struct Push {
 Push push(const LeastTorques& problem, const std::vector<Eigen::Index>& held, Eigen::Index bound) {
   const Eigen::MatrixXd rows = rows_of(problem, held);
   const Eigen::VectorXd normal = Eigen::VectorXd::Unit(rows.cols(), bound);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows.transpose());
-  const Eigen::VectorXd shares = qr.solve(normal);
+  const Eigen::VectorXd shares = pivoted_least_squares(rows.transpose(), normal);
   if ((normal - rows.transpose() * shares).norm() <= independent)
     return {{}, shares.tail(std::ssize(held))};
   const Eigen::MatrixXd k = problem.system(held);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(k.rows());
   right.tail(rows.cols()) = -normal;
-  const Eigen::VectorXd z = k.fullPivLu().solve(right);
+  const Eigen::VectorXd z = CompleteLu(k).solve(right);
   return {z.tail(rows.cols()), -z.segment(problem.t.rows() + problem.c.rows(), std::ssize(held))};
 }
 
@@ -63,7 +61,7 @@ std::optional<std::vector<Eigen::Index>> LeastTorques::held_bounds() const {
   const Eigen::MatrixXd k = system();
   Eigen::VectorXd right = Eigen::VectorXd::Zero(k.rows());
   right.segment(t.rows(), d.size()) = d;
-  Eigen::VectorXd v = k.fullPivLu().solve(right).tail(t.cols());
+  Eigen::VectorXd v = CompleteLu(k).solve(right).tail(t.cols());
 
   for (Eigen::Index steps = 0; steps < 100 * v.size(); ++steps) {
     Eigen::Index worst = 0;

@@ -1,10 +1,11 @@
 #include "tactile_net/grasp/two_fingers.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
 #include <stdexcept>
 
 #include "grasp/grasp_map.hpp"
+#include "numeric/decompositions.hpp"
 #include "tactile_net/grasp/fingertip_force.hpp"
 
 namespace tactile_net {
@@ -80,8 +81,8 @@ TwoFingerTorques two_finger_torques(const Finger& left, double left_centre, cons
   right_side(2) = -(moment_row(p_b).dot(f_e) + load.torque) / distance;
   right_side(3) = grasping_force + std::abs(e.dot(f_e));
 
-  const Eigen::Vector4d tau = j.colPivHouseholderQr().solve(right_side);
-  const Eigen::Vector4d singular = Eigen::JacobiSVD<Eigen::Matrix4d>(j).singularValues();
+  const Eigen::Vector4d tau = pivoted_least_squares(j, right_side);
+  const Eigen::Vector4d singular = singular_values(j);
   return {.left = {l.reach * tau(0), l.reach * tau(1)},
           .right = {r.reach * tau(2), r.reach * tau(3)},
           .condition = singular(0) / singular(3)};

@@ -52,7 +52,7 @@ class ActiveSet {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(a_.cols());
     if (columns.empty()) return z;
     const Eigen::MatrixXd part = a_(Eigen::all, columns);
-    z(columns) = least_squares(part, d_);
+    z(columns) = HouseholderQr(part).solve(d_);
     return z;
   }
 

@@ -4,10 +4,10 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "inverse/stabiliser.hpp"
+#include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/problem.hpp"
 
@@ -27,11 +27,8 @@ namespace tactile_net {
 class StackedQr {
  public:
   explicit StackedQr(const Eigen::MatrixXd& stacked);
-  ~StackedQr();
-  StackedQr(const StackedQr&) = delete;
-  StackedQr& operator=(const StackedQr&) = delete;
 
-  [[nodiscard]] Eigen::Index unknowns() const noexcept;
+  [[nodiscard]] Eigen::Index unknowns() const noexcept { return factors_.columns(); }
 
   /// Q' x, of full length: the first `unknowns()` entries solve, the rest is the residual.
   [[nodiscard]] Eigen::MatrixXd rotate(const Eigen::MatrixXd& right) const;
@@ -40,7 +37,7 @@ class StackedQr {
   [[nodiscard]] Eigen::MatrixXd rotate_back(const Eigen::MatrixXd& x) const;
 
   /// R.
-  [[nodiscard]] Eigen::MatrixXd triangle() const;
+  [[nodiscard]] Eigen::MatrixXd triangle() const { return factors_.triangle(); }
 
   /// The least-squares solution for a rotated right side.
   [[nodiscard]] Eigen::MatrixXd solve_rotated(const Eigen::MatrixXd& rotated) const;
@@ -59,8 +56,10 @@ class StackedQr {
   [[nodiscard]] std::pair<Eigen::MatrixXd, double> pseudo_inverse(Eigen::Index rows) const;
 
  private:
-  struct Factors;
-  std::unique_ptr<const Factors> factors_;
+  [[nodiscard]] double checked_condition(const Eigen::VectorXd& singular_values) const;
+
+  Eigen::PermutationMatrix<Eigen::Dynamic> sorted_;
+  HouseholderQr factors_;
 };
 
 /// M W: a pseudo-inverse of weighted rows, applied to readings that are not weighted yet.

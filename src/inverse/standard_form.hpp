@@ -12,7 +12,8 @@ namespace tactile_net {
 /// Generalised singular values and vectors of (K, L): with the triangle R of a QR of L, whose
 /// columns are independent and well conditioned, K R^-1 = U diag(gamma) V'. Nothing is squared.
 struct StandardForm {
-  StandardForm(const Eigen::MatrixXd& k, const Eigen::MatrixXd& l) : triangle(qr_triangle(l)) {
+  StandardForm(const Eigen::MatrixXd& k, const Eigen::MatrixXd& l)
+      : triangle(HouseholderQr(l).triangle()) {
     Svd svd = singular_value_decomposition(divide_upper(k, triangle));
     u = std::move(svd.u);
     v = std::move(svd.v);

@@ -1,7 +1,5 @@
 #include "tactile_net/network/certificate.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/named.hpp"
 
@@ -58,10 +57,7 @@ std::optional<double> margin_of(const Reduction& reduction, const Equations& equ
   const Eigen::MatrixXd symmetric = 0.5 * (s + s.transpose());
   const auto n = static_cast<Eigen::Index>(reduction.outputs());
   const Eigen::Index rest = s.rows() - n;
-  const auto least = [](const Eigen::MatrixXd& block) {
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(block, Eigen::EigenvaluesOnly)
-        .eigenvalues()(0);
-  };
+  const auto least = [](const Eigen::MatrixXd& block) { return symmetric_eigenvalues(block)(0); };
   Eigen::VectorXd d(s.rows());
   d.head(n).setConstant(least(symmetric.topLeftCorner(n, n)));
   if (rest > 0) d.tail(rest).setConstant(least(symmetric.bottomRightCorner(rest, rest)));
@@ -73,9 +69,7 @@ std::optional<double> margin_of(const Reduction& reduction, const Equations& equ
   const auto b = as_eigen(entries);
   const Eigen::VectorXd root = d.cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd bound = root.asDiagonal() * (0.5 * (b + b.transpose())) * root.asDiagonal();
-  const double x =
-      1.0 / Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(bound, Eigen::EigenvaluesOnly)
-                .eigenvalues()(s.rows() - 1);
+  const double x = 1.0 / symmetric_eigenvalues(bound)(s.rows() - 1);
   // An entry is at most g up / down, whose errors make (1 + e) / (1 - e)^2 - 1 <= 3 e / (1 - e)^2.
   // 3 e is in the bound: e / (1 - e)^2 <= x, solved without a difference of large numbers.
   return 2.0 * x / (1.0 + 2.0 * x + std::sqrt(1.0 + 4.0 * x));
@@ -158,8 +152,8 @@ void add_equations(Certificate& c, const NetworkCircuit& circuit) {
   const Reduction& reduction = circuit.reduction();
   const RealizationOptions& options = circuit.options();
   const Equations equations = reduction.equations();
-  const Eigen::VectorXd z = Eigen::PartialPivLU<Eigen::MatrixXd>(as_eigen(equations.matrix))
-                                .solve(as_eigen(std::span(equations.right_side)));
+  const Eigen::VectorXd right = as_eigen(std::span(equations.right_side));
+  const Eigen::VectorXd z = Lu(as_eigen(equations.matrix)).solve(right);
   if (!z.allFinite()) throw std::domain_error("the network has no unique answer");
   const Reduction::Load load = reduction.load({z.data(), static_cast<std::size_t>(z.size())});
   c.largest_voltage = load.largest_voltage;

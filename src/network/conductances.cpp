@@ -1,11 +1,10 @@
 #include "tactile_net/network/conductances.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/finite.hpp"
 
@@ -54,9 +53,7 @@ ConductanceNetwork conductances(const Matrix& matrix) {
 
 EigenvalueRange eigenvalue_range(const Matrix& matrix) {
   check_square(matrix);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(as_eigen(matrix),
-                                                              Eigen::EigenvaluesOnly);
-  const auto& ascending = solver.eigenvalues();
+  const Eigen::VectorXd ascending = symmetric_eigenvalues(as_eigen(matrix));
   return {ascending(0), ascending(ascending.size() - 1)};
 }
 
@@ -66,8 +63,8 @@ std::vector<double> solve_symmetric(const Matrix& matrix, const std::vector<doub
   check_square(matrix);
   if (right_side.size() != matrix.rows)
     throw std::invalid_argument("the right side must have one value per row of P");
-  const Eigen::VectorXd x =
-      Eigen::LDLT<Eigen::MatrixXd>(as_eigen(matrix)).solve(as_eigen(std::span(right_side)));
+  const Eigen::VectorXd b = as_eigen(std::span(right_side));
+  const Eigen::VectorXd x = solve_definite(as_eigen(matrix), b);
   return {x.begin(), x.end()};
 }
 

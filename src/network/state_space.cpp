@@ -1,9 +1,9 @@
 #include "tactile_net/network/state_space.hpp"
 
-#include <Eigen/LU>
 #include <numbers>
 #include <stdexcept>
 
+#include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
@@ -143,10 +143,11 @@ class Stamps {
       throw std::domain_error("nodes without capacitance have no unique voltage");
     of_others_ = units.asDiagonal() * of_others_;
     into_others_ = units.cwiseProduct(into_others_);
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(of_others_.rightCols(index(others_)));
-    if (!(lu.rcond() > 1e-15))
+    const Lu lu(of_others_.rightCols(index(others_)));
+    if (!(lu.reciprocal_condition() > 1e-15))
       throw std::domain_error("nodes without capacitance have no unique voltage");
-    e_ = -lu.solve(of_others_.leftCols(index(states_)));
+    const Eigen::MatrixXd of_states = of_others_.leftCols(index(states_));
+    e_ = -lu.solve(of_states);
     constant_ = lu.solve(into_others_);
   }
 

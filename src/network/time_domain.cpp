@@ -1,18 +1,15 @@
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <unsupported/Eigen/MatrixFunctions>
 
+#include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/network/state_space.hpp"
 
 namespace tactile_net {
 
 std::vector<std::complex<double>> poles(const StateSpace& system) {
-  const Eigen::VectorXcd values =
-      Eigen::EigenSolver<Eigen::MatrixXd>(as_eigen(system.dynamics), false).eigenvalues();
+  const Eigen::VectorXcd values = eigenvalues(as_eigen(system.dynamics));
   std::vector<std::complex<double>> all(values.begin(), values.end());
   std::sort(all.begin(), all.end(),
             [](const auto& x, const auto& y) { return x.real() > y.real(); });
@@ -20,17 +17,26 @@ std::vector<std::complex<double>> poles(const StateSpace& system) {
 }
 
 std::vector<double> slowest_mode(const StateSpace& system) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(as_eigen(system.dynamics)));
+  const Eigenpairs pairs = eigenpairs(as_eigen(system.dynamics));
   Eigen::Index slowest = 0;
-  solver.eigenvalues().real().maxCoeff(&slowest);
-  Eigen::VectorXd mode = (as_eigen(system.output) * solver.eigenvectors().col(slowest)).real();
+  pairs.values.real().maxCoeff(&slowest);
+  Eigen::VectorXd mode = (as_eigen(system.output) * pairs.vectors.col(slowest)).real();
   if (mode.norm() > 0.0) mode.normalize();
   return {mode.begin(), mode.end()};
 }
 
+namespace {
+
+/// A^-1 b: minus where the states come to rest.
+Eigen::VectorXd driven(const StateSpace& system) {
+  const Eigen::VectorXd drive = as_eigen(std::span(system.drive));
+  return Lu(as_eigen(system.dynamics)).solve(drive);
+}
+
+}  // namespace
+
 std::vector<double> steady_state(const StateSpace& system) {
-  const Eigen::MatrixXd a = as_eigen(system.dynamics);
-  const Eigen::VectorXd x = -a.partialPivLu().solve(as_eigen(std::span(system.drive)));
+  const Eigen::VectorXd x = -driven(system);
   const Eigen::VectorXd v = as_eigen(system.output) * x + as_eigen(std::span(system.direct));
   return {v.begin(), v.end()};
 }
@@ -44,7 +50,7 @@ class Deviation {
   explicit Deviation(const StateSpace& system)
       : a_(as_eigen(system.dynamics)),
         c_(as_eigen(system.output)),
-        start_(a_.partialPivLu().solve(as_eigen(std::span(system.drive)))),
+        start_(driven(system)),
         end_((c_ * start_ - as_eigen(std::span(system.direct))).norm()) {}
 
   /// |v_end|_2
@@ -52,7 +58,7 @@ class Deviation {
 
   /// |v - v_end|_2 at t = 0, step, ... : exact at each, however far apart they are.
   [[nodiscard]] std::vector<double> sizes(double step, std::size_t steps) const {
-    const Eigen::MatrixXd advance = (a_ * step).exp();
+    const Eigen::MatrixXd advance = exponential(a_ * step);
     Eigen::VectorXd x = start_;
     std::vector<double> sizes = {(c_ * x).norm()};
     while (sizes.size() <= steps) {

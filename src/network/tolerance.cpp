@@ -1,14 +1,12 @@
 #include "tactile_net/network/tolerance.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 
+#include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
@@ -53,23 +51,20 @@ void check(const ToleranceOptions& options) {
 bool is_stable(const Reduction& reduction, const Equations& equations) {
   const auto s = as_eigen(equations.matrix);
   const Eigen::MatrixXd symmetric = 0.5 * (s + s.transpose());
-  if (Eigen::LLT<Eigen::MatrixXd>(symmetric).info() == Eigen::Success) return true;
+  if (is_positive_definite(symmetric)) return true;
   // An odd number of real eigenvalues on the wrong side shows in the determinant's sign.
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(s);
-  const auto negative = (lu.matrixLU().diagonal().array() < 0.0).count();
-  if ((negative % 2 == 1) != (lu.permutationP().determinant() < 0)) return false;
+  if (Lu(s).negative_determinant()) return false;
   Eigen::VectorXd inverse(s.rows());
   for (Eigen::Index i = 0; i < s.rows(); ++i) {
     const auto row = static_cast<std::size_t>(i);
     inverse(i) = reduction.is_amplifier(row) ? 1.0 / equations.total[row] : 1.0;
   }
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(inverse.asDiagonal() * s, false);
-  return solver.eigenvalues().real().minCoeff() > 0.0;
+  return eigenvalues(inverse.asDiagonal() * s).real().minCoeff() > 0.0;
 }
 
 Eigen::VectorXd outputs_of(const Reduction& reduction, const Equations& equations) {
-  const Eigen::VectorXd z = Eigen::PartialPivLU<Eigen::MatrixXd>(as_eigen(equations.matrix))
-                                .solve(as_eigen(std::span(equations.right_side)));
+  const Eigen::VectorXd right = as_eigen(std::span(equations.right_side));
+  const Eigen::VectorXd z = Lu(as_eigen(equations.matrix)).solve(right);
   return z.head(static_cast<Eigen::Index>(reduction.outputs()));
 }
 
@@ -81,8 +76,9 @@ double quantile(const std::vector<double>& ascending, double q) {
 void predict(const Reduction& reduction, const ToleranceOptions& options, const Equations& nominal,
              ToleranceResult& result) {
   const auto s = as_eigen(nominal.matrix);
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(s);
-  const Eigen::VectorXd z = lu.solve(as_eigen(std::span(nominal.right_side)));
+  const Lu lu(s);
+  const Eigen::VectorXd right = as_eigen(std::span(nominal.right_side));
+  const Eigen::VectorXd z = lu.solve(right);
   const auto n = static_cast<Eigen::Index>(reduction.outputs());
   // Rows of the inverse that lead to the outputs: |dv|^2 = u' (rows' rows) u.
   const Eigen::MatrixXd rows = lu.inverse().topRows(n);

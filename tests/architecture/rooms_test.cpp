@@ -39,9 +39,13 @@ const std::vector<Room> rooms{
     {"lab",
      {"realtime", "numeric", "elasticity", "sensing", "inverse", "control", "grasp", "network",
       "simulator", "scene"}},
+    {"study",
+     {"realtime", "numeric", "elasticity", "sensing", "inverse", "control", "grasp", "network",
+      "simulator", "scene", "lab"}},
+    {"drawing", {"numeric", "simulator"}},
     {"report",
      {"realtime", "numeric", "elasticity", "sensing", "inverse", "control", "grasp", "network",
-      "simulator", "scene", "frames", "lab"}},
+      "simulator", "scene", "frames", "lab", "study", "drawing"}},
 };
 
 /// What is allowed in some places alone. Places are files, or folders with a slash at the end.
@@ -59,7 +63,7 @@ const Names library{"include/", "src/"};
 const std::vector<Rule> rules{
     {"the parser of the command line (CLI11)", {"CLI/"}, {}, {"tools/tactile-net/options.cpp"}},
     {"the writer of JSON (nlohmann)", {"nlohmann/"}, {}, {"src/report/json/"}},
-    {"the program that plots", {}, {"\"gnuplot\""}, {"src/report/pages/plot.cpp"}},
+    {"the program that plots", {}, {"\"gnuplot\""}, {"src/drawing/plot.cpp"}},
     {"the reader of TOML", {"toml++/"}, {}, {"src/scene/"}},
     {"a library in a public header",
      {"Eigen/", "unsupported/", "boost/", "fftw3", "ngspice/"},
@@ -69,7 +73,7 @@ const std::vector<Rule> rules{
      {"tactile_net/scene/reader", "tactile_net/simulator/ngspice",
       "tactile_net/simulator/child_process"},
      {},
-     {"src/report/pages/plot.cpp"},  // gnuplot is a child process
+     {},
      {"include/tactile_net/report/", "src/report/"}},
     {"printing in the library",
      {"iostream"},
@@ -218,8 +222,8 @@ TEST_CASE("what one place alone may know is found elsewhere", "[rooms]") {
   CHECK_FALSE(allows("tools/tactile-net/commands/run.cpp", "#include <CLI/CLI.hpp>"));
   CHECK_FALSE(allows("src/lab/run.cpp", "#include <nlohmann/json.hpp>"));
   CHECK_FALSE(allows("src/lab/run.cpp", "#include <toml++/toml.h>"));
-  CHECK_FALSE(allows("src/report/pages/html.cpp", "run_process({\"gnuplot\"});"));
-  CHECK_FALSE(allows("src/report/pages/html.cpp", "#include \"tactile_net/scene/reader.hpp\""));
+  CHECK_FALSE(allows("src/drawing/html.cpp", "run_process({\"gnuplot\"});"));
+  CHECK_FALSE(allows("src/drawing/html.cpp", "#include \"tactile_net/scene/reader.hpp\""));
   CHECK_FALSE(allows("include/tactile_net/inverse/problem.hpp", "#include <Eigen/Core>"));
   CHECK(allows("src/inverse/problem.cpp", "#include <Eigen/Core>"));
   CHECK_FALSE(allows("src/lab/run.cpp", "std::cerr << \"note\";"));

@@ -3,6 +3,7 @@
 #include <limits>
 #include <sstream>
 
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tests/catch.hpp"
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "tactile_net/lab/tradeoff/study.hpp"
+#include "tactile_net/study/study.hpp"
 
-namespace tactile_net::lab::by_hand {
+namespace tactile_net::study::by_hand {
 
 using Family = WorkCurve::Family;
 using Kind = Job::Kind;
@@ -47,7 +47,7 @@ inline Study measured() {
   Study study;
   Scene scene;
   scene.file = "pressed.toml";
-  study.input.problem = SceneProblem(scene);
+  study.input.problem = lab::SceneProblem(scene);
   study.input.alpha = 1e-3;
   study.input.agreement = 1.7033990924008644e-15;
   study.input.solution_error = 0.09099117971275976;
@@ -146,4 +146,4 @@ inline Study measured() {
   return study;
 }
 
-}  // namespace tactile_net::lab::by_hand
+}  // namespace tactile_net::study::by_hand

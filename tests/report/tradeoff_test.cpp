@@ -2,17 +2,17 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/lab/tradeoff/study.hpp"
 #include "tactile_net/report/json/tradeoff_json.hpp"
 #include "tactile_net/report/pages/tradeoff_page.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
+#include "tactile_net/study/study.hpp"
 #include "tests/catch.hpp"
 #include "tests/report/measured_study.hpp"
 
 using namespace tactile_net;
-using namespace tactile_net::lab;
-using namespace tactile_net::lab::by_hand;
+using namespace tactile_net::study;
+using namespace tactile_net::study::by_hand;
 using report::in_words;
 
 namespace {

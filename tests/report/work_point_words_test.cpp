@@ -8,8 +8,8 @@
 #include "tests/report/measured_study.hpp"
 
 using namespace tactile_net;
-using namespace tactile_net::lab;
-using namespace tactile_net::lab::by_hand;
+using namespace tactile_net::study;
+using namespace tactile_net::study::by_hand;
 using report::curve_named;
 using report::in_words;
 using report::job_named;

@@ -12,6 +12,7 @@
 #include "tactile_net/network/tolerance.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
@@ -127,7 +128,7 @@ std::string table(Realization realization, bool inverters) {
       add(n.capacitors, "capacitors");
       add(n.inductors, "inductors");
       add(n.devices, "N-shaped devices");
-      text = "21 taxels take " + report::join(parts, ", ") + ".\n\n| alpha " + head + rule;
+      text = "21 taxels take " + join(parts, ", ") + ".\n\n| alpha " + head + rule;
     }
     text += "| " + brief(alpha) + " | " + cells(row);
   }

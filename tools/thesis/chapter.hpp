@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/report/pages/plot.hpp"
+#include "tactile_net/drawing/plot.hpp"
 
 namespace tactile_net::thesis {
 
 struct Chapter {
   std::string text{};  ///< Markdown; {0}, {1}, ... stand for the pictures
-  std::vector<report::Plot> plots{};
+  std::vector<drawing::Plot> plots{};
   std::vector<std::string> names{};  ///< of the pictures' files, without folder and ending
 };
 

@@ -17,8 +17,8 @@
 namespace tactile_net::thesis {
 namespace {
 
-using report::Curve;
-using report::Plot;
+using drawing::Curve;
+using drawing::Plot;
 
 constexpr double depth = 1.5;
 const Material rubber{1.0, 0.5};
@@ -47,9 +47,9 @@ Chapter kernels() {
   const auto places = positions(array_of(161, 0.1, {stress_x}));
   const auto plot = [&](const std::string& title, std::vector<Quantity> all, Traction load,
                         const Material& material) {
-    report::Plot result{title, "y", "kernel", places, {}};
+    drawing::Plot result{title, "y", "kernel", places, {}};
     for (const Quantity quantity : all) {
-      report::Curve curve{std::string(name(quantity)), {}, result.curves.size() + 1};
+      drawing::Curve curve{std::string(name(quantity)), {}, result.curves.size() + 1};
       for (const double y : places)
         curve.y.push_back(half_plane_kernel(quantity, load, material, depth, y));
       result.curves.push_back(std::move(curve));
@@ -67,15 +67,15 @@ Chapter kernels() {
 
   // The transforms, and the DFT of 121 samples at the same wavenumbers.
   const SensorArray array = array_of(121, 0.5, {stress_x});
-  report::Plot transforms{
+  drawing::Plot transforms{
       "Transforms of the normal kernels, and the DFT of 121 samples", "k", "transform", {}, {}};
-  std::vector<report::Curve> curves;
+  std::vector<drawing::Curve> curves;
   double largest_difference = 0.0;
   for (const Quantity quantity : {stress_x, strain_x}) {
     const std::vector<double> kernel =
         sampled_kernel({quantity, depth, ""}, Traction::normal, rubber, 121, 0.5);
-    report::Curve exact{std::string(name(quantity)), {}, curves.size() + 1};
-    report::Curve sampled{std::string(name(quantity)) + ", DFT", {}, curves.size() + 1, true};
+    drawing::Curve exact{std::string(name(quantity)), {}, curves.size() + 1};
+    drawing::Curve sampled{std::string(name(quantity)) + ", DFT", {}, curves.size() + 1, true};
     for (std::size_t j = 0; j <= 60; ++j) {
       const double k = 2.0 * 3.141592653589793 * static_cast<double>(j) / (121 * 0.5);
       if (quantity == stress_x) transforms.x.push_back(k);
@@ -233,7 +233,7 @@ Chapter chapter_four(const std::string& example, const std::vector<Quantity>& re
   const std::vector<double> g = sampled_readings(array, material, truth);
   const InverseProblem problem =
       make_problem(array, material, {.unknowns = unknowns, .smoothing_length = 1.0});
-  report::Plot plot{"Example " + example, "y", "traction", positions(array), {}};
+  drawing::Plot plot{"Example " + example, "y", "traction", positions(array), {}};
   std::string rows;
   for (const double alpha : alphas) {
     std::vector<double> f(unknowns * 81);

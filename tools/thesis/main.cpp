@@ -26,7 +26,7 @@ std::string page(const std::filesystem::path& folder) {
     const Chapter chapter = make();
     const std::vector<std::string> pictures = chapter.plots.empty()
                                                   ? std::vector<std::string>{}
-                                                  : tactile_net::report::draw(chapter.plots);
+                                                  : tactile_net::drawing::draw(chapter.plots);
     std::string part = chapter.text;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       tactile_net::frames::write_file(folder / "thesis" / (chapter.names[i] + ".svg"), pictures[i]);

@@ -87,7 +87,4 @@ void append_header(std::string& out, std::span<const std::string> columns, bool 
 /// Values separated by commas, shortest exact text, NaN as an empty field, and a newline.
 void append_row(std::string& out, std::span<const double> values);
 
-/// As a field, in quotes, its own doubled (RFC 4180).
-[[nodiscard]] std::string csv_quoted(std::string_view text);
-
 }  // namespace tactile_net::frames

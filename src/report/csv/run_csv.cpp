@@ -27,9 +27,9 @@ std::string tractions_csv(std::vector<double> normal, std::span<const double> ta
 
 }  // namespace
 
-Files run_files(const lab::Experiment& experiment) {
+drawing::Files run_files(const lab::Experiment& experiment) {
   const TractionField& truth = experiment.frame.truth;
-  Files files;
+  drawing::Files files;
   files.emplace_back("readings.csv", csv(frames::reading_columns(experiment.scene.sensor),
                                          experiment.frame.readings));
   files.emplace_back("truth.csv", tractions_csv(truth.normal, truth.tangential));

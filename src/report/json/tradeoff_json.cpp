@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "report/json/values.hpp"
-#include "tactile_net/frames/csv.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
@@ -23,17 +23,17 @@ auto known(const auto& found) {
   return *found;
 }
 
-lab::TimeOf time_named(std::string_view text) {
-  for (const lab::TimeOf one : lab::times)
+study::TimeOf time_named(std::string_view text) {
+  for (const study::TimeOf one : study::times)
     if (name(one) == text) return one;
   throw std::runtime_error("it is no study");
 }
 
-std::string failure_of(const lab::WorkPoint& point) {
+std::string failure_of(const study::WorkPoint& point) {
   return point.failure ? in_words(*point.failure) : std::string();
 }
 
-Json json_of(const lab::WorkPoint& point) {
+Json json_of(const study::WorkPoint& point) {
   return {{"curve", in_words(point.curve)},
           {"knob", in_words(point.knob)},
           {"time_of", name(point.time_of)},
@@ -44,8 +44,8 @@ Json json_of(const lab::WorkPoint& point) {
           {"failure", failure_of(point)}};
 }
 
-lab::WorkPoint point_of(const Json& json) {
-  lab::WorkPoint point;
+study::WorkPoint point_of(const Json& json) {
+  study::WorkPoint point;
   point.curve = known(curve_named(json.at("curve").get<std::string>()));
   point.knob = known(knob_named(json.at("knob").get<std::string>()));
   point.time_of = time_named(json.at("time_of").get<std::string>());
@@ -55,31 +55,31 @@ lab::WorkPoint point_of(const Json& json) {
   point.error_to_solution = optional_number(json.at("error_to_solution"));
   point.error_to_truth = optional_number(json.at("error_to_truth"));
   if (const std::string what = json.at("failure"); !what.empty())
-    point.failure = lab::Failure{.what = what};
+    point.failure = study::Failure{.what = what};
   return point;
 }
 
 }  // namespace
 
-std::string study_json(const lab::Study& study, std::string_view scene_text) {
-  const lab::StudyInput& input = study.input;
-  const std::vector<lab::WorkPoint> all = study.points();
+std::string study_json(const study::Study& study, std::string_view scene_text) {
+  const study::StudyInput& input = study.input;
+  const std::vector<study::WorkPoint> all = study.points();
   Json fronts;
-  for (const auto& [key, error] :
-       {std::pair<const char*, lab::ErrorOf>{"error_to_solution",
-                                             &lab::WorkPoint::error_to_solution},
-        std::pair<const char*, lab::ErrorOf>{"error_to_truth", &lab::WorkPoint::error_to_truth}}) {
+  for (const auto& [key, error] : {std::pair<const char*, study::ErrorOf>{
+                                       "error_to_solution", &study::WorkPoint::error_to_solution},
+                                   std::pair<const char*, study::ErrorOf>{
+                                       "error_to_truth", &study::WorkPoint::error_to_truth}}) {
     Json names = Json::array();
-    for (const std::size_t i : lab::pareto_front(all, error, lab::TimeOf::frame))
+    for (const std::size_t i : study::pareto_front(all, error, study::TimeOf::frame))
       names.push_back(in_words(all[i]));
     fronts[key] = std::move(names);
   }
   Json jobs = Json::array();
-  for (const lab::StudySection& section : study.sections) {
+  for (const study::StudySection& section : study.sections) {
     Json points = Json::array();
-    for (const lab::WorkPoint& point : section.points) points.push_back(json_of(point));
+    for (const study::WorkPoint& point : section.points) points.push_back(json_of(point));
     Json floors = Json::array();
-    for (const lab::PartsFloor& floor : section.floors)
+    for (const study::PartsFloor& floor : section.floors)
       floors.push_back({{"realization", name(floor.realization)},
                         {"relative", floor.relative},
                         {"median", number_or_null(floor.median)}});
@@ -105,16 +105,14 @@ std::string study_json(const lab::Study& study, std::string_view scene_text) {
                  2);
 }
 
-std::string study_csv(const lab::Study& study) {
+std::string study_csv(const study::Study& study) {
   std::string text =
       "job,curve,knob,time_of,seconds,seconds_low,seconds_high,error_to_solution,error_to_truth,"
       "failure\n";
-  for (const lab::StudySection& section : study.sections)
-    for (const lab::WorkPoint& point : section.points) {
-      text += frames::csv_quoted(in_words(section.job)) + ',' +
-              frames::csv_quoted(in_words(point.curve)) + ',' +
-              frames::csv_quoted(in_words(point.knob)) + ',' + std::string(name(point.time_of)) +
-              ',';
+  for (const study::StudySection& section : study.sections)
+    for (const study::WorkPoint& point : section.points) {
+      text += csv_quoted(in_words(section.job)) + ',' + csv_quoted(in_words(point.curve)) + ',' +
+              csv_quoted(in_words(point.knob)) + ',' + std::string(name(point.time_of)) + ',';
       for (const double seconds : {point.seconds, point.seconds_low, point.seconds_high}) {
         append_number(text, seconds);
         text += ',';
@@ -123,13 +121,13 @@ std::string study_csv(const lab::Study& study) {
         if (error) append_number(text, *error);
         text += ',';
       }
-      text += frames::csv_quoted(failure_of(point)) + '\n';
+      text += csv_quoted(failure_of(point)) + '\n';
     }
   return text;
 }
 
-std::vector<lab::StudySection> finished_jobs(const std::string& text, std::string_view scene_text,
-                                             const std::string& processor) {
+std::vector<study::StudySection> finished_jobs(const std::string& text, std::string_view scene_text,
+                                               const std::string& processor) {
   try {
     const Json json = Json::parse(text);
     const auto require = [&](bool same, const char* what) {
@@ -138,9 +136,9 @@ std::vector<lab::StudySection> finished_jobs(const std::string& text, std::strin
     require(json.at("tactile_net") == version(), "by another version");
     require(json.at("scene_text") == scene_text, "for another scene");
     require(json.at("processor") == processor, "on another processor");
-    std::vector<lab::StudySection> sections;
+    std::vector<study::StudySection> sections;
     for (const Json& job : json.at("jobs")) {
-      lab::StudySection section{.job = known(job_named(job.at("job").get<std::string>()))};
+      study::StudySection section{.job = known(job_named(job.at("job").get<std::string>()))};
       for (const Json& point : job.at("points")) section.points.push_back(point_of(point));
       if (job.contains("parts"))
         for (const Json& floor : job.at("parts"))

@@ -4,13 +4,23 @@
 #include <cmath>
 #include <limits>
 
+#include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/pages/html.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
 namespace {
+
+using drawing::Curve;
+using drawing::element;
+using drawing::Figure;
+using drawing::Figures;
+using drawing::html_list;
+using drawing::html_page;
+using drawing::html_table;
+using drawing::Page;
+using drawing::Plot;
 
 Figure poles_figure(const Dynamics& dynamics) {
   Plot plot{"The circuit's poles", "real part [1/s]", "imaginary part [rad/s]", {}, {}};
@@ -177,9 +187,9 @@ std::vector<std::string> tolerance_in_words(const lab::Certification& c) {
   return lines;
 }
 
-Report certificate_html(const lab::Certification& c) {
+Page certificate_html(const lab::Certification& c) {
   const Figures figures(figures_of(c));
-  Report report{.missing = figures.missing(), .files = figures.data()};
+  Page report{.missing = figures.missing(), .files = figures.data()};
   const bool bad = c.certificate().stability == Stability::unstable ||
                    c.certificate().stability == Stability::not_definite;
   const std::vector<std::string> words = in_words(c.certificate());

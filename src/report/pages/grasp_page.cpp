@@ -1,12 +1,19 @@
 #include "tactile_net/report/pages/grasp_page.hpp"
 
-#include "tactile_net/report/pages/figure.hpp"
+#include "tactile_net/drawing/figure.hpp"
+#include "tactile_net/drawing/html.hpp"
 #include "tactile_net/report/pages/hand_drawing.hpp"
-#include "tactile_net/report/pages/html.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
 
 namespace tactile_net::report {
 namespace {
+
+using drawing::element;
+using drawing::escaped;
+using drawing::figure_html;
+using drawing::html_list;
+using drawing::html_page;
+using drawing::html_table;
 
 std::string key(const std::string& type, const std::string& words) {
   return "<span class=\"key-" + type + "\">" + escaped(words) + "</span>";

@@ -6,11 +6,14 @@
 #include <numbers>
 #include <utility>
 
+#include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/pages/html.hpp"
 
 namespace tactile_net::report {
 namespace {
+
+using drawing::element;
+using drawing::escaped;
 
 constexpr double hand_size = 420.0;  // of the hand's longer side, in the picture's units
 constexpr double longest_arrow = 130.0;

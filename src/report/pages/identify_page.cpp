@@ -4,14 +4,25 @@
 #include <cmath>
 #include <limits>
 
+#include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/pages/html.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/identify_words.hpp"
 #include "tactile_net/report/words/mode_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
 namespace {
+
+using drawing::Curve;
+using drawing::element;
+using drawing::Figure;
+using drawing::Figures;
+using drawing::html_list;
+using drawing::html_page;
+using drawing::html_table;
+using drawing::Page;
+using drawing::Plot;
 
 double deviation(const Resolution& resolution, Traction component) {
   return component == Traction::normal ? resolution.normal : resolution.tangential;
@@ -165,9 +176,9 @@ std::vector<std::string> singular_values_in_words(const Identifiability& result)
   return text;
 }
 
-Report survey_html(const Scene& scene, const lab::Survey& survey) {
+Page survey_html(const Scene& scene, const lab::Survey& survey) {
   const Figures figures(figures_of(survey));
-  Report result{.missing = figures.missing(), .files = figures.data()};
+  Page result{.missing = figures.missing(), .files = figures.data()};
 
   std::string body = element("h1", scene.title.empty() ? scene.file : scene.title);
   body += element(

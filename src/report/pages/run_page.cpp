@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/pages/html.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -13,6 +13,16 @@
 
 namespace tactile_net::report {
 namespace {
+
+using drawing::Curve;
+using drawing::element;
+using drawing::Figure;
+using drawing::Figures;
+using drawing::html_list;
+using drawing::html_page;
+using drawing::html_table;
+using drawing::Page;
+using drawing::Plot;
 
 constexpr std::string_view answer = "answer";
 constexpr std::string_view choice = "choice";
@@ -188,10 +198,10 @@ std::string network_section(const lab::Relaxation& relaxation) {
 
 }  // namespace
 
-Report report_html(const lab::Experiment& experiment) {
+Page report_html(const lab::Experiment& experiment) {
   const Scene& scene = experiment.scene;
   const Figures figures(figures_of(experiment));
-  Report report{.missing = figures.missing(), .files = figures.data()};
+  Page report{.missing = figures.missing(), .files = figures.data()};
 
   std::string& html = report.html;
   html += element("h1", scene.title.empty() ? scene.file : scene.title);

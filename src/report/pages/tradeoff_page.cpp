@@ -4,33 +4,43 @@
 #include <cmath>
 #include <limits>
 
-#include "tactile_net/lab/tradeoff/work_precision.hpp"
+#include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/pages/html.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
+#include "tactile_net/study/work_precision.hpp"
 
 namespace tactile_net::report {
 namespace {
 
-constexpr lab::ErrorOf to_solution = &lab::WorkPoint::error_to_solution;
-constexpr lab::ErrorOf to_truth = &lab::WorkPoint::error_to_truth;
+using drawing::Curve;
+using drawing::element;
+using drawing::Figure;
+using drawing::Figures;
+using drawing::html_list;
+using drawing::html_page;
+using drawing::html_table;
+using drawing::Page;
+using drawing::Plot;
+
+constexpr study::ErrorOf to_solution = &study::WorkPoint::error_to_solution;
+constexpr study::ErrorOf to_truth = &study::WorkPoint::error_to_truth;
 constexpr double least_error = 1e-16;  // zero has no place on a logarithmic axis
 
 double drawn(double error) { return std::max(error, least_error); }
 
 /// The curve, at whatever bandwidth: what has one colour.
-lab::WorkCurve method_of(const lab::WorkPoint& point) {
-  if (point.curve.family != lab::WorkCurve::Family::circuit) return point.curve;
+study::WorkCurve method_of(const study::WorkPoint& point) {
+  if (point.curve.family != study::WorkCurve::Family::circuit) return point.curve;
   return {.family = point.curve.family, .realization = point.curve.realization};
 }
 
 /// A colour and a mark of its own for each method and each circuit: the same in every plot, and
 /// never black, which is what they are measured against.
-std::size_t colour_of(const std::vector<lab::WorkPoint>& points, const lab::WorkPoint& point) {
-  std::vector<lab::WorkCurve> methods;
-  for (const lab::WorkPoint& one : points)
+std::size_t colour_of(const std::vector<study::WorkPoint>& points, const study::WorkPoint& point) {
+  std::vector<study::WorkCurve> methods;
+  for (const study::WorkPoint& one : points)
     if (one.time_of == point.time_of &&
         std::find(methods.begin(), methods.end(), method_of(one)) == methods.end())
       methods.push_back(method_of(one));
@@ -41,7 +51,7 @@ std::size_t colour_of(const std::vector<lab::WorkPoint>& points, const lab::Work
 
 /// The plot's curve of that label; a new one takes the point's colour.
 Curve& curve_of(std::vector<Curve>& curves, const std::string& label,
-                const std::vector<lab::WorkPoint>& points, const lab::WorkPoint& point) {
+                const std::vector<study::WorkPoint>& points, const study::WorkPoint& point) {
   for (Curve& curve : curves)
     if (curve.label == label) return curve;
   Curve& next = curves.emplace_back();
@@ -52,10 +62,10 @@ Curve& curve_of(std::vector<Curve>& curves, const std::string& label,
 }
 
 /// Every measured curve of one kind of time, over one kind of error.
-std::vector<Curve> curves_of(const std::vector<lab::WorkPoint>& points, lab::ErrorOf error,
-                             lab::TimeOf time_of) {
+std::vector<Curve> curves_of(const std::vector<study::WorkPoint>& points, study::ErrorOf error,
+                             study::TimeOf time_of) {
   std::vector<Curve> curves;
-  for (const lab::WorkPoint& point : points) {
+  for (const study::WorkPoint& point : points) {
     if (!point.measured() || point.time_of != time_of || !(point.*error)) continue;
     Curve& curve = curve_of(curves, in_words(point.curve), points, point);
     curve.x.push_back(drawn(*(point.*error)));
@@ -65,11 +75,11 @@ std::vector<Curve> curves_of(const std::vector<lab::WorkPoint>& points, lab::Err
 }
 
 /// The points that nothing beats, as steps under all the others.
-Curve front_curve(const std::vector<lab::WorkPoint>& points, lab::ErrorOf error,
-                  lab::TimeOf time_of) {
+Curve front_curve(const std::vector<study::WorkPoint>& points, study::ErrorOf error,
+                  study::TimeOf time_of) {
   Curve curve;
   curve.label = "nothing beats these";
-  for (const std::size_t i : lab::pareto_front(points, error, time_of)) {
+  for (const std::size_t i : study::pareto_front(points, error, time_of)) {
     const double x = drawn(*(points[i].*error));
     if (!curve.x.empty()) {  // a corner: as slow as this one, as inaccurate as the one before
       curve.x.push_back(curve.x.back());
@@ -122,18 +132,18 @@ Curve level_line(const std::string& label, double from, double to, double second
   return line;
 }
 
-std::vector<Curve> circuit_curves(const lab::Study& study,
-                                  const std::vector<lab::WorkPoint>& points) {
-  std::vector<lab::WorkPoint> shown;
-  for (const lab::WorkPoint& point : points)
-    if (point.time_of == lab::TimeOf::settling && point.measured() &&
-        point.curve.bandwidth.value_or(lab::compared_bandwidth) == lab::compared_bandwidth)
+std::vector<Curve> circuit_curves(const study::Study& study,
+                                  const std::vector<study::WorkPoint>& points) {
+  std::vector<study::WorkPoint> shown;
+  for (const study::WorkPoint& point : points)
+    if (point.time_of == study::TimeOf::settling && point.measured() &&
+        point.curve.bandwidth.value_or(study::compared_bandwidth) == study::compared_bandwidth)
       shown.push_back(point);
-  std::vector<Curve> curves = curves_of(shown, to_solution, lab::TimeOf::settling);
+  std::vector<Curve> curves = curves_of(shown, to_solution, study::TimeOf::settling);
   if (curves.empty()) return curves;
-  for (const lab::StudySection& section : study.sections)
-    for (const lab::PartsFloor& floor : section.floors) {
-      if (floor.relative != lab::one_percent || !(floor.median.value_or(1.0) < 1.0)) continue;
+  for (const study::StudySection& section : study.sections)
+    for (const study::PartsFloor& floor : section.floors) {
+      if (floor.relative != study::one_percent || !(floor.median.value_or(1.0) < 1.0)) continue;
       const auto circuit = std::find_if(shown.begin(), shown.end(), [&](const auto& point) {
         return point.curve.realization == floor.realization;
       });
@@ -141,15 +151,15 @@ std::vector<Curve> circuit_curves(const lab::Study& study,
         curves.push_back(border(std::string(name(floor.realization)) + ", 1 % parts", *floor.median,
                                 curves, colour_of(shown, *circuit)));
     }
-  if (const auto frame = lab::fastest_frame(points))
+  if (const auto frame = study::fastest_frame(points))
     curves.push_back(level_line("arithmetic here, " + duration(*frame), 1e-4, 1.0, *frame, false));
   return curves;
 }
 
-std::vector<Curve> crossover_curves(const lab::Study& study,
-                                    const std::vector<lab::WorkPoint>& points) {
+std::vector<Curve> crossover_curves(const study::Study& study,
+                                    const std::vector<study::WorkPoint>& points) {
   std::vector<Curve> curves;
-  for (const lab::WorkPoint& point : points) {
+  for (const study::WorkPoint& point : points) {
     if (!point.settled_to_one_percent() || !point.curve.bandwidth) continue;
     const double bandwidth = *point.curve.bandwidth;
     Curve& curve = curve_of(curves, std::string(name(*point.curve.realization)), points, point);
@@ -157,7 +167,7 @@ std::vector<Curve> crossover_curves(const lab::Study& study,
     curve.y.insert(curve.y.begin() + (at - curve.x.begin()), point.seconds);
     curve.x.insert(at, bandwidth);
   }
-  const auto frame = lab::fastest_frame(points);
+  const auto frame = study::fastest_frame(points);
   if (curves.empty() || !frame) return curves;
   curves.push_back(level_line("this machine", 1e6, 100e6, *frame, false));
   if (study.clock > 0.0)
@@ -170,19 +180,19 @@ std::vector<Curve> crossover_curves(const lab::Study& study,
   return curves;
 }
 
-std::vector<Figure> figures_of(const lab::Study& study) {
-  const lab::StudyInput& input = study.input;
-  const std::vector<lab::WorkPoint> points = study.points();
+std::vector<Figure> figures_of(const study::Study& study) {
+  const study::StudyInput& input = study.input;
+  const std::vector<study::WorkPoint> points = study.points();
   const std::string noise = input.noise_stated ? "the scene's noise" : "noise of 1 %";
   std::vector<Figure> figures;
   const auto add = [&](std::string file, std::string caption, Plot plot) {
     figures.push_back({std::move(file), "", std::move(caption), std::move(plot)});
   };
 
-  std::vector<Curve> frames = curves_of(points, to_solution, lab::TimeOf::frame);
+  std::vector<Curve> frames = curves_of(points, to_solution, study::TimeOf::frame);
   if (!frames.empty()) {
     frames.push_back(border(noise, input.noise_floor, frames, 0));
-    frames.push_back(front_curve(points, to_solution, lab::TimeOf::frame));
+    frames.push_back(front_curve(points, to_solution, study::TimeOf::frame));
   }
   add("error-to-solution",
       "What an algorithm adds: its distance from the exact solution of the same regularised "
@@ -194,7 +204,7 @@ std::vector<Figure> figures_of(const lab::Study& study) {
       plot_of("Time over error against the exact solution", "|f - f*| / |f*|",
               "time of a frame [s]", std::move(frames)));
 
-  std::vector<Curve> truths = curves_of(points, to_truth, lab::TimeOf::frame);
+  std::vector<Curve> truths = curves_of(points, to_truth, study::TimeOf::frame);
   if (!truths.empty() && std::isfinite(input.solution_error))
     truths.push_back(border("the exact solution", input.solution_error, truths, 0));
   add("error-to-truth",
@@ -224,14 +234,14 @@ std::vector<Figure> figures_of(const lab::Study& study) {
       "The way there: readings of the scene's contacts by the integral, with panels of more and "
       "more points, and by the thesis' discrete sum, against the integral itself.",
       plot_of("Forward model: error of the readings", "|g - g exact| / |g exact|", "time [s]",
-              curves_of(points, to_truth, lab::TimeOf::forward)));
+              curves_of(points, to_truth, study::TimeOf::forward)));
   return figures;
 }
 
-std::vector<std::vector<std::string>> simulator_cells(const lab::Study& study) {
+std::vector<std::vector<std::string>> simulator_cells(const study::Study& study) {
   std::vector<std::vector<std::string>> rows = {{"realisation", "ngspice", "difference"}};
-  for (const lab::WorkPoint& point : study.points())
-    if (point.time_of == lab::TimeOf::simulator && point.measured())
+  for (const study::WorkPoint& point : study.points())
+    if (point.time_of == study::TimeOf::simulator && point.measured())
       rows.push_back(
           {in_words(point.curve), duration(point.seconds), brief(*point.error_to_solution)});
   return rows;
@@ -239,15 +249,15 @@ std::vector<std::vector<std::string>> simulator_cells(const lab::Study& study) {
 
 }  // namespace
 
-std::vector<std::vector<std::string>> front_cells(const lab::Study& study) {
-  const std::vector<lab::WorkPoint> points = study.points();
+std::vector<std::vector<std::string>> front_cells(const study::Study& study) {
+  const std::vector<study::WorkPoint> points = study.points();
   std::vector<std::vector<std::string>> rows = {
       {"method", "time of a frame", "quartiles", "error to exact solution", "error to truth"}};
   const auto or_dash = [](const std::optional<double>& value) {
     return value ? brief(*value) : std::string("-");
   };
-  for (const std::size_t i : lab::pareto_front(points, to_solution, lab::TimeOf::frame)) {
-    const lab::WorkPoint& point = points[i];
+  for (const std::size_t i : study::pareto_front(points, to_solution, study::TimeOf::frame)) {
+    const study::WorkPoint& point = points[i];
     rows.push_back({in_words(point), duration(point.seconds),
                     duration(point.seconds_low) + " ... " + duration(point.seconds_high),
                     or_dash(point.error_to_solution), or_dash(point.error_to_truth)});
@@ -255,17 +265,17 @@ std::vector<std::vector<std::string>> front_cells(const lab::Study& study) {
   return rows;
 }
 
-std::vector<std::string> failures_in_words(const lab::Study& study) {
+std::vector<std::string> failures_in_words(const study::Study& study) {
   std::vector<std::string> text;
-  for (const lab::WorkPoint& point : study.points())
+  for (const study::WorkPoint& point : study.points())
     if (!point.measured()) text.push_back(in_words(point) + ": " + in_words(*point.failure));
   return text;
 }
 
-Report study_html(const lab::Study& study) {
+Page study_html(const study::Study& study) {
   const Scene& scene = study.input.scene();
   const Figures figures(figures_of(study));
-  Report report{.missing = figures.missing(), .files = figures.data()};
+  Page report{.missing = figures.missing(), .files = figures.data()};
   for (auto& picture : figures.pictures()) report.files.push_back(std::move(picture));
 
   std::string& html = report.html;

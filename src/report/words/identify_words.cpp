@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/mode_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 

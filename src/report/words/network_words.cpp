@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {

@@ -1,6 +1,7 @@
 #include "tactile_net/report/words/scene_words.hpp"
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -32,15 +33,6 @@ std::string in_words(const SampledTractions& contact) {
 }
 
 }  // namespace
-
-std::string join(const std::vector<std::string>& parts, std::string_view separator) {
-  std::string text;
-  for (const std::string& part : parts) {
-    if (!text.empty()) text += separator;
-    text += part;
-  }
-  return text;
-}
 
 std::string sensor_in_words(const Scene& scene) {
   std::vector<std::string> reads;

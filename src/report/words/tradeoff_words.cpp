@@ -5,13 +5,14 @@
 #include <limits>
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
 
 namespace tactile_net::report {
 namespace {
 
-constexpr lab::ErrorOf to_solution = &lab::WorkPoint::error_to_solution;
+constexpr study::ErrorOf to_solution = &study::WorkPoint::error_to_solution;
 
 /// "310 kHz", "2.1 GHz".
 std::string frequency(double hertz) {
@@ -21,12 +22,12 @@ std::string frequency(double hertz) {
   return brief(hertz) + " Hz";
 }
 
-std::string timed(const lab::WorkPoint& point) {
+std::string timed(const study::WorkPoint& point) {
   return in_words(point) + ": " + duration(point.seconds) + ", error " +
          brief(*point.error_to_solution);
 }
 
-std::string demand_in_words(const lab::Requirement& requirement) {
+std::string demand_in_words(const study::Requirement& requirement) {
   std::string text = "for ";
   if (requirement.accuracy)
     text += (*requirement.accuracy >= 1e-3 ? percent(*requirement.accuracy)
@@ -51,16 +52,16 @@ struct SettledCircuit {
   std::optional<double> parts{};  ///< error that parts of 1 % leave (median); infinite: unstable
 };
 
-std::vector<SettledCircuit> settled_circuits(const lab::Study& study,
-                                             const std::vector<lab::WorkPoint>& points) {
+std::vector<SettledCircuit> settled_circuits(const study::Study& study,
+                                             const std::vector<study::WorkPoint>& points) {
   std::vector<SettledCircuit> circuits;
-  for (const lab::WorkPoint& point : points) {
+  for (const study::WorkPoint& point : points) {
     if (!point.settled_to_one_percent()) continue;
-    if (point.curve.bandwidth != lab::compared_bandwidth) continue;  // the others are the same
+    if (point.curve.bandwidth != study::compared_bandwidth) continue;  // the others are the same
     SettledCircuit circuit{*point.curve.realization, point.seconds};
-    for (const lab::StudySection& section : study.sections)
-      for (const lab::PartsFloor& floor : section.floors)
-        if (floor.relative == lab::one_percent && floor.realization == circuit.realization)
+    for (const study::StudySection& section : study.sections)
+      for (const study::PartsFloor& floor : section.floors)
+        if (floor.relative == study::one_percent && floor.realization == circuit.realization)
           circuit.parts = floor.median.value_or(std::numeric_limits<double>::infinity());
     circuits.push_back(std::move(circuit));
   }
@@ -75,21 +76,21 @@ std::string parts_in_words(const SettledCircuit& circuit) {
 }
 
 /// The fastest circuit, and the one that bears its parts best.
-void add_circuits(std::vector<std::string>& text, const lab::Study& study,
-                  const std::vector<lab::WorkPoint>& points) {
+void add_circuits(std::vector<std::string>& text, const study::Study& study,
+                  const std::vector<study::WorkPoint>& points) {
   const std::vector<SettledCircuit> circuits = settled_circuits(study, points);
   if (circuits.empty()) return;
   const SettledCircuit& fastest = circuits.front();
   std::string sentence = "the fastest circuit, " + std::string(name(fastest.realization)) +
                          " with op-amps of 10 MHz, settles to 1 % in " + duration(fastest.seconds);
-  if (const auto frame = lab::fastest_frame(points)) {
+  if (const auto frame = study::fastest_frame(points)) {
     if (study.clock > 0.0)
       sentence +=
           ": sooner than a controller that needs as many cycles as this machine and is "
           "clocked below " +
           frequency(study.clock * *frame / fastest.seconds);
     sentence += "; this machine's " + duration(*frame) + " it beats from a bandwidth of " +
-                frequency(lab::compared_bandwidth * fastest.seconds / *frame) + " on";
+                frequency(study::compared_bandwidth * fastest.seconds / *frame) + " on";
   }
   text.push_back(std::move(sentence));
   const auto least =
@@ -108,12 +109,13 @@ void add_circuits(std::vector<std::string>& text, const lab::Study& study,
 
 }  // namespace
 
-std::string answer(const lab::Study& study, const lab::Requirement& requirement) {
-  const std::vector<lab::WorkPoint> points = study.points();
-  const lab::Choice choice = lab::choose(points, to_solution, lab::TimeOf::frame, requirement);
+std::string answer(const study::Study& study, const study::Requirement& requirement) {
+  const std::vector<study::WorkPoint> points = study.points();
+  const study::Choice choice =
+      study::choose(points, to_solution, study::TimeOf::frame, requirement);
   std::string text = demand_in_words(requirement) + ": ";
   if (choice.point) {
-    const lab::WorkPoint& point = points[*choice.point];
+    const study::WorkPoint& point = points[*choice.point];
     text += timed(point);
     std::vector<std::string> margins;
     if (requirement.deadline)
@@ -124,8 +126,8 @@ std::string answer(const lab::Study& study, const lab::Requirement& requirement)
                         " times inside the error");
     return margins.empty() ? text : text + " (" + join(margins, ", ") + ")";
   }
-  if (std::none_of(points.begin(), points.end(), [](const lab::WorkPoint& point) {
-        return point.measured() && point.time_of == lab::TimeOf::frame;
+  if (std::none_of(points.begin(), points.end(), [](const study::WorkPoint& point) {
+        return point.measured() && point.time_of == study::TimeOf::frame;
       }))
     return text + "nothing is measured yet";
   text += requirement.accuracy && requirement.deadline ? "none meets both" : "none";
@@ -140,13 +142,14 @@ std::string answer(const lab::Study& study, const lab::Requirement& requirement)
   return text;
 }
 
-std::vector<std::string> in_words(const lab::Study& study) {
-  const lab::StudyInput& input = study.input;
-  const std::vector<lab::WorkPoint> points = study.points();
+std::vector<std::string> in_words(const study::Study& study) {
+  const study::StudyInput& input = study.input;
+  const std::vector<study::WorkPoint> points = study.points();
   std::vector<std::string> text;
-  for (const lab::Requirement& requirement :
-       {lab::Requirement{.accuracy = lab::one_percent, .deadline = 1e-3},
-        lab::Requirement{.accuracy = 1e-6, .deadline = 1e-4}, lab::Requirement{.accuracy = 1e-12}})
+  for (const study::Requirement& requirement :
+       {study::Requirement{.accuracy = study::one_percent, .deadline = 1e-3},
+        study::Requirement{.accuracy = 1e-6, .deadline = 1e-4},
+        study::Requirement{.accuracy = 1e-12}})
     text.push_back(answer(study, requirement));
   if (std::isfinite(input.solution_error))
     text.push_back("regularisation, sampling and the scene's own noise leave the exact solution " +
@@ -159,7 +162,7 @@ std::vector<std::string> in_words(const lab::Study& study) {
   if (input.problem.constraints())
     text.push_back(
         "the exact solution is that without the scene's constraints; with them: the curve " +
-        in_words(lab::WorkCurve{.family = lab::WorkCurve::Family::active_set}));
+        in_words(study::WorkCurve{.family = study::WorkCurve::Family::active_set}));
   text.push_back("noise of " + brief(input.noise_rms) +
                  (input.noise_stated ? " per weighted reading (the scene's)"
                                      : " per reading (1 % of the largest, an assumption)") +
@@ -169,16 +172,16 @@ std::vector<std::string> in_words(const lab::Study& study) {
   return text;
 }
 
-std::vector<std::vector<std::string>> circuit_cells(const lab::Study& study) {
-  const std::vector<lab::WorkPoint> points = study.points();
-  const std::optional<double> frame = lab::fastest_frame(points);
+std::vector<std::vector<std::string>> circuit_cells(const study::Study& study) {
+  const std::vector<study::WorkPoint> points = study.points();
+  const std::optional<double> frame = study::fastest_frame(points);
   std::vector<std::vector<std::string>> rows = {{"circuit", "settles to 1 %", "beats a clock below",
                                                  "beats this machine from", "parts of 1 % leave"}};
   for (const SettledCircuit& circuit : settled_circuits(study, points))
     rows.push_back(
         {std::string(name(circuit.realization)), duration(circuit.seconds),
          frame && study.clock > 0.0 ? frequency(study.clock * *frame / circuit.seconds) : "-",
-         frame ? frequency(lab::compared_bandwidth * circuit.seconds / *frame) : "-",
+         frame ? frequency(study::compared_bandwidth * circuit.seconds / *frame) : "-",
          parts_in_words(circuit)});
   return rows;
 }

@@ -13,20 +13,20 @@
 namespace tactile_net::report {
 namespace {
 
-using Family = lab::WorkCurve::Family;
-using Setting = lab::Knob::Kind;
+using Family = study::WorkCurve::Family;
+using Setting = study::Knob::Kind;
 
 // The words of which nothing is a number. Writers and readers below share every table.
 
-constexpr std::array<std::pair<lab::Job::Kind, std::string_view>, 8> job_words = {{
-    {lab::Job::Kind::products, "products with M"},
-    {lab::Job::Kind::factorisations, "factorisations"},
-    {lab::Job::Kind::fft, "FFT"},
-    {lab::Job::Kind::constraints, "constraints"},
-    {lab::Job::Kind::fewer_taxels, "fewer taxels"},
-    {lab::Job::Kind::forward_model, "forward model"},
-    {lab::Job::Kind::parts, "accuracy of parts"},
-    {lab::Job::Kind::operating_points, "ngspice, operating points"},
+constexpr std::array<std::pair<study::Job::Kind, std::string_view>, 8> job_words = {{
+    {study::Job::Kind::products, "products with M"},
+    {study::Job::Kind::factorisations, "factorisations"},
+    {study::Job::Kind::fft, "FFT"},
+    {study::Job::Kind::constraints, "constraints"},
+    {study::Job::Kind::fewer_taxels, "fewer taxels"},
+    {study::Job::Kind::forward_model, "forward model"},
+    {study::Job::Kind::parts, "accuracy of parts"},
+    {study::Job::Kind::operating_points, "ngspice, operating points"},
 }};
 constexpr std::string_view settling_job = "settling, ";  // and the realisation
 
@@ -94,7 +94,7 @@ std::string product_in_words(Structure structure, Precision precision) {
 }
 
 /// "nic, 10 MHz", "ideal, 10 pF a node", "rail"
-std::string circuit_in_words(const lab::WorkCurve& curve) {
+std::string circuit_in_words(const study::WorkCurve& curve) {
   std::string text(name(*curve.realization));
   if (curve.bandwidth) text += ", " + brief(*curve.bandwidth / 1e6) + " MHz";
   if (curve.node_capacitance)
@@ -109,8 +109,8 @@ std::string ranks_in_words(const std::vector<std::size_t>& ranks) {
   return text;
 }
 
-std::optional<lab::Knob> ranks_named(std::string_view text) {
-  lab::Knob knob{.kind = Setting::ranks};
+std::optional<study::Knob> ranks_named(std::string_view text) {
+  study::Knob knob{.kind = Setting::ranks};
   for (text.remove_prefix(rank.size());;) {
     const std::size_t end = text.find(plus);
     const std::optional<std::size_t> one = count_in(text.substr(0, end));
@@ -121,20 +121,20 @@ std::optional<lab::Knob> ranks_named(std::string_view text) {
   }
 }
 
-std::string settled_in_words(const lab::Knob& knob) {
-  std::string text = "settled to " + brief(lab::settling_levels[knob.level]);
+std::string settled_in_words(const study::Knob& knob) {
+  std::string text = "settled to " + brief(study::settling_levels[knob.level]);
   if (knob.by_poles) text += ", by its poles";
-  if (knob.scaled) text += ", scaled from " + brief(lab::compared_bandwidth / 1e6) + " MHz";
+  if (knob.scaled) text += ", scaled from " + brief(study::compared_bandwidth / 1e6) + " MHz";
   return text;
 }
 
 /// Every circuit's curve that is known without a number of the scene.
-std::vector<lab::WorkCurve> circuits() {
-  std::vector<lab::WorkCurve> curves;
+std::vector<study::WorkCurve> circuits() {
+  std::vector<study::WorkCurve> curves;
   for (const Realization realization : realizations) {
-    lab::WorkCurve curve{.family = Family::circuit, .realization = realization};
+    study::WorkCurve curve{.family = Family::circuit, .realization = realization};
     curves.push_back(curve);
-    for (const double bandwidth : lab::bandwidths) {
+    for (const double bandwidth : study::bandwidths) {
       curve.bandwidth = bandwidth;
       curves.push_back(curve);
     }
@@ -142,7 +142,7 @@ std::vector<lab::WorkCurve> circuits() {
   return curves;
 }
 
-std::optional<lab::WorkCurve> capacitive_circuit_named(std::string_view text) {
+std::optional<study::WorkCurve> capacitive_circuit_named(std::string_view text) {
   const std::size_t comma = text.find(", ");
   if (comma == text.npos || !text.ends_with(capacitance_unit)) return std::nullopt;
   double picofarad = 0.0;
@@ -151,29 +151,29 @@ std::optional<lab::WorkCurve> capacitive_circuit_named(std::string_view text) {
   if (!realization || text.size() < first + capacitance_unit.size() ||
       !read_number(text.substr(first, text.size() - first - capacitance_unit.size()), picofarad))
     return std::nullopt;
-  return lab::WorkCurve{
+  return study::WorkCurve{
       .family = Family::circuit, .realization = realization, .node_capacitance = 1e-12 * picofarad};
 }
 
 }  // namespace
 
-std::string in_words(const lab::Job& job) {
-  if (job.kind == lab::Job::Kind::settling)
+std::string in_words(const study::Job& job) {
+  if (job.kind == study::Job::Kind::settling)
     return std::string(settling_job) + std::string(name(*job.realization));
   return word(job_words, job.kind);
 }
 
-std::optional<lab::Job> job_named(std::string_view text) {
+std::optional<study::Job> job_named(std::string_view text) {
   if (text.starts_with(settling_job)) {
     const auto realization = realization_named(text.substr(settling_job.size()));
     if (!realization) return std::nullopt;
-    return lab::Job{.kind = lab::Job::Kind::settling, .realization = realization};
+    return study::Job{.kind = study::Job::Kind::settling, .realization = realization};
   }
   const auto kind = key_of(job_words, text);
-  return kind ? std::optional(lab::Job{*kind}) : std::nullopt;
+  return kind ? std::optional(study::Job{*kind}) : std::nullopt;
 }
 
-std::string in_words(const lab::WorkCurve& curve) {
+std::string in_words(const study::WorkCurve& curve) {
   switch (curve.family) {
     case Family::product:
       return product_in_words(*curve.structure, *curve.precision);
@@ -186,22 +186,22 @@ std::string in_words(const lab::WorkCurve& curve) {
   }
 }
 
-std::optional<lab::WorkCurve> curve_named(std::string_view text) {
+std::optional<study::WorkCurve> curve_named(std::string_view text) {
   using enum Structure;
   for (const Precision precision : {Precision::float64, Precision::float32})
     for (const Structure structure : {dense, low_rank, parity, parity_low_rank, fft})
       if (product_in_words(structure, precision) == text)
-        return lab::WorkCurve{
+        return study::WorkCurve{
             .family = Family::product, .structure = structure, .precision = precision};
-  if (const auto family = key_of(family_words, text)) return lab::WorkCurve{.family = *family};
-  for (const lab::WorkCurve& curve : circuits())
+  if (const auto family = key_of(family_words, text)) return study::WorkCurve{.family = *family};
+  for (const study::WorkCurve& curve : circuits())
     if (circuit_in_words(curve) == text) return curve;
   if (const auto curve = capacitive_circuit_named(text)) return curve;
-  if (const auto job = job_named(text)) return lab::WorkCurve{.family = Family::job, .job = job};
+  if (const auto job = job_named(text)) return study::WorkCurve{.family = Family::job, .job = job};
   return std::nullopt;
 }
 
-std::string in_words(const lab::Knob& knob) {
+std::string in_words(const study::Knob& knob) {
   switch (knob.kind) {
     case Setting::none:
       return {};
@@ -225,27 +225,27 @@ std::string in_words(const lab::Knob& knob) {
   return {};
 }
 
-std::optional<lab::Knob> knob_named(std::string_view text) {
-  if (text.empty()) return lab::Knob{};
+std::optional<study::Knob> knob_named(std::string_view text) {
+  if (text.empty()) return study::Knob{};
   if (text.starts_with(rank)) return ranks_named(text);
-  if (text == halved_panels) return lab::Knob{.kind = Setting::halved_panels};
-  if (text == operating_point) return lab::Knob{.kind = Setting::operating_point};
-  for (std::size_t level = 0; level < lab::settling_levels.size(); ++level)
+  if (text == halved_panels) return study::Knob{.kind = Setting::halved_panels};
+  if (text == operating_point) return study::Knob{.kind = Setting::operating_point};
+  for (std::size_t level = 0; level < study::settling_levels.size(); ++level)
     for (const bool by_poles : {false, true})
       for (const bool scaled : {false, true}) {
-        const lab::Knob knob{
+        const study::Knob knob{
             .kind = Setting::settled, .level = level, .by_poles = by_poles, .scaled = scaled};
         if (settled_in_words(knob) == text) return knob;
       }
   for (const CountWords& one : count_words)
     if (text.ends_with(one.words))
       if (const auto count = count_in(text.substr(0, text.size() - one.words.size())))
-        return lab::Knob{.kind = one.kind, .count = *count, .optimal = one.optimal};
+        return study::Knob{.kind = one.kind, .count = *count, .optimal = one.optimal};
   return std::nullopt;
 }
 
-std::string in_words(const lab::Failure& failure) {
-  using Kind = lab::Failure::Kind;
+std::string in_words(const study::Failure& failure) {
+  using Kind = study::Failure::Kind;
   switch (failure.kind) {
     case Kind::refused:
       return failure.what;
@@ -267,12 +267,12 @@ std::string in_words(const lab::Failure& failure) {
   return {};
 }
 
-std::string in_words(const lab::WorkPoint& point) {
+std::string in_words(const study::WorkPoint& point) {
   const std::string knob = in_words(point.knob);
   return knob.empty() ? in_words(point.curve) : in_words(point.curve) + ", " + knob;
 }
 
-std::string in_words(const lab::StudyProgress& progress) {
+std::string in_words(const study::StudyProgress& progress) {
   if (progress.stopping) return "stopping, after what has begun ...";
   std::string text = percent(progress.share) + ", " + in_words(progress.job);
   if (progress.seconds_left)

@@ -17,7 +17,7 @@ void run(const GraspOptions& options, const Streams& streams) {
       progress);
   results.write({.print = [&](std::ostream& out) { report::print_grasp(out, grasp); },
                  .json = [&] { return report::grasp_json(grasp); },
-                 .page = [&] { return report::Report{.html = report::grasp_report_html(grasp)}; }},
+                 .page = [&] { return drawing::Page{.html = report::grasp_report_html(grasp)}; }},
                 progress);
   if (!grasp.failures.empty()) throw CheckFailed(report::failures_in_words(grasp).front());
 }

@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::tool {
@@ -17,7 +18,7 @@ void Results::write(const Result& result, Progress& progress) {
   if (folder_) progress.say("drawing the report ...");
   if (folder_ || json_) json = result.json();
   if (folder_) {
-    const report::Report page = result.page();
+    const drawing::Page page = result.page();
     folder_->write("report.html", page.html);
     folder_->write(result.json_name, json);
     for (const auto& [name, content] : page.files) folder_->write(name, content);
@@ -49,8 +50,8 @@ void say_missing(std::ostream& err, const std::string& missing) {
 void say_others(std::ostream& err, const std::filesystem::path& folder,
                 const std::vector<std::string>& others) {
   if (!others.empty())
-    err << "note: " << folder.string()
-        << " holds files of another run too: " << report::join(others, ", ") << '\n';
+    err << "note: " << folder.string() << " holds files of another run too: " << join(others, ", ")
+        << '\n';
 }
 
 void say_report(std::ostream& out, const std::filesystem::path& folder) {

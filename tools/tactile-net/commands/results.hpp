@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "streams.hpp"
+#include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/frames/output_file.hpp"
-#include "tactile_net/report/pages/figure.hpp"
 #include "terminal/progress.hpp"
 
 namespace tactile_net::tool {
@@ -25,7 +25,7 @@ struct ResultOptions {
 struct Result {
   std::function<void(std::ostream&)> print;
   std::function<std::string()> json;
-  std::function<report::Report()> page{};
+  std::function<drawing::Page()> page{};
   std::string json_name = "result.json";  ///< in the folder
 };
 

@@ -38,8 +38,8 @@ void explain(const Scene& scene, const RunOptions& options, const Streams& strea
                 progress);
 }
 
-report::Report page_of(const lab::Experiment& experiment) {
-  report::Report page = report::report_html(experiment);
+drawing::Page page_of(const lab::Experiment& experiment) {
+  drawing::Page page = report::report_html(experiment);
   for (auto& file : report::run_files(experiment)) page.files.push_back(std::move(file));
   return page;
 }

@@ -12,8 +12,6 @@
 #include "commands/deadline.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/output_file.hpp"
-#include "tactile_net/lab/tradeoff/processor.hpp"
-#include "tactile_net/lab/tradeoff/tradeoff.hpp"
 #include "tactile_net/report/json/tradeoff_json.hpp"
 #include "tactile_net/report/pages/tradeoff_page.hpp"
 #include "tactile_net/report/words/table.hpp"
@@ -21,6 +19,8 @@
 #include "tactile_net/report/words/work_point_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/reader.hpp"
+#include "tactile_net/study/processor.hpp"
+#include "tactile_net/study/tradeoff.hpp"
 #include "terminal/interruption.hpp"
 
 namespace tactile_net::tool {
@@ -37,9 +37,9 @@ struct Written {
 };
 
 /// Everything that a folder holds of a study, whole or a part.
-Written write_all(const std::filesystem::path& folder, const lab::Study& study,
+Written write_all(const std::filesystem::path& folder, const study::Study& study,
                   const std::string& scene_text) {
-  report::Report report = report::study_html(study);
+  drawing::Page report = report::study_html(study);
   report.files.emplace_back("tradeoff.csv", report::study_csv(study));
   report.files.emplace_back("tradeoff.json", report::study_json(study, scene_text));
   report.files.emplace_back("report.html", report.html);
@@ -61,14 +61,14 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 /// What the folder holds of an earlier study of this scene, with --resume.
-std::vector<lab::StudySection> earlier(const TradeoffOptions& options,
-                                       const std::string& scene_text) {
+std::vector<study::StudySection> earlier(const TradeoffOptions& options,
+                                         const std::string& scene_text) {
   if (!options.resume) return {};
   const std::filesystem::path path =
       std::filesystem::path(options.results.folder) / "tradeoff.json";
   if (!std::filesystem::exists(path)) return {};
   try {
-    return report::finished_jobs(content_of(path), scene_text, lab::processor_name());
+    return report::finished_jobs(content_of(path), scene_text, study::processor_name());
   } catch (const std::runtime_error& error) {
     throw InputError({{.file = path.string(),
                        .message = std::string("cannot be resumed: ") + error.what(),
@@ -77,16 +77,16 @@ std::vector<lab::StudySection> earlier(const TradeoffOptions& options,
 }
 
 /// Says how far the study is, ends it at Ctrl-C, and writes the folder anew after each job.
-class Watcher final : public lab::StudyObserver {
+class Watcher final : public study::StudyObserver {
  public:
   Watcher(std::filesystem::path folder, const std::string& scene_text, const Streams& streams)
       : line_(streams), folder_(std::move(folder)), scene_text_(scene_text) {}
 
-  void progress(const lab::StudyProgress& progress) override {
+  void progress(const study::StudyProgress& progress) override {
     if (line_.due()) line_.say(report::in_words(progress));
   }
   [[nodiscard]] bool stop() const override { return Interruption::came(); }
-  void save(const lab::Study& study) override {
+  void save(const study::Study& study) override {
     if (!folder_.empty()) written_ = write_all(folder_, study, scene_text_);
   }
 
@@ -101,15 +101,15 @@ class Watcher final : public lab::StudyObserver {
   Written written_;
 };
 
-lab::Study study_of(const Scene& scene, const lab::TradeoffOptions& options, Watcher& watcher) {
+study::Study study_of(const Scene& scene, const study::TradeoffOptions& options, Watcher& watcher) {
   try {
-    return lab::tradeoff(scene, options, watcher);
+    return study::tradeoff(scene, options, watcher);
   } catch (const SimulatorError& error) {
     throw CheckFailed(std::string(error.what()) + "; --digital leaves the circuits out");
   }
 }
 
-void print(std::ostream& out, const lab::Study& study, const lab::Requirement& requirement) {
+void print(std::ostream& out, const study::Study& study, const study::Requirement& requirement) {
   out << "nothing beats these, of " << study.points().size() << " points:\n";
   report::print_cells(out, report::front_cells(study));
   out << '\n';
@@ -126,13 +126,13 @@ void print(std::ostream& out, const lab::Study& study, const lab::Requirement& r
 }
 
 /// @throw CheckFailed  the study was stopped, or no method meets the demand
-void check(const lab::Study& study, const lab::Requirement& requirement, bool saved) {
+void check(const study::Study& study, const study::Requirement& requirement, bool saved) {
   if (!study.complete)
     throw CheckFailed("stopped before the end" +
                       std::string(saved ? "; --resume goes on from here" : ""));
   if ((requirement.accuracy || requirement.deadline) &&
-      !lab::choose(study.points(), &lab::WorkPoint::error_to_solution, lab::TimeOf::frame,
-                   requirement)
+      !study::choose(study.points(), &study::WorkPoint::error_to_solution, study::TimeOf::frame,
+                     requirement)
            .point)
     throw CheckFailed("no method meets the demand");
 }
@@ -140,24 +140,24 @@ void check(const lab::Study& study, const lab::Requirement& requirement, bool sa
 }  // namespace
 
 void run(const TradeoffOptions& options, const Streams& streams) {
-  lab::Requirement requirement{.accuracy = options.accuracy};
+  study::Requirement requirement{.accuracy = options.accuracy};
   if (options.deadline) requirement.deadline = deadline_of(*options.deadline);
-  (void)lab::choose({}, &lab::WorkPoint::error_to_solution, lab::TimeOf::frame,
-                    requirement);  // checks it
+  (void)study::choose({}, &study::WorkPoint::error_to_solution, study::TimeOf::frame,
+                      requirement);  // checks it
   const std::filesystem::path folder = options.results.folder;
   if (options.resume && folder.empty())
     throw WrongUsage("--resume", "needs --out, the folder that holds the study's part");
   const Scene scene = read_scene(options.scene);
   const std::string scene_text = content_of(options.scene);
   Results results({.json = options.results.json}, streams);  // the folder is written job by job
-  lab::TradeoffOptions study_options{.circuits = !options.digital,
-                                     .simulator = options.simulator,
-                                     .finished = earlier(options, scene_text)};
+  study::TradeoffOptions study_options{.circuits = !options.digital,
+                                       .simulator = options.simulator,
+                                       .finished = earlier(options, scene_text)};
   study_options.simulator.ngspice.cancelled = Interruption::came;
   if (!folder.empty()) make_folder(folder);
 
   Watcher watcher(folder, scene_text, streams);
-  const lab::Study study = study_of(scene, study_options, watcher);
+  const study::Study study = study_of(scene, study_options, watcher);
   watcher.line().clear();
   say_missing(streams.err, watcher.written().missing);
   if (!folder.empty())

@@ -6,20 +6,20 @@
 #include <string_view>
 #include <vector>
 
-#include "tactile_net/lab/tradeoff/study.hpp"
+#include "tactile_net/study/study.hpp"
 
 namespace tactile_net::report {
 
 /// @param scene_text  the scene's file: a study is resumed for the same scene only
-[[nodiscard]] std::string study_json(const lab::Study& study, std::string_view scene_text);
+[[nodiscard]] std::string study_json(const study::Study& study, std::string_view scene_text);
 
 /// One point a row.
-[[nodiscard]] std::string study_csv(const lab::Study& study);
+[[nodiscard]] std::string study_csv(const study::Study& study);
 
 /// The jobs that a study's JSON holds, as they were written; of a failure, its words alone.
 /// @throw std::runtime_error  it is no study, or one of another scene, version or processor
-[[nodiscard]] std::vector<lab::StudySection> finished_jobs(const std::string& json,
-                                                           std::string_view scene_text,
-                                                           const std::string& processor);
+[[nodiscard]] std::vector<study::StudySection> finished_jobs(const std::string& json,
+                                                             std::string_view scene_text,
+                                                             const std::string& processor);
 
 }  // namespace tactile_net::report

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/lab/identify.hpp"
-#include "tactile_net/report/pages/figure.hpp"
 
 namespace tactile_net::report {
 
@@ -19,6 +19,6 @@ namespace tactile_net::report {
 /// What the singular values of the scene's sensors say, one sentence each.
 [[nodiscard]] std::vector<std::string> singular_values_in_words(const Identifiability& result);
 
-[[nodiscard]] Report survey_html(const Scene& scene, const lab::Survey& survey);
+[[nodiscard]] drawing::Page survey_html(const Scene& scene, const lab::Survey& survey);
 
 }  // namespace tactile_net::report

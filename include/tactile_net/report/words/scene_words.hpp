@@ -10,9 +10,6 @@
 
 namespace tactile_net::report {
 
-/// The parts with the separator between them.
-[[nodiscard]] std::string join(const std::vector<std::string>& parts, std::string_view separator);
-
 /// "81 taxels, pitch 0.25, reading strain_x at depth 1.5"
 [[nodiscard]] std::string sensor_in_words(const Scene& scene);
 

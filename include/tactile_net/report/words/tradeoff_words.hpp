@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/lab/tradeoff/study.hpp"
-#include "tactile_net/lab/tradeoff/work_precision.hpp"
+#include "tactile_net/study/study.hpp"
+#include "tactile_net/study/work_precision.hpp"
 
 namespace tactile_net::report {
 
 /// What a user has to know first, a sentence each: recommendations and where a circuit is faster.
-[[nodiscard]] std::vector<std::string> in_words(const lab::Study& study);
+[[nodiscard]] std::vector<std::string> in_words(const study::Study& study);
 
 /// The circuits of op-amps of 10 MHz as rows, the fastest first; under their headings, which stand
 /// alone where none was simulated:
@@ -22,9 +22,9 @@ namespace tactile_net::report {
 ///                               than the circuit if its clock is slower than this
 ///     beats this machine from   the op-amps' bandwidth from which it is faster than this machine
 ///     parts of 1 % leave        its median error with parts within 1 % of their values
-[[nodiscard]] std::vector<std::vector<std::string>> circuit_cells(const lab::Study& study);
+[[nodiscard]] std::vector<std::vector<std::string>> circuit_cells(const study::Study& study);
 
 /// The answer to a demand, with its margins.
-[[nodiscard]] std::string answer(const lab::Study& study, const lab::Requirement& requirement);
+[[nodiscard]] std::string answer(const study::Study& study, const study::Requirement& requirement);
 
 }  // namespace tactile_net::report

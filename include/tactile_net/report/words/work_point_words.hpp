@@ -10,27 +10,27 @@
 #include <string>
 #include <string_view>
 
-#include "tactile_net/lab/tradeoff/runner.hpp"
-#include "tactile_net/lab/tradeoff/work_point.hpp"
+#include "tactile_net/study/runner.hpp"
+#include "tactile_net/study/work_point.hpp"
 
 namespace tactile_net::report {
 
-[[nodiscard]] std::string in_words(const lab::Job& job);
-[[nodiscard]] std::string in_words(const lab::WorkCurve& curve);
+[[nodiscard]] std::string in_words(const study::Job& job);
+[[nodiscard]] std::string in_words(const study::WorkCurve& curve);
 /// Empty for a curve of one point.
-[[nodiscard]] std::string in_words(const lab::Knob& knob);
-[[nodiscard]] std::string in_words(const lab::Failure& failure);
+[[nodiscard]] std::string in_words(const study::Knob& knob);
+[[nodiscard]] std::string in_words(const study::Failure& failure);
 
 /// "parity low rank float64, rank 24 + 23"
-[[nodiscard]] std::string in_words(const lab::WorkPoint& point);
+[[nodiscard]] std::string in_words(const study::WorkPoint& point);
 
 /// "12 %, settling, nic, about 34 s left"
-[[nodiscard]] std::string in_words(const lab::StudyProgress& progress);
+[[nodiscard]] std::string in_words(const study::StudyProgress& progress);
 
 /// What `in_words` wrote; nothing if it did not write that. A node capacitance comes back to the
 /// three digits that were written.
-[[nodiscard]] std::optional<lab::Job> job_named(std::string_view text);
-[[nodiscard]] std::optional<lab::WorkCurve> curve_named(std::string_view text);
-[[nodiscard]] std::optional<lab::Knob> knob_named(std::string_view text);
+[[nodiscard]] std::optional<study::Job> job_named(std::string_view text);
+[[nodiscard]] std::optional<study::WorkCurve> curve_named(std::string_view text);
+[[nodiscard]] std::optional<study::Knob> knob_named(std::string_view text);
 
 }  // namespace tactile_net::report

@@ -1,0 +1,43 @@
+/// @file
+/// Line plots by gnuplot, as SVG text.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tactile_net::drawing {
+
+struct Curve {
+  std::string label;
+  std::vector<double> y;             ///< one value per x; not finite: a gap
+  std::size_t colour = 0;            ///< 0: black; the same number is the same colour in every plot
+  bool dots = false;                 ///< points instead of a line
+  std::vector<double> half_width{};  ///< of a band around the line; empty: none
+  std::vector<double> x{};           ///< the curve's own; empty: the plot's
+  bool marks = false;                ///< points on the line, of a shape of their own
+  bool dashed = false;
+  double width = 0.0;  ///< of the line; 0: as the others'
+};
+
+struct Plot {
+  std::string title;
+  std::string x_label;
+  std::string y_label;
+  std::vector<double> x;
+  std::vector<Curve> curves;
+  bool logarithmic_x = false;
+  bool logarithmic_y = false;  ///< values <= 0: a gap
+  bool from_zero = false;      ///< the y axis begins at 0
+  double y_end = 0.0;          ///< > 0: the y axis is 0 ... this
+  double y_at_least = 0.0;     ///< > 0: the y axis reaches from minus this to this, or further
+  /// > 0: both axes are linear up to about this, and logarithmic beyond it on both sides of zero.
+  double linear_within = 0.0;
+};
+
+/// SVG of every plot, in order, from one run of gnuplot.
+///
+/// @throw std::runtime_error  gnuplot is not installed, or failed; the text says what to do
+[[nodiscard]] std::vector<std::string> draw(std::span<const Plot> plots);
+
+}  // namespace tactile_net::drawing

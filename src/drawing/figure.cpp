@@ -1,0 +1,101 @@
+#include "tactile_net/drawing/figure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tactile_net/drawing/html.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
+
+namespace tactile_net::drawing {
+namespace {
+
+/// A field of a CSV file, quoted where it must be.
+std::string field(const std::string& text) {
+  return text.find_first_of(",\"\n") == std::string::npos ? text : csv_quoted(text);
+}
+
+std::string value(double number) { return std::isfinite(number) ? shortest(number) : ""; }
+
+}  // namespace
+
+std::string figure_html(const std::string& name, const std::string& picture,
+                        const std::string& caption, const std::string& data) {
+  const std::string link = escaped(data);
+  return "<figure id=\"" + escaped(name) + "\">" + picture + "\n<figcaption>" + caption +
+         " Data: <a href=\"" + link + "\">" + link + "</a></figcaption></figure>\n";
+}
+
+std::string csv_of(const Plot& plot) {
+  const bool shared = std::all_of(plot.curves.begin(), plot.curves.end(),
+                                  [](const Curve& curve) { return curve.x.empty(); });
+  std::string text;
+  if (!shared) {
+    text = "curve," + field(plot.x_label) + ',' + field(plot.y_label) + '\n';
+    for (const Curve& curve : plot.curves) {
+      const std::vector<double>& x = curve.x.empty() ? plot.x : curve.x;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        text += field(curve.label) + ',' + value(x[i]) + ',' + value(curve.y[i]) + '\n';
+    }
+    return text;
+  }
+  text = field(plot.x_label);
+  for (const Curve& curve : plot.curves) {
+    text += ',' + field(curve.label);
+    if (!curve.half_width.empty()) text += ',' + field(curve.label + " half width");
+  }
+  text += '\n';
+  for (std::size_t i = 0; i < plot.x.size(); ++i) {
+    text += value(plot.x[i]);
+    for (const Curve& curve : plot.curves) {
+      text += ',' + value(curve.y[i]);
+      if (!curve.half_width.empty()) text += ',' + value(curve.half_width[i]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+Figures::Figures(std::vector<Figure> figures) : figures_(std::move(figures)) {
+  for (Figure& figure : figures_)
+    std::erase_if(figure.plot.curves, [](const Curve& curve) {
+      return std::none_of(curve.y.begin(), curve.y.end(),
+                          [](double y) { return std::isfinite(y); });
+    });
+  std::erase_if(figures_, [](const Figure& figure) { return figure.plot.curves.empty(); });
+  std::vector<Plot> plots;
+  for (const Figure& figure : figures_) plots.push_back(figure.plot);
+  try {
+    svg_ = draw(plots);
+  } catch (const std::runtime_error& error) {
+    missing_ = std::string("the report has no plots: ") + error.what();
+  }
+}
+
+std::string Figures::html(std::string_view section) const {
+  std::string html;
+  for (std::size_t i = 0; i < svg_.size(); ++i) {
+    const Figure& figure = figures_[i];
+    if (figure.section != section) continue;
+    html += figure_html(figure.name, "<div class=\"plot\">" + svg_[i] + "</div>",
+                        escaped(figure.caption), figure.name + ".csv");
+  }
+  return html.empty() ? html : "<div class=\"figures\">\n" + html + "</div>\n";
+}
+
+Files Figures::data() const {
+  Files files;
+  for (const Figure& figure : figures_)
+    files.emplace_back(figure.name + ".csv", csv_of(figure.plot));
+  return files;
+}
+
+Files Figures::pictures() const {
+  Files files;
+  for (std::size_t i = 0; i < svg_.size(); ++i)
+    files.emplace_back(figures_[i].name + ".svg", svg_[i]);
+  return files;
+}
+
+}  // namespace tactile_net::drawing

@@ -1,0 +1,28 @@
+/// @file
+/// Private. The families of arithmetic, one file each; an exception fails the whole family.
+#pragma once
+
+#include "tactile_net/lab/stopwatch.hpp"
+#include "tactile_net/study/study.hpp"
+
+namespace tactile_net::study {
+
+/// Planned products with M: dense, by parity, of low rank, by FFT; in double and in single.
+[[nodiscard]] StudySection products(const StudyInput& input, const lab::Clock& clock);
+
+/// The closed form, and a QR of every frame.
+[[nodiscard]] StudySection factorisations(const StudyInput& input, const lab::Clock& clock);
+
+/// Filters and iterations by FFT.
+[[nodiscard]] StudySection by_fft(const StudyInput& input, const lab::Clock& clock);
+
+/// Tractions under constraints, the search stopped after more and more exchanges.
+[[nodiscard]] StudySection constrained(const StudyInput& input, const lab::Clock& clock);
+
+/// The same aperture with fewer taxels: every second, third, ... of them.
+[[nodiscard]] StudySection fewer_taxels(const StudyInput& input, const lab::Clock& clock);
+
+/// What the integral's accuracy costs, and what the discrete sum makes of it.
+[[nodiscard]] StudySection forward_models(const StudyInput& input, const lab::Clock& clock);
+
+}  // namespace tactile_net::study

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "study/digital.hpp"
+#include "study/points.hpp"
+#include "tactile_net/control/planner.hpp"
+#include "tactile_net/lab/scene_problem.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
+
+namespace tactile_net::study {
+namespace {
+
+/// f of a coarser array at the places of the fine one, piecewise linear.
+std::vector<double> interpolated(std::span<const double> f, std::size_t coarse, std::size_t stride,
+                                 std::size_t fine) {
+  std::vector<double> result;
+  for (std::size_t first = 0; first < f.size(); first += coarse)
+    for (std::size_t i = 0; i < fine; ++i) {
+      const std::size_t k = std::min(i / stride, coarse - 2);
+      const double share = static_cast<double>(i - k * stride) / static_cast<double>(stride);
+      result.push_back(std::lerp(f[first + k], f[first + k + 1], share));
+    }
+  return result;
+}
+
+/// Every `stride`-th taxel of the scene. Alpha keeps its meaning: all sums of the functional have
+/// as many terms fewer.
+WorkPoint coarser(const StudyInput& input, std::size_t stride, const WorkCurve& curve,
+                  const Knob& knob, const lab::Clock& clock) {
+  const std::size_t n = input.scene().sensor.count;
+  Scene scene = input.scene();
+  scene.sensor.count = knob.count;
+  scene.sensor.pitch *= static_cast<double>(stride);
+  std::vector<double> g;
+  for (std::size_t i = 0; i < input.readings.size(); ++i)
+    if (i % n % stride == 0) g.push_back(input.readings[i]);
+  PlannerOptions options;
+  options.diagnostics = false;
+  const PlannedEstimator planned =
+      plan_estimator(lab::SceneProblem(scene).problem(), input.alpha, options);
+  ContactEstimator estimator(planned.plan);
+  std::vector<double> f(estimator.tractions());
+  ContactEstimate estimate;
+  estimate.tractions = f;
+  const lab::Seconds seconds =
+      lab::time_of([&] { (void)estimator.update(g, estimate); }, 0.03, clock);
+  WorkPoint result =
+      point(input, curve, knob, interpolated(f, scene.sensor.count, stride, n), seconds);
+  result.error_to_solution.reset();  // fewer readings, another problem
+  return result;
+}
+
+}  // namespace
+
+StudySection fewer_taxels(const StudyInput& input, const lab::Clock& clock) {
+  StudySection section;
+  const WorkCurve curve{.family = WorkCurve::Family::fewer_taxels};
+  const std::size_t n = input.scene().sensor.count;
+  for (std::size_t stride = 2; stride <= (n - 1) / 4; ++stride) {
+    if ((n - 1) % stride != 0) continue;
+    if (!input.scene().dead_taxels.empty()) {
+      section.points.push_back(
+          failed(curve, {}, TimeOf::frame, {.kind = Failure::Kind::dead_taxels}));
+      break;
+    }
+    const Knob knob{.kind = Knob::Kind::taxels, .count = (n - 1) / stride + 1};
+    attempt(section, curve, knob, [&] { return coarser(input, stride, curve, knob, clock); });
+  }
+  if (section.points.empty())
+    section.points.push_back(
+        failed(curve, {}, TimeOf::frame, {.kind = Failure::Kind::no_stride, .count = n}));
+  return section;
+}
+
+}  // namespace tactile_net::study

@@ -1,0 +1,32 @@
+#include <exception>
+
+#include "study/circuits.hpp"
+#include "study/points.hpp"
+#include "tactile_net/lab/relaxation.hpp"
+
+namespace tactile_net::study {
+
+StudySection operating_points(const StudyInput& input, Simulator& simulator) {
+  StudySection section;
+  for (const Realization realization : realizations) {
+    if (!traits(realization).linear()) continue;
+    WorkPoint result;
+    result.curve = {.family = WorkCurve::Family::circuit, .realization = realization};
+    result.knob = {.kind = Knob::Kind::operating_point};
+    result.time_of = TimeOf::simulator;
+    try {
+      const lab::Relaxation relaxation =
+          lab::relax(circuit_of(input, with_circuit(input, realization)), simulator);
+      result.seconds = result.seconds_low = result.seconds_high = relaxation.ngspice_seconds;
+      result.error_to_solution = relaxation.difference;
+      if (const auto disagreement = relaxation.disagreement())
+        result.failure = Failure{.kind = Failure::Kind::disagrees, .disagreement = disagreement};
+    } catch (const std::exception&) {
+      result.failure = caught();
+    }
+    section.points.push_back(std::move(result));
+  }
+  return section;
+}
+
+}  // namespace tactile_net::study
