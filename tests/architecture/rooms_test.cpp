@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -175,26 +176,52 @@ bool allows(const std::string& path, const std::string& line) {
   return violations(path, line + "\n").empty();
 }
 
-TEST_CASE("every source keeps the order of the rooms", "[rooms]") {
-  std::vector<std::string> found;
-  std::size_t files = 0;
+struct Source {
+  std::string path;  ///< from the project's folder
+  std::string text;
+};
+
+/// The product: include, src, tools.
+std::vector<Source> sources() {
+  std::vector<Source> all;
   for (const char* top : {"include", "src", "tools"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE) / top)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".cpp" && extension != ".hpp" && extension != ".in") continue;
       std::ifstream file(entry.path());
-      const std::string text{std::istreambuf_iterator<char>(file), {}};
-      const auto of_file =
-          violations(entry.path().lexically_relative(SOURCE).generic_string(), text);
-      found.insert(found.end(), of_file.begin(), of_file.end());
-      ++files;
+      all.push_back({entry.path().lexically_relative(SOURCE).generic_string(),
+                     {std::istreambuf_iterator<char>(file), {}}});
     }
+  return all;
+}
+
+TEST_CASE("every source keeps the order of the rooms", "[rooms]") {
+  std::vector<std::string> found;
+  const std::vector<Source> all = sources();
+  for (const Source& source : all) {
+    const auto of_file = violations(source.path, source.text);
+    found.insert(found.end(), of_file.begin(), of_file.end());
+  }
   std::sort(found.begin(), found.end());
   std::string list;
   for (const std::string& violation : found) list += violation + '\n';
   INFO(list);
   CHECK(found.empty());
-  CHECK(files > 200);
+  CHECK(all.size() > 200);
+}
+
+TEST_CASE("no room holds more than 15 % of the product's lines", "[rooms]") {
+  std::map<std::string, std::ptrdiff_t, std::less<>> lines;
+  std::ptrdiff_t all = 0;
+  for (const auto& [path, text] : sources()) {
+    const auto count = std::count(text.begin(), text.end(), '\n');
+    lines[std::string(room_of(path))] += count;
+    all += count;
+  }
+  for (const Room& room : rooms) {
+    CAPTURE(room.name, lines[std::string(room.name)], all);
+    CHECK(100 * lines[std::string(room.name)] <= 15 * all);
+  }
 }
 
 TEST_CASE("the table of the rooms has no circle: each names rooms above it only", "[rooms]") {

@@ -165,9 +165,9 @@ TEST_CASE("a ripple's amplitude scatters as predicted", "[dft_tikhonov][resoluti
   // Noise alone, through the circular system, which has no ends; the amplitude at one wavelength.
   const std::size_t n = 64;
   const SensorArray array{n, 0.5, {1.0}, {stress_x, shear_xy}};
-  const Material pad{1.0, 0.3};
-  const auto predicted = resolutions(array, pad, {.unknowns = 2});
-  DftTikhonov inverse(array, pad, {.unknowns = 2});
+  const Material compressible{1.0, 0.3};
+  const auto predicted = resolutions(array, compressible, {.unknowns = 2});
+  DftTikhonov inverse(array, compressible, {.unknowns = 2});
   const std::size_t j = 8;
   double normal = 0.0;
   double tangential = 0.0;

@@ -106,7 +106,7 @@ TEST_CASE("the bands' prior is gml judged alone, whatever the other rules say", 
     const double prior = alone.verdict == AlphaVerdict::ok ? alone.alpha : result.alpha->value;
     const TractionCovariance covariance(problem.problem(), result.alpha->value, prior);
     std::vector<double> expected = covariance.deviations();
-    for (double& one : expected) one *= bands.noise.rms();
+    for (double& deviation : expected) deviation *= bands.noise.rms();
     CHECK(bands.deviation == expected);
   }
   CHECK(disagreements > 0);  // else this tells nothing
@@ -119,7 +119,7 @@ TEST_CASE("every verdict and every method has a name of its own", "[lab][method]
   CHECK(std::none_of(names.begin(), names.end(), [](auto text) { return text.empty(); }));
   std::sort(names.begin(), names.end());
   CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
-  for (const MethodTraits& one : methods()) CHECK(&traits(one.method) == &one);
+  for (const MethodTraits& row : methods()) CHECK(&traits(row.method) == &row);
 }
 
 TEST_CASE("the circuit solves no frames, and says so", "[lab][method]") {

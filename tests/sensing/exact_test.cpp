@@ -323,13 +323,13 @@ TEST_CASE("readings that double precision cannot hold are refused, not made up",
 TEST_CASE("more points and more halvings of a panel come closer to the integral", "[exact]") {
   const SensorArray array{
       .count = 21, .pitch = 0.5, .depths = {0.3}, .reads = {Quantity::strain_x}};
-  const Material pad{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
+  const Material soft{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
   const std::vector<Contact> contacts = {RigidContact{.shape = Shape::wedge, .half_width = 2.0}};
   const auto readings = [&](int points, int halvings) {
     constexpr double any = std::numeric_limits<double>::infinity();
-    return exact_readings(array, pad, contacts, {points, halvings, any});
+    return exact_readings(array, soft, contacts, {points, halvings, any});
   };
-  const std::vector<double> best = exact_readings(array, pad, contacts);
+  const std::vector<double> best = exact_readings(array, soft, contacts);
   const auto error = [&](const std::vector<double>& g) {
     double sum = 0.0;
     for (std::size_t i = 0; i < g.size(); ++i) sum = std::max(sum, std::abs(g[i] - best[i]));

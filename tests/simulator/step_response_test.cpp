@@ -2,7 +2,6 @@
 #include "tactile_net/simulator/step_response.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <sstream>
 
 #include "tactile_net/network/state_space.hpp"
@@ -17,7 +16,6 @@ using namespace tactile_net;
 namespace {
 
 const OpAmp one_pole{.gain = 1e6, .bandwidth = 1e7};
-const double w = 2.0 * std::numbers::pi * 1e7;
 
 std::vector<double> at_rest(const Circuit& circuit) {
   std::ostringstream deck;
