@@ -1,6 +1,8 @@
 # How targets are compiled, beyond what the build type says.
 if(TACTILE_NET_SANITIZE)
   add_link_options(-fsanitize=${TACTILE_NET_SANITIZE})
+  # Else Eigen would take memory in one way where it is instrumented and give it back in another where it is not.
+  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=0)
 endif()
 
 # A second build takes seconds where ccache is installed.
