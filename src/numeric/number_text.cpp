@@ -1,5 +1,6 @@
 #include "tactile_net/numeric/number_text.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -40,6 +41,31 @@ std::string duration(double seconds) {
   if (seconds < 1e-3) return brief(seconds * 1e6) + " us";
   if (seconds < 1.0) return brief(seconds * 1e3) + " ms";
   return brief(seconds) + " s";
+}
+
+std::string plus_minus(double value, double deviation) {
+  if (!std::isfinite(value)) return "-";
+  if (!std::isfinite(deviation) || !(deviation > 0.0)) return brief(value);
+  double power = std::floor(std::log10(deviation));
+  if (std::round(deviation / std::pow(10.0, power - 1.0)) < 20.0) power -= 1.0;
+  const double largest = std::max(std::abs(value), deviation);
+  if (power > 4.0 || largest < 1e-3) {  // powers of ten, one for both
+    const double common = std::floor(std::log10(largest));
+    const double unit = std::pow(10.0, common);
+    const int digits = static_cast<int>(std::clamp(common - power, 0.0, 15.0));
+    return "(" + fixed(value / unit, digits) + " ± " + fixed(deviation / unit, digits) + ")e" +
+           fixed(common, 0);
+  }
+  const int digits = static_cast<int>(std::clamp(-power, 0.0, 15.0));
+  const double step = std::pow(10.0, power);
+  const auto rounded = [&](double number) {
+    const double result = digits > 0 ? number : std::round(number / step) * step;
+    return fixed(result, digits);
+  };
+  std::string text = rounded(value);
+  // "-0.00" is nothing but 0.
+  if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);
+  return text + " ± " + rounded(deviation);
 }
 
 bool read_number(std::string_view text, double& number) noexcept {

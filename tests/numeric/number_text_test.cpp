@@ -84,5 +84,20 @@ TEST_CASE("a program's locale changes no number", "[number_text]") {
   CHECK(read);
 }
 
+TEST_CASE("a value is rounded by its deviation", "[number_text]") {
+  CHECK(plus_minus(0.98172, 0.00166) == "0.9817 ± 0.0017");
+  CHECK(plus_minus(20.24, 0.23) == "20.2 ± 0.2");
+  CHECK(plus_minus(4.56e-15, 0.00785) == "0.000 ± 0.008");
+  CHECK(plus_minus(-4.56e-15, 0.00785) == "0.000 ± 0.008");
+  CHECK(plus_minus(1234.5, 56.0) == "1230 ± 60");
+  CHECK(plus_minus(1234.5, 14.0) == "1235 ± 14");
+  CHECK(plus_minus(-3.0, 0.5) == "-3.0 ± 0.5");
+  CHECK(plus_minus(1.0, 0.0199) == "1.00 ± 0.02");
+  CHECK(plus_minus(2.5e-5, 3e-7) == "(2.50 ± 0.03)e-5");
+  CHECK(plus_minus(123456789.0, 2.5e6) == "(1.23 ± 0.03)e8");
+  CHECK(plus_minus(1.5, 0.0) == "1.5");
+  CHECK(plus_minus(std::nan(""), 1.0) == "-");
+}
+
 }  // namespace
 }  // namespace tactile_net

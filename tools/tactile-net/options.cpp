@@ -144,6 +144,9 @@ void add_solve(Parser& parser) {
       ->capture_default_str();
   command->add_option("-o,--output", options->output,
                       "CSV or .npy file for the tractions [Pa] (default: CSV on standard output)");
+  command->add_option("--out", options->folder,
+                      "Folder for report.html, the page of the recording; result.json, shown.csv "
+                      "(the frames in its pictures) and, without -o, tractions.csv");
   command->add_option("--uncertainty", options->uncertainty,
                       "CSV file for each frame's forces, centre and angle with their standard "
                       "deviations, and the deviation of every traction");

@@ -60,6 +60,9 @@ class OutputFolder {
   /// @throw std::runtime_error  not written: a full disk
   void write(std::string_view name, std::string_view content) const;
 
+  /// Where a file that is too long for one text is to be written, before `commit`.
+  [[nodiscard]] std::filesystem::path place(std::string_view name) const { return staging_ / name; }
+
   /// Moves every file into place, replacing those of an earlier run.
   ///
   /// @return what else is there, as `other_results`

@@ -6,6 +6,7 @@
 ///     fixed(1234.56, 1) "1234.6"   so many digits behind the point
 ///     percent(0.0123)   "1.23 %"
 ///     duration(2.5e-6)  "2.5 us"
+///     plus_minus(0.98172, 0.00165)  "0.9817 ± 0.0017": rounded by the deviation
 #pragma once
 
 #include <concepts>
@@ -33,6 +34,11 @@ void append_number(std::string& out, double number);
 
 /// Seconds with the unit that leaves one to three digits before the point: "12 us"; "-" for NaN.
 [[nodiscard]] std::string duration(double seconds);
+
+/// A value and its standard deviation, both rounded to the deviation's first two digits if these
+/// are below 20, else to its first; UTF-8. "-" where the value is not finite; without the deviation
+/// where that is not finite or 0.
+[[nodiscard]] std::string plus_minus(double value, double deviation);
 
 /// The number that is the whole text, or nothing: no sign `+`, no blank, no locale.
 [[nodiscard]] bool read_number(std::string_view text, double& number) noexcept;

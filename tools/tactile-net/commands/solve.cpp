@@ -5,6 +5,7 @@
 #include <ostream>
 #include <span>
 
+#include "commands/recording_folder.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
@@ -62,8 +63,11 @@ class UncertaintyFile {
 class Outputs {
  public:
   Outputs(const SolveOptions& options, const lab::SceneProblem& problem, std::size_t tractions,
-          bool with_time, const Streams& streams)
-      : tractions_(options.output, &streams.out) {
+          bool with_time, RecordingFolder* folder, const Streams& streams)
+      : folder_(folder),
+        tractions_(
+            folder != nullptr && options.output.empty() ? folder->tractions() : options.output,
+            &streams.out) {
     const std::size_t count = problem.scene().sensor.count;
     sink_ = frames::make_sink(tractions_, options.output,
                               frames::traction_columns(count, tractions > count), with_time);
@@ -75,6 +79,7 @@ class Outputs {
            std::span<const double> tractions, const lab::FrameResult& result) {
     sink_->add(time, tractions);
     if (uncertainty_) uncertainty_->add(readings, tractions, result, time);
+    if (folder_ != nullptr) folder_->add(time, readings, tractions, result);
   }
   void flush() { sink_->flush(); }
   void commit() {
@@ -84,6 +89,7 @@ class Outputs {
   }
 
  private:
+  RecordingFolder* folder_;
   frames::OutputFile tractions_;
   std::unique_ptr<frames::FrameSink> sink_;
   std::optional<UncertaintyFile> uncertainty_;
@@ -127,7 +133,10 @@ void run(const SolveOptions& options, const Streams& streams) {
     streams.err << file.name() << ": note: " << ignored.size()
                 << " columns are not read by this scene, '" << ignored.front() << "' first\n";
 
-  Outputs outputs(options, problem, solver->tractions(), file.source().has_time(), streams);
+  std::optional<RecordingFolder> folder;
+  if (!options.folder.empty()) folder.emplace(options.folder, problem, method);
+  Outputs outputs(options, problem, solver->tractions(), file.source().has_time(),
+                  folder ? &*folder : nullptr, streams);
   const auto summary = output_if(options.json, streams);
   const double start = lab::monotonic_time();
   lab::SolvedFrames solved;
@@ -140,14 +149,16 @@ void run(const SolveOptions& options, const Streams& streams) {
   outputs.commit();
   for (const std::string& sentence : report::in_words(solved))
     streams.err << options.method << ": note: " << sentence << '\n';
-  if (!summary) return;
-  write(summary.get(),
-        report::solve_json(problem.scene(), solved,
-                           {.readings = options.readings,
-                            .method = method,
-                            .columns_ignored = ignored,
-                            .remarks = solved.frames > 0 ? solved.last.remarks : solver->remarks(),
-                            .seconds = lab::monotonic_time() - start}));
+  if (!summary && !folder) return;
+  const lab::Remarks remarks = solved.frames > 0 ? solved.last.remarks : solver->remarks();
+  const std::string json = report::solve_json(problem.scene(), solved,
+                                              {.readings = options.readings,
+                                               .method = method,
+                                               .columns_ignored = ignored,
+                                               .remarks = remarks,
+                                               .seconds = lab::monotonic_time() - start});
+  write(summary.get(), json);
+  if (folder) folder->commit(options.readings, json, report::in_words(solver->remarks()), streams);
 }
 
 }  // namespace tactile_net::tool

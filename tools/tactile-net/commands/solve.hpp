@@ -15,6 +15,7 @@ struct SolveOptions {
   std::string output{};
   std::string uncertainty{};
   std::string json{};
+  std::string folder{};  ///< of report.html and what is beside it; empty: none
 };
 
 /// @throw InputError  a frame is bad; everything before it has been written

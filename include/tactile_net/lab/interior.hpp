@@ -1,0 +1,26 @@
+/// @file
+/// The stress inside the pad under tractions that were found: what a picture of the pad shows.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "tactile_net/scene/scene.hpp"
+
+namespace tactile_net::lab {
+
+/// stress_x on rows of points below the taxels' places, of a unit traction on one taxel's strip.
+struct InteriorKernels {
+  std::vector<double> depths{};  ///< of the rows [m]
+  std::size_t lags = 0;          ///< 2 count - 1: from one end of the array to the other and back
+  /// Row by row: lag - (count - 1) is the place's index minus the loaded taxel's.
+  std::vector<double> of_normal{};
+  std::vector<double> of_tangential{};  ///< empty: not asked for
+};
+
+/// A strip is one pitch wide, its traction uniform. Rows reach down to a layer's base, or on a half
+/// plane to twice the deepest taxel.
+[[nodiscard]] InteriorKernels interior_kernels(const Scene& scene, std::size_t rows,
+                                               bool tangential);
+
+}  // namespace tactile_net::lab

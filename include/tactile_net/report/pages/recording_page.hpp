@@ -1,0 +1,23 @@
+/// @file
+/// The page of a recording: the answer, the pad and one frame of it, everything over time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tactile_net/drawing/figure.hpp"
+#include "tactile_net/lab/recording.hpp"
+
+namespace tactile_net::report {
+
+/// One file, without a network; about 8 bytes for each of the tractions that are kept. A recording
+/// without frames is a page that says so.
+///
+/// @param notes  what else is to be said: remarks of the method, columns that were not read
+/// @param files  names of the files beside it, to link
+[[nodiscard]] drawing::Page recording_page(const lab::RecordingOverview& overview,
+                                           const std::string& readings,
+                                           const std::vector<std::string>& notes,
+                                           const std::vector<std::string>& files);
+
+}  // namespace tactile_net::report

@@ -1,0 +1,42 @@
+/// @file
+/// A recording in words: what a page says first, and of each frame.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tactile_net/lab/recording.hpp"
+
+namespace tactile_net::report {
+
+/// One of the boxes that a page begins with.
+struct Answer {
+  std::string value{};  ///< "20.2 ± 0.2"
+  std::string meaning{};
+  bool doubtful = false;
+};
+
+/// How hard, how it was dragged, where, and what not to trust. @pre  there is a frame
+[[nodiscard]] std::vector<Answer> answers(const lab::RecordingOverview& overview);
+
+/// "241 frames, 1.2 s, 41 taxels, ..."
+[[nodiscard]] std::string recording_in_words(const lab::RecordingOverview& overview);
+
+/// "frame 160, t = 0.8", "frames 16 to 31, frame 20 shown"
+[[nodiscard]] std::string group_place(const lab::RecordingOverview& overview,
+                                      const lab::FrameGroup& group);
+
+/// "0.8 s", or the frame's number where the recording has no time.
+[[nodiscard]] std::string group_clock(const lab::FrameGroup& group);
+
+/// "normal force 20.2 ± 0.2, tangential 7.1 ± 0.1, centre 0.35 ± 0.02; alpha 1e-3"
+[[nodiscard]] std::string group_answer(const lab::RecordingOverview& overview,
+                                       const lab::FrameGroup& group);
+
+/// "unstable: the answer depends on alpha ..."; empty for the verdict ok
+[[nodiscard]] std::string group_distrust(const lab::FrameGroup& group);
+
+/// A sentence for every verdict but ok, with the number of frames.
+[[nodiscard]] std::vector<std::string> distrusted_in_words(const lab::RecordingOverview& overview);
+
+}  // namespace tactile_net::report

@@ -1,0 +1,48 @@
+#include "tactile_net/lab/interior.hpp"
+
+#include <algorithm>
+
+#include "tactile_net/elasticity/pad_kernel.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+/// The mean of the kernel over each strip, by the midpoints of parts that are narrower than the
+/// row is deep.
+std::vector<double> row_of(const Scene& scene, Traction component, double depth) {
+  const PadKernel kernel(Quantity::stress_x, component, scene.material, depth);
+  const double pitch = scene.sensor.pitch;
+  const auto count = static_cast<std::ptrdiff_t>(scene.sensor.count);
+  const int parts = static_cast<int>(std::clamp(4.0 * pitch / depth, 4.0, 64.0));
+  std::vector<double> row;
+  for (std::ptrdiff_t lag = 1 - count; lag < count; ++lag) {
+    double sum = 0.0;
+    for (int part = 0; part < parts; ++part)
+      sum += kernel(pitch * (static_cast<double>(lag) + (part + 0.5) / parts - 0.5));
+    row.push_back(pitch * sum / parts);
+  }
+  return row;
+}
+
+}  // namespace
+
+InteriorKernels interior_kernels(const Scene& scene, std::size_t rows, bool tangential) {
+  const auto& depths = scene.sensor.depths;
+  const double bottom = scene.material.layer
+                            ? scene.material.layer->thickness
+                            : 2.0 * *std::max_element(depths.begin(), depths.end());
+  InteriorKernels kernels{.lags = 2 * scene.sensor.count - 1};
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double depth = bottom * (static_cast<double>(i) + 0.5) / static_cast<double>(rows);
+    kernels.depths.push_back(depth);
+    const auto append = [&](std::vector<double>& all, Traction component) {
+      const std::vector<double> row = row_of(scene, component, depth);
+      all.insert(all.end(), row.begin(), row.end());
+    };
+    append(kernels.of_normal, Traction::normal);
+    if (tangential) append(kernels.of_tangential, Traction::tangential);
+  }
+  return kernels;
+}
+
+}  // namespace tactile_net::lab

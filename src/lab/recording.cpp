@@ -1,0 +1,135 @@
+#include "tactile_net/lab/recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tactile_net::lab {
+namespace {
+
+std::size_t most_for(std::size_t tractions) {
+  return std::clamp(Recording::most_values / std::max<std::size_t>(tractions, 1), std::size_t{100},
+                    Recording::most_groups);
+}
+
+/// Whether b is to stand for a group rather than a.
+bool stands_before(const FrameGroup& b, const FrameGroup& a) {
+  return std::pair(b.verdict == Verdict::ok, b.load) > std::pair(a.verdict == Verdict::ok, a.load);
+}
+
+/// Takes `next`, whose frames follow, into `group`.
+void absorb(FrameGroup& group, FrameGroup&& next) {
+  next.first = group.first;
+  next.count += group.count;
+  if (group.distrusted > 0) next.distrust = group.distrust;
+  next.distrusted += group.distrusted;
+  next.lowest_normal = std::min(group.lowest_normal, next.lowest_normal);
+  next.highest_normal = std::max(group.highest_normal, next.highest_normal);
+  next.lowest_tangential = std::min(group.lowest_tangential, next.lowest_tangential);
+  next.highest_tangential = std::max(group.highest_tangential, next.highest_tangential);
+  if (!stands_before(next, group)) {
+    next.shown = group.shown;
+    next.time = group.time;
+    next.load = group.load;
+    next.verdict = group.verdict;
+    next.alpha = group.alpha;
+    next.readings.swap(group.readings);
+    next.tractions.swap(group.tractions);
+    next.resultant = group.resultant;
+  }
+  group = std::move(next);
+}
+
+}  // namespace
+
+bool RecordingOverview::tangential() const noexcept {
+  return !groups.empty() && groups.front().tractions.size() > scene.sensor.count;
+}
+
+const FrameGroup& RecordingOverview::peak() const {
+  return *std::max_element(
+      groups.begin(), groups.end(), [](const FrameGroup& a, const FrameGroup& b) {
+        const auto rank = [](const FrameGroup& group) {
+          return std::pair(group.verdict == Verdict::ok, group.resultant.normal);
+        };
+        return rank(a) < rank(b);
+      });
+}
+
+std::vector<const FrameGroup*> RecordingOverview::trusted() const {
+  std::vector<const FrameGroup*> some;
+  for (const FrameGroup& group : groups)
+    if (group.verdict == Verdict::ok) some.push_back(&group);
+  if (some.empty())
+    for (const FrameGroup& group : groups) some.push_back(&group);
+  return some;
+}
+
+bool RecordingOverview::loaded(const FrameGroup& group) const {
+  const double least =
+      group.bands ? 3.0 * group.bands->resultant.normal.deviation : 0.05 * peak().resultant.normal;
+  return group.resultant.normal > least;
+}
+
+Recording::Recording(SceneProblem problem, Method method)
+    : problem_(std::move(problem)), method_(method), most_(most_for(problem_.tractions())) {}
+
+void Recording::add(std::optional<double> time, std::span<const double> readings,
+                    std::span<const double> tractions, const FrameResult& result) {
+  const SensorArray& sensor = problem_.scene().sensor;
+  const auto normal = tractions.first(sensor.count);
+  FrameGroup frame{.first = frames_, .count = 1, .shown = frames_};
+  frame.resultant = resultant_of(normal, tractions.subspan(sensor.count), sensor.pitch);
+  frame.lowest_normal = frame.highest_normal = frame.resultant.normal;
+  frame.lowest_tangential = frame.highest_tangential = frame.resultant.tangential;
+  frame.time = time.value_or(std::numeric_limits<double>::quiet_NaN());
+  for (const double traction : normal) frame.load += std::abs(traction);
+  frame.verdict = frame.distrust = result.verdict;
+  frame.distrusted = result.verdict == Verdict::ok ? 0 : 1;
+  frame.alpha = result.alpha;
+  ++frames_;
+  ++verdicts_[result.verdict];
+
+  const bool opens = groups_.empty() || groups_.back().count == per_group_;
+  const bool shown = opens || stands_before(frame, groups_.back());
+  if (shown) {
+    frame.readings.assign(readings.begin(), readings.end());
+    frame.tractions.assign(tractions.begin(), tractions.end());
+  }
+  if (opens) {
+    groups_.push_back(std::move(frame));
+    results_.push_back(result);
+  } else {
+    if (shown) results_.back() = result;
+    absorb(groups_.back(), std::move(frame));
+  }
+  if (groups_.size() == most_ && groups_.back().count == per_group_) merge_neighbours();
+}
+
+void Recording::merge_neighbours() {
+  std::vector<FrameGroup> merged;
+  std::vector<FrameResult> results;
+  for (std::size_t i = 0; i < groups_.size(); i += 2) {
+    const std::size_t next = i + 1;
+    const bool second = next < groups_.size() && stands_before(groups_[next], groups_[i]);
+    results.push_back(std::move(results_[second ? next : i]));
+    merged.push_back(std::move(groups_[i]));
+    if (next < groups_.size()) absorb(merged.back(), std::move(groups_[next]));
+  }
+  groups_ = std::move(merged);
+  results_ = std::move(results);
+  per_group_ *= 2;
+}
+
+RecordingOverview Recording::overview(Observer& observer) const {
+  RecordingOverview overview{problem_.scene(), method_, frames_, verdicts_, groups_};
+  if (!traits(method_).has_bands || problem_.is_large()) return overview;
+  for (std::size_t i = 0; i < groups_.size() && !observer.stop(); ++i) {
+    FrameGroup& group = overview.groups[i];
+    group.bands = uncertainty(SceneFrame(problem_, group.readings), group.tractions, results_[i]);
+  }
+  return overview;
+}
+
+}  // namespace tactile_net::lab

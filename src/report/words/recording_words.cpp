@@ -1,0 +1,171 @@
+#include "tactile_net/report/words/recording_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/verdict_words.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+using lab::FrameGroup;
+using lab::RecordingOverview;
+using lab::Verdict;
+
+std::string normal_of(const FrameGroup& group) {
+  return group.bands ? plus_minus(group.bands->resultant.normal.value,
+                                  group.bands->resultant.normal.deviation)
+                     : brief(group.resultant.normal);
+}
+
+std::string tangential_of(const FrameGroup& group) {
+  if (group.bands && group.bands->resultant.tangential)
+    return plus_minus(group.bands->resultant.tangential->value,
+                      group.bands->resultant.tangential->deviation);
+  return brief(group.resultant.tangential);
+}
+
+/// Empty where nothing presses.
+std::string centre_of(const FrameGroup& group) {
+  if (group.bands)
+    return group.bands->resultant.centre ? plus_minus(group.bands->resultant.centre->value,
+                                                      group.bands->resultant.centre->deviation)
+                                         : std::string{};
+  const auto centre = group.resultant.centre();
+  return centre ? brief(*centre) : std::string{};
+}
+
+std::string place(const FrameGroup& group) {
+  return (std::isnan(group.time) ? "" : "t = ") + group_clock(group);
+}
+
+/// The way of the centre over the frames that press.
+Answer path(const RecordingOverview& overview, const FrameGroup& peak) {
+  const FrameGroup* first = nullptr;
+  const FrameGroup* last = nullptr;
+  double low = 0.0;
+  double high = 0.0;
+  for (const FrameGroup& group : overview.groups) {
+    const auto centre = group.resultant.centre();
+    // A light touch has its centre anywhere.
+    if (group.verdict != Verdict::ok || !centre || !overview.loaded(group) ||
+        group.resultant.normal < 0.2 * peak.resultant.normal)
+      continue;
+    if (first == nullptr) {
+      first = &group;
+      low = high = *centre;
+    }
+    last = &group;
+    low = std::min(low, *centre);
+    high = std::max(high, *centre);
+  }
+  if (first == nullptr) return {"-", "no frame has a centre of pressure to be trusted", true};
+  const double deviation = peak.bands && peak.bands->resultant.centre
+                               ? peak.bands->resultant.centre->deviation
+                               : 0.1 * overview.scene.sensor.pitch;
+  if (high - low < 4.0 * deviation)
+    return {centre_of(peak), "centre of pressure, at " + place(peak)};
+  return {brief(*first->resultant.centre()) + " → " + brief(*last->resultant.centre()),
+          "way of the centre of pressure while it presses; from " + brief(low) + " to " +
+              brief(high) + " in all"};
+}
+
+Answer trust(const RecordingOverview& overview) {
+  std::size_t distrusted = 0;
+  const std::pair<const Verdict, std::size_t>* most = nullptr;
+  for (const auto& entry : overview.verdicts) {
+    if (entry.first == Verdict::ok) continue;
+    distrusted += entry.second;
+    if (most == nullptr || entry.second > most->second) most = &entry;
+  }
+  if (most == nullptr)
+    return {"all " + std::to_string(overview.frames) + " frames", "nothing speaks against them"};
+  return {std::to_string(distrusted) + " of " + std::to_string(overview.frames) + " frames",
+          "not to be trusted, most of them because " + std::string(in_words(most->first)), true};
+}
+
+}  // namespace
+
+std::vector<Answer> answers(const RecordingOverview& overview) {
+  const FrameGroup& peak = overview.peak();
+  const bool pressed = overview.loaded(peak);
+  std::vector<Answer> all;
+  all.push_back({normal_of(peak),
+                 pressed ? "largest normal force, at " + place(peak)
+                         : "largest normal force: no more than the noise. Nothing presses",
+                 !pressed || peak.verdict != Verdict::ok});
+  if (overview.tangential() && pressed) {
+    double used = 0.0;
+    const FrameGroup* where = nullptr;
+    for (const FrameGroup& group : overview.groups) {
+      if (group.verdict != Verdict::ok || group.resultant.normal < 0.5 * peak.resultant.normal)
+        continue;
+      const double ratio = std::abs(group.resultant.tangential) / group.resultant.normal;
+      if (ratio < used) continue;
+      used = ratio;
+      where = &group;
+    }
+    if (where != nullptr)
+      all.push_back({brief(used, 2) + " of it",
+                     "dragged sideways at most: the friction it used, "
+                     "at " +
+                         place(*where)});
+  }
+  if (pressed) all.push_back(path(overview, peak));
+  all.push_back(trust(overview));
+  return all;
+}
+
+std::string recording_in_words(const RecordingOverview& overview) {
+  std::string text =
+      std::to_string(overview.frames) + (overview.frames == 1 ? " frame" : " frames");
+  if (overview.groups.size() > 1) {
+    const double length = overview.groups.back().time - overview.groups.front().time;
+    if (std::isfinite(length) && length > 0.0) text += " in " + duration(length);
+  }
+  return text + "; " + sensor_in_words(overview.scene) + "; " + material_in_words(overview.scene) +
+         "; method " + std::string(name(overview.method));
+}
+
+std::string group_place(const RecordingOverview& overview, const FrameGroup& group) {
+  std::string text = "frame " + std::to_string(group.shown);
+  if (group.count > 1)
+    text += ", which presses hardest of frames " + std::to_string(group.first) + " to " +
+            std::to_string(group.first + group.count - 1);
+  else
+    text += " of " + std::to_string(overview.frames);
+  if (!std::isnan(group.time)) text += ", t = " + group_clock(group);
+  return text;
+}
+
+std::string group_clock(const FrameGroup& group) {
+  return std::isnan(group.time) ? "frame " + std::to_string(group.shown)
+                                : brief(group.time, 4) + " s";
+}
+
+std::string group_answer(const RecordingOverview& overview, const FrameGroup& group) {
+  std::string text = "normal force " + normal_of(group);
+  if (overview.tangential()) text += ", tangential " + tangential_of(group);
+  if (const std::string centre = centre_of(group); !centre.empty()) text += ", centre " + centre;
+  if (group.alpha) text += "; alpha " + brief(group.alpha->value);
+  if (group.bands) text += "; residual " + brief(group.bands->noise.residual_rms);
+  return text;
+}
+
+std::string group_distrust(const FrameGroup& group) {
+  if (group.verdict == Verdict::ok) return {};
+  return std::string(name(group.verdict)) + ": " + std::string(in_words(group.verdict));
+}
+
+std::vector<std::string> distrusted_in_words(const RecordingOverview& overview) {
+  std::vector<std::string> sentences;
+  for (const auto& [verdict, frames] : overview.verdicts)
+    if (verdict != Verdict::ok)
+      sentences.push_back(std::to_string(frames) + " frames " + std::string(name(verdict)) + ": " +
+                          std::string(in_words(verdict)));
+  return sentences;
+}
+
+}  // namespace tactile_net::report

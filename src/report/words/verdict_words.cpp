@@ -1,0 +1,39 @@
+#include "tactile_net/report/words/verdict_words.hpp"
+
+#include "numeric/named.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+using lab::Verdict;
+
+constexpr Named<Verdict> sentences[] = {
+    {Verdict::ok, "nothing speaks against it"},
+    {Verdict::failed, "there is no answer"},
+    {Verdict::border,
+     "the best alpha lies at the end of what was searched: the readings hold too little, or the "
+     "noise or the pad is not as stated"},
+    {Verdict::unstable, "the answer depends on alpha: ten times as much would give another one"},
+    {Verdict::no_root, "no alpha fits: there is no signal above the noise"},
+    {Verdict::rules_disagree,
+     "the rules for alpha give different answers: the readings do not fix how much to smooth"},
+    {Verdict::noise_amplified, "dft makes the readings' noise more than 10 000 times as large"},
+    {Verdict::sign_change,
+     "a wavelength that the sensors cannot see lies between those of the dft"},
+    {Verdict::cut_off, "the load reaches over the ends of the array, which dft takes for a ring"},
+    {Verdict::not_one_contact, "the readings are not those of a single contact that drags"},
+    {Verdict::drag_in_noise, "the noise could hide the drag"},
+    {Verdict::no_contact, "nothing presses"},
+    {Verdict::null_mode, "part of the traction shows in no reading and was set to zero"},
+    {Verdict::not_converged, "the iteration did not converge"},
+    {Verdict::iteration_limit, "the search for the constraints' optimum was stopped"},
+    {Verdict::oversmoothed, "more than half of the readings is left unexplained"},
+    {Verdict::ill_conditioned, "rounding alone may have changed it"},
+    {Verdict::inaccurate, "the circuit is more than 1 % off"},
+};
+
+}  // namespace
+
+std::string_view in_words(Verdict verdict) noexcept { return name_in<sentences>(verdict); }
+
+}  // namespace tactile_net::report

@@ -1,0 +1,111 @@
+#include "tactile_net/lab/recording.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "tactile_net/elasticity/half_plane.hpp"
+#include "tactile_net/lab/interior.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+SceneProblem pad() {
+  return SceneProblem(
+      parse_scene("[sensor]\ncount = 21\npitch = 0.5\ndepth = 1.0\nreads = [\"stress_x\"]\n"
+                  "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+                  "[noise]\nrms = 1e-3\n[reconstruct]\nalpha = 1e-3\n",
+                  "pad.toml"));
+}
+
+/// A recording whose frames all press with 1, but one.
+Recording recorded(std::size_t frames, std::size_t tap) {
+  const SceneProblem problem = pad();
+  Recording recording(problem, Method::tikhonov);
+  std::vector<double> tractions(21);
+  for (std::size_t i = 0; i < frames; ++i) {
+    std::fill(tractions.begin(), tractions.end(), i == tap ? 7.0 : 1.0);
+    recording.add(0.001 * static_cast<double>(i), tractions, tractions,
+                  {.alpha = ChosenAlpha{.value = 1e-3},
+                   .verdict = i == tap + 1 ? Verdict::unstable : Verdict::ok});
+  }
+  return recording;
+}
+
+}  // namespace
+
+TEST_CASE("every frame of a recording is counted once, in a bounded number of groups",
+          "[lab][recording]") {
+  for (const std::size_t frames : {1U, 2U, 1499U, 1500U, 1501U, 20'000U}) {
+    CAPTURE(frames);
+    const RecordingOverview overview = recorded(frames, frames / 3).overview();
+    CHECK(overview.frames == frames);
+    CHECK(overview.groups.size() <= Recording::most_groups);
+    CHECK(overview.groups.size() >= std::min<std::size_t>(frames, Recording::most_groups / 2));
+    std::size_t next = 0;
+    for (const FrameGroup& group : overview.groups) {
+      CHECK(group.first == next);
+      CHECK(group.shown >= group.first);
+      CHECK(group.shown < group.first + group.count);
+      CHECK(group.time == Approx(0.001 * static_cast<double>(group.shown)));
+      next += group.count;
+    }
+    CHECK(next == frames);
+  }
+}
+
+TEST_CASE("a tap of one frame and a verdict of one frame survive the thinning",
+          "[lab][recording]") {
+  const std::size_t tap = 12'345;
+  const RecordingOverview overview = recorded(100'000, tap).overview();
+  CHECK(overview.peak().shown == tap);
+  CHECK(overview.peak().highest_normal == Approx(7.0 * 21 * 0.5));
+  CHECK(overview.peak().lowest_normal == Approx(21 * 0.5));
+  std::size_t distrusted = 0;
+  for (const FrameGroup& group : overview.groups) {
+    distrusted += group.distrusted;
+    if (group.distrusted > 0) CHECK(group.distrust == Verdict::unstable);
+  }
+  CHECK(distrusted == 1);
+  CHECK(overview.verdicts.at(Verdict::unstable) == 1);
+  CHECK(overview.verdicts.at(Verdict::ok) == 99'999);
+}
+
+TEST_CASE("the bands of a recording's frame are those that uncertainty gives", "[lab][recording]") {
+  const SceneProblem problem = pad();
+  const auto solver = make_solver(problem, Method::tikhonov);
+  Recording recording(problem, Method::tikhonov);
+  std::vector<double> readings(21);
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    readings[i] = std::exp(-0.3 * std::pow(static_cast<double>(i) - 9.0, 2));
+  std::vector<double> tractions(21);
+  const FrameResult result = solver->solve(readings, tractions);
+  recording.add({}, readings, tractions, result);
+  const FrameGroup group = recording.overview().groups.at(0);
+  const FrameUncertainty expected = uncertainty(SceneFrame(problem, readings), tractions, result);
+  REQUIRE(group.bands);
+  CHECK(group.bands->deviation == expected.deviation);
+  CHECK(group.bands->resultant.normal.value == group.resultant.normal);
+  CHECK(std::isnan(group.time));
+}
+
+TEST_CASE("inside the pad a uniform pressure is a uniform stress", "[lab][interior]") {
+  Scene scene = pad().scene();
+  scene.sensor.count = 401;
+  const InteriorKernels kernels = interior_kernels(scene, 6, true);
+  REQUIRE(kernels.depths.size() == 6);
+  REQUIRE(kernels.lags == 801);
+  for (std::size_t row = 0; row < 6; ++row) {
+    const auto begin = kernels.of_normal.begin() + static_cast<std::ptrdiff_t>(row * kernels.lags);
+    // What lies beyond the ends of 801 strips: the tail of 2 x^3 / (pi r^4).
+    CHECK(std::accumulate(begin, begin + 801, 0.0) == Approx(1.0).epsilon(1e-3));
+    const auto drag =
+        kernels.of_tangential.begin() + static_cast<std::ptrdiff_t>(row * kernels.lags);
+    CHECK(std::accumulate(drag, drag + 801, 0.0) == Approx(0.0).margin(1e-12));
+    CHECK(drag[401] == Approx(-drag[399]));
+  }
+}
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,119 @@
+#include "tactile_net/lab/recording.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tactile_net/report/csv/recording_csv.hpp"
+#include "tactile_net/report/json/recording_json.hpp"
+#include "tactile_net/report/pages/recording_page.hpp"
+#include "tactile_net/report/words/recording_words.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+using Catch::Matchers::Contains;
+
+namespace tactile_net::report {
+namespace {
+
+/// A press of `frames` frames in the middle, the strongest in the middle of time; the last frame's
+/// verdict is `last`.
+lab::RecordingOverview press(std::size_t frames, lab::Verdict last = lab::Verdict::ok,
+                             const std::string& title = "a press") {
+  const lab::SceneProblem problem(
+      parse_scene("title = \"" + title +
+                      "\"\n[sensor]\ncount = 21\npitch = 0.5\ndepth = 1.0\nreads = [\"stress_x\", "
+                      "\"shear_xy\"]\n[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+                      "[noise]\nrms = 1e-3\n[reconstruct]\nalpha = 1e-3\n",
+                  "pad.toml"));
+  const auto solver = lab::make_solver(problem, Method::tikhonov);
+  lab::Recording recording(problem, Method::tikhonov);
+  std::vector<double> readings(42);
+  std::vector<double> tractions(42);
+  for (std::size_t k = 0; k < frames; ++k) {
+    const double size =
+        std::sin(3.1 * static_cast<double>(k + 1) / static_cast<double>(frames + 1));
+    for (std::size_t i = 0; i < 21; ++i)
+      readings[i] = size * std::exp(-0.2 * std::pow(static_cast<double>(i) - 10.0, 2));
+    lab::FrameResult result = solver->solve(readings, tractions);
+    if (k + 1 == frames) result.verdict = last;
+    recording.add(0.01 * static_cast<double>(k), readings, tractions, result);
+  }
+  return recording.overview();
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a recording's page answers first, and needs no network", "[report][recording]") {
+  const lab::RecordingOverview overview = press(60, lab::Verdict::unstable);
+  const std::string page = recording_page(overview, "press.csv", {"a note"}, {"shown.csv"}).html;
+  CHECK(page.find("largest normal force") < page.find("<svg"));
+  CHECK_THAT(page, Contains("1 of 60 frames") && Contains("a note"));
+  CHECK_THAT(page, Contains("<a href=\"shown.csv\">") && Contains("data:image/png;base64,"));
+  CHECK_THAT(page, !Contains("http:") && !Contains("https:") && !Contains("<link"));
+  CHECK(count(page, "<script") == 2);
+  CHECK(count(page, "</script>") == 2);
+  CHECK(count(page, "class=\"distrusted\"") == 1);
+  // Every picture says what it is.
+  CHECK(count(page, "<svg") == count(page, "aria-label=\"") - 1);  // and the slider
+}
+
+TEST_CASE("a title cannot leave its place in a recording's page", "[report][recording]") {
+  const lab::RecordingOverview overview = press(3, lab::Verdict::ok, "</script><b onclick=1>&");
+  const std::string page = recording_page(overview, "<x>.csv", {"<note>"}, {"\"><i>.csv"}).html;
+  CHECK_THAT(page, !Contains("<b onclick") && !Contains("<x>") && !Contains("<note>"));
+  CHECK_THAT(page, !Contains("<i>"));
+  CHECK(recording_json(overview).find('<') == std::string::npos);
+}
+
+TEST_CASE("a recording without frames, with one, without a load: each has its page",
+          "[report][recording]") {
+  const std::string none = recording_page(press(0), "empty.csv", {}, {}).html;
+  CHECK_THAT(none, Contains("empty.csv holds no frame") && !Contains("<svg"));
+  CHECK_THAT(recording_page(press(1), "one.csv", {}, {}).html, Contains("frame 0 of 1"));
+
+  lab::RecordingOverview idle = press(5);
+  for (lab::FrameGroup& group : idle.groups) {
+    group.resultant = {};
+    group.bands->resultant.normal.value = 0.0;
+  }
+  CHECK_THAT(answers(idle).front().meaning, Contains("Nothing presses"));
+  CHECK(answers(idle).front().doubtful);
+}
+
+TEST_CASE("the answer is that of the frame that presses hardest", "[report][recording]") {
+  const lab::RecordingOverview overview = press(61);
+  const lab::FrameGroup& peak = overview.peak();
+  CHECK(peak.shown == 30);
+  CHECK_THAT(answers(overview).front().meaning, Contains("t = 0.3 s"));
+  CHECK_THAT(answers(overview).back().value, Contains("all 61 frames"));
+  // The pressing stays where it is.
+  CHECK_THAT(answers(overview).at(2).meaning, Contains("centre of pressure, at"));
+}
+
+TEST_CASE("what is shown stands in a CSV, a frame a row, and a file without bands too",
+          "[report][recording]") {
+  lab::RecordingOverview overview = press(7);
+  const auto columns = [](const std::string& line) { return count(line, ","); };
+  for (const bool bands : {true, false}) {
+    if (!bands)
+      for (lab::FrameGroup& group : overview.groups) group.bands.reset();
+    const std::string csv = recording_csv(overview);
+    CHECK(count(csv, "\n") == 8);
+    std::size_t at = 0;
+    for (int row = 0; row < 8; ++row) {
+      const std::size_t end = csv.find('\n', at);
+      CHECK(columns(csv.substr(at, end - at)) == 13);
+      at = end + 1;
+    }
+    CHECK_FALSE(recording_page(overview, "x.csv", {}, {}).html.empty());
+  }
+}
+
+}  // namespace tactile_net::report
