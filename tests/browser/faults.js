@@ -1,7 +1,7 @@
 // What is wrong with the page as it is laid out now: a list of sentences. Evaluated by pages_test.py.
 (() => {
   const faults = [];
-  const shown = (e) => e.getClientRects().length > 0;
+  const shown = (e) => e.getClientRects().length > 0 && e.checkVisibility();
   const brief = (e) => `<${e.tagName.toLowerCase()}> "${e.textContent.trim().slice(0, 40)}"`;
   // The part that two boxes share, as lengths.
   const shared = (a, b) => [Math.min(a.right, b.right) - Math.max(a.left, b.left),
@@ -76,7 +76,7 @@
       faults.push(`figure: ${figure.id} has no caption`);
     if (!caption?.querySelector("a[href]")) faults.push(`figure: ${figure.id} names no data`);
   }
-  return {faults, links: [...document.querySelectorAll("[href]:not(use), [src]")].map(
+  return {faults, links: [...document.querySelectorAll("[href]:not(use):not(image), [src]")].map(
       (e) => e.getAttribute("href") ?? e.getAttribute("src")),
       figures: document.querySelectorAll("figure").length,
       labels: document.querySelectorAll("svg text").length};

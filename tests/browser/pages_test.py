@@ -33,6 +33,7 @@ COMMANDS = [
     ("certify one frequency", 1, ["certify", "circuits/lc.toml"]),
     ("tradeoff", 3, ["tradeoff", "thesis/cylinder.toml", "--digital"]),
     ("grasp", 1, ["grasp", "hands/two-fingers.toml"]),
+    ("solve", 3, ["solve", "recorded/thin-pad.toml", "--readings", SCENES + "/recorded/thin-pad.csv"]),
 ]
 
 
@@ -49,7 +50,8 @@ def faults_of(browser, page, width, dark, medium="screen"):
             faults.append("console: " + str(what["args"]))
         elif event["method"] == "Log.entryAdded" and what["entry"]["level"] in ("error", "warning"):
             faults.append("console: " + what["entry"]["text"])
-        elif event["method"] == "Network.requestWillBeSent" and what["request"]["url"] != page.as_uri():
+        elif event["method"] == "Network.requestWillBeSent" and what["request"]["url"] != page.as_uri() \
+                and not what["request"]["url"].startswith("data:"):
             faults.append("not self-contained: " + what["request"]["url"])
     for link in found["links"]:
         if not (page.parent / link).is_file():

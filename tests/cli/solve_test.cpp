@@ -1,4 +1,5 @@
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 #include "tests/catch.hpp"
@@ -130,6 +131,27 @@ TEST_CASE("bands of recorded frames hold what truly pressed", "[cli]") {
     CHECK(bands[frame][10] == 0.0);  // and what of it the noise does not explain
   }
   CHECK(static_cast<double>(within) >= 0.95 * static_cast<double>(all));
+}
+
+TEST_CASE("a recording has a page, with its numbers beside it", "[cli]") {
+  const Folder folder;
+  const ProcessResult result = tool({"solve", scene("recorded/thin-pad.toml"), "--readings",
+                                     scene("recorded/thin-pad.csv"), "--out", folder / "out"});
+  REQUIRE(result.code == 0);
+  CHECK_THAT(result.errors, ContainsSubstring("report: "));
+  CHECK(result.output.empty());
+  CHECK(rows(read_text(folder / "out/tractions.csv")).size() == 7);
+  CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("largest normal force"));
+  CHECK_THAT(read_text(folder / "out/result.json"), ContainsSubstring("\"frames\": 7"));
+  CHECK_THAT(read_text(folder / "out/shown.csv"), ContainsSubstring("normal_40"));
+
+  // Tractions that are wanted elsewhere are not written twice.
+  const ProcessResult elsewhere =
+      tool({"solve", scene("recorded/thin-pad.toml"), "--readings", scene("recorded/thin-pad.csv"),
+            "--out", folder / "other", "-o", folder / "f.npy"});
+  REQUIRE(elsewhere.code == 0);
+  CHECK_FALSE(std::filesystem::exists(folder / "other/tractions.csv"));
+  CHECK(std::filesystem::exists(folder / "f.npy"));
 }
 
 TEST_CASE("frames stream from standard input, columns in any order", "[cli]") {

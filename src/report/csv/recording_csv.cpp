@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tactile_net/frames/source.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::report {
@@ -20,7 +21,11 @@ std::string recording_csv(const lab::RecordingOverview& overview) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   std::string text =
       "frame,t,first,count,distrusted,verdict,alpha,normal_force,normal_force_deviation,"
-      "tangential_force,tangential_force_deviation,centre,centre_deviation,residual\n";
+      "tangential_force,tangential_force_deviation,centre,centre_deviation,residual";
+  for (const std::string& column :
+       frames::traction_columns(overview.scene.sensor.count, overview.tangential()))
+    text += ',' + column;
+  text += '\n';
   for (const lab::FrameGroup& group : overview.groups) {
     text += std::to_string(group.shown) + field(group.time) + ',' + std::to_string(group.first) +
             ',' + std::to_string(group.count) + ',' + std::to_string(group.distrusted) + ',' +
@@ -34,6 +39,7 @@ std::string recording_csv(const lab::RecordingOverview& overview) {
               field(overview.tangential() ? group.resultant.tangential : unknown) + ',' +
               field(group.resultant.centre().value_or(unknown)) + ",,";
     }
+    for (const double traction : group.tractions) text += field(traction);
     text += '\n';
   }
   return text;

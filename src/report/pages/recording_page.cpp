@@ -37,14 +37,14 @@ constexpr std::string_view style = R"(
 .two { display: grid; grid-template-columns: 1.25fr 1fr; gap: 1.6rem; align-items: end; }
 @media (max-width: 48rem) { .two { grid-template-columns: 1fr; } }
 .two figure, .time { max-width: none; } .two svg { width: 100%; height: auto; display: block; overflow: visible; }
-.two text { font: 24px system-ui, sans-serif; fill: var(--quiet); }
+.two text { font: 28px system-ui, sans-serif; fill: var(--quiet); }
 .picture { display: grid; grid-template-columns: 4.2rem 1fr; }
 .picture > svg { width: 100%; height: 12rem; overflow: hidden; display: block; }
 .two .picture > svg { height: 15rem; } .picture > svg.low { height: 7rem; } .picture > svg.strip { height: .8rem; }
 .over-time { cursor: crosshair; touch-action: pan-y; }
 .ticks { display: flex; flex-direction: column; justify-content: space-between; text-align: right; padding-right: .5rem; }
 .ticks { position: relative; } .ticks .zero { position: absolute; right: .5rem; transform: translateY(-50%); }
-.ticks, .clock { font-size: .8rem; color: var(--quiet); font-variant-numeric: tabular-nums; line-height: 1; }
+.ticks, .clock { white-space: nowrap; font-size: .8rem; color: var(--quiet); font-variant-numeric: tabular-nums; line-height: 1; }
 .clock { display: flex; justify-content: space-between; padding: .3rem 0 0 4.2rem; }
 .picture path, .picture line { vector-effect: non-scaling-stroke; fill: none; stroke-width: 2; }
 .normal { stroke: var(--blue); } .tangential { stroke: var(--orange); } .residual { stroke: var(--ink); }
@@ -61,6 +61,11 @@ input[type=range] { width: 100%; accent-color: var(--blue); margin: 1rem 0 0; }
 details { border-top: 1px solid var(--rule); margin-top: 2rem; padding-top: .6rem; } summary { cursor: pointer; font-weight: 600; }
 @media print { #live { display: none; } .picture > svg { height: 4cm; } }
 )";
+
+/// A caption, and where the numbers of every picture are (recording_csv.hpp).
+std::string described(std::string_view caption) {
+  return "<figcaption>" + escaped(caption) + " <a href=\"shown.csv\">Numbers</a></figcaption>";
+}
 
 /// The least and the greatest of what a picture shows.
 struct Range {
@@ -102,7 +107,7 @@ std::string time_picture(const RecordingOverview& overview, const Range& range,
          "<svg class=\"over-time " + std::string(type) + "\" viewBox=\"0 0 " + width +
          " 100\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"" + escaped(label) + "\">" +
          inside + "<line class=\"cursor\" x1=\"-1\" x2=\"-1\" y1=\"0\" y2=\"100\"/></svg></div>" +
-         clock(overview) + element("figcaption", caption) + "</figure>\n";
+         clock(overview) + described(caption) + "</figure>\n";
 }
 
 /// A path over the groups; a gap where the value is not finite.
@@ -310,11 +315,10 @@ std::string one_frame(const RecordingOverview& overview) {
   const std::string n = std::to_string(scene.sensor.count);
   return "<section id=\"live\" hidden>\n<div class=\"two\"><figure>" +
          draw_pad(scene, inside, above) +
-         element("figcaption",
-                 "The pad in section. On the surface the pressure" +
-                     std::string(overview.tangential() ? " and the drag" : "") +
-                     "; inside, the stress across the surface that they cause: blue presses, red "
-                     "pulls.") +
+         described("The pad in section. On the surface the pressure" +
+                   std::string(overview.tangential() ? " and the drag" : "") +
+                   "; inside, the stress across the surface that they cause: blue presses, red "
+                   "pulls.") +
          "</figure><figure><div class=\"picture\">" + ticks(range) + "<svg viewBox=\"0 0 " + n +
          " 100\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"Tractions of the chosen "
          "frame\"><line class=\"zero\" x1=\"0\" x2=\"" +
@@ -328,8 +332,8 @@ std::string one_frame(const RecordingOverview& overview) {
          brief(0.5 * scene.sensor.pitch * static_cast<double>(scene.sensor.count)) +
          "</span></div><figcaption><span class=\"key-normal\">Normal</span>" +
          (overview.tangential() ? " and <span class=\"key-tangential\">tangential</span>" : "") +
-         " traction along the array. Bands: two standard "
-         "deviations.</figcaption></figure></div>\n" +
+         " traction along the array. Bands: two standard deviations. <a "
+         "href=\"shown.csv\">Numbers</a></figcaption></figure></div>\n" +
          "<input type=\"range\" id=\"frame\" min=\"0\" max=\"" +
          std::to_string(overview.groups.size() - 1) +
          "\" aria-label=\"frame\">\n<p id=\"where\"></p><p id=\"answer\"></p><p id=\"trust\" "
