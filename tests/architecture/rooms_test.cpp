@@ -47,6 +47,9 @@ const std::vector<Room> rooms{
     {"report",
      {"realtime", "numeric", "elasticity", "sensing", "inverse", "control", "grasp", "network",
       "simulator", "scene", "frames", "lab", "study", "drawing"}},
+    {"pages",
+     {"realtime", "numeric", "elasticity", "sensing", "inverse", "control", "grasp", "network",
+      "simulator", "scene", "lab", "study", "drawing", "report"}},
 };
 
 /// What is allowed in some places alone. Places are files, or folders with a slash at the end.

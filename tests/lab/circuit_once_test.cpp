@@ -7,7 +7,7 @@
 #include "tactile_net/lab/circuit_options.hpp"
 #include "tactile_net/lab/relaxation.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
-#include "tactile_net/report/pages/certificate_page.hpp"
+#include "tactile_net/pages/certificate_page.hpp"
 #include "tactile_net/report/words/deck_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
@@ -109,7 +109,7 @@ TEST_CASE("certify and its report make one circuit per realisation", "[lab][once
   made.clear();
   const lab::Certification certification = lab::certify(scene);
   REQUIRE(certification.certificate().dynamics);
-  CHECK_FALSE(report::certificate_html(certification).html.empty());
+  CHECK_FALSE(pages::certificate_html(certification).html.empty());
   // The scene's own, and the candidates of the recommendation, which are all from op-amps.
   const int circuits = has_amplifiers(realization) ? 4 : 5;
   CHECK(certification.recommendation.candidates.size() == 4);

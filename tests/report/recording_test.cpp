@@ -6,7 +6,7 @@
 
 #include "tactile_net/report/csv/recording_csv.hpp"
 #include "tactile_net/report/json/recording_json.hpp"
-#include "tactile_net/report/pages/recording_page.hpp"
+#include "tactile_net/pages/recording_page.hpp"
 #include "tactile_net/report/words/recording_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
@@ -52,7 +52,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 TEST_CASE("a recording's page answers first, and needs no network", "[report][recording]") {
   const lab::RecordingOverview overview = press(60, lab::Verdict::unstable);
-  const std::string page = recording_page(overview, "press.csv", {"a note"}, {"shown.csv"}).html;
+  const std::string page = pages::recording_page(overview, "press.csv", {"a note"}, {"shown.csv"}).html;
   CHECK(page.find("largest normal force") < page.find("<svg"));
   CHECK_THAT(page, Contains("1 of 60 frames") && Contains("a note"));
   CHECK_THAT(page, Contains("<a href=\"shown.csv\">") && Contains("data:image/png;base64,"));
@@ -66,7 +66,7 @@ TEST_CASE("a recording's page answers first, and needs no network", "[report][re
 
 TEST_CASE("a title cannot leave its place in a recording's page", "[report][recording]") {
   const lab::RecordingOverview overview = press(3, lab::Verdict::ok, "</script><b onclick=1>&");
-  const std::string page = recording_page(overview, "<x>.csv", {"<note>"}, {"\"><i>.csv"}).html;
+  const std::string page = pages::recording_page(overview, "<x>.csv", {"<note>"}, {"\"><i>.csv"}).html;
   CHECK_THAT(page, !Contains("<b onclick") && !Contains("<x>") && !Contains("<note>"));
   CHECK_THAT(page, !Contains("<i>"));
   CHECK(recording_json(overview).find('<') == std::string::npos);
@@ -74,9 +74,9 @@ TEST_CASE("a title cannot leave its place in a recording's page", "[report][reco
 
 TEST_CASE("a recording without frames, with one, without a load: each has its page",
           "[report][recording]") {
-  const std::string none = recording_page(press(0), "empty.csv", {}, {}).html;
+  const std::string none = pages::recording_page(press(0), "empty.csv", {}, {}).html;
   CHECK_THAT(none, Contains("empty.csv holds no frame") && !Contains("<svg"));
-  CHECK_THAT(recording_page(press(1), "one.csv", {}, {}).html, Contains("frame 0 of 1"));
+  CHECK_THAT(pages::recording_page(press(1), "one.csv", {}, {}).html, Contains("frame 0 of 1"));
 
   lab::RecordingOverview idle = press(5);
   for (lab::FrameGroup& group : idle.groups) {
@@ -112,7 +112,7 @@ TEST_CASE("what is shown stands in a CSV, a frame a row, and a file without band
       CHECK(columns(csv.substr(at, end - at)) == 13 + 42);
       at = end + 1;
     }
-    CHECK_FALSE(recording_page(overview, "x.csv", {}, {}).html.empty());
+    CHECK_FALSE(pages::recording_page(overview, "x.csv", {}, {}).html.empty());
   }
 }
 

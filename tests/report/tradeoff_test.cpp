@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "tactile_net/report/json/tradeoff_json.hpp"
-#include "tactile_net/report/pages/tradeoff_page.hpp"
+#include "tactile_net/pages/tradeoff_page.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
 #include "tactile_net/study/study.hpp"
@@ -186,7 +186,7 @@ TEST_CASE("a failure is told in words, and stays in the study", "[tradeoff]") {
        {.kind = Why::not_stable, .stability = Stability::unstable});
   fail(settling, slow, TimeOf::settling, {.kind = Why::unsettled});
   fail(settling, slow, TimeOf::settling, {.kind = Why::no_time});
-  CHECK(report::failures_in_words(study) ==
+  CHECK(pages::failures_in_words(study) ==
         std::vector<std::string>{
             "fewer taxels: the scene has dead taxels",
             "fewer taxels: no stride leaves both ends of 24 taxels in place",
@@ -216,7 +216,7 @@ TEST_CASE("circuits are compared at one bandwidth and one error", "[tradeoff]") 
       {"rail", "1.35 us", "158 MHz", "234 MHz", "11.9 %"},
       {"least_squares", "1.97 us", "108 MHz", "341 MHz", "0.632 %"}};
   CHECK(report::circuit_cells(measured()) == expected);
-  const auto front = report::front_cells(measured());
+  const auto front = pages::front_cells(measured());
   REQUIRE(front.size() == 2);
   CHECK(front[1] == std::vector<std::string>{"dense float64", "57.8 ns", "57.6 ns ... 57.9 ns",
                                              "1.7e-14", "0.091"});
@@ -226,7 +226,7 @@ TEST_CASE("the page's data draw each circuit once, and its times over the bandwi
           "[tradeoff]") {
   std::string circuits;
   std::string crossover;
-  for (const auto& [name, content] : report::study_html(measured()).files) {
+  for (const auto& [name, content] : pages::study_html(measured()).files) {
     if (name == "circuits.csv") circuits = content;
     if (name == "crossover.csv") crossover = content;
   }

@@ -334,4 +334,12 @@ std::string in_words(const lab::Recommendation& r) {
   return text;
 }
 
+std::vector<std::string> tolerance_in_words(const lab::Certification& c) {
+  std::vector<std::string> lines = in_words(c.circuit.tolerance(), *c.tolerance);
+  if (c.certificate().stability == Stability::unstable && c.tolerance->stable > 0)
+    lines.push_back(
+        "the builds take op-amps for infinitely fast: the certificate's poles say otherwise");
+  return lines;
+}
+
 }  // namespace tactile_net::report

@@ -4,7 +4,7 @@
 #include "tactile_net/lab/certification.hpp"
 #include "tactile_net/lab/deck_file.hpp"
 #include "tactile_net/report/json/network_json.hpp"
-#include "tactile_net/report/pages/certificate_page.hpp"
+#include "tactile_net/pages/certificate_page.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/scene/reader.hpp"
 
@@ -19,7 +19,7 @@ void run(const CertifyOptions& options, const Streams& streams) {
   const lab::Certification c = lab::certify(scene, progress);
   results.write({.print = [&](std::ostream& out) { report::print_certificate(out, c); },
                  .json = [&] { return report::certificate_json(c); },
-                 .page = [&] { return report::certificate_html(c); },
+                 .page = [&] { return pages::certificate_html(c); },
                  .json_name = "certificate.json"},
                 progress);
   if (c.certificate().stability == Stability::unstable ||

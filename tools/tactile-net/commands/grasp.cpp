@@ -3,7 +3,7 @@
 #include "failure.hpp"
 #include "tactile_net/frames/frame_of.hpp"
 #include "tactile_net/report/json/grasp_json.hpp"
-#include "tactile_net/report/pages/grasp_page.hpp"
+#include "tactile_net/pages/grasp_page.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
 
 namespace tactile_net::tool {
@@ -17,7 +17,7 @@ void run(const GraspOptions& options, const Streams& streams) {
       progress);
   results.write({.print = [&](std::ostream& out) { report::print_grasp(out, grasp); },
                  .json = [&] { return report::grasp_json(grasp); },
-                 .page = [&] { return drawing::Page{.html = report::grasp_report_html(grasp)}; }},
+                 .page = [&] { return drawing::Page{.html = pages::grasp_report_html(grasp)}; }},
                 progress);
   if (!grasp.failures.empty()) throw CheckFailed(report::failures_in_words(grasp).front());
 }

@@ -5,7 +5,7 @@
 
 #include "failure.hpp"
 #include "tactile_net/report/json/identify_json.hpp"
-#include "tactile_net/report/pages/identify_page.hpp"
+#include "tactile_net/pages/identify_page.hpp"
 #include "tactile_net/report/words/identify_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/table.hpp"
@@ -24,11 +24,11 @@ void print(std::ostream& out, const Scene& scene, const lab::Survey& survey) {
       << report::sensor_in_words(scene) << "; " << report::material_in_words(scene) << "\n\n";
   for (const std::string& sentence : report::verdict_in_words(survey)) out << sentence << '\n';
   out << '\n';
-  for (const std::string& line : report::singular_values_in_words(survey.own.identifiability))
+  for (const std::string& line : pages::singular_values_in_words(survey.own.identifiability))
     out << line << '\n';
   out << '\n';
-  report::print_cells(out, report::survey_cells(survey));
-  out << report::cells_in_words(scene, survey) << '\n';
+  report::print_cells(out, pages::survey_cells(survey));
+  out << pages::cells_in_words(scene, survey) << '\n';
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ void run(const IdentifyOptions& options, const Streams& streams) {
   const lab::Survey survey = lab::identify(scene, options.survey, progress);
   results.write({.print = [&](std::ostream& out) { print(out, scene, survey); },
                  .json = [&] { return report::survey_json(scene, survey); },
-                 .page = [&] { return report::survey_html(scene, survey); }},
+                 .page = [&] { return pages::survey_html(scene, survey); }},
                 progress);
 }
 

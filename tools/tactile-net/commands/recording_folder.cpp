@@ -5,7 +5,7 @@
 #include "commands/results.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/csv/recording_csv.hpp"
-#include "tactile_net/report/pages/recording_page.hpp"
+#include "tactile_net/pages/recording_page.hpp"
 #include "terminal/progress.hpp"
 
 namespace tactile_net::tool {
@@ -28,7 +28,7 @@ void RecordingFolder::commit(const std::string& readings, const std::string& jso
   const lab::RecordingOverview overview = recording_.overview(progress);
   std::vector<std::string> files = {"result.json", "shown.csv"};
   if (std::filesystem::exists(folder_.place("tractions.csv"))) files.emplace_back("tractions.csv");
-  folder_.write("report.html", report::recording_page(overview, readings, notes, files).html);
+  folder_.write("report.html", pages::recording_page(overview, readings, notes, files).html);
   folder_.write("result.json", json);
   folder_.write("shown.csv", report::recording_csv(overview));
   const std::vector<std::string> others = folder_.commit();

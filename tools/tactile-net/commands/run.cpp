@@ -8,7 +8,7 @@
 #include "tactile_net/report/csv/run_csv.hpp"
 #include "tactile_net/report/json/run_json.hpp"
 #include "tactile_net/report/json/workload_json.hpp"
-#include "tactile_net/report/pages/run_page.hpp"
+#include "tactile_net/pages/run_page.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -39,7 +39,7 @@ void explain(const Scene& scene, const RunOptions& options, const Streams& strea
 }
 
 drawing::Page page_of(const lab::Experiment& experiment) {
-  drawing::Page page = report::report_html(experiment);
+  drawing::Page page = pages::report_html(experiment);
   for (auto& file : report::run_files(experiment)) page.files.push_back(std::move(file));
   return page;
 }

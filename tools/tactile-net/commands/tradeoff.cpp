@@ -13,7 +13,7 @@
 #include "failure.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/report/json/tradeoff_json.hpp"
-#include "tactile_net/report/pages/tradeoff_page.hpp"
+#include "tactile_net/pages/tradeoff_page.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
@@ -39,7 +39,7 @@ struct Written {
 /// Everything that a folder holds of a study, whole or a part.
 Written write_all(const std::filesystem::path& folder, const study::Study& study,
                   const std::string& scene_text) {
-  drawing::Page report = report::study_html(study);
+  drawing::Page report = pages::study_html(study);
   report.files.emplace_back("tradeoff.csv", report::study_csv(study));
   report.files.emplace_back("tradeoff.json", report::study_json(study, scene_text));
   report.files.emplace_back("report.html", report.html);
@@ -111,7 +111,7 @@ study::Study study_of(const Scene& scene, const study::TradeoffOptions& options,
 
 void print(std::ostream& out, const study::Study& study, const study::Requirement& requirement) {
   out << "nothing beats these, of " << study.points().size() << " points:\n";
-  report::print_cells(out, report::front_cells(study));
+  report::print_cells(out, pages::front_cells(study));
   out << '\n';
   if (const auto circuits = report::circuit_cells(study); circuits.size() > 1) {
     out << "circuits of op-amps of 10 MHz:\n";
@@ -119,7 +119,7 @@ void print(std::ostream& out, const study::Study& study, const study::Requiremen
     out << '\n';
   }
   for (const std::string& sentence : report::in_words(study)) out << sentence << '\n';
-  for (const std::string& failure : report::failures_in_words(study))
+  for (const std::string& failure : pages::failures_in_words(study))
     out << "left out: " << failure << '\n';
   if (requirement.accuracy || requirement.deadline)
     out << "\nasked " << report::answer(study, requirement) << '\n';

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/lab/certification.hpp"
 #include "tactile_net/lab/recommendation.hpp"
 #include "tactile_net/lab/relaxation.hpp"
 
@@ -41,5 +42,8 @@ namespace tactile_net::report {
 
 /// Which realisation to build, and why.
 [[nodiscard]] std::string in_words(const lab::Recommendation& recommendation);
+
+/// What the draws say, and where the certificate's poles contradict it. @pre  there are draws
+[[nodiscard]] std::vector<std::string> tolerance_in_words(const lab::Certification& certification);
 
 }  // namespace tactile_net::report

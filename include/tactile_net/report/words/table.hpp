@@ -8,7 +8,7 @@
 
 #include "tactile_net/lab/deck_file.hpp"
 #include "tactile_net/lab/run.hpp"
-#include "tactile_net/report/pages/certificate_page.hpp"
+#include "tactile_net/lab/certification.hpp"
 
 namespace tactile_net::report {
 

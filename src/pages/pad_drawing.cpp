@@ -1,11 +1,11 @@
-#include "tactile_net/report/pages/pad_drawing.hpp"
+#include "tactile_net/pages/pad_drawing.hpp"
 
 #include <algorithm>
 
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 namespace {
 
 std::string px(double value) { return fixed(value, 1); }
@@ -77,4 +77,4 @@ std::string_view pad_style() noexcept {
 )";
 }
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

@@ -8,7 +8,7 @@
 #include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/lab/identify.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 
 /// Header and rows of the comparison, the scene's own sensors first.
 [[nodiscard]] std::vector<std::vector<std::string>> survey_cells(const lab::Survey& survey);
@@ -21,4 +21,4 @@ namespace tactile_net::report {
 
 [[nodiscard]] drawing::Page survey_html(const Scene& scene, const lab::Survey& survey);
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

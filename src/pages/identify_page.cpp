@@ -1,4 +1,4 @@
-#include "tactile_net/report/pages/identify_page.hpp"
+#include "tactile_net/pages/identify_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "tactile_net/report/words/mode_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 namespace {
 
 using drawing::Curve;
@@ -23,6 +23,12 @@ using drawing::html_page;
 using drawing::html_table;
 using drawing::Page;
 using drawing::Plot;
+using report::in_short;
+using report::in_words;
+using report::material_in_words;
+using report::sensor_in_words;
+using report::verdict_in_words;
+using report::wavelengths_in_short;
 
 double deviation(const Resolution& resolution, Traction component) {
   return component == Traction::normal ? resolution.normal : resolution.tangential;
@@ -200,4 +206,4 @@ Page survey_html(const Scene& scene, const lab::Survey& survey) {
   return result;
 }
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

@@ -1,4 +1,4 @@
-#include "tactile_net/report/pages/certificate_page.hpp"
+#include "tactile_net/pages/certificate_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 namespace {
 
 using drawing::Curve;
@@ -21,6 +21,11 @@ using drawing::html_page;
 using drawing::html_table;
 using drawing::Page;
 using drawing::Plot;
+using report::cells;
+using report::in_words;
+using report::material_in_words;
+using report::sensor_in_words;
+using report::tolerance_in_words;
 
 Figure poles_figure(const Dynamics& dynamics) {
   Plot plot{"The circuit's poles", "real part [1/s]", "imaginary part [rad/s]", {}, {}};
@@ -179,14 +184,6 @@ std::vector<Figure> figures_of(const lab::Certification& c) {
 
 }  // namespace
 
-std::vector<std::string> tolerance_in_words(const lab::Certification& c) {
-  std::vector<std::string> lines = in_words(c.circuit.tolerance(), *c.tolerance);
-  if (c.certificate().stability == Stability::unstable && c.tolerance->stable > 0)
-    lines.push_back(
-        "the builds take op-amps for infinitely fast: the certificate's poles say otherwise");
-  return lines;
-}
-
 Page certificate_html(const lab::Certification& c) {
   const Figures figures(figures_of(c));
   Page report{.missing = figures.missing(), .files = figures.data()};
@@ -222,4 +219,4 @@ Page certificate_html(const lab::Certification& c) {
   return report;
 }
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

@@ -8,7 +8,7 @@
 #include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/lab/recording.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 
 /// One file, without a network; about 8 bytes for each of the tractions that are kept. A recording
 /// without frames is a page that says so.
@@ -20,4 +20,4 @@ namespace tactile_net::report {
                                            const std::vector<std::string>& notes,
                                            const std::vector<std::string>& files);
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

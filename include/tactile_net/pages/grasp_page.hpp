@@ -6,9 +6,9 @@
 
 #include "tactile_net/lab/grasp.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 
 /// One self-contained page: the drawing, the tables, what they mean.
 [[nodiscard]] std::string grasp_report_html(const lab::GraspResult& grasp);
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

@@ -1,4 +1,4 @@
-#include "tactile_net/report/pages/tradeoff_page.hpp"
+#include "tactile_net/pages/tradeoff_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "tactile_net/report/words/work_point_words.hpp"
 #include "tactile_net/study/work_precision.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 namespace {
 
 using drawing::Curve;
@@ -23,6 +23,11 @@ using drawing::html_page;
 using drawing::html_table;
 using drawing::Page;
 using drawing::Plot;
+using report::circuit_cells;
+using report::in_words;
+using report::material_in_words;
+using report::sensor_in_words;
+using report::time_in_words;
 
 constexpr study::ErrorOf to_solution = &study::WorkPoint::error_to_solution;
 constexpr study::ErrorOf to_truth = &study::WorkPoint::error_to_truth;
@@ -332,4 +337,4 @@ Page study_html(const study::Study& study) {
   return report;
 }
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

@@ -6,7 +6,7 @@
 
 #include "tactile_net/lab/grasp.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 
 /// Links, joints, pads, contacts, friction cones, forces and the load. Colours are the classes of
 /// `drawing_style`.
@@ -15,4 +15,4 @@ namespace tactile_net::report {
 /// CSS for the drawing and the words that explain it, for light and dark.
 [[nodiscard]] std::string drawing_style();
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

@@ -5,8 +5,8 @@
 #include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/lab/run.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 
 [[nodiscard]] drawing::Page report_html(const lab::Experiment& experiment);
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

@@ -1,6 +1,6 @@
-#include "report/pages/recording_script.hpp"
+#include "pages/recording_script.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 
 // Plain JavaScript, no library: the page works from a disk, without a network.
 std::string_view recording_script() noexcept {
@@ -128,4 +128,4 @@ std::string_view recording_script() noexcept {
 )js";
 }
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

@@ -1,20 +1,20 @@
-#include "tactile_net/report/pages/recording_page.hpp"
+#include "tactile_net/pages/recording_page.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
-#include "report/pages/recording_script.hpp"
+#include "pages/recording_script.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/drawing/png.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/json/recording_json.hpp"
-#include "tactile_net/report/pages/pad_drawing.hpp"
+#include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/words/recording_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 namespace {
 
 using drawing::Colour;
@@ -24,6 +24,16 @@ using lab::FrameGroup;
 using lab::RecordingOverview;
 using lab::Verdict;
 using ValueOf = std::function<double(const FrameGroup&)>;
+using report::Answer;
+using report::TractionRange;
+using report::answers;
+using report::distrusted_in_words;
+using report::group_clock;
+using report::material_in_words;
+using report::recording_in_words;
+using report::recording_json;
+using report::sensor_in_words;
+using report::traction_range;
 
 constexpr std::string_view style = R"(
 :root { --blue: #2166ac; --orange: #b25806; --purple: #762a83; --red: #c0392b; --card: #f6f8fa; }
@@ -376,4 +386,4 @@ drawing::Page recording_page(const RecordingOverview& overview, const std::strin
                                      std::string(pad_style()) + std::string(style))};
 }
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

@@ -7,7 +7,7 @@
 
 #include "tactile_net/scene/scene.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 
 /// How the drawing places the scene: its y and x are in pixels of a picture `width` wide.
 struct PadFrame {
@@ -33,4 +33,4 @@ struct PadFrame {
 /// CSS for the drawing, for light and dark.
 [[nodiscard]] std::string_view pad_style() noexcept;
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

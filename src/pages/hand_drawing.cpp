@@ -1,4 +1,4 @@
-#include "tactile_net/report/pages/hand_drawing.hpp"
+#include "tactile_net/pages/hand_drawing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 namespace {
 
 using drawing::element;
@@ -267,4 +267,4 @@ std::string drawing_style() {
 )";
 }
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

@@ -1,11 +1,11 @@
-#include "tactile_net/report/pages/grasp_page.hpp"
+#include "tactile_net/pages/grasp_page.hpp"
 
 #include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/drawing/html.hpp"
-#include "tactile_net/report/pages/hand_drawing.hpp"
+#include "tactile_net/pages/hand_drawing.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 namespace {
 
 using drawing::element;
@@ -14,6 +14,14 @@ using drawing::figure_html;
 using drawing::html_list;
 using drawing::html_page;
 using drawing::html_table;
+using report::balance_in_words;
+using report::contact_cells;
+using report::failures_in_words;
+using report::hold_in_words;
+using report::load_in_words;
+using report::sources_in_words;
+using report::torque_cells;
+using report::warnings_in_words;
 
 std::string key(const std::string& type, const std::string& words) {
   return "<span class=\"key-" + type + "\">" + escaped(words) + "</span>";
@@ -80,4 +88,4 @@ std::string grasp_report_html(const lab::GraspResult& grasp) {
   return html_page(hand.file + " - tactile-net", html, drawing_style());
 }
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

@@ -8,7 +8,7 @@
 #include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/study/study.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 
 /// The points that nothing beats, fastest first, then what failed.
 [[nodiscard]] std::vector<std::vector<std::string>> front_cells(const study::Study& study);
@@ -19,4 +19,4 @@ namespace tactile_net::report {
 /// Its files are the pictures (SVG) and their data (CSV).
 [[nodiscard]] drawing::Page study_html(const study::Study& study);
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

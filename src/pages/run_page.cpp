@@ -1,4 +1,4 @@
-#include "tactile_net/report/pages/run_page.hpp"
+#include "tactile_net/pages/run_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 namespace {
 
 using drawing::Curve;
@@ -23,6 +23,19 @@ using drawing::html_page;
 using drawing::html_table;
 using drawing::Page;
 using drawing::Plot;
+using report::comparison_cells;
+using report::contacts_in_words;
+using report::effects_in_words;
+using report::elements_in_words;
+using report::failure_in_words;
+using report::in_words;
+using report::material_in_words;
+using report::remarks_in_words;
+using report::resultant_in_words;
+using report::rule_cells;
+using report::rule_used;
+using report::sensor_in_words;
+using report::time_in_words;
 
 constexpr std::string_view answer = "answer";
 constexpr std::string_view choice = "choice";
@@ -254,4 +267,4 @@ Page report_html(const lab::Experiment& experiment) {
   return report;
 }
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages

@@ -4,9 +4,9 @@
 
 #include <string_view>
 
-namespace tactile_net::report {
+namespace tactile_net::pages {
 
 /// Text of a <script> that reads the element `data` (recording_json.hpp).
 [[nodiscard]] std::string_view recording_script() noexcept;
 
-}  // namespace tactile_net::report
+}  // namespace tactile_net::pages
