@@ -48,10 +48,20 @@ double stated_rms(const Scene& scene, Quantity quantity) {
   return stated == scene.noise->rms.end() ? 0.0 : stated->second;
 }
 
+/// 0 without a contact.
 double peak_traction(const Scene& scene) {
   double peak = 0.0;
   for (const double f : sample(scene.contacts, scene.sensor).normal)
     peak = std::max(peak, std::abs(f));
+  return peak;
+}
+
+double assumed_traction(const Scene& scene, const SurveyOptions& options) {
+  if (options.traction) return *options.traction;
+  if (needs_traction(scene, options))
+    throw std::invalid_argument(
+        "the scene states its noise and has no contact: say how strong a ripple is to be told");
+  const double peak = peak_traction(scene);
   return peak > 0.0 ? peak : 1.0;
 }
 
@@ -203,10 +213,28 @@ void check_positive(const char* name, const std::optional<double>& value) {
 
 }  // namespace
 
+bool needs_traction(const Scene& scene, const SurveyOptions& options) {
+  return !options.traction && !options.relative_noise && peak_traction(scene) == 0.0 &&
+         std::any_of(scene.sensor.reads.begin(), scene.sensor.reads.end(),
+                     [&](Quantity quantity) { return stated_rms(scene, quantity) > 0.0; });
+}
+
+double traction_behind(const Scene& scene, std::span<const double> largest) {
+  const std::vector<Channel> all = channels(scene.sensor);
+  if (largest.size() != all.size())
+    throw std::invalid_argument("there must be one largest reading for each channel");
+  double traction = 0.0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    traction = std::max(traction, largest[i] / largest_response(scene, all[i]));
+  if (!(traction > 0.0) || !std::isfinite(traction))
+    throw std::invalid_argument("every reading is zero, or one is not finite");
+  return traction;
+}
+
 Survey identify(const Scene& scene, const SurveyOptions& options, Observer& observer) {
   check_positive("traction", options.traction);
   check_positive("relative_noise", options.relative_noise);
-  Survey result{.traction = options.traction.value_or(peak_traction(scene)),
+  Survey result{.traction = assumed_traction(scene, options),
                 .taxels = compared_taxels(scene.sensor.count)};
   result.noise = assumed_noise(scene, options, result.traction);
   Comparison comparison(scene, result, observer);

@@ -115,6 +115,20 @@ TEST_CASE("more noise hides longer ripples", "[cli]") {
   CHECK(shortest("1e-4") < shortest("0.1"));
 }
 
+TEST_CASE("a recorded pad's sensors tell what presses on it, once its strength is known", "[cli]") {
+  const ProcessResult unknown = tool({"identify", scene("recorded/thin-pad.toml")});
+  CHECK(unknown.code == 2);
+  CHECK_THAT(unknown.errors, ContainsSubstring("--traction") && ContainsSubstring("--readings"));
+  const ProcessResult known = tool(
+      {"identify", scene("recorded/thin-pad.toml"), "--readings", scene("recorded/thin-pad.csv")});
+  CHECK(known.code == 0);
+  CHECK_THAT(known.output, ContainsSubstring("Of ripples with an amplitude of"));
+  CHECK_THAT(known.output, !ContainsSubstring("no normal ripple"));
+  CHECK(tool({"identify", scene("recorded/thin-pad.toml"), "--readings",
+              scene("recorded/thin-pad.csv"), "--traction", "5"})
+            .code == 2);
+}
+
 TEST_CASE("identify refuses what is no amplitude", "[cli]") {
   for (const char* option : {"--traction", "--noise"})
     for (const char* value : {"-1", "0", "nan", "inf"}) {

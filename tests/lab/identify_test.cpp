@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
@@ -119,8 +120,8 @@ TEST_CASE("what only a dead taxel would show is the dead taxel's fault", "[ident
 TEST_CASE("the noise assumed is the scene's where it states one", "[identify]") {
   const std::string stated = "[noise]\nrms = { stress_x = 1e-3 }\n";
   const Scene scene = small("\"stress_x\"", "poisson_ratio = 0.3\n", "1.0", stated);
-  CHECK(identify(scene).noise.kind == AssumedNoise::Kind::stated);
-  CHECK(identify(scene).noise.share > 0.0);
+  CHECK(identify(scene, {.traction = 1.0}).noise.kind == AssumedNoise::Kind::stated);
+  CHECK(identify(scene, {.traction = 1.0}).noise.share > 0.0);
   const Survey given = identify(scene, {.traction = 2.0, .relative_noise = 0.05});
   CHECK(given.noise.kind == AssumedNoise::Kind::share);
   CHECK(given.noise.share == 0.05);
@@ -128,6 +129,34 @@ TEST_CASE("the noise assumed is the scene's where it states one", "[identify]") 
   const Survey assumed = identify(small("\"stress_x\""));
   CHECK(assumed.noise.kind == AssumedNoise::Kind::share);
   CHECK(assumed.noise.share == 0.01);
+}
+
+TEST_CASE("noise that is stated without a contact asks how strong a load is", "[identify]") {
+  const std::string noise = "[noise]\nrms = { stress_x = 1e-3 }\n";
+  const Scene scene = small("\"stress_x\"", "poisson_ratio = 0.3\n", "1.0", noise);
+  CHECK(needs_traction(scene, {}));
+  CHECK_THROWS_AS(identify(scene), std::invalid_argument);
+  CHECK_FALSE(needs_traction(scene, {.traction = 1.0}));
+  CHECK_FALSE(needs_traction(scene, {.relative_noise = 0.1}));
+  CHECK_FALSE(needs_traction(small("\"stress_x\""), {}));
+}
+
+TEST_CASE("what is told does not depend on the unit of stress", "[identify]") {
+  const auto told = [](double pascal) {
+    const Scene scene = small("\"stress_x\", \"shear_xy\"", "poisson_ratio = 0.3\n", "1.0",
+                              "[noise]\nrms = " + shortest(1e-3 * pascal) + "\n");
+    const std::vector<double> largest = {0.5 * pascal, 0.1 * pascal};
+    const double traction = traction_behind(scene, largest);
+    return std::pair(traction / pascal, *identify(scene, {.traction = traction}).own.normal);
+  };
+  const auto [traction, wavelength] = told(1.0);
+  CHECK(traction >= 0.5);  // no ripple reads as much as it presses
+  const auto [same_traction, same_wavelength] = told(6895.0);
+  CHECK_THAT(same_traction, WithinRel(traction, 1e-12));
+  CHECK(same_wavelength == wavelength);
+  CHECK_THROWS_AS(traction_behind(small("\"stress_x\""), {}), std::invalid_argument);
+  const std::vector<double> nothing = {0.0};
+  CHECK_THROWS_AS(traction_behind(small("\"stress_x\""), nothing), std::invalid_argument);
 }
 
 TEST_CASE("more noise leaves longer ripples to be told", "[identify]") {

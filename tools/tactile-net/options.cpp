@@ -163,7 +163,9 @@ void add_identify(Parser& parser) {
               "Folder for report.html, result.json and the plots' data (CSV)",
               "Write the result as JSON");
   command->add_option("--traction", options->survey.traction,
-                      "Amplitude of the ripple to be told (default: the contacts' peak, or 1)");
+                      "Amplitude of the ripple to be told (default: the contacts' peak)");
+  command->add_option("--readings", options->readings,
+                      "Recorded readings: ripples as strong as these are to be told");
   command->add_option("--noise", options->survey.relative_noise,
                       "Noise of every reading, over the largest that such a ripple causes "
                       "(default: the scene's rms, or 0.01)");

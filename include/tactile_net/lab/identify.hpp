@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "tactile_net/lab/hidden_reason.hpp"
@@ -19,8 +20,8 @@
 namespace tactile_net::lab {
 
 struct SurveyOptions {
-  std::optional<double>
-      traction{};  ///< a ripple's amplitude [Pa]; absent: the contacts' peak, or 1
+  /// A ripple's amplitude [Pa]. Absent: the contacts' peak; see `needs_traction`.
+  std::optional<double> traction{};
   /// Noise of every channel over the largest reading that such a ripple of normal traction causes.
   /// Absent: the scene's rms; for quantities it has none of, the same share, or 1 %.
   std::optional<double> relative_noise{};
@@ -56,9 +57,20 @@ struct Survey {
   Advice advice{};
 };
 
+/// Whether nothing says how strong a ripple is to be told: the scene states its noise and has no
+/// contact to compare it with. Without a stated noise the amplitude cancels.
+[[nodiscard]] bool needs_traction(const Scene& scene, const SurveyOptions& options);
+
+/// The amplitude of the ripple whose readings would be as large as recorded ones [Pa].
+///
+/// @param largest  |reading| of each channel, in the order of `channels`
+/// @throw std::invalid_argument  not one value per channel, or none is > 0 and finite
+[[nodiscard]] double traction_behind(const Scene& scene, std::span<const double> largest);
+
 /// Decomposes one matrix for the scene and about thirty smaller ones for the alternatives.
 ///
-/// @throw std::invalid_argument  an option is not > 0 and finite; the scene's sensor, material or
+/// @throw std::invalid_argument  an option is not > 0 and finite; `needs_traction`; the scene's
+/// sensor, material or
 ///                               noise are out of their ranges
 [[nodiscard]] Survey identify(const Scene& scene, const SurveyOptions& options = {},
                               Observer& observer = silent);

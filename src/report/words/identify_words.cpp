@@ -129,7 +129,8 @@ std::vector<std::string> verdict_in_words(const lab::Survey& survey) {
                    brief(own.condition) +
                    " times less than the strongest: " + in_words(own.weakest) + ".");
   for (const lab::HiddenReason& reason : survey.reasons) text.push_back(in_words(reason));
-  text.push_back("From the noise assumed these sensors tell " + told(survey.own) + ".");
+  text.push_back("Of ripples with an amplitude of " + brief(survey.traction) + ", under noise of " +
+                 in_words(survey.noise) + ", these sensors tell " + told(survey.own) + ".");
   for (std::string& sentence : advice_in_words(survey)) text.push_back(std::move(sentence));
   return text;
 }

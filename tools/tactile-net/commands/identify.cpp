@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <ostream>
+#include <vector>
 
 #include "failure.hpp"
-#include "tactile_net/report/json/identify_json.hpp"
+#include "tactile_net/frames/open.hpp"
 #include "tactile_net/pages/identify_page.hpp"
+#include "tactile_net/report/json/identify_json.hpp"
 #include "tactile_net/report/words/identify_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/table.hpp"
@@ -17,6 +19,18 @@ namespace {
 void check_positive(const char* option, const std::optional<double>& value) {
   if (value && (!(*value > 0.0) || !std::isfinite(*value)))
     throw WrongUsage(option, "must be > 0 and finite");
+}
+
+/// How strong a ripple is to be told, by what was recorded.
+double traction_of(const std::string& path, const Scene& scene) {
+  frames::ReadingsFile file(path, scene);
+  std::vector<double> readings(file.source().columns().size());
+  std::vector<double> largest(channel_count(scene.sensor));
+  while (file.source().next(readings))
+    for (std::size_t i = 0; i < readings.size(); ++i)
+      if (double& most = largest[i / scene.sensor.count]; std::abs(readings[i]) > most)
+        most = std::abs(readings[i]);
+  return lab::traction_behind(scene, largest);
 }
 
 void print(std::ostream& out, const Scene& scene, const lab::Survey& survey) {
@@ -37,9 +51,19 @@ void run(const IdentifyOptions& options, const Streams& streams) {
   check_positive("--traction", options.survey.traction);
   check_positive("--noise", options.survey.relative_noise);
   const Scene scene = read_scene(options.scene);
+  lab::SurveyOptions survey_options = options.survey;
+  if (!options.readings.empty()) {
+    if (survey_options.traction)
+      throw WrongUsage("--readings", "and --traction exclude each other");
+    survey_options.traction = traction_of(options.readings, scene);
+  }
+  if (lab::needs_traction(scene, survey_options))
+    throw WrongUsage("--traction",
+                     "or --readings is needed: the scene states its noise and has no contact, so "
+                     "nothing says how strong a load is to be told from it");
   Results results(options.results, streams);
   Progress progress(streams);
-  const lab::Survey survey = lab::identify(scene, options.survey, progress);
+  const lab::Survey survey = lab::identify(scene, survey_options, progress);
   results.write({.print = [&](std::ostream& out) { print(out, scene, survey); },
                  .json = [&] { return report::survey_json(scene, survey); },
                  .page = [&] { return pages::survey_html(scene, survey); }},

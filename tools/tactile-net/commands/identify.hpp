@@ -12,6 +12,7 @@ namespace tactile_net::tool {
 
 struct IdentifyOptions {
   std::string scene{};
+  std::string readings{};  ///< recorded ones, as strong as what is to be told; empty: none
   ResultOptions results{};
   lab::SurveyOptions survey{};
 };
