@@ -1,14 +1,12 @@
 #include "tactile_net/lab/certification.hpp"
 
-#include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/workload.hpp"
 
 namespace tactile_net::lab {
 
 Certification certify(const Scene& scene, Observer& observer) {
   observer.step({Step::Kind::readings});
-  const SceneFrame frame(SceneProblem(scene), simulate(scene).readings);
-  Certification result{.circuit = SceneCircuit(frame)};
+  Certification result{.circuit = simulated_circuit(scene)};
   observer.step({Step::Kind::certificate});
   (void)result.certificate();
   if (result.circuit.loaded() && calls_for_tolerance(scene.network)) {

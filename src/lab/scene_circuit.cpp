@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/network/operating_voltages.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 
@@ -118,6 +120,14 @@ Analysis SceneCircuit::analysis() const {
 
 ToleranceOptions SceneCircuit::tolerance() const {
   return options().tolerance.value_or(ToleranceOptions{.relative = 0.01});
+}
+
+SceneCircuit simulated_circuit(const Scene& scene) {
+  if (scene.contacts.empty() && !scene.reconstruct.alpha)
+    throw std::invalid_argument(
+        "the scene has no contact, so alpha and with it every part would be chosen on noise: give "
+        "alpha a number in [reconstruct], or the scene a contact");
+  return SceneCircuit(SceneFrame(SceneProblem(scene), simulate(scene).readings));
 }
 
 }  // namespace tactile_net::lab

@@ -19,6 +19,7 @@ double force_outside(const Scene& scene) {
 
 std::vector<SceneRemark> remarks_of(const Scene& scene, double force) {
   std::vector<SceneRemark> remarks;
+  if (scene.contacts.empty()) remarks.emplace_back(remark::NoContact{});
   const auto rigid = [](const Contact& contact) {
     return std::holds_alternative<RigidContact>(contact);
   };

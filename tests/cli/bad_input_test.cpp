@@ -87,3 +87,21 @@ TEST_CASE("a full disk is a failure", "[cli]") {
          "-o", "/dev/full"},
         1, "could not be written");
 }
+
+TEST_CASE("a scene without a contact says that its readings are noise", "[cli]") {
+  const Folder folder;
+  const std::string pad =
+      "[sensor]\ncount = 21\npitch = 0.5\ndepth = 1.0\nreads = [\"stress_x\"]\n"
+      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n[noise]\nrms = 1e-3\n";
+  const std::string by_rule = folder.write("rule.toml", pad);
+  const std::string given = folder.write("given.toml", pad + "[reconstruct]\nalpha = 1e-3\n");
+  CHECK_THAT(tool({"run", by_rule}).output, ContainsSubstring("its readings are noise"));
+  for (const char* command : {"certify", "gen", "relax"}) {
+    CAPTURE(command);
+    const ProcessResult result = tool({command, by_rule});
+    CHECK(result.code == 2);
+    CHECK_THAT(result.errors, ContainsSubstring("would be chosen on noise"));
+    CHECK(result.output.empty());
+    CHECK(tool({command, given}).code == 0);
+  }
+}

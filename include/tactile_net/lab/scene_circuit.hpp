@@ -78,4 +78,10 @@ class SceneCircuit {
   Once<Certificate> certificate_;
 };
 
+/// The circuit for the scene's own frame, as it is simulated.
+///
+/// @throw std::invalid_argument  there is no contact and a rule would choose alpha on noise: what
+///                               such a circuit is made of would be noise too
+[[nodiscard]] SceneCircuit simulated_circuit(const Scene& scene);
+
 }  // namespace tactile_net::lab

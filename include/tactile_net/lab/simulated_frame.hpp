@@ -56,8 +56,10 @@ struct FrictionUnseen {};
 struct ForceBeyondEnds {
   double share = 0.0;  ///< of the normal force, where no taxel sits above it
 };
+struct NoContact {};  ///< the readings are noise, and so is an alpha that a rule chooses on them
 }  // namespace remark
-using SceneRemark = std::variant<remark::FrictionUnseen, remark::ForceBeyondEnds>;
+using SceneRemark =
+    std::variant<remark::FrictionUnseen, remark::ForceBeyondEnds, remark::NoContact>;
 
 /// The scene's frame.
 struct SimulatedFrame {

@@ -80,6 +80,11 @@ std::string say(const remark::ForceBeyondEnds& r) {
   return percent(r.share) + " of the normal force lies beyond the ends of the array";
 }
 
+std::string say(const remark::NoContact&) {
+  return "the scene has no contact: its readings are noise, and so is an alpha that a rule chooses "
+         "on them";
+}
+
 }  // namespace
 
 std::string in_words(const lab::SceneRemark& remark) {

@@ -14,8 +14,7 @@ void run(const GenOptions& options, const Streams& streams) {
   Scene scene = read_scene(options.scene);
   apply(options.network, scene, streams.err);
   frames::OutputFile output(options.output, &streams.out);
-  const lab::SceneFrame frame(lab::SceneProblem(scene), lab::simulate(scene).readings);
-  output.stream() << report::deck_text(lab::SceneCircuit(frame), Answer::printed);
+  output.stream() << report::deck_text(lab::simulated_circuit(scene), Answer::printed);
   output.commit();
 }
 

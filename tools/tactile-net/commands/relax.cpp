@@ -44,8 +44,7 @@ void run_scene(const RelaxOptions& options, Simulator& simulator, const Streams&
   apply(options.network, scene, streams.err);
   Results results({.json = options.json}, streams);
   Progress progress(streams);
-  const lab::SceneFrame frame(lab::SceneProblem(scene), lab::simulate(scene).readings);
-  const lab::Relaxation relaxation = lab::relax(lab::SceneCircuit(frame), simulator, progress);
+  const lab::Relaxation relaxation = lab::relax(lab::simulated_circuit(scene), simulator, progress);
   results.write({.print = [&](std::ostream& out) { report::print_relaxation(out, relaxation); },
                  .json = [&] { return report::relaxation_json(scene, relaxation); }},
                 progress);
