@@ -1,5 +1,5 @@
 /// @file
-/// The DFT approach of thesis chapter 3 (target tactile_net::spectral: links FFTW).
+/// The DFT approach of thesis chapter 3 (target tactile_net::spectral).
 ///
 /// Solves the circular system, not P f = b: K's rows are taken to wrap around after `count` points,
 ///
@@ -51,7 +51,8 @@ class DftInverse {
   DftInverse& operator=(DftInverse&&) noexcept;
 
   /// One frame, O(count log count). Uses buffers of its own: one object per thread. FFTW may
-  /// allocate inside for counts with large prime factors.
+  /// allocate inside for counts with large prime factors, and Eigen takes count^2 for a prime
+  /// count.
   ///
   /// `too_large` if any traction would not be finite, or the transforms overflow on the way to it.
   ///

@@ -8,6 +8,7 @@
 ///     duration(2.5e-6)  "2.5 us"
 #pragma once
 
+#include <charconv>
 #include <concepts>
 #include <string>
 #include <string_view>
@@ -33,6 +34,11 @@ void append_number(std::string& out, double number);
 
 /// Seconds with the unit that leaves one to three digits before the point: "12 us"; "-" for NaN.
 [[nodiscard]] std::string duration(double seconds);
+
+/// std::from_chars of a double, which libc++ has from version 20 on: elsewhere the same by other
+/// means. So no file of the library calls that one itself for a double.
+[[nodiscard]] std::from_chars_result number_from_chars(const char* first, const char* last,
+                                                       double& number) noexcept;
 
 /// The number that is the whole text, or nothing: no sign `+`, no blank, no locale.
 [[nodiscard]] bool read_number(std::string_view text, double& number) noexcept;
