@@ -51,8 +51,7 @@ class DftInverse {
   DftInverse& operator=(DftInverse&&) noexcept;
 
   /// One frame, O(count log count). Uses buffers of its own: one object per thread. FFTW may
-  /// allocate inside for counts with large prime factors, and Eigen takes count^2 for a prime
-  /// count.
+  /// allocate inside for counts with large prime factors.
   ///
   /// `too_large` if any traction would not be finite, or the transforms overflow on the way to it.
   ///
