@@ -9,7 +9,7 @@
 
 #include "bench/measure.hpp"
 #include "numeric/real_fft.hpp"
-#include "tactile_net/control/fftw_convolution.hpp"
+#include "tactile_net/control/fft_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/numeric/comparison.hpp"
@@ -26,8 +26,8 @@ constexpr double alpha = 1e-4;
 /// conj(k) / (|k|^2 + alpha (1 + l^2/D^2 4 sin^2)) on a padded circle: the endless array's answer.
 class BareFilter {
  public:
-  BareFilter(const InverseProblem& problem, unsigned rigour)
-      : count_(problem.count), fft_(RealFft::fast_size(2 * problem.count - 1), rigour) {
+  BareFilter(const InverseProblem& problem, FftEffort effort)
+      : count_(problem.count), fft_(RealFft::fast_size(2 * problem.count - 1), effort) {
     std::vector<double> kernel(2 * count_ - 1);
     for (std::size_t i = 0; i < count_; ++i) {
       kernel[count_ - 1 + i] = problem.kernel(i, 0);
@@ -89,14 +89,14 @@ void compare(std::size_t n, double accuracy, const InverseProblem& problem,
   PlannerOptions options{.accuracy = accuracy, .diagnostics = false};
   std::vector<Way> ways;
   ways.reserve(8);
-  const auto add = [&](const std::string& name, FftwEffort effort) {
+  const auto add = [&](const std::string& name, FftEffort effort) {
     const PlannedEstimator planned = plan_estimator(problem, alpha, options);
     Way way{name};
     for (const Candidate& candidate : planned.candidates)
       if (candidate.chosen && candidate.transform_size > 0)
         way.name += ", " + std::to_string(candidate.transform_size) + " points, rank " +
                     std::to_string(candidate.ranks[0] + candidate.ranks[1]);
-    way.estimator.emplace(planned.plan, fftw_convolutions(effort));
+    way.estimator.emplace(planned.plan, fft_convolutions(effort));
     way.bound = planned.plan.error_bound;
     way.f.resize(n);
     ways.push_back(std::move(way));
@@ -106,17 +106,17 @@ void compare(std::size_t n, double accuracy, const InverseProblem& problem,
        {Structure::dense, Structure::parity, Structure::parity_low_rank, Structure::fft}) {
     options.structure = structure;
     options.precision = Precision::float64;
-    add(std::string(name(structure)), FftwEffort::estimate);
+    add(std::string(name(structure)), FftEffort::estimate);
   }
-  add("fft, FFTW_MEASURE", FftwEffort::measure);
+  add("fft, FFTW_MEASURE", FftEffort::measure);
   options.structure.reset();
   options.allow_fft = true;
   Structure chosen{};
   for (const Candidate& candidate : plan_estimator(problem, alpha, options).candidates)
     if (candidate.chosen) chosen = candidate.structure;
 
-  BareFilter bare(problem, FFTW_ESTIMATE);
-  BareFilter measured(problem, FFTW_MEASURE);
+  BareFilter bare(problem, FftEffort::estimate);
+  BareFilter measured(problem, FftEffort::measure);
   std::vector<double> filtered(n);
   std::vector<std::function<void()>> all;
   for (Way& way : ways)

@@ -5,6 +5,14 @@ if(TACTILE_NET_SANITIZE)
   add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=0)
 endif()
 
+# g++ 12's false alarms in its own headers of strings and regular expressions. Clang knows none of these warnings.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  add_compile_options(-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
+  if(TACTILE_NET_SANITIZE)
+    add_compile_options(-Wno-maybe-uninitialized)
+  endif()
+endif()
+
 # A second build takes seconds where ccache is installed.
 find_program(TACTILE_NET_CCACHE ccache DOC "Launcher of the compiler; not required")
 if(PROJECT_IS_TOP_LEVEL AND TACTILE_NET_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)

@@ -78,7 +78,8 @@ ProductTask prediction_task(const ProductTask& reconstruction) {
 }
 
 std::string why_no_fft(const ProductTask& task, const PlannedProduct& planned) {
-  if (!task.allow_fft) return "it needs FFTW (GPL) in the controller: allow_fft";
+  if (!task.allow_fft)
+    return "it needs an FFT in the controller (tactile_net::spectral): allow_fft";
   if (!planned.symmetric) return "the array is not mirror symmetric (dead taxels?)";
   if (task.structure.value_or(Structure::fft) != Structure::fft ||
       task.precision == Precision::float32)

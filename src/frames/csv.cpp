@@ -149,7 +149,7 @@ bool CsvFrames::next(std::span<double> values) {
 
     const std::string_view field = without_plus(trimmed(raw));
     double value = 0.0;
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    const auto [end, error] = number_from_chars(field.data(), field.data() + field.size(), value);
     const auto column = [&] { return "(column " + header_[fields] + ")"; };
     if (field.empty()) fail(raw, "a number is missing " + column());
     if (error == std::errc::result_out_of_range)

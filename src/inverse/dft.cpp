@@ -124,7 +124,7 @@ double DftInverse::forward_bound(std::span<const double> readings) const noexcep
   double peak = 0.0;
   for (const double reading : readings) peak = std::max(peak, std::abs(reading));
   if (peak == 0.0) return 0.0;
-  return plan_->gain.largest * (plan_->kernel_error + transforms_error(plan_->fft.size()) +
+  return plan_->gain.largest * (plan_->kernel_error + 3.0 * RealFft::error(plan_->fft.size()) +
                                 underflow_error(2 * readings.size(), peak));
 }
 

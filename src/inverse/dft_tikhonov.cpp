@@ -201,8 +201,8 @@ double DftTikhonov::forward_bound(std::span<const double> readings, double alpha
   const double lost = solution > 0.0 ? underflow / std::sqrt(solution) : 0.0;
   return wedin_bound(condition(alpha), std::hypot(plan_->largest, std::sqrt(alpha)),
                      std::sqrt(right), std::sqrt(residual), std::sqrt(solution),
-                     plan_->kernel_error / plan_->largest + transforms_error(plan_->fft.size()) +
-                         underflow) +
+                     plan_->kernel_error / plan_->largest +
+                         3.0 * RealFft::error(plan_->fft.size()) + underflow) +
          lost;
 }
 

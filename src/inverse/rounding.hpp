@@ -14,9 +14,4 @@ namespace tactile_net {
   return std::numeric_limits<double>::denorm_min() / size * std::sqrt(static_cast<double>(count));
 }
 
-/// The relative 2-norm error of three transforms of `size` values: readings, kernel, tractions.
-[[nodiscard]] inline double transforms_error(std::size_t size) noexcept {
-  return 3.0 * std::log2(static_cast<double>(size) + 2.0) * std::numeric_limits<double>::epsilon();
-}
-
 }  // namespace tactile_net

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::lab {
@@ -59,7 +60,8 @@ DeckAnswer relax_deck(const std::string& path, Simulator& simulator) {
     if (!text.starts_with('*')) continue;
     const auto number_in = [&](const std::string& value, const char* example) {
       double result = 0.0;
-      const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), result);
+      const auto [end, error] =
+          number_from_chars(value.data(), value.data() + value.size(), result);
       if (error != std::errc{} || end != value.data() + value.size() || !std::isfinite(result))
         refuse(path, number, "'" + line.substr(0, 80) + "' does not end with a number", example);
       return result;

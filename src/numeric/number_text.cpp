@@ -4,7 +4,26 @@
 #include <charconv>
 #include <cmath>
 
+#include "numeric/strtod.hpp"
+
 namespace tactile_net {
+namespace {
+
+template <class Number>
+concept ReadByStandard = requires(const char* text, Number& number) {
+  std::from_chars(text, text, number);
+};
+
+/// A template, so that the branch that is not taken need not compile.
+template <class Number>
+std::from_chars_result read(const char* first, const char* last, Number& number) noexcept {
+  if constexpr (ReadByStandard<Number>)
+    return std::from_chars(first, last, number);
+  else
+    return from_chars_by_strtod(first, last, number);
+}
+
+}  // namespace
 
 void append_number(std::string& out, double number) {
   char buffer[32];
@@ -68,9 +87,14 @@ std::string plus_minus(double value, double deviation) {
   return text + " ± " + rounded(deviation);
 }
 
+std::from_chars_result number_from_chars(const char* first, const char* last,
+                                         double& number) noexcept {
+  return read(first, last, number);
+}
+
 bool read_number(std::string_view text, double& number) noexcept {
   const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  const auto [stop, error] = number_from_chars(text.data(), end, number);
   return error == std::errc{} && stop == end;
 }
 

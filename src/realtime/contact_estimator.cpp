@@ -17,7 +17,7 @@ std::unique_ptr<Convolution> made(const ConvolutionMaker& make, const ProductPla
   std::unique_ptr<Convolution> convolution = make ? make(plan) : nullptr;
   if (!convolution)
     throw std::invalid_argument(
-        "a plan of structure fft needs a convolution: pass fftw_convolutions() of "
+        "a plan of structure fft needs a convolution: pass fft_convolutions() of "
         "tactile_net::spectral, or plan without allow_fft");
   return convolution;
 }

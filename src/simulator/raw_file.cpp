@@ -9,6 +9,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "tactile_net/numeric/number_text.hpp"
+
 namespace tactile_net {
 namespace {
 
@@ -86,9 +88,10 @@ void read_values(Cursor& cursor, RawFile& raw, bool complex, bool binary) {
   if (complex) raw.imaginary = raw.values;
 
   const auto next = [&](std::string_view text) {
-    const auto value = number<double>(text);
-    if (!value) cursor.fail("'" + std::string(text.substr(0, 40)) + "' is not a number");
-    return *value;
+    double value = 0.0;
+    if (!read_number(text, value))
+      cursor.fail("'" + std::string(text.substr(0, 40)) + "' is not a number");
+    return value;
   };
   for (std::size_t point = 0; point < raw.points; ++point) {
     if (!binary) (void)cursor.word();  // the point's index

@@ -5,7 +5,7 @@
 
 #include "study/digital.hpp"
 #include "study/points.hpp"
-#include "tactile_net/control/fftw_convolution.hpp"
+#include "tactile_net/control/fft_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 
@@ -21,7 +21,7 @@ void add_product(StudySection& section, const StudyInput& input, PlannerOptions 
                         .precision = options.precision};
   attempt(section, curve, {}, [&] {
     const PlannedEstimator planned = plan_estimator(input.problem.problem(), input.alpha, options);
-    ContactEstimator estimator(planned.plan, fftw_convolutions());
+    ContactEstimator estimator(planned.plan, fft_convolutions());
     std::vector<double> f(estimator.tractions());
     ContactEstimate estimate;
     estimate.tractions = f;

@@ -8,9 +8,25 @@
 #include <mutex>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace tactile_net::study {
 namespace {
+
+/// Joined however their owner ends: std::jthread, which libc++ has from version 20 on.
+class Threads {
+ public:
+  Threads() = default;
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+  ~Threads() {
+    for (std::thread& thread : threads_) thread.join();
+  }
+  void start(const auto& work) { threads_.emplace_back(work); }
+
+ private:
+  std::vector<std::thread> threads_;
+};
 
 /// What is done, and how long the rest takes at that pace.
 class Pace {
@@ -65,8 +81,8 @@ class Runner {
     next_ = first;
     last_ = last;
     running_ = workers;
-    std::vector<std::jthread> threads;  // joined however this ends
-    for (std::size_t k = 0; k < workers; ++k) threads.emplace_back([this] { work(); });
+    Threads threads;
+    for (std::size_t k = 0; k < workers; ++k) threads.start([this] { work(); });
     watch();
     if (failure_) std::rethrow_exception(failure_);
   }

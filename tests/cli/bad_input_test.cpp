@@ -1,3 +1,4 @@
+#include "tactile_net/numeric/fft.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/tool.hpp"
 
@@ -36,7 +37,8 @@ TEST_CASE("help and version are no failures", "[cli]") {
   for (const char* command : {"run", "gen", "relax", "solve", "grasp"})
     CHECK(tool({command, "--help"}).code == 0);
   CHECK(tool({"--help"}).code == 0);
-  CHECK_THAT(tool({"--version"}).output, StartsWith("tactile-net "));
+  CHECK_THAT(tool({"--version"}).output,
+             StartsWith("tactile-net ") && ContainsSubstring(std::string(name(fft_library()))));
 }
 
 TEST_CASE("a scene that is none is refused", "[cli]") {

@@ -81,7 +81,7 @@ TEST_CASE("fft is planned where it is asked for, and offered where it is allowed
   const ProcessResult allowed = tool({"plan", good, "--allow-fft"});
   CHECK_THAT(allowed.output, ContainsSubstring("  fft float64, rank"));
   const ProcessResult without = tool({"plan", good});
-  CHECK_THAT(without.output, ContainsSubstring("no fft: it needs FFTW"));
+  CHECK_THAT(without.output, ContainsSubstring("no fft: it needs an FFT"));
   const ProcessResult single = tool({"plan", good, "--structure", "fft", "--precision", "float32"});
   CHECK(single.code == 2);
   CHECK_THAT(single.errors, ContainsSubstring("float64 only"));

@@ -1,11 +1,11 @@
-// FFTW allocates in some of its executions: not for the sizes that plans may have.
+// An FFT may allocate in some of its executions: not for the sizes that plans may have.
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
 
 #include "src/control/circulant.hpp"
 #include "src/numeric/real_fft.hpp"
-#include "tactile_net/control/fftw_convolution.hpp"
+#include "tactile_net/control/fft_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tests/catch.hpp"
@@ -63,14 +63,15 @@ ProductPlan convolution_of(std::size_t size) {
 TEST_CASE("the counter sees what FFTW allocates, for sizes with a large prime factor",
           "[fft][no_allocation]") {
   RealFft fft(2 * 97);
-  CHECK(allocations_of([&] { fft.forward(); }) > 0);
+  const long allocated = allocations_of([&] { fft.forward(); });
+  CHECK((allocated > 0) == (fft_library() == FftLibrary::fftw));
 }
 
-TEST_CASE("FFTW allocates nothing for any size without a prime factor above 7",
+TEST_CASE("the FFT allocates nothing for any size without a prime factor above 7",
           "[fft][no_allocation]") {
   int tested = 0;
   for (std::size_t size = 4; size <= 32768; size = RealFft::fast_size(size + 1)) {
-    const auto convolution = fftw_convolutions()(convolution_of(size));
+    const auto convolution = fft_convolutions()(convolution_of(size));
     std::vector<double> x(size / 2, 1.0);
     std::vector<double> y(size / 2);
     const long allocated = allocations_of([&] { convolution->add(x.data(), y.data()); });
@@ -81,10 +82,10 @@ TEST_CASE("FFTW allocates nothing for any size without a prime factor above 7",
   CHECK(tested > 300);
 }
 
-TEST_CASE("nor with plans that FFTW measured, for the sizes that the planner takes",
+TEST_CASE("nor with plans that were measured, for the sizes that the planner takes",
           "[fft][no_allocation]") {
   for (std::size_t size = 4; size <= 1280; size = transform_size(size + 1)) {
-    const auto convolution = fftw_convolutions(FftwEffort::measure)(convolution_of(size));
+    const auto convolution = fft_convolutions(FftEffort::measure)(convolution_of(size));
     std::vector<double> x(size / 2, 1.0);
     std::vector<double> y(size / 2);
     const long allocated = allocations_of([&] { convolution->add(x.data(), y.data()); });
@@ -99,7 +100,7 @@ TEST_CASE("a frame of a plan by FFT allocates nothing, nor does a dead taxel",
   const InverseProblem problem = make_problem({96, 0.125, {1.5}, {stress_x, shear_xy}}, {1.0, 0.45},
                                               {.unknowns = 2, .smoothing_length = 1.0});
   PlannerOptions options{.structure = Structure::fft};
-  ContactEstimator estimator(plan_estimator(problem, 1e-4, options).plan, fftw_convolutions());
+  ContactEstimator estimator(plan_estimator(problem, 1e-4, options).plan, fft_convolutions());
   const std::vector<double> g = random_values(192, 1);
   std::vector<double> f(192);
   ContactEstimate estimate{.tractions = f};

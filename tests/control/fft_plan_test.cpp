@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "src/control/circulant.hpp"
-#include "tactile_net/control/fftw_convolution.hpp"
+#include "tactile_net/control/fft_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/plan_file.hpp"
@@ -84,8 +84,8 @@ TEST_CASE("the convolution alone is percents off at the array's end, and right w
   EstimatorPlan bare = planned.plan;
   for (Factor& factor : bare.reconstruction.factors)
     std::fill(factor.values.begin(), factor.values.end(), 0.0);
-  ContactEstimator corrected(planned.plan, fftw_convolutions());
-  ContactEstimator uncorrected(bare, fftw_convolutions());
+  ContactEstimator corrected(planned.plan, fft_convolutions());
+  ContactEstimator uncorrected(bare, fft_convolutions());
   const auto error = [&](ContactEstimator& estimator, double centre) {
     const std::vector<double> g = round_contact(problem, centre);
     std::vector<double> expected(256);
@@ -125,7 +125,7 @@ TEST_CASE("a plan by FFT keeps its accuracy, proven and measured, on long arrays
   const Candidate& candidate = planned.candidates.front();
   CHECK(candidate.accurate);
   CHECK(candidate.error_bound <= accuracy);
-  ContactEstimator estimator(planned.plan, fftw_convolutions());
+  ContactEstimator estimator(planned.plan, fft_convolutions());
   std::vector<double> expected(dense.tractions());
   for (unsigned seed = 0; seed < 4; ++seed) {
     const std::vector<double> g =
@@ -153,10 +153,10 @@ TEST_CASE("a block that is a convolution is its own circulant", "[fft]") {
   CHECK((corner - block).cwiseAbs().maxCoeff() < 1e-14);
 }
 
-TEST_CASE("FFTW convolves as direct sums do, several blocks on a circle that wraps", "[fft]") {
+TEST_CASE("the FFT convolves as direct sums do, several blocks on a circle that wraps", "[fft]") {
   const ProductPlan plan = small_convolution();
   const auto convolution =
-      fftw_convolutions(GENERATE(FftwEffort::estimate, FftwEffort::measure))(plan);
+      fft_convolutions(GENERATE(FftEffort::estimate, FftEffort::measure))(plan);
   const std::vector<double> x = random_values(14, 7);
   std::vector<double> y = random_values(14, 8);
   std::vector<double> expected = y;
@@ -183,8 +183,8 @@ TEST_CASE("a plan by FFT survives its file, bit by bit", "[fft]") {
   CHECK(read.reconstruction.transform_size == planned.plan.reconstruction.transform_size);
   CHECK(read.reconstruction.spectra == planned.plan.reconstruction.spectra);
   CHECK(encode_plan(read) == bytes);
-  ContactEstimator before(planned.plan, fftw_convolutions());
-  ContactEstimator after(read, fftw_convolutions());
+  ContactEstimator before(planned.plan, fft_convolutions());
+  ContactEstimator after(read, fft_convolutions());
   const std::vector<double> g = random_values(64, 1);
   CHECK(solved(before, g) == solved(after, g));
 }
@@ -216,7 +216,7 @@ TEST_CASE("without a convolution a plan by FFT is refused, and the library with 
                     ContainsSubstring("tactile_net::spectral"));
   ProductPlan dense{.rows = 1, .columns = 1};
   dense.factors = {{1, 1, {1.0}}};
-  CHECK_THROWS_WITH(fftw_convolutions()(dense), ContainsSubstring("structure fft"));
+  CHECK_THROWS_WITH(fft_convolutions()(dense), ContainsSubstring("structure fft"));
 }
 
 TEST_CASE("fft is offered only where it is allowed and the array is symmetric, and why not is said",
@@ -230,7 +230,7 @@ TEST_CASE("fft is offered only where it is allowed and the array is symmetric, a
   PlannerOptions options{.diagnostics = false};
   const PlannedEstimator without = plan_estimator(problem, alpha, options);
   CHECK_FALSE(offered(without));
-  CHECK_THAT(without.why(), ContainsSubstring("no fft: it needs FFTW"));
+  CHECK_THAT(without.why(), ContainsSubstring("no fft: it needs an FFT"));
 
   options.allow_fft = true;
   const PlannedEstimator with = plan_estimator(problem, alpha, options);
@@ -263,7 +263,7 @@ TEST_CASE("residual and dead taxels are those of the dense plan", "[fft]") {
   if (!two) REQUIRE(plan.prediction->structure == Structure::fft);
   const EstimatorPlan exact =
       plan_estimator(problem, alpha, {.accuracy = 1e-9, .structure = Structure::dense}).plan;
-  ContactEstimator estimator(plan, fftw_convolutions());
+  ContactEstimator estimator(plan, fft_convolutions());
   ContactEstimator reference(exact);
   std::vector<double> g = contact_readings(problem, 2);
   const std::vector<double> noise = random_values(g.size(), 3);
@@ -290,7 +290,7 @@ TEST_CASE("residual and dead taxels are those of the dense plan", "[fft]") {
 
 TEST_CASE("bad frames are reported and leave the output alone; what is answered is finite",
           "[fft]") {
-  ContactEstimator estimator(fft_plan(long_array(64), 1e-7, true).plan, fftw_convolutions());
+  ContactEstimator estimator(fft_plan(long_array(64), 1e-7, true).plan, fft_convolutions());
   std::vector<double> f(64, 7.0);
   const std::vector<double> untouched = f;
   ContactEstimate estimate{.tractions = f};
@@ -301,7 +301,7 @@ TEST_CASE("bad frames are reported and leave the output alone; what is answered 
   g.assign(64, 1e308);
   CHECK(estimator.update(g, estimate) == FrameStatus::too_large);
   CHECK(f == untouched);
-  ContactEstimator large(fft_plan(long_array(64)).plan, fftw_convolutions());
+  ContactEstimator large(fft_plan(long_array(64)).plan, fft_convolutions());
   int answered = 0;
   for (int exponent = 290; exponent <= 308; ++exponent) {
     g = random_values(64, static_cast<unsigned>(exponent));
@@ -319,7 +319,7 @@ TEST_CASE("a convolution much larger than its correction cannot overflow unnotic
   plan.reconstruction = small_convolution();
   for (double& value : plan.reconstruction.spectra) value *= 1e8;
   plan.weights.assign(14, 1.0);
-  ContactEstimator estimator(plan, fftw_convolutions());
+  ContactEstimator estimator(plan, fft_convolutions());
   std::vector<double> f(14);
   ContactEstimate estimate{.tractions = f};
   int answered = 0;
@@ -340,7 +340,7 @@ TEST_CASE("convolutions may be made in several threads", "[fft]") {
       ProductPlan plan = small_convolution();
       plan.transform_size = size;
       plan.spectra.assign(4 * (size / 2 + 1), 1.0);
-      for (int i = 0; i < 5; ++i) (void)fftw_convolutions()(plan);
+      for (int i = 0; i < 5; ++i) (void)fft_convolutions()(plan);
     }
   };
   std::array<std::jthread, 4> threads;
@@ -349,14 +349,14 @@ TEST_CASE("convolutions may be made in several threads", "[fft]") {
 
 TEST_CASE("copies work in threads of their own, made there, and give the same bits", "[fft]") {
   const EstimatorPlan plan = fft_plan(long_array(128), 1e-7, true).plan;
-  const FftwEffort effort = GENERATE(FftwEffort::estimate, FftwEffort::measure);
-  const ContactEstimator original(plan, fftw_convolutions(effort));
+  const FftEffort effort = GENERATE(FftEffort::estimate, FftEffort::measure);
+  const ContactEstimator original(plan, fft_convolutions(effort));
   std::vector<std::vector<double>> frames;
   for (unsigned seed = 0; seed < 50; ++seed) frames.push_back(random_values(128, seed));
   std::array<std::vector<double>, 3> sums;
   const auto work = [&](std::vector<double>& sum) {
     ContactEstimator copy = original;
-    ContactEstimator assigned(plan, fftw_convolutions());  // FFTW plans in both threads at once
+    ContactEstimator assigned(plan, fft_convolutions());  // planned in both threads at once
     assigned = copy;
     std::vector<double> f(128);
     ContactEstimate estimate{.tractions = f};

@@ -1,6 +1,6 @@
 #include "tactile_net/control/planner.hpp"
 
-#include "tactile_net/control/fftw_convolution.hpp"
+#include "tactile_net/control/fft_convolution.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tests/catch.hpp"
 #include "tests/control/frames.hpp"
@@ -34,7 +34,7 @@ TEST_CASE("every planned path keeps its accuracy, on random readings and on cont
       }
       const Candidate& candidate = planned->candidates.front();
       if (precision == Precision::float64 && accuracy >= 1e-7) CHECK(candidate.accurate);
-      ContactEstimator estimator(planned->plan, fftw_convolutions());
+      ContactEstimator estimator(planned->plan, fft_convolutions());
       std::vector<double> f(dense.tractions());
       std::vector<double> expected(f.size());
       ContactEstimate estimate{.tractions = f};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "failure.hpp"
+#include "tactile_net/numeric/fft.hpp"
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/scene/nearest.hpp"
 
@@ -198,7 +199,7 @@ void add_plan(Parser& parser) {
                       "float64 or float32 (default: the cheapest)");
   command->add_flag("--allow-fft", options->allow_fft,
                     "Offer fft too, for long arrays: the controller then links "
-                    "tactile_net::spectral (FFTW, GPL)");
+                    "tactile_net::spectral (GPL where that was built with FFTW)");
   command->add_flag("--no-diagnostics", options->no_diagnostics,
                     "No residual, no outliers, no dead taxels at run time: faster");
   command->add_option("--json", options->json, "Write the choice as JSON (- = standard output)");
@@ -250,7 +251,8 @@ void check_command(const CLI::App& app, std::span<const std::string> arguments) 
 
 std::optional<Command> parse(std::span<const std::string> arguments, std::ostream& out) {
   Parser parser;
-  parser.app.set_version_flag("--version", "tactile-net " + std::string(version()));
+  parser.app.set_version_flag("--version", "tactile-net " + std::string(version()) +
+                                               "\nFFT: " + std::string(name(fft_library())));
   parser.app.require_subcommand(1);
   for (const auto add : {add_run, add_gen, add_relax, add_certify, add_simulate, add_solve,
                          add_identify, add_plan, add_tradeoff, add_grasp})

@@ -36,8 +36,9 @@ struct PlannerOptions {
   std::optional<Structure> structure{};  ///< absent: the cheapest that is accurate enough
   std::optional<Precision> precision{};  ///< absent: likewise
   bool diagnostics = true;  ///< residual, outliers, dead taxels at run time; costs a second product
-  /// Offer fft too, float64 only: the controller then links tactile_net::spectral (FFTW, GPL) or
-  /// brings a `Convolution` of its own. Asking for `structure` fft allows it.
+  /// Offer fft too, float64 only: the controller then links tactile_net::spectral (GPL where that
+  /// was built with FFTW) or brings a `Convolution` of its own. Asking for `structure` fft allows
+  /// it. Its price in the choice is FFTW's.
   bool allow_fft = false;
   bool all_candidates = false;  ///< try also what cannot be the cheapest
   double noise_rms = 0.0;       ///< of a weighted reading, as far as known

@@ -1,5 +1,5 @@
 /// @file
-/// The DFT approach of thesis chapter 3 (target tactile_net::spectral: links FFTW).
+/// The DFT approach of thesis chapter 3 (target tactile_net::spectral).
 ///
 /// Solves the circular system, not P f = b: K's rows are taken to wrap around after `count` points,
 ///

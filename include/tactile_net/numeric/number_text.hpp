@@ -9,6 +9,7 @@
 ///     plus_minus(0.98172, 0.00165)  "0.9817 ± 0.0017": rounded by the deviation
 #pragma once
 
+#include <charconv>
 #include <concepts>
 #include <string>
 #include <string_view>
@@ -39,6 +40,11 @@ void append_number(std::string& out, double number);
 /// are below 20, else to its first; UTF-8. "-" where the value is not finite; without the deviation
 /// where that is not finite or 0.
 [[nodiscard]] std::string plus_minus(double value, double deviation);
+
+/// std::from_chars of a double, which libc++ has from version 20 on: elsewhere the same by other
+/// means. So no file of the library calls that one itself for a double.
+[[nodiscard]] std::from_chars_result number_from_chars(const char* first, const char* last,
+                                                       double& number) noexcept;
 
 /// The number that is the whole text, or nothing: no sign `+`, no blank, no locale.
 [[nodiscard]] bool read_number(std::string_view text, double& number) noexcept;

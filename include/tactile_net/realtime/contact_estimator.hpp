@@ -68,7 +68,7 @@ class ContactEstimator {
   /// @throw std::invalid_argument  `check(plan)` does, or a structure is fft
   explicit ContactEstimator(const EstimatorPlan& plan,
                             InstructionSet set = widest_instruction_set());
-  /// For plans with fft: `ContactEstimator estimator(plan, fftw_convolutions());`
+  /// For plans with fft: `ContactEstimator estimator(plan, fft_convolutions());`
   /// @param make  called for each product that is fft; copies clone what it made
   ContactEstimator(const EstimatorPlan& plan, const ConvolutionMaker& make,
                    InstructionSet set = widest_instruction_set());

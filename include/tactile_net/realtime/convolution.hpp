@@ -1,7 +1,7 @@
 /// @file
 /// Who multiplies by the Toeplitz part of an fft plan: an FFT that the controller brings, since
 /// tactile_net::rt depends on nothing. tactile_net::spectral has one
-/// (control/fftw_convolution.hpp).
+/// (control/fft_convolution.hpp).
 #pragma once
 
 #include <functional>

@@ -11,6 +11,8 @@
 #include <span>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "tactile_net/realtime/plan_file.hpp"
 
@@ -24,7 +26,8 @@ namespace tactile_net {
   if (file.peek() != std::ifstream::traits_type::eof()) content << file.rdbuf();
   if (file.bad() || !content) throw std::runtime_error(path.string() + ": cannot be read");
   try {
-    return decode_plan(std::as_bytes(std::span(content.view())));
+    const std::string text = std::move(content).str();
+    return decode_plan(std::as_bytes(std::span(text)));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path.string() + ": " + error.what());
   }

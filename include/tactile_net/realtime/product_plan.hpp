@@ -64,7 +64,8 @@ struct ProductPlan {
   double scale = 1.0;  ///< A is the factors' product times this power of two; 1 for fft
 
   /// fft only: m, the length of the circle on which T convolves blocks of n values, the rest of it
-  /// zero. Even, >= n, < 2^30, no prime factor above 7: FFTW then allocates nothing. With m >= 2 n
+  /// zero. Even, >= n, < 2^30, no prime factor above 7: an FFT then allocates nothing. With m >= 2
+  /// n
   /// - 1 nothing wraps around; with less, what does is in the correction too.
   std::size_t transform_size = 0;
   /// fft only: row blocks x column blocks x (m / 2 + 1), the DFT of each block's convolution. It is

@@ -1,5 +1,5 @@
 /// @file
-/// The discrete sum by FFT (target tactile_net::spectral: links FFTW).
+/// The discrete sum by FFT (target tactile_net::spectral).
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,9 @@ namespace tactile_net {
 
 /// One Toeplitz block applied by FFT: the linear convolution, zero-padded so that nothing wraps.
 ///
-/// The constructor plans and transforms the kernel (FFTW's planner is not thread-safe: this library
-/// locks it against itself, not against others). `add` reuses buffers: one object per thread.
+/// The constructor plans and transforms the kernel (where the FFT is FFTW, its planner is not
+/// thread-safe: this library locks it against itself, not against others). `add` reuses buffers:
+/// one object per thread.
 class SpectralConvolution {
  public:
   /// @param kernel  2 count - 1 values as from `sampled_kernel`

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "numeric/require.hpp"
@@ -15,10 +16,10 @@ namespace tactile_net {
 
 /// The value of a quantity. @throw std::invalid_argument  there is none
 template <typename T>
-const T& value_of(const PerQuantity<T>& values, Quantity quantity, const std::string& what) {
+const T& value_of(const PerQuantity<T>& values, Quantity quantity, std::string_view what) {
   const auto found = values.find(quantity);
   if (found == values.end())
-    throw std::invalid_argument(what + " must name every quantity that is read (" +
+    throw std::invalid_argument(std::string(what) + " must name every quantity that is read (" +
                                 std::string(name(quantity)) + " is missing)");
   return found->second;
 }

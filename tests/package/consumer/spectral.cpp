@@ -1,4 +1,4 @@
-#include <tactile_net/control/fftw_convolution.hpp>
+#include <tactile_net/control/fft_convolution.hpp>
 #include <tactile_net/control/planner.hpp>
 #include <tactile_net/inverse/dft.hpp>
 #include <tactile_net/realtime/contact_estimator.hpp>
@@ -14,7 +14,7 @@ int main() {
       "scene.toml");
   const InverseProblem problem = make_problem(scene.sensor, scene.material);
   const EstimatorPlan plan = plan_estimator(problem, 1e-4, {.structure = Structure::fft}).plan;
-  ContactEstimator estimator(plan, fftw_convolutions());
+  ContactEstimator estimator(plan, fft_convolutions());
   std::vector<double> readings(41, 1.0), tractions(41);
   ContactEstimate estimate;
   estimate.tractions = tractions;

@@ -7,7 +7,7 @@
 #include "commands/deadline.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
-#include "tactile_net/control/fftw_convolution.hpp"
+#include "tactile_net/control/fft_convolution.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/lab/planned_controller.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
@@ -67,7 +67,7 @@ lab::PlanAlpha alpha_of(const lab::SceneProblem& problem, const PlanOptions& opt
 /// What a frame of the plan takes on this machine [s].
 double seconds_of_frame(const EstimatorPlan& plan) {
   const lab::Pinned pinned;
-  ContactEstimator estimator(plan, fftw_convolutions());
+  ContactEstimator estimator(plan, fft_convolutions());
   const std::vector<double> readings(plan.readings(), 1.0);
   std::vector<double> tractions(plan.tractions());
   ContactEstimate estimate;

@@ -1,4 +1,4 @@
-#include "tactile_net/control/fftw_convolution.hpp"
+#include "tactile_net/control/fft_convolution.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -11,11 +11,11 @@
 namespace tactile_net {
 namespace {
 
-class FftwConvolution final : public Convolution {
+class FftConvolution final : public Convolution {
  public:
-  FftwConvolution(const ProductPlan& plan, unsigned rigour)
+  FftConvolution(const ProductPlan& plan, FftEffort effort)
       : count_(plan.rows / plan.row_signs.size()),
-        in_(plan.transform_size, rigour),
+        in_(plan.transform_size, effort),
         out_(plan.row_signs.size(), in_),
         columns_(plan.column_signs.size()),
         spectra_(std::make_shared<const std::vector<double>>(scaled(plan))) {
@@ -37,11 +37,11 @@ class FftwConvolution final : public Convolution {
   }
 
   [[nodiscard]] std::unique_ptr<Convolution> clone() const override {
-    return std::make_unique<FftwConvolution>(*this);
+    return std::make_unique<FftConvolution>(*this);
   }
 
  private:
-  /// FFTW's two transforms multiply by the size.
+  /// A transform and its inverse multiply by the size.
   static std::vector<double> scaled(const ProductPlan& plan) {
     std::vector<double> spectra = plan.spectra;
     for (double& value : spectra) value /= static_cast<double>(plan.transform_size);
@@ -83,13 +83,12 @@ class FftwConvolution final : public Convolution {
 
 }  // namespace
 
-ConvolutionMaker fftw_convolutions(FftwEffort effort) {
-  const unsigned rigour = effort == FftwEffort::measure ? FFTW_MEASURE : FFTW_ESTIMATE;
-  return [rigour](const ProductPlan& plan) -> std::unique_ptr<Convolution> {
+ConvolutionMaker fft_convolutions(FftEffort effort) {
+  return [effort](const ProductPlan& plan) -> std::unique_ptr<Convolution> {
     check(plan);
     if (plan.structure != Structure::fft)
       throw std::invalid_argument("a convolution needs a plan of structure fft");
-    return std::make_unique<FftwConvolution>(plan, rigour);
+    return std::make_unique<FftConvolution>(plan, effort);
   };
 }
 
