@@ -1,5 +1,6 @@
 #include "tactile_net/lab/scene_problem.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace tactile_net::lab {
@@ -70,6 +71,27 @@ const InverseProblem& SceneProblem::problem() const {
   if (!parts_->problem)
     parts_->problem = make_problem(parts_->scene.sensor, parts_->scene.material, parts_->options);
   return *parts_->problem;
+}
+
+SceneProblem SceneProblem::without(std::span<const std::size_t> taxels) const {
+  Scene scene = parts_->scene;
+  scene.dead_taxels.assign(taxels.begin(), taxels.end());
+  SceneProblem other(std::move(scene));
+  const auto stays_dead = [&](std::size_t taxel) {
+    return std::binary_search(taxels.begin(), taxels.end(), taxel);
+  };
+  const std::vector<std::size_t>& dead = parts_->scene.dead_taxels;
+  if (!std::all_of(dead.begin(), dead.end(), stays_dead))
+    return other;  // what is dead here has left no row to take
+  other.parts_->problem = problem();
+  InverseProblem& kept = *other.parts_->problem;
+  for (const std::size_t taxel : taxels)
+    for (std::size_t row = taxel; row < kept.weights.size(); row += kept.count) {
+      kept.weights[row] = 0.0;
+      for (std::size_t column = 0; column < kept.kernel.columns; ++column)
+        kept.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
+    }
+  return other;
 }
 
 const TikhonovFamily& SceneProblem::family() const {

@@ -53,6 +53,10 @@ class SceneProblem {
   /// @throw std::invalid_argument  as `make_problem`
   [[nodiscard]] const InverseProblem& problem() const;
 
+  /// The same with these taxels dead, in place of the scene's. K is not integrated anew.
+  /// @param taxels  rising, < count, not all
+  [[nodiscard]] SceneProblem without(std::span<const std::size_t> taxels) const;
+
   /// Tikhonov's method for every alpha: one singular value decomposition.
   [[nodiscard]] const TikhonovFamily& family() const;
 

@@ -15,9 +15,12 @@ struct SolveOptions {
   std::string output{};
   std::string uncertainty{};
   std::string json{};
+  std::string columns{};
+  std::string missing = "fail";
 };
 
-/// @throw InputError  a frame is bad; everything before it has been written
+/// @throw InputError  a frame is bad; the answers of those before it are in NAME.partial, which the
+///                    error's text names
 void run(const SolveOptions& options, const Streams& streams);
 
 }  // namespace tactile_net::tool
