@@ -36,6 +36,7 @@ struct SceneProblem::Parts {
   std::optional<InverseProblem> problem;
   std::optional<TikhonovFamily> family;
   std::optional<DftTikhonov> circular;
+  std::optional<AlphaTables> alpha_tables;
   std::optional<ModeSpace> hidden;
   std::optional<TractionCovariance> covariance;
   std::pair<double, double> covariance_of;  // its alpha and prior
@@ -108,6 +109,11 @@ DftTikhonov& SceneProblem::circular() const {
   return *parts_->circular;
 }
 
+const AlphaTables& SceneProblem::alpha_tables(const FilterFrame& frame) const {
+  if (!parts_->alpha_tables) parts_->alpha_tables.emplace(frame.gamma, frame.rows);
+  return *parts_->alpha_tables;
+}
+
 const ModeSpace& SceneProblem::hidden() const {
   if (!parts_->hidden) parts_->hidden = hidden_modes(problem());
   return *parts_->hidden;
@@ -132,9 +138,9 @@ const FilterFrame& SceneFrame::analysed() const {
 
 const AlphaSweep& SceneFrame::sweep() const {
   if (sweep_) return *sweep_;
-  sweep_ = problem_.is_large()
-               ? sweep_alpha(problem_.circular().analyse(readings_), problem_.stated_noise())
-               : sweep_alpha(analysed(), problem_.stated_noise());
+  const FilterFrame frame =
+      problem_.is_large() ? problem_.circular().analyse(readings_) : analysed();
+  sweep_ = sweep_alpha(frame, problem_.alpha_tables(frame), problem_.stated_noise());
   return *sweep_;
 }
 
@@ -146,7 +152,9 @@ ChosenAlpha SceneFrame::alpha() const {
 }
 
 const AlphaChoice& SceneFrame::prior() const {
-  if (!prior_) prior_ = choose_alone(analysed(), AlphaRule::gml, problem_.stated_noise());
+  if (!prior_)
+    prior_ = choose_alone(analysed(), problem_.alpha_tables(analysed()), AlphaRule::gml,
+                          problem_.stated_noise());
   return *prior_;
 }
 

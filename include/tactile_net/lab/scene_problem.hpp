@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
@@ -63,6 +64,9 @@ class SceneProblem {
   /// The array taken for a ring, in the Fourier basis, dead taxels for living ones. Has buffers of
   /// its own: one thread at a time.
   [[nodiscard]] DftTikhonov& circular() const;
+
+  /// What the rules for alpha ask of every frame. @param frame  analysed, any of this problem
+  [[nodiscard]] const AlphaTables& alpha_tables(const FilterFrame& frame) const;
 
   /// What no reading shows.
   [[nodiscard]] const ModeSpace& hidden() const;
