@@ -236,7 +236,7 @@ TEST_CASE("a spreadsheet's file gives what a plain one gives, and its time is ke
   const std::string path = folder.write("s.toml", small_scene);
   const std::string plain = "t,stress_x_0,stress_x_1,stress_x_2\n0.5,1.5,2,3\n0.6,3,2,1\n";
   const std::string expected = solved({}, path, plain);
-  for (const std::string text :
+  for (const std::string& text :
        {"\xef\xbb\xbf" + plain,
         std::string("\xef\xbb\xbfstress_x_0 [Pa];stress_x_1 [Pa];stress_x_2 [Pa];t [s]\r\n"
                     "1,5;2;3;0,5\r\n3;2;1;0,6\r\n"),
