@@ -1,209 +1,247 @@
 #include "tactile_net/frames/csv.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <istream>
-#include <map>
-#include <ostream>
-#include <stdexcept>
+#include <limits>
+#include <utility>
 
+#include "frames/column_match.hpp"
+#include "frames/csv_header.hpp"
+#include "frames/field_value.hpp"
+#include "frames/foreign_format.hpp"
+#include "frames/missing_hint.hpp"
+#include "frames/text_lines.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::frames {
 namespace {
 
-constexpr std::ptrdiff_t ignored_field = -1;
-constexpr std::ptrdiff_t time_field = -2;
-
-/// Without surrounding blanks and quotes.
-std::string_view trimmed(std::string_view field) {
-  const auto is_padding = [](char c) { return c == ' ' || c == '\t' || c == '"'; };
-  while (!field.empty() && is_padding(field.front())) field.remove_prefix(1);
-  while (!field.empty() && is_padding(field.back())) field.remove_suffix(1);
-  return field;
-}
-
-/// Cuts the first field off a row; `more` tells whether another follows.
-std::string_view take_field(std::string_view& rest, bool& more) {
-  const std::size_t comma = rest.find(',');
-  more = comma != std::string_view::npos;
-  const std::string_view field = rest.substr(0, comma);
-  rest.remove_prefix(more ? comma + 1 : rest.size());
-  return field;
-}
-
-/// std::from_chars takes no leading '+'.
-std::string_view without_plus(std::string_view field) {
-  if (field.size() > 1 && field[0] == '+' && field[1] != '-') field.remove_prefix(1);
-  return field;
+/// What may stand in a column of times besides a number, and be copied into a field of CSV: dates
+/// and clock times.
+bool is_moment(std::string_view text) {
+  const auto fits = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == ':' ||
+           c == '-' || c == '+' || c == '.' || c == '/' || c == ' ';
+  };
+  return !text.empty() && text.front() >= '0' && text.front() <= '9' &&
+         std::all_of(text.begin(), text.end(), fits);
 }
 
 }  // namespace
 
-CsvFrames::CsvFrames(std::istream& in, std::string file)
-    : in_(in), file_(std::move(file)), buffer_(longest_line) {}
+class CsvFrames::Reader {
+ public:
+  Reader(std::istream& in, std::string file) : lines_(in), file_(std::move(file)) {}
 
-CsvFrames::CsvFrames(std::istream& in, std::string file, std::vector<std::string> columns,
-                     std::vector<bool> unread)
-    : CsvFrames(in, std::move(file)) {
-  unread_ = std::move(unread);
-  if (!read_line())
-    fail({}, "no header: the file is empty",
-         "line 1 names the columns: " + columns.front() + ", ..., " + columns.back());
-  read_header();
-  find(std::move(columns));
+  void open(const WantedColumns& wanted, const ChooseColumns* choose) {
+    wanted_ = wanted;
+    read_names();
+    if (choose != nullptr) {
+      if (header_.names.empty())
+        fail(row_, "there is no header: the first line holds numbers", "line 1 names the columns");
+      wanted_.names = (*choose)(header_.names);
+    }
+    wanted_.unread.resize(wanted_.names.size());
+    try {
+      match_ = header_.names.empty() ? match_unnamed(header_.row_fields, wanted_)
+                                     : match_columns(header_.names, wanted_);
+    } catch (const NoMatch& no) {
+      const std::size_t at = no.field < header_.at.size() ? header_.at[no.field] : 0;
+      throw InputError({{.file = file_,
+                         .line = lines_.number(),
+                         .column = at + 1,
+                         .message = no.what(),
+                         .hint = no.hint}});
+    }
+  }
+
+  bool next(std::span<double> values) {
+    if (!std::exchange(header_.row_pending, false)) {
+      if (!read_line()) return false;
+    }
+    const CsvLayout layout = header_.layout;
+    const std::vector<std::ptrdiff_t>& targets = match_.target;
+    std::string_view rest = row_;
+    std::size_t fields = 0;
+    for (bool more = true; more; ++fields) {
+      const std::string_view raw = take_field(rest, more, layout);
+      if (fields >= targets.size())
+        fail(raw, "more than the header's " + std::to_string(targets.size()) + " columns");
+      const std::ptrdiff_t target = targets[fields];
+      if (target >= 0) {
+        const auto index = static_cast<std::size_t>(target);
+        values[index] = wanted_.unread[index] ? 0.0 : reading(raw, fields);
+      } else if (target == ColumnMatch::time_field) {
+        read_time(raw, fields);
+      }
+    }
+    if (fields < targets.size())
+      fail(row_.substr(row_.size()), "the row has " + std::to_string(fields) +
+                                         " columns, the header " + std::to_string(targets.size()));
+    ++frames_;
+    return true;
+  }
+
+  /// @param field  a part of the row that it is about; else the whole line is meant
+  [[noreturn]] void fail(std::string_view field, const std::string& message,
+                         const std::string& hint = {}) const {
+    const bool inside =
+        !row_.empty() && field.data() >= row_.data() && field.data() <= row_.data() + row_.size();
+    throw InputError({{.file = file_,
+                       .line = lines_.number(),
+                       .column = inside ? static_cast<std::size_t>(field.data() - row_.data()) + 1
+                                        : std::size_t{1},
+                       .message = message,
+                       .hint = hint}});
+  }
+
+  [[nodiscard]] std::vector<std::string> closing_notes() const {
+    if (backwards_ == 0) return {};
+    return {"time runs backwards " + std::to_string(backwards_) +
+            (backwards_ == 1 ? " time" : " times") + ", first at frame " +
+            std::to_string(first_backwards_) + " (line " + std::to_string(line_backwards_) + ")"};
+  }
+
+  [[nodiscard]] std::string_view row() const noexcept { return row_; }
+  [[nodiscard]] std::string_view time() const noexcept { return time_; }
+  [[nodiscard]] const ColumnMatch& match() const noexcept { return match_; }
+  [[nodiscard]] const std::vector<std::string>& names() const noexcept { return wanted_.names; }
+  [[nodiscard]] std::size_t bytes() const noexcept { return lines_.bytes(); }
+
+ private:
+  void read_names() {
+    TextLines::Got got = TextLines::Got::end;
+    std::optional<CsvHeader> header = read_header(lines_, got);
+    row_ = lines_.line();
+    if (const auto foreign = foreign_format(lines_.start()))
+      throw InputError({{.file = file_, .message = foreign->what, .hint = foreign->what_to_do}});
+    if (row_.find('\r') != row_.npos)
+      fail({}, "lines end in a carriage return alone, as on old Macs",
+           "tr '\\r' '\\n' < FILE | tactile-net ... --readings -");
+    check(got);
+    if (!header)
+      fail({}, "no header: the file is empty",
+           wanted_.names.empty() ? "line 1 names the columns"
+                                 : "line 1 names the columns: " + wanted_.names.front() +
+                                       ", ..., " + wanted_.names.back());
+    header_ = std::move(*header);
+  }
+
+  bool read_line() {
+    const TextLines::Got got = lines_.next();
+    row_ = lines_.line();
+    check(got);
+    return got == TextLines::Got::line;
+  }
+
+  void check(TextLines::Got got) const {
+    if (got == TextLines::Got::failure) fail({}, "cannot be read");
+    if (got == TextLines::Got::too_long)
+      fail({}, "a line is longer than " + std::to_string(longest_line) + " bytes",
+           "is this a CSV file?");
+  }
+
+  [[nodiscard]] std::string in_column(std::size_t field) const {
+    return " (column " +
+           (field < header_.names.size() ? header_.names[field].substr(0, 40)
+                                         : std::to_string(field + 1)) +
+           ")";
+  }
+
+  double reading(std::string_view raw, std::size_t field) {
+    const std::string_view text = trimmed(raw);
+    double value = 0.0;
+    const FieldKind kind = read_field(text, header_.layout.may_have_decimal_comma(), value);
+    if (kind == FieldKind::number) {
+      if (header_.layout.may_have_decimal_comma()) check_decimals(raw, text, field);
+      return value;
+    }
+    if (kind == FieldKind::missing && wanted_.accept_missing)
+      return std::numeric_limits<double>::quiet_NaN();
+    fail(raw, why_no_number(text, kind) + in_column(field),
+         kind == FieldKind::missing ? missing_hint : std::string{});
+  }
+
+  /// "1.234" and "1,5" in one file: one of them is not what it looks like.
+  void check_decimals(std::string_view raw, std::string_view text, std::size_t field) {
+    const std::size_t at = text.find_first_of(".,");
+    if (at == text.npos) return;
+    if (decimal_ != '\0' && decimal_ != text[at])
+      fail(raw,
+           "'" + std::string(text.substr(0, 40)) + "' has a decimal " +
+               (text[at] == ',' ? "comma, a number before it a point"
+                                : "point, a number before it a comma") +
+               in_column(field),
+           "write all numbers in one way, without separators of thousands");
+    decimal_ = text[at];
+  }
+
+  void read_time(std::string_view raw, std::size_t field) {
+    const std::string_view text = trimmed(raw);
+    double value = 0.0;
+    const FieldKind kind = read_field(text, header_.layout.may_have_decimal_comma(), value);
+    time_ = text;
+    if (kind == FieldKind::number) {
+      if (text.find(',') != text.npos) {
+        check_decimals(raw, text, field);
+        time_text_ = shortest(value);
+        time_ = time_text_;
+      }
+      if (value < last_time_ && backwards_++ == 0) {
+        first_backwards_ = frames_;
+        line_backwards_ = lines_.number();
+      }
+      last_time_ = value;
+    } else if (kind == FieldKind::missing && wanted_.accept_missing) {
+      time_ = {};
+    } else if (!is_moment(text)) {
+      fail(raw, why_no_number(text, kind) + in_column(field),
+           "a time is a number, or a date or clock time that begins with a digit");
+    }
+  }
+
+  TextLines lines_;
+  std::string file_;
+  WantedColumns wanted_;
+  CsvHeader header_;
+  ColumnMatch match_;
+  std::string_view row_;
+  std::string_view time_;
+  std::string time_text_;  // where it is not what stands in the row
+  char decimal_ = '\0';    // where it may be a comma: which it is in this file
+  double last_time_ = -std::numeric_limits<double>::infinity();
+  std::size_t frames_ = 0;
+  std::size_t backwards_ = 0, first_backwards_ = 0, line_backwards_ = 0;
+};
+
+CsvFrames::CsvFrames(std::istream& in, std::string file, WantedColumns wanted)
+    : reader_(std::make_unique<Reader>(in, std::move(file))) {
+  reader_->open(wanted, nullptr);
 }
 
 CsvFrames::CsvFrames(std::istream& in, std::string file, const ChooseColumns& choose)
-    : CsvFrames(in, std::move(file)) {
-  if (!read_line()) fail({}, "no header: the file is empty", "line 1 names the columns");
-  read_header();
-  find(choose(header_));
+    : reader_(std::make_unique<Reader>(in, std::move(file))) {
+  reader_->open({}, &choose);
 }
 
-void CsvFrames::read_header() {
-  std::string_view rest = row_;
-  for (bool more = true; more;) {
-    const std::string_view field = take_field(rest, more);
-    std::string name(trimmed(field));
-    if (std::find(header_.begin(), header_.end(), name) != header_.end())
-      fail(field, "column '" + name + "' stands twice");
-    header_.push_back(std::move(name));
-  }
-}
+CsvFrames::~CsvFrames() = default;
 
-void CsvFrames::find(std::vector<std::string> columns) {
-  columns_ = std::move(columns);
-  unread_.resize(columns_.size());
-  std::map<std::string_view, std::ptrdiff_t> wanted;
-  for (const std::string& column : columns_)
-    wanted.emplace(column, static_cast<std::ptrdiff_t>(wanted.size()));
-
-  std::vector<bool> found(columns_.size());
-  for (const std::string& name : header_) {
-    const auto match = wanted.find(name);
-    if (match != wanted.end()) {
-      target_.push_back(match->second);
-      found[static_cast<std::size_t>(match->second)] = true;
-    } else if (name == "t" && target_.empty()) {
-      target_.push_back(time_field);
-      has_time_ = true;
-    } else {
-      target_.push_back(ignored_field);
-      ignored_.push_back(name);
-    }
-  }
-
-  const auto missing = std::count(found.begin(), found.end(), false);
-  if (missing == 0) return;
-  const auto first = std::find(found.begin(), found.end(), false) - found.begin();
-  fail(row_,
-       "column '" + columns_[static_cast<std::size_t>(first)] + "' is missing" +
-           (missing > 1 ? " and " + std::to_string(missing - 1) + " more" : ""),
-       "the scene reads " + std::to_string(columns_.size()) + " columns, " + columns_.front() +
-           " to " + columns_.back());
-}
-
-bool CsvFrames::read_line() {
-  do {
-    in_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    if (in_.gcount() == 0 && in_.eof()) return false;
-    ++line_;
-    if (in_.bad()) fail({}, "cannot be read");
-    if (in_.fail() && !in_.eof())
-      fail({}, "a line is longer than " + std::to_string(longest_line) + " bytes",
-           "is this a CSV file?");
-    row_ = {buffer_.data(), static_cast<std::size_t>(in_.gcount()) - (in_.eof() ? 0 : 1)};
-    if (!row_.empty() && row_.back() == '\r') row_.remove_suffix(1);
-  } while (row_.empty());
-  return true;
-}
-
-void CsvFrames::fail(std::string_view field, const std::string& message,
-                     const std::string& hint) const {
-  const bool inside = !row_.empty() && field.data() != nullptr;
-  throw InputError({{.file = file_,
-                     .line = line_,
-                     .column = inside ? static_cast<std::size_t>(field.data() - row_.data()) + 1
-                                      : std::size_t{1},
-                     .message = message,
-                     .hint = hint}});
-}
-
-bool CsvFrames::next(std::span<double> values) {
-  if (!read_line()) return false;
-  std::string_view rest = row_;
-  std::size_t fields = 0;
-  for (bool more = true; more; ++fields) {
-    const std::string_view raw = take_field(rest, more);
-    if (fields >= target_.size())
-      fail(raw, "more than the header's " + std::to_string(target_.size()) + " columns");
-    const std::ptrdiff_t target = target_[fields];
-    if (target == ignored_field) continue;
-    if (target >= 0 && unread_[static_cast<std::size_t>(target)]) {
-      values[static_cast<std::size_t>(target)] = 0.0;
-      continue;
-    }
-
-    const std::string_view field = without_plus(trimmed(raw));
-    double value = 0.0;
-    const auto [end, error] = number_from_chars(field.data(), field.data() + field.size(), value);
-    const auto column = [&] { return "(column " + header_[fields] + ")"; };
-    if (field.empty()) fail(raw, "a number is missing " + column());
-    if (error == std::errc::result_out_of_range)
-      fail(raw, "'" + std::string(field) + "' is beyond the range of a double " + column());
-    if (error != std::errc{} || end != field.data() + field.size())
-      fail(raw, "'" + std::string(field.substr(0, 40)) + "' is not a number " + column());
-    if (!std::isfinite(value))
-      fail(raw, "'" + std::string(field) + "' is not finite " + column(),
-           "list the taxel under [dead_taxels] if it is broken");
-    if (target == time_field)
-      time_ = field;
-    else
-      values[static_cast<std::size_t>(target)] = value;
-  }
-  if (fields < target_.size())
-    fail(row_.substr(row_.size()), "the row has " + std::to_string(fields) +
-                                       " columns, the header " + std::to_string(target_.size()));
-  return true;
-}
+bool CsvFrames::next(std::span<double> values) { return reader_->next(values); }
 
 void CsvFrames::refuse(const std::string& message, const std::string& hint) const {
-  fail(row_, message, hint);
+  reader_->fail(reader_->row(), message, hint);
 }
 
-CsvSink::CsvSink(std::ostream& out, std::span<const std::string> columns, bool with_time)
-    : out_(out), with_time_(with_time) {
-  append_header(text_, columns, with_time);
+std::span<const std::string> CsvFrames::columns() const noexcept { return reader_->names(); }
+bool CsvFrames::has_time() const noexcept { return reader_->match().has_time; }
+std::string_view CsvFrames::time() const noexcept { return reader_->time(); }
+std::span<const std::string> CsvFrames::ignored() const noexcept {
+  return reader_->match().ignored;
 }
-
-void CsvSink::add(std::string_view time, std::span<const double> values) {
-  constexpr std::size_t block = 1 << 16;
-  if (with_time_) text_.append(time) += ',';
-  append_row(text_, values);
-  if (text_.size() >= block) flush();
+std::span<const std::string> CsvFrames::opening_notes() const noexcept {
+  return reader_->match().notes;
 }
-
-void CsvSink::flush() {
-  out_.write(text_.data(), std::ssize(text_));
-  text_.clear();
-  if (!out_) throw std::runtime_error("the frames could not be written: is the disk full?");
-}
-
-void append_header(std::string& out, std::span<const std::string> columns, bool with_time) {
-  if (with_time) out += "t,";
-  for (const std::string& column : columns) out.append(column) += ',';
-  out.back() = '\n';
-}
-
-void append_row(std::string& out, std::span<const double> values) {
-  for (const double value : values) {
-    if (!std::isnan(value)) append_number(out, value);
-    out += ',';
-  }
-  if (!values.empty()) out.back() = '\n';
-}
+std::vector<std::string> CsvFrames::closing_notes() const { return reader_->closing_notes(); }
+std::size_t CsvFrames::bytes_read() const noexcept { return reader_->bytes(); }
 
 }  // namespace tactile_net::frames

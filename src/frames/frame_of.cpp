@@ -5,7 +5,6 @@
 #include <string>
 
 #include "tactile_net/frames/csv.hpp"
-#include "tactile_net/frames/open.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::frames {
@@ -36,8 +35,8 @@ std::vector<std::string> tractions_in(std::span<const std::string> header) {
 }  // namespace
 
 std::vector<double> readings_of_frame(const std::filesystem::path& file, const Scene& scene,
-                                      std::size_t number) {
-  ReadingsFile readings(file.string(), scene);
+                                      std::size_t number, const ReadingsOptions& options) {
+  ReadingsFile readings(file.string(), scene, nullptr, options);
   return frame_at(readings.source(), file.string(), number);
 }
 

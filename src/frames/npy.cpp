@@ -1,110 +1,127 @@
 #include "tactile_net/frames/npy.hpp"
 
-#include <bit>
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <istream>
-#include <ostream>
-#include <stdexcept>
+#include <limits>
+#include <utility>
 
+#include "frames/column_places.hpp"
+#include "frames/missing_hint.hpp"
+#include "frames/npy_header.hpp"
+#include "frames/npy_numbers.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::frames {
 namespace {
 
-constexpr std::string_view magic = "\x93NUMPY";
-constexpr std::size_t header_size = 128;
+constexpr std::size_t most_held = std::size_t{8} << 20;     // bytes of a block
+constexpr std::size_t longest_row = std::size_t{64} << 20;  // bytes
 
-template <typename Word>
-Word little_endian(const unsigned char* bytes) {
-  Word word = 0;
-  for (std::size_t i = sizeof(Word); i-- > 0;) word = static_cast<Word>(word << 8 | bytes[i]);
-  return word;
-}
-
-/// What follows a key of the header's dictionary, up to `end`.
-std::string_view after(std::string_view header, std::string_view key, std::string_view end) {
-  const std::size_t at = header.find(key);
-  if (at == std::string_view::npos) return {};
-  std::string_view rest = header.substr(at + key.size());
-  rest.remove_prefix(std::min(rest.find_first_not_of(" :"), rest.size()));
-  return rest.substr(0, rest.find_first_of(end));
-}
-
-/// The numbers of "(3, 81" or "(3,"; empty if it is anything else.
-std::vector<std::size_t> numbers_of(std::string_view tuple) {
-  std::vector<std::size_t> numbers;
-  if (!tuple.starts_with('(')) return {};
-  tuple.remove_prefix(1);
-  while (!tuple.empty()) {
-    const std::size_t blank = tuple.find_first_not_of(' ');
-    if (blank == std::string_view::npos) break;
-    tuple.remove_prefix(blank);
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(tuple.data(), tuple.data() + tuple.size(), number);
-    if (error != std::errc{}) return {};
-    numbers.push_back(number);
-    tuple.remove_prefix(static_cast<std::size_t>(end - tuple.data()));
-    if (tuple.starts_with(',')) tuple.remove_prefix(1);
-  }
-  return numbers;
-}
-
-std::string header(std::size_t frames, std::size_t columns) {
-  std::string text(magic);
-  text += {'\x01', '\x00', static_cast<char>(header_size - 10), '\x00'};
-  text += "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(frames) + ", " +
-          std::to_string(columns) + "), }";
-  text.resize(header_size - 1, ' ');
-  return text + '\n';
+/// a * b, or the largest number if that overflows.
+std::size_t times(std::size_t a, std::size_t b) {
+  constexpr std::size_t largest = std::numeric_limits<std::size_t>::max();
+  return b != 0 && a > largest / b ? largest : a * b;
 }
 
 }  // namespace
 
 bool begins_like_npy(std::istream& in) {
-  return in.peek() == static_cast<unsigned char>(magic.front());
+  return in.peek() == static_cast<unsigned char>(npy_magic.front());
 }
 
 bool is_npy_name(const std::string& path) { return path.ends_with(".npy"); }
 
-NpyFrames::NpyFrames(std::istream& in, std::string file, std::vector<std::string> columns,
-                     std::vector<bool> unread)
-    : in_(in), file_(std::move(file)), columns_(std::move(columns)), unread_(std::move(unread)) {
-  unread_.resize(columns_.size());
-  constexpr const char* save = "numpy.save(file, numpy.ascontiguousarray(frames, dtype='<f8'))";
-  unsigned char start[12] = {};
-  in_.read(reinterpret_cast<char*>(start), 8);
-  if (!in_ || std::string_view(reinterpret_cast<const char*>(start), magic.size()) != magic)
-    fail("is not a .npy file: it does not begin as one", save);
-  const unsigned version = start[6];
-  if (version < 1 || version > 3)
-    fail("is a .npy file of version " + std::to_string(version) + ", not 1 to 3", save);
-  const int length_bytes = version == 1 ? 2 : 4;
-  in_.read(reinterpret_cast<char*>(start), length_bytes);
-  const std::size_t length =
-      version == 1 ? little_endian<std::uint16_t>(start) : little_endian<std::uint32_t>(start);
-  if (!in_ || length > 65'536) fail("has a header that is cut off or too long", save);
-  std::string dictionary(length, '\0');
-  in_.read(dictionary.data(), std::ssize(dictionary));
-  if (!in_) fail("has a header that is cut off", save);
+NpyFrames::NpyFrames(std::istream& in, std::string file, WantedColumns wanted)
+    : in_(in), file_(std::move(file)), wanted_(std::move(wanted)) {
+  wanted_.unread.resize(wanted_.names.size());
+  const NpyHeader header = read_npy_header(in_, file_);
+  const NpyNumbers numbers = npy_numbers(header.type);
+  if (numbers.width == 0)
+    fail("holds " + std::string(kind_of_type(header.type)) + " of type '" +
+             header.type.substr(0, 40) + "'; read are whole and floating-point numbers",
+         "numpy.save(file, frames.astype('<f8'))");
+  read_ = numbers.read;
+  width_ = numbers.width;
+  header_ = header.size;
+  columns_ = take_shape(header.shape, header.shape_text);
+  if (times(columns_, width_) > longest_row || times(frames_, columns_ * width_) > (1ULL << 62))
+    fail("has the shape " + header.shape_text + ", larger than any recording", "");
+  fortran_ = header.fortran_order && header.shape.size() > 1 && frames_ > 1 && columns_ > 1;
+  // The whole order differs for three dimensions even of a single frame.
+  const bool permuted = header.fortran_order && header.shape.size() == 3;
+  fortran_ = fortran_ || (permuted && columns_ > 1);
+  place_columns(columns_, permuted ? header.shape[1] : 1);
+  if (fortran_) {
+    block_ = std::clamp<std::size_t>(most_held / (at_.size() * width_), 1,
+                                     std::max<std::size_t>(frames_, 1));
+    bytes_.resize(at_.size() * width_ * block_);
+    for (std::size_t k = 0; k < at_.size(); ++k) at_[k] = k * block_ * width_;
+    in_.seekg(static_cast<std::streamoff>(header_));
+    if (!in_)
+      fail("is in Fortran's order, column after column, and cannot be read that way from a pipe",
+           "pass the file by its name, or save numpy.ascontiguousarray(frames)");
+  } else {
+    bytes_.resize(columns_ * width_);
+    for (std::size_t k = 0; k < at_.size(); ++k) at_[k] = stored_at_[k] * width_;
+  }
+  numbers_.resize(at_.size());
+}
 
-  const std::string_view type = after(dictionary, "'descr'", ",}");
-  if (type != "'<f8'" && type != "'<f4'")
-    fail("holds numbers of type " + std::string(type.substr(0, 40)) + ", not '<f8' or '<f4'", save);
-  width_ = type == "'<f8'" ? 8 : 4;
-  if (after(dictionary, "'fortran_order'", ",}") != "False")
-    fail("holds its numbers in Fortran's order, column after column", save);
-  const std::string_view tuple = after(dictionary, "'shape'", ")");
-  const std::vector<std::size_t> shape = numbers_of(tuple);
-  if (shape.size() != 2)
-    fail("has the shape " + std::string(tuple.substr(0, 40)) + "), not (frames, readings)",
-         "one frame is an array of one row: frames.reshape(1, -1)");
-  if (shape[1] != columns_.size())
-    fail("has " + std::to_string(shape[1]) + " columns, the scene reads " +
-             std::to_string(columns_.size()),
-         columns_.front() + " to " + columns_.back() + ", quantity by quantity");
-  frames_ = shape[0];
-  row_.resize(columns_.size() * width_);
+std::size_t NpyFrames::take_shape(const std::vector<std::size_t>& shape, const std::string& text) {
+  const std::size_t wanted = wanted_.names.size();
+  const std::string size = std::to_string(wanted);
+  if (shape.size() == 1 && shape[0] == wanted) {
+    frames_ = 1;
+    return wanted;
+  }
+  if (shape.size() == 2) {
+    frames_ = shape[0];
+    if (shape[1] == wanted || !wanted_.places.empty()) return shape[1];
+    const std::string hint =
+        shape[0] == wanted ? "are these its columns? numpy.save(file, frames.T)"
+        : shape[1] > wanted
+            ? "if the readings are the last of them: --columns " +
+                  places_after(shape[1] - wanted, wanted)
+            : wanted_.names.front() + " to " + wanted_.names.back() + ", quantity by quantity";
+    fail("has " + std::to_string(shape[1]) + " columns, the scene reads " + size, hint);
+  }
+  if (shape.size() == 3 && times(shape[1], shape[2]) == wanted) {
+    frames_ = shape[0];
+    if (shape[2] == wanted_.taxels || shape[1] == 1 || shape[2] == 1) return wanted;
+    fail("has the shape " + text + ", not (frames, " +
+             std::to_string(wanted_.taxels == 0 ? 1 : wanted / wanted_.taxels) + ", " +
+             std::to_string(wanted_.taxels) + "): frames, channels, taxels",
+         "numpy.save(file, frames.transpose(0, 2, 1))");
+  }
+  fail("has the shape " + text + ", not (frames, " + size + ")",
+       shape.size() == 1 ? "one frame has " + size +
+                               " readings; of one column after another: "
+                               "frames.reshape(-1, " +
+                               size + ")"
+                         : "frames.reshape(-1, " + size +
+                               ") if the rest is in the order of the "
+                               "scene: channel by channel, taxel by taxel");
+}
+
+void NpyFrames::place_columns(std::size_t columns, std::size_t channels) {
+  if (wanted_.places.empty()) {
+    for (std::size_t i = 0; i < columns; ++i) stored_at_.push_back(i);
+  } else {
+    const ColumnPlaces places = column_places(wanted_.places, columns, wanted_.names.size(),
+                                              [](std::string_view) { return std::nullopt; });
+    stored_at_ = places.readings;
+    if (places.time) {
+      time_at_ = stored_at_.size();
+      stored_at_.push_back(*places.time);
+    }
+  }
+  // Fortran's order puts the channels of a taxel side by side.
+  const std::size_t taxels = columns / std::max<std::size_t>(channels, 1);
+  if (channels > 1)
+    for (std::size_t& at : stored_at_) at = at / taxels + channels * (at % taxels);
+  at_.resize(stored_at_.size());
 }
 
 void NpyFrames::fail(const std::string& message, const std::string& hint) const {
@@ -115,54 +132,66 @@ void NpyFrames::refuse(const std::string& message, const std::string& hint) cons
   fail("frame " + std::to_string(next_ - 1) + ": " + message, hint);
 }
 
-bool NpyFrames::next(std::span<double> values) {
-  if (next_ == frames_) {
-    if (in_.peek() != std::istream::traits_type::eof())
-      fail("goes on after the " + std::to_string(frames_) + " frames of its header", "");
-    return false;
-  }
-  in_.read(reinterpret_cast<char*>(row_.data()), std::ssize(row_));
+void NpyFrames::read_row() {
+  in_.read(reinterpret_cast<char*>(bytes_.data()), std::ssize(bytes_));
   if (!in_)
     fail("ends within frame " + std::to_string(next_) + " of " + std::to_string(frames_),
          "was it copied as a whole?");
+}
+
+/// The frames from `next_` on, column by column.
+void NpyFrames::read_block() {
+  const std::size_t held = std::min(block_, frames_ - next_);
+  for (std::size_t k = 0; k < at_.size(); ++k) {
+    in_.seekg(static_cast<std::streamoff>(header_ + (stored_at_[k] * frames_ + next_) * width_));
+    in_.read(reinterpret_cast<char*>(bytes_.data() + at_[k]),
+             static_cast<std::streamsize>(held * width_));
+    if (!in_)
+      fail("ends within column " + std::to_string(stored_at_[k] + 1) + " of " +
+               std::to_string(columns_),
+           "was it copied as a whole?");
+  }
+}
+
+void NpyFrames::check_end() {
+  if (fortran_) in_.seekg(static_cast<std::streamoff>(header_ + frames_ * columns_ * width_));
+  if (in_.peek() != std::istream::traits_type::eof())
+    fail("goes on after the " + std::to_string(frames_) + " frames of its header", "");
+}
+
+bool NpyFrames::next(std::span<double> values) {
+  if (next_ == frames_) {
+    check_end();
+    return false;
+  }
+  std::size_t first = 0;
+  if (!fortran_) {
+    read_row();
+  } else {
+    first = next_ % block_;
+    if (first == 0) read_block();
+  }
   ++next_;
+  double* const numbers = time_at_ == none ? values.data() : numbers_.data();
+  read_(bytes_.data() + first * width_, at_, numbers);
+  if (time_at_ != none) {
+    std::copy_n(numbers, values.size(), values.data());
+    time_ = std::isfinite(numbers[time_at_]) ? shortest(numbers[time_at_]) : "";
+  }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const unsigned char* at = row_.data() + i * width_;
-    values[i] = width_ == 8 ? std::bit_cast<double>(little_endian<std::uint64_t>(at))
-                            : std::bit_cast<float>(little_endian<std::uint32_t>(at));
-    if (unread_[i])
+    if (wanted_.unread[i]) {
       values[i] = 0.0;
-    else if (!std::isfinite(values[i]))
-      refuse("column " + std::to_string(i) + " (" + columns_[i] + ") is not finite",
-             "list the taxel under [dead_taxels] if it is broken");
+    } else if (!std::isfinite(values[i])) {
+      if (!wanted_.accept_missing)
+        refuse("column " + std::to_string(wanted_.places.empty() ? i : stored_at_[i]) + " (" +
+                   wanted_.names[i] + ") is not finite",
+               missing_hint);
+      values[i] = std::numeric_limits<double>::quiet_NaN();
+    }
   }
   return true;
 }
 
-NpySink::NpySink(std::ostream& out, std::size_t columns) : out_(out), columns_(columns) {
-  bytes_ = header(0, columns);
-}
-
-void NpySink::add(std::string_view, std::span<const double> values) {
-  for (const double value : values)
-    for (std::uint64_t word = std::bit_cast<std::uint64_t>(value), i = 0; i < 8; ++i, word >>= 8)
-      bytes_ += static_cast<char>(word & 0xff);
-  ++frames_;
-  if (bytes_.size() >= std::size_t{1} << 16) flush();
-}
-
-void NpySink::flush() {
-  out_.write(bytes_.data(), std::ssize(bytes_));
-  bytes_.clear();
-  if (!out_) throw std::runtime_error("the frames could not be written: is the disk full?");
-}
-
-void NpySink::finish() {
-  flush();
-  const std::string head = header(frames_, columns_);
-  out_.seekp(0);
-  out_.write(head.data(), std::ssize(head));
-  if (!out_) throw std::runtime_error("a .npy file must be a file that can be gone back in");
-}
+std::size_t NpyFrames::bytes_read() const noexcept { return header_ + next_ * columns_ * width_; }
 
 }  // namespace tactile_net::frames

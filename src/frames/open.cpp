@@ -1,7 +1,9 @@
 #include "tactile_net/frames/open.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <istream>
+#include <utility>
 
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/npy.hpp"
@@ -34,15 +36,31 @@ std::ifstream open_frames(const std::string& path) {
 }
 
 ReadingsFile::ReadingsFile(const std::string& path, const Scene& scene,
-                           std::istream* standard_input)
+                           std::istream* standard_input, const ReadingsOptions& options)
     : live_(path == "-" && standard_input != nullptr), name_(live_ ? "<stdin>" : path) {
-  if (!live_) file_ = open_frames(path);
-  if (!live_ && (is_npy_name(path) || begins_like_npy(file_)))
-    source_ = std::make_unique<NpyFrames>(file_, name_, reading_columns(scene.sensor),
-                                          unread_columns(scene));
+  if (!live_) {
+    file_ = open_frames(path);
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error))
+      bytes_ = static_cast<std::size_t>(std::filesystem::file_size(path, error));
+    if (error) bytes_ = 0;
+  }
+  std::istream& in = live_ ? *standard_input : file_;
+  WantedColumns wanted{.names = reading_columns(scene.sensor),
+                       .unread = unread_columns(scene),
+                       .taxels = scene.sensor.count,
+                       .places = options.columns,
+                       .accept_missing = options.accept_missing};
+  if ((!live_ && is_npy_name(path)) || begins_like_npy(in))
+    source_ = std::make_unique<NpyFrames>(in, name_, std::move(wanted));
   else
-    source_ = std::make_unique<CsvFrames>(live_ ? *standard_input : file_, name_,
-                                          reading_columns(scene.sensor), unread_columns(scene));
+    source_ = std::make_unique<CsvFrames>(in, name_, std::move(wanted));
+}
+
+std::optional<double> ReadingsFile::share_read() const noexcept {
+  const auto read = static_cast<double>(source_->bytes_read());
+  if (bytes_ == 0) return std::nullopt;
+  return std::min(read / static_cast<double>(bytes_), 1.0);
 }
 
 std::unique_ptr<FrameSink> make_sink(OutputFile& file, const std::string& path,

@@ -64,6 +64,13 @@ void OutputFile::commit() {
   temporary_.clear();
 }
 
+fs::path OutputFile::commit_partial() {
+  if (!temporary_.empty()) path_ += ".partial";
+  const fs::path kept = temporary_.empty() ? fs::path{} : path_;
+  commit();
+  return kept;
+}
+
 void write_file(const fs::path& path, std::string_view content) {
   OutputFile file(path);
   file.stream().write(content.data(), std::ssize(content));

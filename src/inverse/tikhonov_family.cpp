@@ -35,6 +35,19 @@ class DensePeriodogram final : public ResidualPeriodogram {
     }
   }
 
+  void powers(std::span<const double> left, std::size_t components,
+              std::span<double> values) const override {
+    const auto rows = static_cast<Eigen::Index>(components);
+    const Eigen::Map<const Eigen::MatrixXd> all(left.data(), rows, std::ssize(left) / rows);
+    const Eigen::MatrixXd residuals = *spectra_ * all;
+    const auto bins = static_cast<Eigen::Index>(bins_);
+    Eigen::Map<Eigen::MatrixXd> sums(values.data(), bins, all.cols());
+    sums.setZero();
+    for (Eigen::Index k = 0; k < residuals.rows(); k += bins)
+      sums.array() +=
+          (residuals.middleRows(k, bins).colwise() + outside_.segment(k, bins)).array().square();
+  }
+
  private:
   std::shared_ptr<const Eigen::MatrixXd> spectra_;
   Eigen::VectorXd outside_;

@@ -75,8 +75,21 @@ bool RecordingOverview::loaded(const FrameGroup& group) const {
 Recording::Recording(SceneProblem problem, Method method)
     : problem_(std::move(problem)), method_(method), most_(most_for(problem_.tractions())) {}
 
-void Recording::add(std::optional<double> time, std::span<const double> readings,
-                    std::span<const double> tractions, const FrameResult& result) {
+void Recording::skip() {
+  ++frames_;
+  ++verdicts_[Verdict::failed];
+  if (groups_.empty() || groups_.back().count >= per_group_) {
+    ++skipped_;
+    return;
+  }
+  FrameGroup& group = groups_.back();
+  ++group.count;
+  if (group.distrusted++ == 0) group.distrust = Verdict::failed;
+}
+
+void Recording::add(std::optional<double> time, const SceneProblem& problem,
+                    std::span<const double> readings, std::span<const double> tractions,
+                    const FrameResult& result) {
   const SensorArray& sensor = problem_.scene().sensor;
   const auto normal = tractions.first(sensor.count);
   FrameGroup frame{.first = frames_, .count = 1, .shown = frames_};
@@ -91,34 +104,39 @@ void Recording::add(std::optional<double> time, std::span<const double> readings
   ++frames_;
   ++verdicts_[result.verdict];
 
-  const bool opens = groups_.empty() || groups_.back().count == per_group_;
+  const bool opens = groups_.empty() || groups_.back().count >= per_group_;
   const bool shown = opens || stands_before(frame, groups_.back());
   if (shown) {
     frame.readings.assign(readings.begin(), readings.end());
     frame.tractions.assign(tractions.begin(), tractions.end());
   }
   if (opens) {
+    frame.first -= skipped_;
+    frame.count += skipped_;
+    if (skipped_ > 0 && frame.distrusted == 0) frame.distrust = Verdict::failed;
+    frame.distrusted += skipped_;
+    skipped_ = 0;
     groups_.push_back(std::move(frame));
-    results_.push_back(result);
+    sources_.push_back({problem, result});
   } else {
-    if (shown) results_.back() = result;
+    if (shown) sources_.back() = {problem, result};
     absorb(groups_.back(), std::move(frame));
   }
-  if (groups_.size() == most_ && groups_.back().count == per_group_) merge_neighbours();
+  if (groups_.size() == most_ && groups_.back().count >= per_group_) merge_neighbours();
 }
 
 void Recording::merge_neighbours() {
   std::vector<FrameGroup> merged;
-  std::vector<FrameResult> results;
+  std::vector<Source> sources;
   for (std::size_t i = 0; i < groups_.size(); i += 2) {
     const std::size_t next = i + 1;
     const bool second = next < groups_.size() && stands_before(groups_[next], groups_[i]);
-    results.push_back(std::move(results_[second ? next : i]));
+    sources.push_back(std::move(sources_[second ? next : i]));
     merged.push_back(std::move(groups_[i]));
     if (next < groups_.size()) absorb(merged.back(), std::move(groups_[next]));
   }
   groups_ = std::move(merged);
-  results_ = std::move(results);
+  sources_ = std::move(sources);
   per_group_ *= 2;
 }
 
@@ -127,7 +145,8 @@ RecordingOverview Recording::overview(Observer& observer) const {
   if (!traits(method_).has_bands || problem_.is_large()) return overview;
   for (std::size_t i = 0; i < groups_.size() && !observer.stop(); ++i) {
     FrameGroup& group = overview.groups[i];
-    group.bands = uncertainty(SceneFrame(problem_, group.readings), group.tractions, results_[i]);
+    const auto& [problem, result] = sources_[i];
+    group.bands = uncertainty(SceneFrame(problem, group.readings), group.tractions, result);
   }
   return overview;
 }

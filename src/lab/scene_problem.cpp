@@ -1,5 +1,6 @@
 #include "tactile_net/lab/scene_problem.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace tactile_net::lab {
@@ -35,6 +36,7 @@ struct SceneProblem::Parts {
   std::optional<InverseProblem> problem;
   std::optional<TikhonovFamily> family;
   std::optional<DftTikhonov> circular;
+  std::optional<AlphaTables> alpha_tables;
   std::optional<ModeSpace> hidden;
   std::optional<TractionCovariance> covariance;
   std::pair<double, double> covariance_of;  // its alpha and prior
@@ -72,6 +74,27 @@ const InverseProblem& SceneProblem::problem() const {
   return *parts_->problem;
 }
 
+SceneProblem SceneProblem::without(std::span<const std::size_t> taxels) const {
+  Scene scene = parts_->scene;
+  scene.dead_taxels.assign(taxels.begin(), taxels.end());
+  SceneProblem other(std::move(scene));
+  const auto stays_dead = [&](std::size_t taxel) {
+    return std::binary_search(taxels.begin(), taxels.end(), taxel);
+  };
+  const std::vector<std::size_t>& dead = parts_->scene.dead_taxels;
+  if (!std::all_of(dead.begin(), dead.end(), stays_dead))
+    return other;  // what is dead here has left no row to take
+  other.parts_->problem = problem();
+  InverseProblem& kept = *other.parts_->problem;
+  for (const std::size_t taxel : taxels)
+    for (std::size_t row = taxel; row < kept.weights.size(); row += kept.count) {
+      kept.weights[row] = 0.0;
+      for (std::size_t column = 0; column < kept.kernel.columns; ++column)
+        kept.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
+    }
+  return other;
+}
+
 const TikhonovFamily& SceneProblem::family() const {
   if (!parts_->family) parts_->family.emplace(problem());
   return *parts_->family;
@@ -84,6 +107,11 @@ DftTikhonov& SceneProblem::circular() const {
     parts_->circular.emplace(parts_->scene.sensor, parts_->scene.material, options);
   }
   return *parts_->circular;
+}
+
+const AlphaTables& SceneProblem::alpha_tables(const FilterFrame& frame) const {
+  if (!parts_->alpha_tables) parts_->alpha_tables.emplace(frame.gamma, frame.rows);
+  return *parts_->alpha_tables;
 }
 
 const ModeSpace& SceneProblem::hidden() const {
@@ -110,9 +138,9 @@ const FilterFrame& SceneFrame::analysed() const {
 
 const AlphaSweep& SceneFrame::sweep() const {
   if (sweep_) return *sweep_;
-  sweep_ = problem_.is_large()
-               ? sweep_alpha(problem_.circular().analyse(readings_), problem_.stated_noise())
-               : sweep_alpha(analysed(), problem_.stated_noise());
+  const FilterFrame frame =
+      problem_.is_large() ? problem_.circular().analyse(readings_) : analysed();
+  sweep_ = sweep_alpha(frame, problem_.alpha_tables(frame), problem_.stated_noise());
   return *sweep_;
 }
 
@@ -124,7 +152,9 @@ ChosenAlpha SceneFrame::alpha() const {
 }
 
 const AlphaChoice& SceneFrame::prior() const {
-  if (!prior_) prior_ = choose_alone(analysed(), AlphaRule::gml, problem_.stated_noise());
+  if (!prior_)
+    prior_ = choose_alone(analysed(), problem_.alpha_tables(analysed()), AlphaRule::gml,
+                          problem_.stated_noise());
   return *prior_;
 }
 

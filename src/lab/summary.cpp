@@ -1,12 +1,23 @@
 #include "tactile_net/lab/summary.hpp"
 
+#include <algorithm>
+
 namespace tactile_net::lab {
 
-void SolvedFrames::add(const FrameResult& result) {
-  ++frames;
+void SolvedFrames::add(const FrameResult& result, bool incomplete) {
   ++verdicts[result.verdict];
+  if (result.verdict != Verdict::ok) distrusted[result.verdict].add(frames);
+  if (incomplete) estimated.add(frames);
+  if (result.alpha && result.alpha->rule) {
+    const double alpha = result.alpha->value;
+    least_alpha = least_alpha == 0.0 ? alpha : std::min(least_alpha, alpha);
+    largest_alpha = std::max(largest_alpha, alpha);
+  }
+  ++frames;
   last = result;
 }
+
+void SolvedFrames::skip() { skipped.add(frames++); }
 
 void RecordedFrames::add(const SensorRecording& recording) {
   ++frames;

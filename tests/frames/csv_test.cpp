@@ -18,7 +18,7 @@ using Names = std::vector<std::string>;
 
 TEST_CASE("columns are read in the order that is asked for, wherever they stand", "[frames]") {
   std::istringstream in("t,b,other,a\n0.5,1,x,2\n\n0.6,3,y,4\n");
-  CsvFrames frames(in, "f.csv", Names{"a", "b"});
+  CsvFrames frames(in, "f.csv", {.names = {"a", "b"}});
   CHECK(frames.has_time());
   CHECK(Names(frames.columns().begin(), frames.columns().end()) == Names{"a", "b"});
   CHECK(Names(frames.ignored().begin(), frames.ignored().end()) == Names{"other"});
@@ -44,7 +44,7 @@ TEST_CASE("columns can be chosen by what the header has", "[frames]") {
 
 TEST_CASE("values of unread columns may be any text, and are zero", "[frames]") {
   std::istringstream in("a,b\n1,broken\n");
-  CsvFrames frames(in, "f.csv", Names{"a", "b"}, {false, true});
+  CsvFrames frames(in, "f.csv", {.names = {"a", "b"}, .unread = {false, true}});
   std::vector<double> values(2, 7.0);
   REQUIRE(frames.next(values));
   CHECK(values == std::vector{1.0, 0.0});
@@ -62,7 +62,7 @@ TEST_CASE("a bad frame is told with file, line and column", "[frames]") {
   CAPTURE(text);
   std::istringstream in(text);
   const auto read = [&] {
-    CsvFrames frames(in, "f.csv", Names{"a", "b"});
+    CsvFrames frames(in, "f.csv", {.names = {"a", "b"}});
     std::vector<double> values(2);
     while (frames.next(values)) continue;
   };

@@ -58,6 +58,22 @@ TEST_CASE("a file is there as a whole or not at all", "[frames][output]") {
   CHECK(names_in(folder.path) == std::vector<std::string>{"f.txt"});
 }
 
+TEST_CASE("what is not whole stands under a name that says so", "[frames][output]") {
+  const Folder folder;
+  const fs::path path = folder.path / "f.csv";
+  write_file(path, "whole");
+  OutputFile file(path);
+  file.stream() << "half";
+  CHECK(file.commit_partial() == folder.path / "f.csv.partial");
+  CHECK(text_of(folder.path / "f.csv.partial") == "half");
+  CHECK(text_of(path) == "whole");
+  std::ostringstream out;
+  OutputFile direct("-", &out);
+  direct.stream() << "half";
+  CHECK(direct.commit_partial().empty());
+  CHECK(out.str() == "half");
+}
+
 TEST_CASE("standard output is the stream that is passed", "[frames][output]") {
   std::ostringstream out;
   for (const char* path : {"-", ""}) {

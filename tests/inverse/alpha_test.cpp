@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/numeric/comparison.hpp"
@@ -231,4 +232,66 @@ TEST_CASE("denormal and huge readings get the alpha of ordinary ones", "[alpha]"
 TEST_CASE("rules are known by their names", "[alpha]") {
   for (const AlphaRule rule : alpha_rules) CHECK(alpha_rule_named(name(rule)) == rule);
   CHECK_FALSE(alpha_rule_named("aic").has_value());
+}
+
+TEST_CASE("tables made once serve every frame of a family, and no other's", "[alpha]") {
+  for (const auto& [name, problem] : sample_problems()) {
+    CAPTURE(name);
+    const TikhonovFamily family(problem);
+    const FilterFrame first = family.analyse(random_values(problem.kernel.rows, 3));
+    const AlphaTables tables(first.gamma, first.rows);
+    for (const unsigned seed : {4u, 5u}) {
+      const FilterFrame frame = family.analyse(random_values(problem.kernel.rows, seed));
+      const AlphaSweep alone = sweep_alpha(frame, 0.1);
+      const AlphaSweep shared = sweep_alpha(frame, tables, 0.1);
+      CHECK(shared.alphas == alone.alphas);
+      for (const AlphaRule rule : alpha_rules) {
+        CHECK(shared.choice(rule).alpha == alone.choice(rule).alpha);
+        CHECK(shared.choice(rule).verdict == alone.choice(rule).verdict);
+      }
+      CHECK(choose_alone(frame, tables, AlphaRule::gml).alpha ==
+            choose_alone(frame, AlphaRule::gml).alpha);
+    }
+    FilterFrame other = first;
+    other.gamma.front() *= 2.0;
+    CHECK_THROWS_AS(sweep_alpha(other, tables), std::invalid_argument);
+    other = first;
+    ++other.rows;
+    CHECK_THROWS_AS(sweep_alpha(other, tables), std::invalid_argument);
+  }
+}
+
+TEST_CASE("what a rule minimises has the slope that its root is sought of", "[alpha]") {
+  // The refined alpha is a stationary point: of the 200 values the least is beside it.
+  for (const auto& [name, problem] : sample_problems()) {
+    const FilterFrame frame = frame_of(problem, random_values(problem.kernel.rows, 8));
+    const AlphaSweep sweep = sweep_alpha(frame, 0.1);
+    for (const AlphaSweep::Curve& curve : sweep.curves) {
+      if (curve.rule == AlphaRule::discrepancy || curve.choice.verdict == AlphaVerdict::border ||
+          curve.choice.verdict == AlphaVerdict::no_root)
+        continue;
+      CAPTURE(name, tactile_net::name(curve.rule));
+      const auto least = std::min_element(curve.values.begin(), curve.values.end());
+      const auto at = static_cast<std::size_t>(least - curve.values.begin());
+      REQUIRE(at > 0);
+      REQUIRE(at + 1 < sweep.alphas.size());
+      CHECK(curve.choice.alpha >= sweep.alphas[at - 1]);
+      CHECK(curve.choice.alpha <= sweep.alphas[at + 1]);
+    }
+  }
+}
+
+TEST_CASE("powers of several residuals are those of each alone", "[alpha]") {
+  for (const auto& [name, problem] : sample_problems()) {
+    CAPTURE(name);
+    const FilterFrame frame = frame_of(problem, random_values(problem.kernel.rows, 9));
+    const std::size_t n = frame.beta.size();
+    const std::size_t bins = frame.periodogram->size();
+    const std::vector<double> left = random_values(3 * n, 10);
+    std::vector<double> together(3 * bins);
+    frame.periodogram->powers(left, n, together);
+    std::vector<double> alone(3 * bins);
+    frame.periodogram->ResidualPeriodogram::powers(left, n, alone);
+    CHECK(relative_l2_error(together, alone) < 1e-14);
+  }
 }

@@ -27,7 +27,7 @@ Recording recorded(std::size_t frames, std::size_t tap) {
   std::vector<double> tractions(21);
   for (std::size_t i = 0; i < frames; ++i) {
     std::fill(tractions.begin(), tractions.end(), i == tap ? 7.0 : 1.0);
-    recording.add(0.001 * static_cast<double>(i), tractions, tractions,
+    recording.add(0.001 * static_cast<double>(i), problem, tractions, tractions,
                   {.alpha = ChosenAlpha{.value = 1e-3},
                    .verdict = i == tap + 1 ? Verdict::unstable : Verdict::ok});
   }
@@ -73,6 +73,34 @@ TEST_CASE("a tap of one frame and a verdict of one frame survive the thinning",
   CHECK(overview.verdicts.at(Verdict::ok) == 99'999);
 }
 
+TEST_CASE("frames without an answer count where they are", "[lab][recording]") {
+  const SceneProblem problem = pad();
+  const std::vector<double> ones(21, 1.0);
+  Recording recording(problem, Method::tikhonov);
+  for (std::size_t i = 0; i < 5000; ++i) {
+    if (i % 7 == 0)
+      recording.skip();
+    else
+      recording.add(0.001 * static_cast<double>(i), problem, ones, ones,
+                    {.alpha = ChosenAlpha{.value = 1e-3}});
+  }
+  const RecordingOverview overview = recording.overview();
+  CHECK(overview.frames == 5000);
+  CHECK(overview.verdicts.at(Verdict::failed) == 715);
+  std::size_t next = 0;
+  std::size_t distrusted = 0;
+  for (const FrameGroup& group : overview.groups) {
+    CHECK(group.first == next);
+    CHECK(group.shown % 7 != 0);
+    CHECK(group.time == Approx(0.001 * static_cast<double>(group.shown)));
+    next += group.count;
+    distrusted += group.distrusted;
+    if (group.distrusted > 0) CHECK(group.distrust == Verdict::failed);
+  }
+  CHECK(next == 5000);
+  CHECK(distrusted == 715);
+}
+
 TEST_CASE("the bands of a recording's frame are those that uncertainty gives", "[lab][recording]") {
   const SceneProblem problem = pad();
   const auto solver = make_solver(problem, Method::tikhonov);
@@ -82,7 +110,7 @@ TEST_CASE("the bands of a recording's frame are those that uncertainty gives", "
     readings[i] = std::exp(-0.3 * std::pow(static_cast<double>(i) - 9.0, 2));
   std::vector<double> tractions(21);
   const FrameResult result = solver->solve(readings, tractions);
-  recording.add({}, readings, tractions, result);
+  recording.add({}, problem, readings, tractions, result);
   const FrameGroup group = recording.overview().groups.at(0);
   const FrameUncertainty expected = uncertainty(SceneFrame(problem, readings), tractions, result);
   REQUIRE(group.bands);

@@ -37,7 +37,7 @@ lab::RecordingOverview press(std::size_t frames, lab::Verdict last = lab::Verdic
       readings[i] = size * std::exp(-0.2 * std::pow(static_cast<double>(i) - 10.0, 2));
     lab::FrameResult result = solver->solve(readings, tractions);
     if (k + 1 == frames) result.verdict = last;
-    recording.add(0.01 * static_cast<double>(k), readings, tractions, result);
+    recording.add(0.01 * static_cast<double>(k), problem, readings, tractions, result);
   }
   return recording.overview();
 }

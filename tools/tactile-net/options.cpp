@@ -62,6 +62,14 @@ void add_scene(CLI::App& command, std::string& scene,
   command.add_option("SCENE", scene, description)->required();
 }
 
+void add_columns(CLI::App& command, std::string& columns) {
+  command.add_option(
+      "--columns", columns,
+      "Where the readings stand in a row, in their order: numbers of columns from 1, "
+      "ranges or names, as 2-42, or t=1,4-44 with the times in column 1 (default: "
+      "found by the names in the header)");
+}
+
 void add_results(CLI::App& command, ResultOptions& results, const std::string& folder,
                  const std::string& json) {
   command.add_option("--out", results.folder, folder);
@@ -139,7 +147,7 @@ void add_solve(Parser& parser) {
   command
       ->add_option("--readings", options->readings,
                    "CSV file with a header (columns such as stress_x_0), or .npy of shape (frames, "
-                   "readings); - reads CSV from standard input and writes each frame as it comes")
+                   "readings); - reads standard input and writes each frame as it comes")
       ->required();
   command->add_option("--method", options->method, "dft, tikhonov or closed_form")
       ->capture_default_str();
@@ -150,7 +158,15 @@ void add_solve(Parser& parser) {
                       "(the frames in its pictures) and, without -o, tractions.csv");
   command->add_option("--uncertainty", options->uncertainty,
                       "CSV file for each frame's forces, centre and angle with their standard "
-                      "deviations, and the deviation of every traction");
+                      "deviations, the deviation of every traction, alpha and the verdict");
+  add_columns(*command, options->columns);
+  command
+      ->add_option(
+          "--missing", options->missing,
+          "Where a reading is missing (empty, NaN, NA): fail; skip the frame, whose row is "
+          "then empty; or estimate it from the other taxels, as if those without a "
+          "reading were dead")
+      ->capture_default_str();
   command->add_option("--json", options->json, "Write a summary as JSON to this file");
 }
 
@@ -190,6 +206,7 @@ void add_plan(Parser& parser) {
   command->add_option("--readings", options->readings,
                       "Recorded frames (CSV): the scene's rule for alpha is applied to each, and "
                       "the median taken");
+  add_columns(*command, options->columns);
   command->add_option("--friction", options->friction,
                       "Friction coefficient for the friction margin (default: the scene's "
                       "friction_limit)");
@@ -233,6 +250,7 @@ void add_grasp(Parser& parser) {
       ->required();
   add_results(*command, options->results, "Folder for report.html and result.json",
               "Write the result as JSON");
+  add_columns(*command, options->columns);
 }
 
 /// CLI11 only says that a sub-command is required; says which one was meant.

@@ -1,10 +1,15 @@
 /// @file
 /// Frames as CSV: a header, then one frame a row. Numbers are the same in every locale.
+///
+/// What is written has commas and decimal points. What is read may also have fields separated by
+/// semicolons, tabs or blanks (decimal commas then too), a byte order mark, lines of comment ("#")
+/// before the header or with it, and names in another spelling; see docs/results.md.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,7 +19,7 @@
 
 namespace tactile_net::frames {
 
-/// Reads CSV; columns are found by name.
+/// Reads CSV.
 class CsvFrames final : public FrameSource {
  public:
   static constexpr std::size_t longest_line = std::size_t{1} << 20;  // bytes
@@ -23,49 +28,34 @@ class CsvFrames final : public FrameSource {
   using ChooseColumns =
       std::function<std::vector<std::string>(std::span<const std::string> header)>;
 
-  /// Reads the header.
+  /// Reads the header; where there is none, the first row.
   ///
-  /// @param file     name for messages
-  /// @param columns  names to read, in the order `next` returns them
-  /// @param unread   per column: true if its values do not matter (a dead taxel) and may be any
-  ///                 text; empty: all matter
-  /// @throw InputError  there is no header, a column is missing or stands twice
-  CsvFrames(std::istream& in, std::string file, std::vector<std::string> columns,
-            std::vector<bool> unread = {});
+  /// @param in    must live as long as this
+  /// @param file  name for messages
+  /// @throw InputError  there is no header, a column is missing or stands twice, it is not text
+  /// @throw std::invalid_argument  `wanted.places` does not fit the file
+  CsvFrames(std::istream& in, std::string file, WantedColumns wanted);
 
-  /// The same where the columns depend on what the file has.
+  /// The same where the columns depend on what the file has, which must have a header.
   CsvFrames(std::istream& in, std::string file, const ChooseColumns& choose);
+  ~CsvFrames() override;
 
   /// As `FrameSource`; rows that are empty are skipped. @throw InputError  a row has too few or too
   /// many fields too: the text names file, line and column
   [[nodiscard]] bool next(std::span<double> values) override;
   [[noreturn]] void refuse(const std::string& message, const std::string& hint) const override;
 
-  [[nodiscard]] std::span<const std::string> columns() const noexcept override { return columns_; }
-  [[nodiscard]] bool has_time() const noexcept override { return has_time_; }
-  [[nodiscard]] std::string_view time() const noexcept override { return time_; }
-  [[nodiscard]] std::span<const std::string> ignored() const noexcept override { return ignored_; }
+  [[nodiscard]] std::span<const std::string> columns() const noexcept override;
+  [[nodiscard]] bool has_time() const noexcept override;
+  [[nodiscard]] std::string_view time() const noexcept override;
+  [[nodiscard]] std::span<const std::string> ignored() const noexcept override;
+  [[nodiscard]] std::span<const std::string> opening_notes() const noexcept override;
+  [[nodiscard]] std::vector<std::string> closing_notes() const override;
+  [[nodiscard]] std::size_t bytes_read() const noexcept override;
 
  private:
-  CsvFrames(std::istream& in, std::string file);
-  void read_header();
-  void find(std::vector<std::string> columns);
-  [[nodiscard]] bool read_line();
-  [[noreturn]] void fail(std::string_view field, const std::string& message,
-                         const std::string& hint = {}) const;
-
-  std::istream& in_;
-  std::string file_;
-  std::vector<std::string> header_;
-  std::vector<std::string> columns_;
-  std::vector<std::ptrdiff_t> target_;  // per field of a row: index into the values, or below
-  std::vector<bool> unread_;
-  std::vector<std::string> ignored_;
-  std::vector<char> buffer_;
-  std::string_view row_;
-  std::string_view time_;
-  std::size_t line_ = 0;
-  bool has_time_ = false;
+  class Reader;
+  std::unique_ptr<Reader> reader_;
 };
 
 /// Writes CSV, `t` first if `with_time`; a block at a time.
@@ -73,9 +63,13 @@ class CsvSink final : public FrameSink {
  public:
   CsvSink(std::ostream& out, std::span<const std::string> columns, bool with_time);
   void add(std::string_view time, std::span<const double> values) override;
+  /// A row whose last column is a word.
+  void add(std::string_view time, std::span<const double> values, std::string_view word);
   void flush() override;
 
  private:
+  void flush_block();
+
   std::ostream& out_;
   bool with_time_;
   std::string text_;

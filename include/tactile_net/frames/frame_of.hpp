@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "tactile_net/frames/open.hpp"
 #include "tactile_net/scene/scene.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 
@@ -16,7 +17,8 @@ namespace tactile_net::frames {
 /// @return        channels x count
 /// @throw InputError  as `ReadingsFile`; there are not that many frames
 [[nodiscard]] std::vector<double> readings_of_frame(const std::filesystem::path& file,
-                                                    const Scene& scene, std::size_t number);
+                                                    const Scene& scene, std::size_t number,
+                                                    const ReadingsOptions& options = {});
 
 /// @param file    tractions as `solve` writes them, CSV
 /// @param number  of the frame, from 0

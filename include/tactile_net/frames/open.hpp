@@ -2,9 +2,11 @@
 /// Files of frames, CSV or .npy, by name.
 #pragma once
 
+#include <cstddef>
 #include <fstream>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -17,24 +19,36 @@ namespace tactile_net::frames {
 /// @throw InputError  a folder, or it cannot be opened
 [[nodiscard]] std::ifstream open_frames(const std::string& path);
 
-/// Recorded readings of a scene's sensor: CSV or .npy by what the file begins with, CSV from
-/// standard input for "-". Values of dead taxels are not read.
+/// How a recording is read, beside what the scene says.
+struct ReadingsOptions {
+  std::string columns{};        ///< where the readings stand, as `WantedColumns::places`
+  bool accept_missing = false;  ///< values that are missing are NaN, in place of an error
+};
+
+/// Recorded readings of a scene's sensor: CSV or .npy by what the file begins with, standard input
+/// for "-". Values of dead taxels are not read.
 class ReadingsFile {
  public:
   /// @param standard_input  must live as long as this; null: the path is a file's whatever it is
   /// @throw InputError  cannot be opened, or as `CsvFrames` and `NpyFrames`
-  ReadingsFile(const std::string& path, const Scene& scene, std::istream* standard_input = nullptr);
+  /// @throw std::invalid_argument  `options.columns` does not fit the file
+  ReadingsFile(const std::string& path, const Scene& scene, std::istream* standard_input = nullptr,
+               const ReadingsOptions& options = {});
 
   [[nodiscard]] FrameSource& source() noexcept { return *source_; }
   /// For messages.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   /// From standard input: each frame may be waited for.
   [[nodiscard]] bool live() const noexcept { return live_; }
+  /// How much of the file was read so far, 0 to 1; nothing where its length is not known: of CSV
+  /// from a pipe.
+  [[nodiscard]] std::optional<double> share_read() const noexcept;
 
  private:
   bool live_;
   std::string name_;
   std::ifstream file_;
+  std::size_t bytes_ = 0;  // of a regular file
   std::unique_ptr<FrameSource> source_;
 };
 

@@ -37,6 +37,13 @@ class OutputFile {
   /// Flushes, checks, renames. @throw std::runtime_error  something was not written: a full disk
   void commit();
 
+  /// As `commit`, under another name that says that there should be more: NAME.partial. What
+  /// stands under the name itself stays.
+  ///
+  /// @return that name; empty where it was written to directly
+  /// @throw as `commit`
+  std::filesystem::path commit_partial();
+
  private:
   std::filesystem::path path_;
   std::ostream* standard_output_;    // null: `file_` is written to

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +19,18 @@ namespace tactile_net::frames {
 /// The columns of a tractions file: "normal_0" ..., then "tangential_0" ...
 [[nodiscard]] std::vector<std::string> traction_columns(std::size_t count, bool with_tangential);
 
+/// What is to be read of a file.
+struct WantedColumns {
+  std::vector<std::string> names{};  ///< in the order in which `FrameSource::next` returns them
+  /// Per name: true if its values do not matter (a dead taxel) and may be any text; empty: all do.
+  std::vector<bool> unread{};
+  std::size_t taxels = 0;  ///< the last dimension of an array (frames, channels, taxels)
+  /// Where the columns stand, in place of their names: "2-42", "t=1,4-44", "a,b,c"; numbers count
+  /// from 1, `t=` says where the times are; empty: they are found by name.
+  std::string places{};
+  bool accept_missing = false;  ///< values that are missing are NaN, in place of an error
+};
+
 /// Recorded frames, one after another in constant memory.
 class FrameSource {
  public:
@@ -25,7 +38,7 @@ class FrameSource {
 
   /// The next frame, false at the end of the input.
   ///
-  /// @param values  one per column; 0 where unread
+  /// @param values  one per column; 0 where unread; NaN where missing, if that is accepted
   /// @throw InputError  the frame is not whole, or a value not a finite number
   [[nodiscard]] virtual bool next(std::span<double> values) = 0;
 
@@ -36,10 +49,19 @@ class FrameSource {
   [[nodiscard]] virtual std::span<const std::string> columns() const noexcept = 0;
 
   [[nodiscard]] virtual bool has_time() const noexcept { return false; }
-  /// The text of column `t` in the frame last read.
+  /// The text of the time in the frame last read, fit for a field of CSV.
   [[nodiscard]] virtual std::string_view time() const noexcept { return {}; }
   /// Columns of the file that are not read.
   [[nodiscard]] virtual std::span<const std::string> ignored() const noexcept { return {}; }
+  /// What was taken for granted when the file was opened, a sentence each.
+  [[nodiscard]] virtual std::span<const std::string> opening_notes() const noexcept { return {}; }
+  /// What is odd about the frames read so far, a sentence each.
+  [[nodiscard]] virtual std::vector<std::string> closing_notes() const { return {}; }
+
+  /// Bytes of the file that were read so far, header included.
+  [[nodiscard]] virtual std::size_t bytes_read() const noexcept = 0;
+  /// How many frames there will be, where the file says so.
+  [[nodiscard]] virtual std::optional<std::size_t> frames() const noexcept { return std::nullopt; }
 };
 
 /// Frames on their way to a file.

@@ -28,6 +28,13 @@ class ResidualPeriodogram {
   /// derivative when `left` changes by `change`. All channels are added.
   virtual void power(std::span<const double> left, std::span<const double> change,
                      std::span<double> values, std::span<double> slopes) const = 0;
+
+  /// Power at each frequency of several residuals at once, without derivatives.
+  ///
+  /// @param left    components of one residual after another
+  /// @param values  `size()` of one residual after another
+  virtual void powers(std::span<const double> left, std::size_t components,
+                      std::span<double> values) const;
 };
 
 struct FilterFrame {

@@ -4,7 +4,7 @@
 ///     lab::Recording recording(problem, Method::tikhonov);
 ///     while (source.next(readings)) {
 ///       const lab::FrameResult result = solver->solve(readings, tractions);
-///       recording.add(time, readings, tractions, result);
+///       recording.add(time, problem, readings, tractions, result);
 ///     }
 ///     const lab::RecordingOverview overview = recording.overview();
 #pragma once
@@ -74,8 +74,13 @@ class Recording {
   Recording(SceneProblem problem, Method method);
 
   /// O(readings). @pre  the result's status is ok
-  void add(std::optional<double> time, std::span<const double> readings,
-           std::span<const double> tractions, const FrameResult& result);
+  /// @param problem  that the frame was solved with: the recording's, or one with taxels left out
+  void add(std::optional<double> time, const SceneProblem& problem,
+           std::span<const double> readings, std::span<const double> tractions,
+           const FrameResult& result);
+
+  /// A frame without an answer: it counts, with the verdict `failed`.
+  void skip();
 
   [[nodiscard]] std::size_t frames() const noexcept { return frames_; }
 
@@ -84,6 +89,11 @@ class Recording {
   [[nodiscard]] RecordingOverview overview(Observer& observer = silent) const;
 
  private:
+  /// What bands are made of.
+  struct Source {
+    SceneProblem problem;
+    FrameResult result;
+  };
   void merge_neighbours();
 
   SceneProblem problem_;
@@ -93,7 +103,8 @@ class Recording {
   std::size_t frames_ = 0;
   std::map<Verdict, std::size_t> verdicts_;
   std::vector<FrameGroup> groups_;
-  std::vector<FrameResult> results_;  // of the frames that are shown
+  std::size_t skipped_ = 0;        // before the next group
+  std::vector<Source> sources_{};  // of the frames that are shown
 };
 
 }  // namespace tactile_net::lab

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
@@ -53,12 +54,19 @@ class SceneProblem {
   /// @throw std::invalid_argument  as `make_problem`
   [[nodiscard]] const InverseProblem& problem() const;
 
+  /// The same with these taxels dead, in place of the scene's. K is not integrated anew.
+  /// @param taxels  rising, < count, not all
+  [[nodiscard]] SceneProblem without(std::span<const std::size_t> taxels) const;
+
   /// Tikhonov's method for every alpha: one singular value decomposition.
   [[nodiscard]] const TikhonovFamily& family() const;
 
   /// The array taken for a ring, in the Fourier basis, dead taxels for living ones. Has buffers of
   /// its own: one thread at a time.
   [[nodiscard]] DftTikhonov& circular() const;
+
+  /// What the rules for alpha ask of every frame. @param frame  analysed, any of this problem
+  [[nodiscard]] const AlphaTables& alpha_tables(const FilterFrame& frame) const;
 
   /// What no reading shows.
   [[nodiscard]] const ModeSpace& hidden() const;

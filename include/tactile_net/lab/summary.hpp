@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "tactile_net/lab/frame_runs.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 
@@ -16,9 +17,17 @@ namespace tactile_net::lab {
 struct SolvedFrames {
   std::size_t frames = 0;
   std::map<Verdict, std::size_t> verdicts{};  ///< how many frames have it
-  FrameResult last{};                         ///< of the last frame
+  std::map<Verdict, FrameRuns> distrusted{};  ///< and which, of all that are not ok
+  FrameRuns skipped{};                        ///< frames without an answer: readings are missing
+  FrameRuns estimated{};                      ///< frames solved without the taxels they miss
+  double least_alpha = 0.0;                   ///< of those that a rule chose; 0: none did
+  double largest_alpha = 0.0;
+  FrameResult last{};  ///< of the last frame that was solved
 
-  void add(const FrameResult& result);
+  /// Of the next frame. @param incomplete  it was solved without the taxels it misses
+  void add(const FrameResult& result, bool incomplete = false);
+  /// The next frame has no answer.
+  void skip();
 };
 
 /// What a scene's sensor recorded.

@@ -17,10 +17,12 @@ std::vector<std::string> uncertainty_columns(std::size_t count, bool with_tangen
   columns.emplace_back("model_rms");
   for (std::string& traction : frames::traction_columns(count, with_tangential))
     columns.push_back(traction.insert(traction.find('_'), "_deviation"));
+  columns.emplace_back("alpha");
+  columns.emplace_back("verdict");
   return columns;
 }
 
-std::vector<double> uncertainty_values(const lab::FrameUncertainty& uncertainty) {
+std::vector<double> uncertainty_values(const lab::FrameUncertainty& uncertainty, double alpha) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> values;
   const auto add = [&](const std::optional<Uncertain>& number) {
@@ -35,6 +37,7 @@ std::vector<double> uncertainty_values(const lab::FrameUncertainty& uncertainty)
   values.push_back(uncertainty.noise.residual_rms);
   values.push_back(uncertainty.noise.model_rms);
   values.insert(values.end(), uncertainty.deviation.begin(), uncertainty.deviation.end());
+  values.push_back(alpha);
   return values;
 }
 

@@ -7,27 +7,50 @@
 #include "tactile_net/report/words/remark_words.hpp"
 
 namespace tactile_net::report {
+namespace {
+
+/// Frames as runs, each with its first and last number.
+Json runs(const lab::FrameRuns& frames) {
+  Json list = Json::array();
+  for (const lab::FrameRun& run : frames.runs()) list.push_back({run.first, run.last});
+  return {{"count", frames.count()}, {"runs", list}, {"not_listed", frames.not_listed()}};
+}
+
+}  // namespace
 
 std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
                        const SolveReport& report) {
   std::map<std::string, std::size_t> verdicts;  // sorted by name
   for (const auto& [verdict, count] : solved.verdicts) verdicts.emplace(lab::name(verdict), count);
+  Json distrusted = Json::object();
+  for (const auto& [verdict, frames] : solved.distrusted)
+    distrusted[std::string(lab::name(verdict))] = runs(frames);
+  const std::string verdict = verdicts.size() == 1 ? verdicts.begin()->first : "mixed";
   const std::optional<lab::ChosenAlpha>& alpha = solved.last.alpha;
-  return text_of(Json{{"tactile_net", version()},
-                      {"scene", scene.file},
-                      {"readings", report.readings},
-                      {"frames", solved.frames},
-                      {"method", name(report.method)},
-                      {"alpha", alpha && !alpha->rule ? Json(alpha->value) : Json(nullptr)},
-                      {"alpha_rule", alpha ? Json(source(*alpha)) : Json(nullptr)},
-                      {"verdict", verdicts.size() == 1 ? verdicts.begin()->first : "mixed"},
-                      {"verdicts", verdicts},
-                      {"condition",
-                       solved.last.condition ? Json(solved.last.condition->value) : Json(nullptr)},
-                      {"warnings", in_words(report.remarks)},
-                      {"columns_ignored", report.columns_ignored},
-                      {"seconds", report.seconds}},
-                 2);
+  return text_of(
+      Json{
+          {"tactile_net", version()},
+          {"scene", scene.file},
+          {"readings", report.readings},
+          {"frames", solved.frames},
+          {"method", name(report.method)},
+          {"alpha", alpha && !alpha->rule ? Json(alpha->value) : Json(nullptr)},
+          {"alpha_rule", alpha ? Json(source(*alpha)) : Json(nullptr)},
+          {"alpha_least", solved.least_alpha > 0.0 ? Json(solved.least_alpha) : Json(nullptr)},
+          {"alpha_largest",
+           solved.largest_alpha > 0.0 ? Json(solved.largest_alpha) : Json(nullptr)},
+          {"verdict", verdict},
+          {"verdicts", verdicts},
+          {"distrusted", distrusted},
+          {"missing",
+           {{"policy", lab::name(report.missing)},
+            {"skipped", runs(solved.skipped)},
+            {"estimated", runs(solved.estimated)}}},
+          {"condition", solved.last.condition ? Json(solved.last.condition->value) : Json(nullptr)},
+          {"warnings", in_words(report.remarks)},
+          {"columns_ignored", report.columns_ignored},
+          {"seconds", report.seconds}},
+      2);
 }
 
 }  // namespace tactile_net::report

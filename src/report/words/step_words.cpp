@@ -1,5 +1,9 @@
 #include "tactile_net/report/words/step_words.hpp"
 
+#include <cmath>
+
+#include "tactile_net/numeric/number_text.hpp"
+
 namespace tactile_net::report {
 
 std::string in_words(const lab::Step& step) {
@@ -31,6 +35,19 @@ std::string in_words(const lab::Step& step) {
       return "finger " + std::to_string(step.count) + " ...";
   }
   return {};
+}
+
+std::string frames_in_words(std::size_t done, std::optional<double> share, double seconds) {
+  std::string text = std::to_string(done) + " frames";
+  if (!share) return text + " ...";
+  text += ", " + fixed(100.0 * *share, 0) + " %";
+  // The first moments tell little of the rest.
+  if (!(*share > 0.0) || seconds < 0.5) return text + " ...";
+  const double left = seconds / *share - seconds;
+  return text + ", about " +
+         (left < 90.0 ? fixed(std::ceil(left), 0) + " s"
+                      : fixed(std::ceil(left / 60.0), 0) + " min") +
+         " left";
 }
 
 }  // namespace tactile_net::report

@@ -1,5 +1,6 @@
 #include "tactile_net/report/words/summary_words.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace tactile_net::report {
@@ -11,13 +12,36 @@ std::string of(std::size_t count, std::size_t frames) {
 
 }  // namespace
 
+std::string in_words(const lab::FrameRuns& frames) {
+  constexpr std::size_t most = 10;  // runs in a sentence
+  std::string text = frames.count() == 1 ? "frame " : "frames ";
+  std::size_t said = 0;
+  for (const lab::FrameRun& run : frames.runs().first(std::min(most, frames.runs().size()))) {
+    if (said > 0) text += ", ";
+    text += std::to_string(run.first);
+    if (run.last > run.first) text += "-" + std::to_string(run.last);
+    said += run.last - run.first + 1;
+  }
+  return said == frames.count() ? text
+                                : text + " and " + std::to_string(frames.count() - said) + " more";
+}
+
 std::vector<std::string> in_words(const lab::SolvedFrames& solved) {
-  std::map<std::string, std::size_t> verdicts;  // sorted by name
-  for (const auto& [verdict, count] : solved.verdicts)
-    if (verdict != lab::Verdict::ok) verdicts.emplace(lab::name(verdict), count);
   std::vector<std::string> sentences;
-  for (const auto& [verdict, count] : verdicts)
-    sentences.push_back(of(count, solved.frames) + " have the verdict " + verdict);
+  if (solved.frames == 0) sentences.emplace_back("0 frames: the recording holds none");
+  std::map<std::string, const lab::FrameRuns*> verdicts;  // sorted by name
+  for (const auto& [verdict, frames] : solved.distrusted)
+    verdicts.emplace(lab::name(verdict), &frames);
+  for (const auto& [verdict, frames] : verdicts)
+    sentences.push_back(of(frames->count(), solved.frames) + " have the verdict " + verdict + ": " +
+                        in_words(*frames));
+  if (solved.skipped.count() > 0)
+    sentences.push_back(of(solved.skipped.count(), solved.frames) +
+                        " miss readings, and their rows are empty: " + in_words(solved.skipped));
+  if (solved.estimated.count() > 0)
+    sentences.push_back(
+        of(solved.estimated.count(), solved.frames) +
+        " miss readings, and are solved from the other taxels: " + in_words(solved.estimated));
   return sentences;
 }
 

@@ -12,9 +12,12 @@ void run(const GraspOptions& options, const Streams& streams) {
   const Hand hand = read_hand(options.hand);
   Results results(options.results, streams);
   Progress progress(streams);
-  const lab::GraspResult grasp = lab::hold(
-      hand, {.readings = frames::readings_of_frame, .tractions = frames::tractions_of_frame},
-      progress);
+  const auto readings = [&](const std::filesystem::path& file, const Scene& scene,
+                            std::size_t number) {
+    return frames::readings_of_frame(file, scene, number, {.columns = options.columns});
+  };
+  const lab::GraspResult grasp =
+      lab::hold(hand, {.readings = readings, .tractions = frames::tractions_of_frame}, progress);
   results.write({.print = [&](std::ostream& out) { report::print_grasp(out, grasp); },
                  .json = [&] { return report::grasp_json(grasp); },
                  .page = [&] { return drawing::Page{.html = pages::grasp_report_html(grasp)}; }},

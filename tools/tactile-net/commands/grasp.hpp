@@ -12,6 +12,7 @@ namespace tactile_net::tool {
 struct GraspOptions {
   std::string hand{};
   ResultOptions results{};
+  std::string columns{};
 };
 
 /// @throw CheckFailed  the grasp fails

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "commands/deadline.hpp"
+#include "commands/recording.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
 #include "tactile_net/control/fft_convolution.hpp"
@@ -51,7 +52,9 @@ lab::PlanAlpha alpha_of(const lab::SceneProblem& problem, const PlanOptions& opt
                         const Streams& streams) {
   Progress progress(streams);
   if (!options.readings.empty() && !problem.scene().reconstruct.alpha) {
-    frames::ReadingsFile file(options.readings, problem.scene(), &streams.in);
+    frames::ReadingsFile file(options.readings, problem.scene(), &streams.in,
+                              {.columns = options.columns});
+    say_opening(streams.err, file.name(), file.source());
     const auto next = [&](std::span<double> readings) { return file.source().next(readings); };
     if (const auto alpha = lab::plan_alpha(problem, next, progress)) return *alpha;
     throw InputError({{.file = options.readings, .message = "holds no frame"}});

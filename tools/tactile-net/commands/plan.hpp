@@ -17,6 +17,7 @@ struct PlanOptions {
   std::string structure{};
   std::string precision{};
   std::string json{};
+  std::string columns{};
   std::optional<std::string> deadline{};
   double accuracy = PlannerOptions{}.accuracy;
   std::optional<double> friction{};

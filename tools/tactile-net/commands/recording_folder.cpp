@@ -4,8 +4,8 @@
 
 #include "commands/results.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/csv/recording_csv.hpp"
 #include "tactile_net/pages/recording_page.hpp"
+#include "tactile_net/report/csv/recording_csv.hpp"
 #include "terminal/progress.hpp"
 
 namespace tactile_net::tool {
@@ -14,11 +14,13 @@ RecordingFolder::RecordingFolder(const std::filesystem::path& folder,
                                  const lab::SceneProblem& problem, Method method)
     : path_(folder), folder_(folder), recording_(problem, method) {}
 
-void RecordingFolder::add(std::string_view time, std::span<const double> readings,
-                          std::span<const double> tractions, const lab::FrameResult& result) {
+void RecordingFolder::add(std::string_view time, const lab::SceneProblem& problem,
+                          std::span<const double> readings, std::span<const double> tractions,
+                          const lab::FrameResult& result) {
   double seconds = 0.0;
   const bool timed = read_number(time, seconds);
-  recording_.add(timed ? std::optional(seconds) : std::nullopt, readings, tractions, result);
+  recording_.add(timed ? std::optional(seconds) : std::nullopt, problem, readings, tractions,
+                 result);
 }
 
 void RecordingFolder::commit(const std::string& readings, const std::string& json,

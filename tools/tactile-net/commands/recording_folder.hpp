@@ -23,8 +23,11 @@ class RecordingFolder {
   /// Where the tractions of every frame go, if they are not wanted elsewhere.
   [[nodiscard]] std::string tractions() const { return folder_.place("tractions.csv").string(); }
 
-  void add(std::string_view time, std::span<const double> readings,
-           std::span<const double> tractions, const lab::FrameResult& result);
+  void add(std::string_view time, const lab::SceneProblem& problem,
+           std::span<const double> readings, std::span<const double> tractions,
+           const lab::FrameResult& result);
+  /// A frame without an answer.
+  void skip() { recording_.skip(); }
 
   /// Draws the page and moves all files into place. Takes the bands of the frames that are shown.
   void commit(const std::string& readings, const std::string& json,

@@ -1,15 +1,22 @@
 #include "commands/solve.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <ostream>
 #include <span>
+#include <utility>
+#include <vector>
 
+#include "commands/recording.hpp"
 #include "commands/recording_folder.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
+#include "tactile_net/lab/missing.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/lab/summary.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
@@ -31,30 +38,37 @@ Method method_of(const SolveOptions& options) {
   return *method;
 }
 
+lab::Missing missing_of(const SolveOptions& options) {
+  if (const auto missing = lab::missing_named(options.missing)) return *missing;
+  throw WrongUsage("--missing", "'" + options.missing + "' is none of fail, skip, estimate");
+}
+
 /// Writes how far each frame may be from the truth, one frame a row.
 class UncertaintyFile {
  public:
   UncertaintyFile(const std::string& path, const lab::SceneProblem& problem, bool with_time,
                   const Streams& streams)
-      : problem_(problem),
+      : columns_(report::uncertainty_columns(problem.scene().sensor.count,
+                                             problem.options().unknowns > 1)),
         output_(path, &streams.out),
-        sink_(output_.stream(),
-              report::uncertainty_columns(problem.scene().sensor.count,
-                                          problem.options().unknowns > 1),
-              with_time) {}
+        sink_(output_.stream(), columns_, with_time) {}
 
-  void add(std::span<const double> readings, std::span<const double> tractions,
+  void add(const lab::SceneFrame& frame, std::span<const double> tractions,
            const lab::FrameResult& result, std::string_view time) {
-    sink_.add(time, report::uncertainty_values(
-                        lab::uncertainty(lab::SceneFrame(problem_, readings), tractions, result)));
+    sink_.add(
+        time,
+        report::uncertainty_values(lab::uncertainty(frame, tractions, result), result.alpha->value),
+        lab::name(result.verdict));
   }
-  void commit() {
-    sink_.finish();
-    output_.commit();
+  void skip(std::string_view time) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    sink_.add(time, std::vector<double>(columns_.size() - 1, unknown), "missing");
   }
+  void finish() { sink_.finish(); }
+  [[nodiscard]] frames::OutputFile& output() noexcept { return output_; }
 
  private:
-  lab::SceneProblem problem_;
+  std::vector<std::string> columns_;
   frames::OutputFile output_;
   frames::CsvSink sink_;
 };
@@ -67,7 +81,8 @@ class Outputs {
       : folder_(folder),
         tractions_(
             folder != nullptr && options.output.empty() ? folder->tractions() : options.output,
-            &streams.out) {
+            &streams.out),
+        unknown_(tractions, std::numeric_limits<double>::quiet_NaN()) {
     const std::size_t count = problem.scene().sensor.count;
     sink_ = frames::make_sink(tractions_, options.output,
                               frames::traction_columns(count, tractions > count), with_time);
@@ -75,44 +90,114 @@ class Outputs {
       uncertainty_.emplace(options.uncertainty, problem, with_time, streams);
   }
 
-  void add(std::string_view time, std::span<const double> readings,
-           std::span<const double> tractions, const lab::FrameResult& result) {
+  /// @param problem  that the frame was solved with
+  void add(std::string_view time, const lab::SceneProblem& problem,
+           std::span<const double> readings, std::span<const double> tractions,
+           const lab::FrameResult& result) {
     sink_->add(time, tractions);
-    if (uncertainty_) uncertainty_->add(readings, tractions, result, time);
-    if (folder_ != nullptr) folder_->add(time, readings, tractions, result);
+    if (uncertainty_) uncertainty_->add({problem, readings}, tractions, result, time);
+    if (folder_ != nullptr) folder_->add(time, problem, readings, tractions, result);
+  }
+  /// A frame without an answer: its row is there, so that row k of the answers is frame k of the
+  /// recording.
+  void skip(std::string_view time) {
+    sink_->add(time, unknown_);
+    if (uncertainty_) uncertainty_->skip(time);
+    if (folder_ != nullptr) folder_->skip();
   }
   void flush() { sink_->flush(); }
+
   void commit() {
-    sink_->finish();
+    finish();
     tractions_.commit();
-    if (uncertainty_) uncertainty_->commit();
+    if (uncertainty_) uncertainty_->output().commit();
+  }
+  /// What there is of them, under names that say so. @return where the tractions are
+  std::string commit_partial() {
+    finish();
+    if (uncertainty_) uncertainty_->output().commit_partial();
+    return tractions_.commit_partial().string();
   }
 
  private:
+  void finish() {
+    sink_->finish();
+    if (uncertainty_) uncertainty_->finish();
+  }
+
   RecordingFolder* folder_;
   frames::OutputFile tractions_;
+  std::vector<double> unknown_;
   std::unique_ptr<frames::FrameSink> sink_;
   std::optional<UncertaintyFile> uncertainty_;
 };
 
 /// Turns each frame of readings into one of tractions.
-lab::SolvedFrames solve_frames(lab::FrameSolver& solver, frames::ReadingsFile& file,
-                               Outputs& outputs, const Streams& streams) {
-  Progress progress(streams);
-  frames::FrameSource& source = file.source();
-  std::vector<double> readings(source.columns().size());
-  std::vector<double> tractions(solver.tractions());
-  lab::SolvedFrames solved;
-  while (source.next(readings)) {
-    const lab::FrameResult result = solver.solve(readings, tractions);
+class Solving {
+ public:
+  Solving(const lab::SceneProblem& problem, Method method, lab::Missing missing)
+      : problem_(problem), missing_(missing), solver_(lab::make_solver(problem, method)) {
+    if (missing == lab::Missing::estimate) incomplete_.emplace(problem, method);
+  }
+
+  [[nodiscard]] const lab::FrameSolver& solver() const noexcept { return *solver_; }
+  [[nodiscard]] const lab::SolvedFrames& solved() const noexcept { return solved_; }
+
+  void solve(frames::ReadingsFile& file, Outputs& outputs, const Streams& streams) {
+    Progress progress(streams);
+    frames::FrameSource& source = file.source();
+    std::vector<double> readings(source.columns().size());
+    std::vector<double> tractions(solver_->tractions());
+    while (source.next(readings)) {
+      if (missing_ == lab::Missing::fail ||
+          std::none_of(readings.begin(), readings.end(), [](double g) { return std::isnan(g); }))
+        add(source, outputs, problem_, readings, tractions, solver_->solve(readings, tractions));
+      else
+        add_incomplete(source, outputs, readings, tractions);
+      if (file.live()) outputs.flush();  // somebody waits at the other end
+      if (progress.due()) progress.frames(solved_.frames, file.share_read());
+    }
+  }
+
+ private:
+  void add(const frames::FrameSource& source, Outputs& outputs, const lab::SceneProblem& problem,
+           std::span<const double> readings, std::span<const double> tractions,
+           const lab::FrameResult& result, bool incomplete = false) {
     if (result.status != FrameStatus::ok)
       source.refuse("the frame's tractions overflow a double", "scale the readings");
-    outputs.add(source.time(), readings, tractions, result);
-    solved.add(result);
-    if (file.live()) outputs.flush();  // somebody waits at the other end
-    if (progress.due()) progress.say(std::to_string(solved.frames) + " frames ...");
+    outputs.add(source.time(), problem, readings, tractions, result);
+    solved_.add(result, incomplete);
   }
-  return solved;
+
+  void add_incomplete(const frames::FrameSource& source, Outputs& outputs,
+                      std::span<double> readings, std::span<double> tractions) {
+    if (incomplete_) {
+      if (const auto result = incomplete_->solve(readings, tractions)) {
+        add(source, outputs, incomplete_->problem(), readings, tractions, *result, true);
+        return;
+      }
+    }
+    outputs.skip(source.time());
+    solved_.skip();
+  }
+
+  lab::SceneProblem problem_;
+  lab::Missing missing_;
+  std::unique_ptr<lab::FrameSolver> solver_;
+  std::optional<lab::IncompleteFrames> incomplete_;
+  lab::SolvedFrames solved_;
+};
+
+/// The same error, and where what came before it is to be found.
+InputError with_frames_before(const InputError& error, std::size_t frames,
+                              const std::string& partial) {
+  std::vector<Diagnostic> diagnostics = error.diagnostics();
+  std::string& hint = diagnostics.back().hint;
+  if (!hint.empty()) hint += "; ";
+  hint += std::to_string(frames) +
+          (frames == 1 ? " frame before it was" : " frames before it were") + " written" +
+          (partial.empty() ? "" : " to " + partial);
+  return InputError(std::move(diagnostics));
 }
 
 }  // namespace
@@ -120,45 +205,52 @@ lab::SolvedFrames solve_frames(lab::FrameSolver& solver, frames::ReadingsFile& f
 void run(const SolveOptions& options, const Streams& streams) {
   const lab::SceneProblem problem(read_scene(options.scene));
   const Method method = method_of(options);
-  const std::unique_ptr<lab::FrameSolver> solver = lab::make_solver(problem, method);
+  const lab::Missing missing = missing_of(options);
+  if (missing == lab::Missing::estimate && !lab::traits(method).has_bands)
+    throw WrongUsage("--missing",
+                     "estimate needs the method tikhonov or closed_form: dft takes a "
+                     "dead taxel for a living one that reads 0");
+  Solving solving(problem, method, missing);
   if (!options.uncertainty.empty() && (!lab::traits(method).has_bands || problem.is_large()))
     throw WrongUsage("--uncertainty", "needs the method tikhonov or closed_form, and fewer than " +
                                           std::to_string(lab::large) + " tractions");
-  for (const std::string& warning : report::in_words(solver->remarks()))
+  for (const std::string& warning : report::in_words(solving.solver().remarks()))
     streams.err << options.method << ": warning: " << warning << '\n';
 
-  frames::ReadingsFile file(options.readings, problem.scene(), &streams.in);
-  const auto ignored = file.source().ignored();
-  if (!ignored.empty())
-    streams.err << file.name() << ": note: " << ignored.size()
-                << " columns are not read by this scene, '" << ignored.front() << "' first\n";
+  frames::ReadingsFile file(
+      options.readings, problem.scene(), &streams.in,
+      {.columns = options.columns, .accept_missing = missing != lab::Missing::fail});
+  say_opening(streams.err, file.name(), file.source());
 
   std::optional<RecordingFolder> folder;
   if (!options.folder.empty()) folder.emplace(options.folder, problem, method);
-  Outputs outputs(options, problem, solver->tractions(), file.source().has_time(),
+  Outputs outputs(options, problem, solving.solver().tractions(), file.source().has_time(),
                   folder ? &*folder : nullptr, streams);
   const auto summary = output_if(options.json, streams);
   const double start = lab::monotonic_time();
-  lab::SolvedFrames solved;
+  const lab::SolvedFrames& solved = solving.solved();
   try {
-    solved = solve_frames(*solver, file, outputs, streams);
-  } catch (const InputError&) {
-    outputs.commit();  // everything before the bad frame stands
-    throw;
+    solving.solve(file, outputs, streams);
+  } catch (const InputError& error) {
+    throw with_frames_before(error, solved.frames, outputs.commit_partial());
   }
   outputs.commit();
+  say_closing(streams.err, file.name(), file.source());
   for (const std::string& sentence : report::in_words(solved))
     streams.err << options.method << ": note: " << sentence << '\n';
   if (!summary && !folder) return;
-  const lab::Remarks remarks = solved.frames > 0 ? solved.last.remarks : solver->remarks();
-  const std::string json = report::solve_json(problem.scene(), solved,
-                                              {.readings = options.readings,
-                                               .method = method,
-                                               .columns_ignored = ignored,
-                                               .remarks = remarks,
-                                               .seconds = lab::monotonic_time() - start});
+  const bool any = solved.frames > solved.skipped.count();
+  const std::string json =
+      report::solve_json(problem.scene(), solved,
+                         {.readings = options.readings,
+                          .method = method,
+                          .columns_ignored = file.source().ignored(),
+                          .missing = missing,
+                          .remarks = any ? solved.last.remarks : solving.solver().remarks(),
+                          .seconds = lab::monotonic_time() - start});
   write(summary.get(), json);
-  if (folder) folder->commit(options.readings, json, report::in_words(solver->remarks()), streams);
+  if (folder)
+    folder->commit(options.readings, json, report::in_words(solving.solver().remarks()), streams);
 }
 
 }  // namespace tactile_net::tool

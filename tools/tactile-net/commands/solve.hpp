@@ -16,9 +16,12 @@ struct SolveOptions {
   std::string uncertainty{};
   std::string json{};
   std::string folder{};  ///< of report.html and what is beside it; empty: none
+  std::string columns{};
+  std::string missing = "fail";
 };
 
-/// @throw InputError  a frame is bad; everything before it has been written
+/// @throw InputError  a frame is bad; the answers of those before it are in NAME.partial, which the
+///                    error's text names
 void run(const SolveOptions& options, const Streams& streams);
 
 }  // namespace tactile_net::tool

@@ -24,6 +24,11 @@ void Progress::say(const std::string& text) {
   shown_ = true;
 }
 
+void Progress::frames(std::size_t done, std::optional<double> share) {
+  const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - start_;
+  say(report::frames_in_words(done, share, gone.count()));
+}
+
 bool Progress::due() noexcept {
   if (!terminal_) return false;
   const auto now = std::chrono::steady_clock::now();

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 #include "streams.hpp"
@@ -25,6 +27,11 @@ class Progress final : public lab::Observer {
   /// Removes the line.
   void clear();
 
+  /// "5203 frames, 12 %, about 40 s left": how far a recording has come.
+  ///
+  /// @param share  of it, 0 to 1; nothing where its length is not known
+  void frames(std::size_t done, std::optional<double> share);
+
   /// True about five times a second on a terminal: time to build a text and call `say`.
   [[nodiscard]] bool due() noexcept;
 
@@ -32,6 +39,7 @@ class Progress final : public lab::Observer {
   std::ostream& err_;
   bool terminal_;
   bool shown_ = false;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_{};
 };
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "tactile_net/lab/missing.hpp"
 #include "tactile_net/lab/summary.hpp"
 
 namespace tactile_net::report {
@@ -14,6 +15,7 @@ struct SolveReport {
   std::string readings{};  ///< where they come from, as the user wrote it
   Method method = Method::tikhonov;
   std::span<const std::string> columns_ignored{};
+  lab::Missing missing = lab::Missing::fail;
   lab::Remarks remarks{};  ///< of the last frame; without one, of the method
   double seconds = 0.0;
 };

@@ -9,7 +9,11 @@
 
 namespace tactile_net::report {
 
-/// "3 of 70 frames have the verdict border": one for each that is not ok.
+/// "frame 17", "frames 17, 40-43", of many the first.
+[[nodiscard]] std::string in_words(const lab::FrameRuns& frames);
+
+/// "5 of 70 frames have the verdict border: frames 17, 40-43": one for each that is not ok; and how
+/// many were skipped or estimated.
 [[nodiscard]] std::vector<std::string> in_words(const lab::SolvedFrames& solved);
 
 /// "saturation cuts readings off in 3 of 11 frames": one for each effect that does.

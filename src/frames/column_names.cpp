@@ -1,0 +1,97 @@
+#include "frames/column_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "frames/csv_layout.hpp"
+
+namespace tactile_net::frames {
+namespace {
+
+constexpr std::array<std::string_view, 12> generic = {"",        "taxel",   "sensor", "channel",
+                                                      "ch",      "column",  "col",    "cell",
+                                                      "element", "reading", "value",  "taxel_nr"};
+constexpr std::array<std::string_view, 11> units_of_time = {
+    "", "s", "sec", "seconds", "ms", "us", "\xc2\xb5s", "\xce\xbcs", "ns", "min", "h"};
+constexpr std::array<std::string_view, 6> names_of_time = {"t",      "time",    "t_s",
+                                                           "time_s", "time_ms", "t_ms"};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool all_digits(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+template <std::size_t size>
+bool holds(const std::array<std::string_view, size>& table, std::string_view text) {
+  return std::find(table.begin(), table.end(), text) != table.end();
+}
+
+std::optional<std::size_t> number_of(std::string_view digits) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+  return number;
+}
+
+/// Takes what stands between brackets at the end off the text; empty: there are none.
+std::string_view take_brackets(std::string_view& text) {
+  if (text.empty() || (text.back() != ']' && text.back() != ')')) return {};
+  const std::size_t open = text.rfind(text.back() == ']' ? '[' : '(');
+  if (open == text.npos) return {};
+  const std::string_view inside = text.substr(open + 1, text.size() - open - 2);
+  text = trimmed(text.substr(0, open));
+  return inside;
+}
+
+/// Small letters; blanks, dots and hyphens become one '_'.
+std::string stem_of(std::string_view text) {
+  std::string stem;
+  for (const char c : text) {
+    const bool joint = c == ' ' || c == '.' || c == '-' || c == '_' || c == '\t';
+    if (joint && (stem.empty() || stem.back() == '_')) continue;
+    stem += joint ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  while (!stem.empty() && stem.back() == '_') stem.pop_back();
+  return stem;
+}
+
+}  // namespace
+
+std::string ColumnName::plain() const {
+  if (!number) return stem;
+  return stem.empty() ? std::to_string(*number) : stem + "_" + std::to_string(*number);
+}
+
+ColumnName column_name(std::string_view text) {
+  ColumnName name;
+  std::string_view rest = trimmed(text);
+  std::string_view brackets = take_brackets(rest);
+  if (!brackets.empty() && !all_digits(brackets)) {
+    name.unit = brackets;
+    brackets = take_brackets(rest);  // "stress_x[0] [Pa]"
+  }
+  if (all_digits(brackets)) {
+    name.number = number_of(brackets);
+  } else {
+    std::size_t digits = 0;
+    while (digits < rest.size() && is_digit(rest[rest.size() - 1 - digits])) ++digits;
+    // "stress_x@1" is a channel's own name: the number behind '@' is no taxel's.
+    const bool of_depth = digits < rest.size() && rest[rest.size() - 1 - digits] == '@';
+    if (digits > 0 && !of_depth) {
+      name.number = number_of(rest.substr(rest.size() - digits));
+      rest.remove_suffix(digits);
+    }
+  }
+  name.stem = stem_of(rest);
+  return name;
+}
+
+bool means_time(const ColumnName& name) {
+  return !name.number && holds(names_of_time, name.stem) && holds(units_of_time, name.unit);
+}
+
+bool is_generic(std::string_view stem) { return holds(generic, stem); }
+
+}  // namespace tactile_net::frames

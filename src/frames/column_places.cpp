@@ -1,0 +1,77 @@
+#include "frames/column_places.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+#include "frames/csv_layout.hpp"
+
+namespace tactile_net::frames {
+namespace {
+
+std::optional<std::size_t> whole_number(std::string_view text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+[[noreturn]] void fail(const std::string& message) {
+  throw std::invalid_argument("--columns: " + message +
+                              "; a list such as 2-42, or t=1,4-44: numbers of columns from 1, "
+                              "ranges or names");
+}
+
+}  // namespace
+
+ColumnPlaces column_places(
+    std::string_view list, std::size_t row, std::size_t wanted,
+    const std::function<std::optional<std::size_t>(std::string_view)>& place_of) {
+  ColumnPlaces places;
+  const auto place = [&](std::string_view item) {
+    const auto number = whole_number(item);
+    if (!number) {
+      if (const auto named = place_of(item)) return *named;
+      fail("the file has no column '" + std::string(item) + "'");
+    }
+    if (*number < 1 || *number > row)
+      fail("there is no column " + std::string(item) + ": the file has " + std::to_string(row));
+    return *number - 1;
+  };
+  for (bool more = true; more;) {
+    const std::string_view item = trimmed(take_field(list, more, {','}));
+    if (item.empty()) fail("an item is empty");
+    if (item.starts_with("t=")) {
+      if (places.time) fail("two columns of times");
+      places.time = place(item.substr(2));
+      continue;
+    }
+    const std::size_t dash = item.find('-');
+    const auto first = whole_number(item.substr(0, dash));
+    const auto last = dash == item.npos ? first : whole_number(item.substr(dash + 1));
+    if (dash == item.npos || !first || !last) {  // a number, or a name that may have a dash
+      places.readings.push_back(place(item));
+      continue;
+    }
+    if (*last < *first) fail("the range " + std::string(item) + " runs backwards");
+    (void)place(item.substr(dash + 1));  // so that a range is never longer than the row
+    (void)place(item.substr(0, dash));
+    for (std::size_t i = *first; i <= *last; ++i) places.readings.push_back(i - 1);
+    if (places.readings.size() > 2 * row) fail("a column stands twice");
+  }
+  std::vector<std::size_t> sorted = places.readings;
+  if (places.time) sorted.push_back(*places.time);
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice != sorted.end()) fail("column " + std::to_string(*twice + 1) + " stands twice");
+  if (places.readings.size() != wanted)
+    fail("names " + std::to_string(places.readings.size()) + " columns of readings, and " +
+         std::to_string(wanted) + " are read");
+  return places;
+}
+
+std::string places_after(std::size_t others, std::size_t wanted) {
+  return std::to_string(others + 1) + "-" + std::to_string(others + wanted);
+}
+
+}  // namespace tactile_net::frames

@@ -1,0 +1,68 @@
+#include "frames/field_value.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "tactile_net/numeric/number_text.hpp"
+
+namespace tactile_net::frames {
+namespace {
+
+/// How spreadsheets, pandas, R, Julia and people write that there is no value; in small letters.
+/// NaN and the infinities are numbers to std::from_chars.
+constexpr std::array<std::string_view, 20> words = {
+    "na",   "n/a", "<na>", "null",    "none",    "nil",    "missing", "-",     "--",     "---",
+    "#n/a", "#na", "#nv",  "#div/0!", "#value!", "#wert!", "#ref!",   "#num!", "#zahl!", "#null!"};
+constexpr std::size_t longest_word = 7;
+
+bool is_word_for_missing(std::string_view field) {
+  if (field.size() > longest_word) return false;
+  std::string small(field);
+  for (char& c : small)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return std::find(words.begin(), words.end(), small) != words.end();
+}
+
+FieldKind read_with_point(std::string_view field, double& value) {
+  // std::from_chars takes no leading '+'.
+  if (field.size() > 1 && field[0] == '+' && field[1] != '-') field.remove_prefix(1);
+  double read = 0.0;
+  const auto [end, error] = number_from_chars(field.data(), field.data() + field.size(), read);
+  if (end != field.data() + field.size()) return FieldKind::text;
+  if (error == std::errc::result_out_of_range) return FieldKind::too_big;
+  if (error != std::errc{}) return FieldKind::text;
+  if (!std::isfinite(read)) return FieldKind::missing;
+  value = read;
+  return FieldKind::number;
+}
+
+}  // namespace
+
+FieldKind read_field(std::string_view field, bool decimal_comma, double& value) {
+  if (field.empty()) return FieldKind::missing;
+  FieldKind kind = read_with_point(field, value);
+  if (kind == FieldKind::text && decimal_comma && field.size() < 64) {
+    const std::size_t comma = field.find(',');
+    if (comma != field.npos && field.find('.') == field.npos) {
+      std::string with_point(field);
+      with_point[comma] = '.';
+      kind = read_with_point(with_point, value);
+    }
+  }
+  return kind == FieldKind::text && is_word_for_missing(field) ? FieldKind::missing : kind;
+}
+
+std::string why_no_number(std::string_view field, FieldKind kind) {
+  if (field.empty()) return "a number is missing";
+  const std::string quoted = "'" + std::string(field.substr(0, 40)) + "'";
+  if (kind == FieldKind::too_big) return quoted + " is beyond the range of a double";
+  double ignored = 0.0;
+  return quoted +
+         (kind == FieldKind::missing && read_with_point(field, ignored) == FieldKind::missing
+              ? " is not finite"
+              : " is not a number");
+}
+
+}  // namespace tactile_net::frames

@@ -1,0 +1,37 @@
+#include <bit>
+#include <cstdint>
+#include <ostream>
+#include <stdexcept>
+
+#include "frames/npy_header.hpp"
+#include "tactile_net/frames/npy.hpp"
+
+namespace tactile_net::frames {
+
+NpySink::NpySink(std::ostream& out, std::size_t columns) : out_(out), columns_(columns) {
+  bytes_ = npy_header(0, columns);
+}
+
+void NpySink::add(std::string_view, std::span<const double> values) {
+  for (const double value : values)
+    for (std::uint64_t word = std::bit_cast<std::uint64_t>(value), i = 0; i < 8; ++i, word >>= 8)
+      bytes_ += static_cast<char>(word & 0xff);
+  ++frames_;
+  if (bytes_.size() >= std::size_t{1} << 16) flush();
+}
+
+void NpySink::flush() {
+  out_.write(bytes_.data(), std::ssize(bytes_));
+  bytes_.clear();
+  if (!out_) throw std::runtime_error("the frames could not be written: is the disk full?");
+}
+
+void NpySink::finish() {
+  flush();
+  const std::string head = npy_header(frames_, columns_);
+  out_.seekp(0);
+  out_.write(head.data(), std::ssize(head));
+  if (!out_) throw std::runtime_error("a .npy file must be a file that can be gone back in");
+}
+
+}  // namespace tactile_net::frames

@@ -1,0 +1,284 @@
+#include "inverse/alpha_criteria.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <stdexcept>
+
+#include "numeric/eigen.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr double robustness = 0.1;   // Lukas' gamma
+constexpr double safety = 1.01;      // of the discrepancy
+constexpr double resolution = 64.0;  // units of rounding per row below which gamma means nothing
+constexpr auto steps = static_cast<Eigen::Index>(alpha_steps);
+
+double log_alpha_at(double low, std::size_t step) {
+  return low * (1.0 - static_cast<double>(step) / (alpha_steps - 1.0));
+}
+
+/// The smallest log alpha that is asked for.
+double low_end(const AlphaTables::Parts& tables) {
+  const double smallest = *std::min_element(tables.relative.begin(), tables.relative.end());
+  const double floor =
+      resolution * static_cast<double>(tables.rows) * std::numeric_limits<double>::epsilon();
+  const double low = 2.0 * std::log(std::max(smallest, std::min(floor, 0.1)));
+  return low < -1.0 ? low : -1.0;  // all gamma equal: a bracket needs a width
+}
+
+/// Of (log rho, log |L f|): Hansen 2010, 5.3, with lambda^2 = alpha. An analytic function, so that
+/// a complex step gives its slope without a difference.
+///
+/// @param eta   |L f|^2
+/// @param rho   |W (K f - g)|^2
+/// @param rate  lambda d eta / d lambda
+template <class Number>
+Number curvature(const Number& alpha, const Number& eta, const Number& rho, const Number& rate) {
+  const Number denominator = alpha * alpha * eta * eta + rho * rho;
+  return 2.0 * eta * rho / rate *
+         (alpha * rate * rho + 2.0 * alpha * eta * rho + alpha * alpha * eta * rate) /
+         (denominator * std::sqrt(denominator));
+}
+
+}  // namespace
+
+AlphaTables::AlphaTables(std::span<const double> gamma, std::size_t rows) {
+  if (gamma.empty()) throw std::invalid_argument("a frame without components");
+  auto parts = std::make_unique<Parts>();
+  Parts& t = *parts;
+  t.gamma.assign(gamma.begin(), gamma.end());
+  t.rows = rows;
+  t.largest = *std::max_element(gamma.begin(), gamma.end());
+  for (const double one : gamma) t.relative.push_back(t.largest > 0.0 ? one / t.largest : 0.0);
+  t.low = low_end(t);
+
+  const auto n = std::ssize(gamma);
+  t.lost.resize(n, steps);
+  t.weights.resize(4 * steps, n);
+  t.trace = t.square = t.log_determinant = Eigen::VectorXd::Zero(steps);
+  for (Eigen::Index a = 0; a < steps; ++a) {
+    const double alpha = std::exp(log_alpha_at(t.low, static_cast<std::size_t>(a)));
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double one = t.relative[static_cast<std::size_t>(i)];
+      const double square = one * one;
+      const double kept = square / (square + alpha);
+      const double lost = alpha / (square + alpha);
+      const double size = square / ((square + alpha) * (square + alpha));
+      t.lost(i, a) = lost;
+      t.weights(a, i) = lost * lost;
+      t.weights(steps + a, i) = lost;
+      t.weights(2 * steps + a, i) = size;
+      t.weights(3 * steps + a, i) = -4.0 * lost * size;
+      t.trace(a) += kept;
+      t.square(a) += kept * kept;
+      t.log_determinant(a) += std::log(lost);
+    }
+  }
+  parts_ = std::move(parts);
+}
+
+AlphaTables::~AlphaTables() = default;
+AlphaTables::AlphaTables(AlphaTables&&) noexcept = default;
+AlphaTables& AlphaTables::operator=(AlphaTables&&) noexcept = default;
+
+Criteria::Criteria(const FilterFrame& frame, const AlphaTables::Parts& tables,
+                   std::optional<double> noise_rms)
+    : frame_(frame), tables_(tables), rows_(static_cast<double>(frame.rows)) {
+  if (frame.gamma != tables.gamma || frame.rows != tables.rows)
+    throw std::invalid_argument("the tables for alpha are of another family than the frame");
+  if (noise_rms && !(*noise_rms >= 0.0)) throw std::invalid_argument("noise_rms must be >= 0");
+  if (noise_rms && frame.scale > 0.0)
+    target_ = safety * (*noise_rms / frame.scale) * std::sqrt(rows_);
+  for (const double beta : frame.beta) power_of_.push_back(beta * beta);
+  left_.resize(frame.beta.size());
+  change_.resize(frame.beta.size());
+  if (frame.periodogram) {
+    power_.resize(frame.periodogram->size());
+    power_slope_.resize(power_.size());
+  }
+}
+
+double Criteria::at(std::size_t step) const noexcept { return log_alpha_at(tables_.low, step); }
+
+double Criteria::alpha(double log_alpha) const noexcept {
+  const double root = tables_.largest * std::exp(0.5 * log_alpha);
+  return root * root;
+}
+
+const FrameCurves& Criteria::curves() {
+  if (!curves_) {
+    const Eigen::VectorXd all = tables_.weights * as_eigen(std::span<const double>(power_of_));
+    const double outside = frame_.outside * frame_.outside;
+    curves_ = FrameCurves{.residual = all.segment(0, steps).array() + outside,
+                          .fit = all.segment(steps, steps).array() + outside,
+                          .size = all.segment(2 * steps, steps),
+                          .rate = all.segment(3 * steps, steps)};
+  }
+  return *curves_;
+}
+
+std::vector<double> Criteria::values(AlphaRule rule) {
+  if (rule == AlphaRule::ncp) return whiteness();
+  const FrameCurves& sums = curves();
+  std::vector<double> values(alpha_steps);
+  for (Eigen::Index a = 0; a < steps; ++a) {
+    double& value = values[static_cast<std::size_t>(a)];
+    const double rho = sums.residual(a);
+    switch (rule) {
+      case AlphaRule::discrepancy:
+        value = 0.5 * std::log(rho) - std::log(target_);
+        break;
+      case AlphaRule::gml:
+        value = std::log(sums.fit(a)) - tables_.log_determinant(a) / rows_;
+        break;
+      case AlphaRule::l_curve:
+        value =
+            -curvature(std::exp(at(static_cast<std::size_t>(a))), sums.size(a), rho, sums.rate(a));
+        break;
+      default:
+        value = std::log(rho) - 2.0 * std::log(rows_ - tables_.trace(a));
+        if (rule == AlphaRule::rgcv)
+          value += std::log(robustness + (1.0 - robustness) * tables_.square(a) / rows_);
+    }
+  }
+  return values;
+}
+
+double Criteria::misfit(double log_alpha) const {
+  const double alpha = std::exp(log_alpha);
+  double residual = frame_.outside * frame_.outside;
+  for (std::size_t i = 0; i < power_of_.size(); ++i) {
+    const double lost = alpha / (tables_.relative[i] * tables_.relative[i] + alpha);
+    residual += lost * lost * power_of_[i];
+  }
+  return 0.5 * std::log(residual) - std::log(target_);
+}
+
+double Criteria::slope(AlphaRule rule, double log_alpha) {
+  if (rule == AlphaRule::ncp) return whiteness_slope(log_alpha);
+  if (rule == AlphaRule::l_curve) return -curvature_slope(log_alpha);
+  return slope_from_sums(rule, log_alpha);
+}
+
+double Criteria::slope_from_sums(AlphaRule rule, double log_alpha) const {
+  const double alpha = std::exp(log_alpha);
+  double residual = frame_.outside * frame_.outside;
+  double fit = residual;
+  double residual_slope = 0.0, fit_slope = 0.0;
+  double trace = 0.0, trace_slope = 0.0;
+  double square_sum = 0.0, square_slope = 0.0;
+  for (std::size_t i = 0; i < power_of_.size(); ++i) {
+    const double square = tables_.relative[i] * tables_.relative[i];
+    const double kept = square / (square + alpha);
+    const double lost = alpha / (square + alpha);
+    const double power = power_of_[i];
+    residual += lost * lost * power;
+    residual_slope += 2.0 * kept * lost * lost * power;
+    fit += lost * power;
+    fit_slope += kept * lost * power;
+    trace += kept;
+    trace_slope -= kept * lost;
+    square_sum += kept * kept;
+    square_slope -= 2.0 * kept * kept * lost;
+  }
+  const double rho_slope = residual_slope / residual;
+  if (rule == AlphaRule::discrepancy) return 0.5 * rho_slope;
+  if (rule == AlphaRule::gml) return fit_slope / fit - trace / rows_;
+  const double gcv = rho_slope + 2.0 * trace_slope / (rows_ - trace);
+  if (rule == AlphaRule::gcv) return gcv;
+  const double weight = robustness + (1.0 - robustness) * square_sum / rows_;
+  return gcv + (1.0 - robustness) * square_slope / rows_ / weight;
+}
+
+double Criteria::curvature_slope(double log_alpha) const {
+  const double alpha = std::exp(log_alpha);
+  double eta = 0.0, eta_slope = 0.0;
+  double rho = frame_.outside * frame_.outside, rho_slope = 0.0;
+  double rate = 0.0, rate_slope = 0.0;
+  for (std::size_t i = 0; i < power_of_.size(); ++i) {
+    const double square = tables_.relative[i] * tables_.relative[i];
+    const double kept = square / (square + alpha);
+    const double lost = alpha / (square + alpha);
+    const double size = square / ((square + alpha) * (square + alpha)) * power_of_[i];
+    eta += size;
+    eta_slope -= 2.0 * lost * size;
+    rho += lost * lost * power_of_[i];
+    rho_slope += 2.0 * kept * lost * lost * power_of_[i];
+    rate -= 4.0 * lost * size;
+    rate_slope -= 4.0 * lost * size * (kept - 2.0 * lost);
+  }
+  constexpr double step = 1e-100;
+  using Complex = std::complex<double>;
+  const Complex stepped = curvature<Complex>({alpha, step * alpha}, {eta, step * eta_slope},
+                                             {rho, step * rho_slope}, {rate, step * rate_slope});
+  return stepped.imag() / step;
+}
+
+std::vector<double> Criteria::whiteness() const {
+  const Eigen::MatrixXd left =
+      as_eigen(std::span<const double>(frame_.beta)).asDiagonal() * tables_.lost;
+  const std::size_t bins = power_.size();
+  std::vector<double> powers(alpha_steps * bins);
+  frame_.periodogram->powers({left.data(), static_cast<std::size_t>(left.size())},
+                             frame_.beta.size(), powers);
+  std::vector<double> values(alpha_steps);
+  for (std::size_t a = 0; a < alpha_steps; ++a) {
+    const auto power = std::span(powers).subspan(a * bins, bins);
+    double total = 0.0;
+    for (const double one : power) total += one;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < bins; ++k) {
+      sum += power[k];
+      const double off = sum / total - static_cast<double>(k + 1) / static_cast<double>(bins);
+      values[a] += off * off;
+    }
+  }
+  return values;
+}
+
+double Criteria::whiteness_slope(double log_alpha) {
+  const double alpha = std::exp(log_alpha);
+  for (std::size_t i = 0; i < left_.size(); ++i) {
+    const double square = tables_.relative[i] * tables_.relative[i];
+    const double lost = alpha / (square + alpha);
+    left_[i] = lost * frame_.beta[i];
+    change_[i] = lost * square / (square + alpha) * frame_.beta[i];
+  }
+  frame_.periodogram->power(left_, change_, power_, power_slope_);
+  double total = 0.0;
+  double total_slope = 0.0;
+  for (std::size_t k = 0; k < power_.size(); ++k) {
+    total += power_[k];
+    total_slope += power_slope_[k];
+  }
+  double slope = 0.0;
+  double sum = 0.0;
+  double sum_slope = 0.0;
+  for (std::size_t k = 0; k < power_.size(); ++k) {
+    sum += power_[k];
+    sum_slope += power_slope_[k];
+    const double line = static_cast<double>(k + 1) / static_cast<double>(power_.size());
+    slope += 2.0 * (sum / total - line) * (sum_slope - sum / total * total_slope) / total;
+  }
+  return slope;
+}
+
+double Criteria::difference(double log_a, double log_b) const {
+  const double alpha_a = std::exp(log_a);
+  const double alpha_b = std::exp(log_b);
+  double apart = 0.0;
+  double size = 0.0;
+  for (std::size_t i = 0; i < tables_.relative.size(); ++i) {
+    const double g = tables_.relative[i];
+    const double a = g / (g * g + alpha_a) * frame_.beta[i];
+    const double b = g / (g * g + alpha_b) * frame_.beta[i];
+    apart += (a - b) * (a - b);
+    size += b * b;
+  }
+  return std::sqrt(apart / size);
+}
+
+}  // namespace tactile_net

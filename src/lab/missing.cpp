@@ -1,0 +1,85 @@
+#include "tactile_net/lab/missing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "numeric/named.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+constexpr Named<Missing> policies[] = {
+    {Missing::fail, "fail"}, {Missing::skip, "skip"}, {Missing::estimate, "estimate"}};
+
+/// What a pattern takes, about: K, its decomposition, the method's matrix, a covariance.
+std::size_t bytes_of_pattern(const SceneProblem& problem) {
+  constexpr std::size_t matrices = 8;
+  constexpr std::size_t numbers_of_rules = 1000;  // AlphaTables, per traction
+  const std::size_t n = problem.tractions();
+  return sizeof(double) * (matrices * (problem.readings() + n) + numbers_of_rules) * n;
+}
+
+}  // namespace
+
+std::string_view name(Missing missing) noexcept { return name_in<policies>(missing); }
+
+std::optional<Missing> missing_named(std::string_view text) noexcept {
+  return named_in<policies>(text);
+}
+
+struct IncompleteFrames::Pattern {
+  Pattern(SceneProblem given, Method method)
+      : problem(std::move(given)), solver(make_solver(problem, method)) {}
+
+  SceneProblem problem;
+  std::unique_ptr<FrameSolver> solver;
+  std::size_t used = 0;  // when, in frames
+};
+
+IncompleteFrames::IncompleteFrames(SceneProblem problem, Method method)
+    : problem_(std::move(problem)),
+      method_(method),
+      most_kept_(std::max<std::size_t>(most_bytes / bytes_of_pattern(problem_), 1)) {
+  if (!traits(method).has_bands)
+    throw std::invalid_argument(
+        "readings that are missing cannot be estimated by dft, which takes a dead taxel for a "
+        "living one that reads 0: use tikhonov or closed_form");
+}
+
+IncompleteFrames::~IncompleteFrames() = default;
+
+const SceneProblem& IncompleteFrames::problem() const noexcept {
+  return last_ == nullptr ? problem_ : last_->problem;
+}
+
+IncompleteFrames::Pattern& IncompleteFrames::pattern(const std::vector<std::size_t>& taxels) {
+  const auto known = patterns_.find(taxels);
+  if (known != patterns_.end()) return *known->second;
+  if (patterns_.size() >= most_kept_)
+    patterns_.erase(std::min_element(
+        patterns_.begin(), patterns_.end(),
+        [](const auto& a, const auto& b) { return a.second->used < b.second->used; }));
+  auto made = std::make_unique<Pattern>(problem_.without(taxels), method_);
+  return *patterns_.emplace(taxels, std::move(made)).first->second;
+}
+
+std::optional<FrameResult> IncompleteFrames::solve(std::span<double> readings,
+                                                   std::span<double> tractions) {
+  const std::size_t count = problem_.scene().sensor.count;
+  std::vector<std::size_t> dead = problem_.scene().dead_taxels;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (std::isnan(readings[i])) dead.push_back(i % count);
+  std::sort(dead.begin(), dead.end());
+  dead.erase(std::unique(dead.begin(), dead.end()), dead.end());
+  if (dead.size() >= count) return std::nullopt;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (std::binary_search(dead.begin(), dead.end(), i % count)) readings[i] = 0.0;
+  Pattern& of_frame = pattern(dead);
+  of_frame.used = ++uses_;
+  last_ = &of_frame;
+  return of_frame.solver->solve(readings, tractions);
+}
+
+}  // namespace tactile_net::lab

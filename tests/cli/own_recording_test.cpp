@@ -1,0 +1,303 @@
+// Recordings as people have them: solve, plan and grasp understand them or say what to do.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// The fields of a CSV below its header.
+Rows fields(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  Rows all;
+  while (std::getline(lines, line)) {
+    line += ',';
+    std::istringstream rest(line);
+    all.emplace_back();
+    for (std::string field; std::getline(rest, field, ',');) all.back().push_back(field);
+  }
+  return all;
+}
+
+constexpr int taxels = 11;
+const std::string pad =
+    "[sensor]\ncount = 11\npitch = 1.0\ndepth = 1.5\nreads = [\"stress_x\"]\n"
+    "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+    "[noise]\nrms = 0.01\n[reconstruct]\n";
+const std::string given = pad + "alpha = 1e-3\n";
+const std::string by_rule = pad + "alpha = \"rgcv\"\n";
+
+std::string head(const std::string& before = "t,") {
+  std::string text = before;
+  for (int i = 0; i < taxels; ++i) text += (i > 0 ? ",stress_x_" : "stress_x_") + std::to_string(i);
+  return text + '\n';
+}
+
+/// A load that wanders, one row; `missing` are empty.
+std::string row(int frame, const std::vector<int>& missing = {}) {
+  std::string text = std::to_string(frame);
+  for (int i = 0; i < taxels; ++i) {
+    text += ',';
+    if (std::find(missing.begin(), missing.end(), i) != missing.end()) continue;
+    const double y = 0.4 * (i - 5 - 0.3 * (frame % 7));
+    text += std::to_string(std::exp(-y * y) + 0.01 * std::sin(7.0 * i + frame));
+  }
+  return text + '\n';
+}
+
+std::string solved(const std::vector<std::string>& more, const std::string& scene_file,
+                   const std::string& readings) {
+  std::vector<std::string> arguments{"solve", scene_file, "--readings", "-"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const ProcessResult result = tool(arguments, readings);
+  CAPTURE(result.errors);
+  CHECK(result.code == 0);
+  return result.output;
+}
+
+}  // namespace
+
+TEST_CASE("frames without their missing taxels are those of a scene where these are dead",
+          "[cli][missing]") {
+  const Folder folder;
+  const std::string alpha = GENERATE(given, by_rule);
+  const std::string method = GENERATE("tikhonov", "closed_form");
+  const std::string text = alpha + GENERATE("", "nonnegative = true\n");
+  if (method == "closed_form" && text.ends_with("true\n")) return;
+  CAPTURE(text, method);
+  const std::string whole = folder.write("whole.toml", text);
+  const std::string dead = folder.write("dead.toml", text + "[dead_taxels]\nindices = [3, 8]\n");
+  const std::vector<std::string> estimate{"--missing", "estimate", "--method", method};
+
+  const std::string recording = head() + row(0) + row(1, {8, 3}) + row(2);
+  const Rows found = fields(solved(estimate, whole, recording));
+  REQUIRE(found.size() == 3);
+  const Rows of_dead = fields(solved({"--method", method}, dead, head() + row(1)));
+  const Rows of_whole = fields(solved({"--method", method}, whole, head() + row(0) + row(2)));
+  CHECK(found[0] == of_whole[0]);
+  CHECK(found[1] == of_dead[0]);  // every digit
+  CHECK(found[2] == of_whole[1]);
+}
+
+TEST_CASE("the bands of an estimated frame are those of the scene with dead taxels too",
+          "[cli][missing]") {
+  const Folder folder;
+  const std::string whole = folder.write("whole.toml", by_rule + "[dead_taxels]\nindices = [5]\n");
+  const std::string dead = folder.write("dead.toml", by_rule + "[dead_taxels]\nindices = [0, 5]\n");
+  (void)solved({"--missing", "estimate", "--uncertainty", folder / "a.csv"}, whole,
+               head() + row(0, {0, 5}));
+  (void)solved({"--uncertainty", folder / "b.csv"}, dead, head() + row(0, {5}));
+  CHECK(read_text(folder / "a.csv") == read_text(folder / "b.csv"));
+}
+
+TEST_CASE("a frame that is skipped leaves its row, with its time and nothing else",
+          "[cli][missing]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", given);
+  const std::string recording = head() + row(0) + row(1, {4}) + row(2) + row(3, {0}) + row(4, {1});
+  const std::string csv = folder.write("r.csv", recording);
+  const ProcessResult result =
+      tool({"solve", path, "--readings", csv, "--missing", "skip", "-o", folder / "f.csv",
+            "--uncertainty", folder / "u.csv", "--json", folder / "s.json"});
+  REQUIRE(result.code == 0);
+  CHECK_THAT(
+      result.errors,
+      ContainsSubstring("3 of 5 frames miss readings, and their rows are empty: frames 1, 3-4"));
+  const Rows found = fields(read_text(folder / "f.csv"));
+  const Rows whole = fields(solved({}, path, head() + row(0) + row(2)));
+  REQUIRE(found.size() == 5);
+  CHECK(found[0] == whole[0]);
+  CHECK(found[2] == whole[1]);
+  for (const std::size_t k : {1u, 3u, 4u}) {
+    CHECK(found[k][0] == std::to_string(k));
+    CHECK(std::count(found[k].begin(), found[k].end(), "") == taxels);
+  }
+  const Rows bands = fields(read_text(folder / "u.csv"));
+  REQUIRE(bands.size() == 5);
+  CHECK(bands[0].back() == "ok");
+  CHECK(bands[3].back() == "missing");
+  CHECK(bands[3].size() == bands[0].size());
+  const auto summary = nlohmann::json::parse(read_text(folder / "s.json"));
+  CHECK(summary["frames"] == 5);
+  CHECK(summary["missing"]["policy"] == "skip");
+  CHECK(summary["missing"]["skipped"]["count"] == 3);
+  CHECK(summary["missing"]["skipped"]["runs"] == nlohmann::json{{1, 1}, {3, 4}});
+}
+
+TEST_CASE("a frame of which nothing is left has no estimate", "[cli][missing]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", given);
+  const ProcessResult result =
+      tool({"solve", path, "--readings", "-", "--missing", "estimate"},
+           head() + row(0) + row(1, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}) + row(2, {1}));
+  CHECK(result.code == 0);
+  CHECK_THAT(result.errors, ContainsSubstring("1 of 3 frames miss readings, and their rows") &&
+                                ContainsSubstring("solved from the other taxels: frame 2"));
+  CHECK(fields(result.output)[1] ==
+        std::vector<std::string>{"1", "", "", "", "", "", "", "", "", "", "", ""});
+}
+
+TEST_CASE("a whole taxel is dead where one of its channels is missing", "[cli][missing]") {
+  const Folder folder;
+  const std::string two =
+      "[sensor]\ncount = 4\npitch = 1.0\ndepth = 1.5\nreads = [\"stress_x\", \"shear_xy\"]\n"
+      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n[reconstruct]\nalpha = 1e-3\n";
+  const std::string whole = folder.write("whole.toml", two);
+  const std::string dead = folder.write("dead.toml", two + "[dead_taxels]\nindices = [2]\n");
+  const std::string names =
+      "stress_x_0,stress_x_1,stress_x_2,stress_x_3,shear_xy_0,shear_xy_1,shear_xy_2,shear_xy_3\n";
+  CHECK(solved({"--missing", "estimate"}, whole, names + "1,2,NA,1,.1,.2,.3,.4\n") ==
+        solved({}, dead, names + "1,2,9,1,.1,.2,9,.4\n"));
+}
+
+TEST_CASE("what --missing cannot do is told", "[cli][missing]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", given);
+  const auto errors = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"solve", path, "--readings", "-"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProcessResult result = tool(arguments, head() + row(0) + row(1, {4}));
+    CHECK(result.code == 2);
+    return result.errors;
+  };
+  CHECK_THAT(errors({"--missing", "guess"}), ContainsSubstring("none of fail, skip, estimate"));
+  CHECK_THAT(errors({"--missing", "estimate", "--method", "dft"}),
+             ContainsSubstring("needs the method tikhonov or closed_form"));
+  CHECK_THAT(errors({}), ContainsSubstring("<stdin>:3:") &&
+                             ContainsSubstring("--missing skip leaves such frames out") &&
+                             ContainsSubstring("1 frame before it was written"));
+}
+
+TEST_CASE("NaN in a .npy is missing as in CSV, and an empty row is one of NaN", "[cli][missing]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_scene);
+  std::string bytes("\x93NUMPY\x01\x00\x3c\x00", 10);
+  bytes += "{'descr': '<f4', 'fortran_order': True, 'shape': (2, 3), } \n";
+  bytes[8] = static_cast<char>(bytes.size() - 10);
+  for (const float number : {1.0f, 4.0f, 2.0f, std::nanf(""), 3.0f, 6.0f})
+    bytes.append(reinterpret_cast<const char*>(&number), 4);
+  const std::string file = folder.write("r.npy", bytes);
+  CHECK(tool({"solve", path, "--readings", file}).code == 2);
+  REQUIRE(
+      tool({"solve", path, "--readings", file, "--missing", "skip", "-o", folder / "f.npy"}).code ==
+      0);
+  const std::string csv =
+      solved({"--missing", "skip"}, path, "stress_x_0,stress_x_1,stress_x_2\n1,2,3\n4,NaN,6\n");
+  const ProcessResult again =
+      tool({"solve", path, "--readings", folder / "f.npy", "--missing", "skip"});
+  CHECK_THAT(again.errors, ContainsSubstring("1 of 2 frames miss readings"));
+  CHECK(tool({"solve", path, "--readings", file, "--missing", "skip"}).output == csv);
+}
+
+TEST_CASE("verdicts are told with their frames", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", by_rule);
+  std::string recording = head();
+  for (int frame = 0; frame < 6; ++frame)
+    if (frame == 1 || frame >= 4)
+      recording += std::to_string(frame) + ",0,0,0,0,0,0,0,0,0,0,0\n";  // no signal: no root
+    else
+      recording += row(frame);
+  const std::string csv = folder.write("r.csv", recording);
+  const ProcessResult result =
+      tool({"solve", path, "--readings", csv, "-o", folder / "f.csv", "--uncertainty",
+            folder / "u.csv", "--json", folder / "s.json"});
+  REQUIRE(result.code == 0);
+  CHECK_THAT(result.errors,
+             ContainsSubstring("3 of 6 frames have the verdict no_root: frames 1, 4-5\n"));
+  const auto summary = nlohmann::json::parse(read_text(folder / "s.json"));
+  CHECK(summary["distrusted"]["no_root"]["runs"] == nlohmann::json{{1, 1}, {4, 5}});
+  CHECK(summary["distrusted"]["no_root"]["not_listed"] == 0);
+  const Rows bands = fields(read_text(folder / "u.csv"));
+  const std::size_t alpha = bands[0].size() - 2;
+  double least = std::stod(bands[0][alpha]);
+  double largest = least;
+  for (std::size_t k = 0; k < 6; ++k) {
+    CHECK((bands[k].back() == "no_root") == (k == 1 || k >= 4));
+    least = std::min(least, std::stod(bands[k][alpha]));
+    largest = std::max(largest, std::stod(bands[k][alpha]));
+  }
+  CHECK(summary["alpha_least"] == least);
+  CHECK(summary["alpha_largest"] == largest);
+  CHECK_THAT(read_text(folder / "u.csv"), ContainsSubstring(",alpha,verdict\n"));
+}
+
+TEST_CASE("a spreadsheet's file gives what a plain one gives, and its time is kept", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_scene);
+  const std::string plain = "t,stress_x_0,stress_x_1,stress_x_2\n0.5,1.5,2,3\n0.6,3,2,1\n";
+  const std::string expected = solved({}, path, plain);
+  for (const std::string& text :
+       {"\xef\xbb\xbf" + plain,
+        std::string("\xef\xbb\xbfstress_x_0 [Pa];stress_x_1 [Pa];stress_x_2 [Pa];t [s]\r\n"
+                    "1,5;2;3;0,5\r\n3;2;1;0,6\r\n"),
+        std::string("# Time taxel_0 taxel_1 taxel_2\n.5 1.5 2 3\n.6 3 2 1\n")}) {
+    CAPTURE(text);
+    const std::string found = solved({}, path, text);
+    CHECK(found.substr(found.find('\n')).size() >= expected.substr(expected.find('\n')).size() - 2);
+    CHECK(fields(found)[0][1] == fields(expected)[0][1]);
+    CHECK(found.starts_with("t,normal_0"));
+  }
+  const std::string csv = folder.write("r.csv", "when,x,a,b,c\n0.5,7,1.5,2,3\n0.6,7,3,2,1\n");
+  const ProcessResult refused = tool({"solve", path, "--readings", csv});
+  CHECK(refused.code == 2);
+  CHECK_THAT(refused.errors, ContainsSubstring("'when', 'x', 'a', 'b', 'c'"));
+  CHECK(tool({"solve", path, "--readings", csv, "--columns", "t=1,3-5"}).output == expected);
+  const ProcessResult wrong = tool({"solve", path, "--readings", csv, "--columns", "1-2"});
+  CHECK(wrong.code == 2);
+  CHECK_THAT(wrong.errors, ContainsSubstring("--columns: names 2 columns of readings, and 3"));
+}
+
+TEST_CASE("a header without frames and a time that runs backwards are noted", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_scene);
+  const auto errors = [&](const std::string& rows) {
+    return tool({"solve", path, "--readings", "-"}, "t,stress_x_0,stress_x_1,stress_x_2\n" + rows)
+        .errors;
+  };
+  CHECK_THAT(errors(""), ContainsSubstring("note: 0 frames"));
+  CHECK(errors("1,1,2,3\n").empty());
+  CHECK_THAT(errors("1,1,2,3\n0,1,2,3\n"),
+             ContainsSubstring("<stdin>: note: time runs backwards 1 time, first at frame 1"));
+}
+
+TEST_CASE("a .npy comes by a pipe, unless its order needs the file", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_scene);
+  const std::string csv = "stress_x_0,stress_x_1,stress_x_2\n1,2,3\n";
+  const auto array = [](const char* order) {
+    std::string bytes("\x93NUMPY\x01\x00\x00\x00", 10);
+    bytes += "{'descr': '<u2', 'fortran_order': " + std::string(order) + ", 'shape': (2, 3), }\n";
+    bytes[8] = static_cast<char>(bytes.size() - 10);
+    return bytes + std::string("\1\0\2\0\3\0\1\0\2\0\3\0", 12);
+  };
+  const ProcessResult piped = program({"solve", path, "--readings", "-"}, array("False"));
+  CHECK(piped.code == 0);
+  CHECK(fields(piped.output)[0] == fields(solved({}, path, csv))[0]);
+  const ProcessResult fortran = program({"solve", path, "--readings", "-"}, array("True"));
+  CHECK(fortran.code == 2);
+  CHECK_THAT(fortran.errors, StartsWith("<stdin>: error: is in Fortran's order") &&
+                                 ContainsSubstring("from a pipe") &&
+                                 ContainsSubstring("numpy.ascontiguousarray"));
+}
+
+TEST_CASE("plan and grasp take columns where they are told", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", by_rule);
+  std::string recording = "i";
+  for (int i = 0; i < taxels; ++i) recording += ",f" + std::to_string(i);
+  const std::string csv = folder.write("r.csv", recording + '\n' + row(0) + row(1));
+  CHECK(tool({"plan", path, "--readings", csv}).code == 2);
+  const ProcessResult planned = tool({"plan", path, "--readings", csv, "--columns", "2-12"});
+  CAPTURE(planned.errors);
+  CHECK(planned.code == 0);
+}
