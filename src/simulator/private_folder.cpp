@@ -51,21 +51,10 @@ bool may_be_abandoned(const fs::path& folder) {
          state.st_uid == ::geteuid() && std::time(nullptr) - state.st_mtime > seconds_to_lock;
 }
 
-/// Removes folders whose process is gone: their lock is free.
-void sweep(const fs::path& temporary) {
-  std::error_code ignored;
-  for (fs::directory_iterator entry(temporary, ignored), end; entry != end;
-       entry.increment(ignored)) {
-    const std::string name = entry->path().filename().string();
-    if (!name.starts_with(in_use) || !may_be_abandoned(entry->path())) continue;
-    if (const auto lock = FileLock::of(entry->path())) fs::remove_all(entry->path(), ignored);
-  }
-}
-
 /// Once a process.
 fs::path swept(const fs::path& temporary) {
   static std::once_flag done;
-  std::call_once(done, sweep, temporary);
+  std::call_once(done, sweep_private_folders, temporary);
   return temporary;
 }
 
@@ -88,6 +77,16 @@ fs::path PrivateFolder::keep(std::initializer_list<std::string_view> names) cons
   std::error_code ignored;
   for (const std::string_view name : names) fs::rename(path_ / name, place / name, ignored);
   return place;
+}
+
+void sweep_private_folders(const fs::path& temporary) {
+  std::error_code ignored;
+  for (fs::directory_iterator entry(temporary, ignored), end; entry != end;
+       entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(in_use) || !may_be_abandoned(entry->path())) continue;
+    if (const auto lock = FileLock::of(entry->path())) fs::remove_all(entry->path(), ignored);
+  }
 }
 
 void write_file(const fs::path& path, std::string_view content) {

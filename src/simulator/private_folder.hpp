@@ -35,6 +35,12 @@ class PrivateFolder {
   FileLock lock_;
 };
 
+/// Removes the private folders of processes that are gone: those whose lock is free. The first
+/// private folder of a process does so.
+///
+/// @param temporary  the folder that they are in
+void sweep_private_folders(const std::filesystem::path& temporary);
+
 /// @throw std::runtime_error  not all of it could be written: which file, and why
 void write_file(const std::filesystem::path& path, std::string_view content);
 

@@ -1,4 +1,5 @@
 // Real signals to real processes: the command ends, and nothing of it stays.
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -53,9 +54,13 @@ class Started {
     if (child_ == 0) {
       ::setpgid(0, 0);
       ::setenv("TMPDIR", tmp_.c_str(), 1);
-      if (!feed.empty()) std::freopen(feed.c_str(), "r", stdin);
-      std::freopen((folder / "stderr").c_str(), "w", stderr);
-      std::freopen("/dev/null", "w", stdout);
+      const auto redirect = [](const std::string& path, int flags, int stream) {
+        const int file = ::open(path.c_str(), flags, 0600);
+        if (file < 0 || ::dup2(file, stream) < 0) ::_exit(126);
+      };
+      if (!feed.empty()) redirect(feed, O_RDONLY, STDIN_FILENO);
+      redirect(folder / "stderr", O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
+      redirect("/dev/null", O_WRONLY, STDOUT_FILENO);
       ::execv(TOOL, argv.data());
       ::_exit(127);
     }

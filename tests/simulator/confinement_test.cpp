@@ -33,7 +33,7 @@ TEST_CASE("a confined program writes in its folder and nowhere else", "[confinem
   std::ofstream(own / "mine") << "mine";
   for (const std::string& target :
        {(own / "outside").string(), std::string("../outside"), (own / "mine").string(),
-        "/proc/self/cwd/../outside", "/dev/shm/tactile-net-outside"}) {
+        std::string("/proc/self/cwd/../outside"), std::string("/dev/shm/tactile-net-outside")}) {
     CAPTURE(target);
     const ProcessResult result = confined(own, "echo x > " + target);
     CHECK(result.code != 0);

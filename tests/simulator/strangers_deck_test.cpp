@@ -1,9 +1,4 @@
 // Decks that attack, given to ngspice itself, past every check of their cards.
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <csignal>
-#include <ctime>
 #include <fstream>
 
 #include "simulator/private_folder.hpp"
@@ -83,13 +78,7 @@ TEST_CASE("what a killed process left is swept away by the next one, and nothing
   for (const fs::path& folder : {abandoned, in_use, kept}) fs::last_write_time(folder, hour_ago);
   const auto lock = FileLock::of(in_use);
   REQUIRE(lock.has_value());
-  const pid_t child = ::fork();  // it is done once a process
-  REQUIRE(child >= 0);
-  if (child == 0) {
-    { const PrivateFolder next; }
-    ::_exit(0);
-  }
-  ::waitpid(child, nullptr, 0);
+  sweep_private_folders(own.tmp());
   CHECK_FALSE(fs::exists(abandoned));
   CHECK(fs::exists(in_use / "deck.cir"));
   CHECK(fs::exists(young));
