@@ -76,6 +76,7 @@ TEST_CASE("a child goes with its group", "[leftovers]") {
           const pid_t child = ::fork();
           if (child == 0) {
             ::setpgid(0, 0);
+            ::alarm(20);  // if nobody ends it
             for (;;) ::pause();
           }
           const LeftoverChild entered(child);
