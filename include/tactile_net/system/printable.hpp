@@ -21,8 +21,8 @@ namespace tactile_net {
 /// The same of a text of several lines, whose line feeds stay.
 [[nodiscard]] std::string printable_lines(std::string_view text);
 
-/// The same of a JSON document, in JSON's own way of writing a character's number, `\u001b`: what it
-/// says stays the same.
+/// The same of a JSON document, in JSON's own way of writing a character's number, `\u001b`: what
+/// it says stays the same.
 [[nodiscard]] std::string printable_json(std::string_view text);
 
 }  // namespace tactile_net
