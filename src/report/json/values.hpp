@@ -15,7 +15,8 @@ namespace tactile_net::report {
 
 using Json = nlohmann::ordered_json;
 
-/// The document as text, fit for a terminal; bytes of a file's name that are not UTF-8 are replaced.
+/// The document as text, fit for a terminal; bytes of a file's name that are not UTF-8 are
+/// replaced.
 inline std::string text_of(const Json& json, int indent = 1) {
   return printable_json(json.dump(indent, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
