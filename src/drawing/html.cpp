@@ -1,6 +1,7 @@
 #include "tactile_net/drawing/html.hpp"
 
 #include "tactile_net/numeric/version.hpp"
+#include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::drawing {
 namespace {
@@ -45,7 +46,7 @@ footer { color: var(--quiet); margin-top: 3rem; font-size: .9rem; }
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : printable_lines(text)) {
     if (c == '&')
       out += "&amp;";
     else if (c == '<')

@@ -9,6 +9,7 @@
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/simulator/child_process.hpp"
+#include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::drawing {
 namespace {
@@ -20,10 +21,10 @@ constexpr std::array<std::string_view, 6> colours = {"#000000", "#0072b2", "#d55
 /// Answers that may be equal: each is thinner than the one it covers, so that all are seen.
 const std::array<std::string, 6> widths = {"2", "5.5", "3", "1.5", "1.5", "1.5"};
 
-/// A gnuplot string: single-quoted, quotes doubled.
+/// A gnuplot string: single-quoted, quotes doubled. A line break would end it, and begin a command.
 std::string literal(std::string_view text) {
   std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
+  for (const char c : printable(text)) out += c == '\'' ? std::string("''") : std::string(1, c);
   return out + "'";
 }
 
@@ -240,7 +241,7 @@ std::vector<std::string> draw(std::span<const Plot> plots) {
       "set zeroaxis lc rgb '#999999'\n";
   for (const Plot& plot : plots) input += script(plot);
 
-  const ProcessResult result = run_process({"gnuplot", "-d"}, {.folder = {}, .input = input});
+  const ProcessResult result = run_process({"gnuplot", "-d"}, {.input = input, .confined = true});
   if (result.end == ProcessResult::End::not_found)
     throw std::runtime_error("gnuplot is not installed: apt install gnuplot-nox");
   if (result.end != ProcessResult::End::exited || result.code != 0)

@@ -7,20 +7,13 @@
 #include <ostream>
 #include <system_error>
 
+#include "frames/checked_file.hpp"
+#include "frames/partial.hpp"
+#include "tactile_net/frames/folder_lock.hpp"
+
 namespace tactile_net::frames {
-namespace {
 
 namespace fs = std::filesystem;
-
-std::string suffix() { return ".partial-" + std::to_string(::getpid()); }
-
-[[noreturn]] void not_written(const fs::path& path) {
-  const std::string reason = errno == 0 ? "" : ": " + std::generic_category().message(errno);
-  throw std::runtime_error(path.string() + " could not be written" + reason +
-                           "; nothing was changed there");
-}
-
-}  // namespace
 
 OutputFile::OutputFile(const fs::path& path, std::ostream* standard_output)
     : path_(path), standard_output_(path.empty() || path == "-" ? standard_output : nullptr) {
@@ -30,38 +23,34 @@ OutputFile::OutputFile(const fs::path& path, std::ostream* standard_output)
   const fs::file_status status = fs::status(path_, error);
   const bool direct = fs::exists(status) && !fs::is_regular_file(status);
   if (fs::is_directory(status)) throw CannotCreate(path.string() + ": error: is a folder");
-  if (!direct) {
-    temporary_ = path_;
-    temporary_ += suffix();
-  }
-  errno = 0;
-  file_.open(direct ? path_ : temporary_, std::ios::binary | std::ios::trunc);
-  if (!file_) {
-    temporary_.clear();
+  const fs::path opened = direct ? path_ : Partial::name_beside(path_);
+  file_ = std::make_unique<CheckedFile>(opened, path_);
+  if (!file_->opened())
     throw CannotCreate(path.string() +
                        ": error: cannot be created: " + std::generic_category().message(errno));
-  }
+  partial_ = std::make_unique<Partial>();
+  if (!direct) partial_->made(opened);
 }
 
-OutputFile::~OutputFile() {
-  std::error_code ignored;
-  if (!temporary_.empty()) fs::remove(temporary_, ignored);
-}
+OutputFile::~OutputFile() = default;
 
 std::ostream& OutputFile::stream() noexcept {
   if (standard_output_ != nullptr) return *standard_output_;
-  return file_;
+  return *file_;
 }
 
+bool OutputFile::is_direct() const noexcept { return partial_ == nullptr || !partial_->there(); }
+
 void OutputFile::commit() {
-  errno = 0;
-  std::ostream& out = stream();
-  out.flush();
-  file_.close();
-  if (!out) not_written(standard_output_ != nullptr ? "standard output" : path_);
-  if (temporary_.empty()) return;
-  fs::rename(temporary_, path_);
-  temporary_.clear();
+  if (standard_output_ != nullptr) {
+    errno = 0;
+    if (!standard_output_->flush()) not_written("standard output");
+    return;
+  }
+  file_->close();
+  if (is_direct()) return;
+  fs::rename(partial_->path(), path_);
+  partial_->moved();
 }
 
 fs::path OutputFile::commit_partial() {
@@ -81,51 +70,49 @@ OutputFolder::OutputFolder(const fs::path& path) : path_(path) {
   std::error_code error;
   if (fs::exists(path) && !fs::is_directory(path))
     throw CannotCreate(path.string() + ": error: is a file, not a folder");
+  lock_ = std::make_unique<FolderLock>(path);
+  fs::path staging;
   if (fs::is_directory(path)) {
-    staging_ = path / suffix();
+    staging = Partial::name_in(path);
   } else {
-    staging_ = (path.has_filename() ? path : path.parent_path());
-    path_ = staging_;
-    staging_ += suffix();
+    if (!path.has_filename()) path_ = path.parent_path();
+    staging = Partial::name_beside(path_);
   }
-  fs::create_directories(staging_, error);
-  if (error || ::access(staging_.c_str(), W_OK) != 0) {
-    const fs::path failed = staging_;
-    staging_.clear();
+  fs::create_directories(staging, error);
+  if (error || ::access(staging.c_str(), W_OK) != 0)
     throw CannotCreate(path.string() + ": error: the folder cannot be written to: " +
                        (error ? error.message() : "permission denied"));
-  }
+  staging_ = std::make_unique<Partial>();
+  staging_->made(staging);
 }
 
-OutputFolder::~OutputFolder() {
-  std::error_code ignored;
-  if (!staging_.empty()) fs::remove_all(staging_, ignored);
-}
+OutputFolder::~OutputFolder() = default;
 
 void OutputFolder::write(std::string_view name, std::string_view content) const {
-  errno = 0;
-  std::ofstream file(staging_ / name, std::ios::binary | std::ios::trunc);
+  CheckedFile file(staging_->path() / name, path_ / name);
+  if (!file.opened()) not_written(path_ / name);
   file.write(content.data(), static_cast<std::streamsize>(content.size()));
   file.close();
-  if (!file) not_written(path_ / name);
 }
 
 std::vector<std::string> OutputFolder::commit() {
   if (!fs::is_directory(path_)) {
-    fs::rename(staging_, path_);
-    staging_.clear();
+    fs::rename(staging_->path(), path_);
+    staging_->moved();
+    lock_.reset();
     return {};
   }
   std::set<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(staging_)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(staging_->path())) {
     names.insert(entry.path().filename().string());
     const fs::path target = path_ / entry.path().filename();
     if (fs::is_directory(target))
       throw CannotCreate(target.string() + ": error: is a folder; nothing was written");
   }
-  for (const std::string& name : names) fs::rename(staging_ / name, path_ / name);
-  fs::remove(staging_);
-  staging_.clear();
+  for (const std::string& name : names) fs::rename(staging_->path() / name, path_ / name);
+  fs::remove(staging_->path());
+  staging_->moved();
+  lock_.reset();
   return other_results(path_, names);
 }
 

@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
+#include <cstdint>
 #include <sstream>
 
+#include "lab/deck_cards.hpp"
+#include "lab/deck_rules.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/scene/bounded_text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::lab {
 namespace {
+
+constexpr std::uintmax_t largest_deck = std::uintmax_t{64} << 20;
+constexpr std::size_t most_nodes = 65'536;
 
 [[noreturn]] void refuse(const std::string& path, std::size_t line, const std::string& message,
                          const std::string& hint) {
@@ -23,6 +27,52 @@ namespace {
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
+}
+
+double number_in(const DeckComment& comment, const std::string& value, const char* example,
+                 const std::string& path) {
+  double result = 0.0;
+  if (!read_number(value, result) || !std::isfinite(result))
+    refuse(path, comment.line, "'*" + comment.text.substr(0, 80) + "' does not end with a number",
+           example);
+  return result;
+}
+
+/// What the deck's header expects.
+DeckAnswer header_of(const DeckText& deck, const std::string& path) {
+  DeckAnswer answer;
+  for (const DeckComment& comment : deck.comments) {
+    std::istringstream words(comment.text);
+    std::string key;
+    std::string value;
+    words >> key;
+    if (key == "expect") {
+      NodeAnswer one;
+      words >> one.node >> value;
+      one.expected = number_in(comment, value, "* expect n0 1.25e-3", path);
+      answer.nodes.push_back(one);
+      if (answer.nodes.size() > most_nodes)
+        refuse(path, comment.line,
+               "more than " + std::to_string(most_nodes) + " voltages are expected",
+               "one '* expect' line for each node that is compared");
+    } else if (key == "within") {
+      words >> value;
+      answer.within = number_in(comment, value, "* within 1e-9", path);
+      if (answer.within < 0.0) refuse(path, comment.line, "a difference allowed must be >= 0", {});
+    }
+  }
+  if (answer.nodes.empty())
+    refuse(path, 0, "states no voltage to compare with",
+           "for each node a line such as '* expect n0 1.25e-3', as `tactile-net gen` writes them");
+  return answer;
+}
+
+/// The cards that were checked and nothing else: what the file's text could mean beyond them, to
+/// one simulator or another, is not there any more.
+std::string as_checked(const DeckText& deck) {
+  std::string text = "* deck\n";
+  for (const DeckCard& card : deck.cards) text.append(card.text) += '\n';
+  return text + ".end\n";
 }
 
 }  // namespace
@@ -41,57 +91,17 @@ void refuse_deck(const std::string& path) {
 }
 
 DeckAnswer relax_deck(const std::string& path, Simulator& simulator) {
-  if (std::filesystem::is_directory(path)) refuse(path, 0, "is a folder, not a deck", {});
-  std::ifstream file(path);
-  if (!file) refuse(path, 0, "cannot be opened", {});
-  DeckAnswer answer;
-  std::string deck;
-  bool control = false;
-  std::size_t number = 0;
-  for (std::string line; std::getline(file, line);) {
-    ++number;
-    if (line.ends_with('\r')) line.pop_back();
-    // Simulators look past leading blanks and at no letter's case: so must what is left out here.
-    const std::size_t begin = line.find_first_not_of(" \t");
-    const std::string text = begin == std::string::npos ? "" : lower(line.substr(begin));
-    if (text.starts_with(".control")) control = true;
-    if (!control && !text.starts_with("*#")) deck += line + '\n';
-    if (text.starts_with(".endc")) control = false;
-    if (!text.starts_with('*')) continue;
-    const auto number_in = [&](const std::string& value, const char* example) {
-      double result = 0.0;
-      const auto [end, error] =
-          number_from_chars(value.data(), value.data() + value.size(), result);
-      if (error != std::errc{} || end != value.data() + value.size() || !std::isfinite(result))
-        refuse(path, number, "'" + line.substr(0, 80) + "' does not end with a number", example);
-      return result;
-    };
-    std::istringstream words(text.substr(1));
-    std::string key;
-    std::string value;
-    words >> key;
-    if (key == "expect") {
-      NodeAnswer one;
-      words >> one.node >> value;
-      one.expected = number_in(value, "* expect n0 1.25e-3");
-      answer.nodes.push_back(one);
-    } else if (key == "within") {
-      words >> value;
-      answer.within = number_in(value, "* within 1e-9");
-      if (answer.within < 0.0) refuse(path, number, "a difference allowed must be >= 0", {});
-    }
-  }
-  if (answer.nodes.empty())
-    refuse(path, 0, "states no voltage to compare with",
-           "for each node a line such as '* expect n0 1.25e-3', as `tactile-net gen` writes them");
-
+  const DeckText deck = deck_cards(
+      bounded_text(path, largest_deck, "the deck of 1500 taxels is about as large"), path);
+  check_cards(deck, path);
+  DeckAnswer answer = header_of(deck, path);
   std::vector<std::string> names;
   std::vector<double> expected;
   for (const NodeAnswer& one : answer.nodes) {
     names.push_back(one.node);
     expected.push_back(one.expected);
   }
-  const OperatingPoint point = operating_point(simulator, deck, names);
+  const OperatingPoint point = operating_point(simulator, as_checked(deck), names);
   answer.ngspice_seconds = point.seconds;
   for (std::size_t i = 0; i < names.size(); ++i) answer.nodes[i].found = point.voltages[i];
   answer.difference = l2_difference(point.voltages, expected);

@@ -1,7 +1,9 @@
 #include "lab/fingertip_maker.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "numeric/named.hpp"
@@ -50,6 +52,39 @@ void press(Fingertip& tip, const UncertainResultant& resultant, double breadth) 
                   ", outside the fingertip, which ends at " + brief(end));
 }
 
+/// Reads a file that the hand refers to. What such a file holds is not told: whoever wrote the hand
+/// would have chosen whose. Of what is wrong inside it only the place is left.
+auto unquoted(const char* advice, const auto& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> told = error.diagnostics();
+    for (Diagnostic& one : told) {
+      one.source.clear();
+      if (one.line == 0) continue;
+      one.message = "the file that the hand refers to is not in order here";
+      one.hint = std::string("its text is not shown here: ") + advice;
+    }
+    throw InputError(std::move(told));
+  }
+}
+
+/// A device never ends, a pipe may never begin.
+void require_regular(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_directory(status) &&
+      !std::filesystem::is_regular_file(status))
+    throw InputError({{.file = file.string(),
+                       .message = "is not a regular file",
+                       .hint = "save it to a file first"}});
+}
+
+constexpr const char* explain_scene = "tactile-net run FILE --explain says what is wrong";
+constexpr const char* explain_readings =
+    "tactile-net solve SCENE --readings FILE says what is wrong";
+constexpr const char* explain_tractions = "docs/hand.md says what it should hold";
+
 constexpr Named<Fingertip::Source> sources[] = {{Fingertip::Source::assumed, "assumed"},
                                                 {Fingertip::Source::resultant, "resultant"},
                                                 {Fingertip::Source::tractions, "tractions"},
@@ -59,7 +94,8 @@ constexpr Named<Fingertip::Source> sources[] = {{Fingertip::Source::assumed, "as
 }  // namespace
 
 FingertipMaker::ReadyScene::ReadyScene(const std::filesystem::path& path)
-    : problem(read_scene(path)), solver(make_solver(problem, Method::tikhonov)) {}
+    : problem(unquoted(explain_scene, [&] { return read_scene(path); })),
+      solver(make_solver(problem, Method::tikhonov)) {}
 
 FingertipMaker::FingertipMaker(std::filesystem::path folder, const FrameOf& frame_of)
     : folder_(std::move(folder)), frame_of_(frame_of) {}
@@ -73,7 +109,9 @@ void FingertipMaker::press(Fingertip& tip, const HandFinger& finger,
                            const TractionFile& source) const {
   if (!frame_of_.tractions)
     throw std::invalid_argument("the hand names a file of tractions, and FrameOf reads none");
-  const TractionField f = frame_of_.tractions(folder_ / source.file, source.frame);
+  require_regular(folder_ / source.file);
+  const TractionField f = unquoted(
+      explain_tractions, [&] { return frame_of_.tractions(folder_ / source.file, source.frame); });
   tip.finger = finger.with_pad(half_width(f.normal.size(), source.pitch));
   lab::press(tip, certain(f.normal, f.tangential, source.pitch), finger.breadth);
 }
@@ -83,7 +121,10 @@ std::vector<double> FingertipMaker::readings_of(Fingertip& tip, const FingertipS
   if (source.readings) {
     if (!frame_of_.readings)
       throw std::invalid_argument("the hand names a file of readings, and FrameOf reads none");
-    return frame_of_.readings(folder_ / *source.readings, scene, source.frame);
+    require_regular(folder_ / *source.readings);
+    return unquoted(explain_readings, [&] {
+      return frame_of_.readings(folder_ / *source.readings, scene, source.frame);
+    });
   }
   if (scene.contacts.empty())
     throw InputError({{.file = (folder_ / source.scene).string(),

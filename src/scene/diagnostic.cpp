@@ -1,22 +1,27 @@
 #include "tactile_net/scene/diagnostic.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "scene/excerpt.hpp"
+#include "tactile_net/system/printable.hpp"
 
 namespace tactile_net {
 
 namespace {
 
-/// Blanks up to the column, tabs kept, so that the caret stands below its character whatever the
-/// terminal's tab width.
+/// Blanks up to the column, as many as the printed characters take, tabs kept: so the caret stands
+/// below its character whatever the terminal's tab width.
 std::string caret(std::string_view line, std::size_t column) {
   std::string result;
   std::size_t at = 1;
   for (std::size_t byte = 0; at < column && byte < line.size(); ++at) {
-    const std::size_t size = code_point_size(line.substr(byte));
-    result += line[byte] == '\t' ? '\t' : ' ';
-    byte += size == 0 ? 1 : size;
+    const std::size_t size = std::max<std::size_t>(1, code_point_size(line.substr(byte)));
+    if (line[byte] == '\t')
+      result += '\t';
+    else
+      result.append(code_points(printable(line.substr(byte, size))), ' ');
+    byte += size;
   }
   return result + '^';
 }

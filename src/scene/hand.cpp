@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "scene/document.hpp"
+#include "scene/references.hpp"
 #include "scene/source_text.hpp"
 #include "scene/table.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -45,9 +46,14 @@ Vector2 vector_of(const std::optional<Value>& value) {
 }
 
 /// Text that is a path; relative ones are below the hand's folder.
-std::filesystem::path path_of(const Value& value) {
+std::filesystem::path path_of(const Value& value, const References& references) {
   const std::string text = value.text().value_or("-");
-  if (text.empty()) value.problem("must name a file", "paths are relative to the hand's folder");
+  if (text.empty())
+    value.problem("must name a file", "paths are relative to the hand's folder");
+  else if (!references.allow(text))
+    value.misfit("must name a file beside the hand's file or below its folder",
+                 "a hand from somewhere else could have any file read; of your own hand: "
+                 "grasp --allow-outside");
   return text;
 }
 
@@ -78,10 +84,11 @@ void refuse_others(Table& table, std::string_view kind, Keys keys) {
     table.not_here(key, why, "a contact is a scene, tractions, a resultant, or a center alone");
 }
 
-FingertipScene read_fingertip_scene(Table& table, const Value& scene) {
-  FingertipScene tip{.scene = path_of(scene), .readings = {}};
+FingertipScene read_fingertip_scene(Table& table, const Value& scene,
+                                    const References& references) {
+  FingertipScene tip{.scene = path_of(scene, references), .readings = {}};
   if (const auto readings = table.value("readings")) {
-    tip.readings = path_of(*readings);
+    tip.readings = path_of(*readings, references);
     tip.frame = read_frame(table);
   } else {
     table.not_here("frame", "has no place without readings", "add readings = \"FILE.csv\"");
@@ -91,8 +98,9 @@ FingertipScene read_fingertip_scene(Table& table, const Value& scene) {
   return tip;
 }
 
-TractionFile read_traction_file(Table& table, const Value& tractions) {
-  TractionFile file{.file = path_of(tractions)};
+TractionFile read_traction_file(Table& table, const Value& tractions,
+                                const References& references) {
+  TractionFile file{.file = path_of(tractions, references)};
   file.pitch = number_or(table.required("pitch", "the distance of the taxels: pitch = 0.5e-3"),
                          positive, 1.0);
   file.frame = read_frame(table);
@@ -134,12 +142,13 @@ ContactSource read_place(Table& table, std::optional<double> half_width) {
   return place;
 }
 
-ContactSource read_contact(Table table, std::optional<double> half_width) {
+ContactSource read_contact(Table table, std::optional<double> half_width,
+                           const References& references) {
   ContactSource source;
   if (const auto scene = table.value("scene"))
-    source = read_fingertip_scene(table, *scene);
+    source = read_fingertip_scene(table, *scene, references);
   else if (const auto tractions = table.value("tractions"))
-    source = read_traction_file(table, *tractions);
+    source = read_traction_file(table, *tractions, references);
   else
     source = read_place(table, half_width);
   table.finish();
@@ -233,7 +242,8 @@ void refuse_straight(const HandFinger& result, const Value& angles) {
                    "bend finger '" + finger.name + "'");
 }
 
-HandFinger read_finger(Table table, double radian, std::span<const HandFinger> before) {
+HandFinger read_finger(Table table, double radian, const References& references,
+                       std::span<const HandFinger> before) {
   HandFinger result;
   Finger& finger = result.finger;
   finger.name = read_name(table, before);
@@ -255,7 +265,7 @@ HandFinger read_finger(Table table, double radian, std::span<const HandFinger> b
                                   "half_width = 0.01, side = \"left\" }")))
     read_pad(*pad, radian, contact && has_array(*contact), result);
   if (contact) {
-    result.contact = read_contact(std::move(*contact), result.half_width);
+    result.contact = read_contact(std::move(*contact), result.half_width, references);
     if (angles) refuse_straight(result, *angles);
   }
   table.finish();
@@ -306,7 +316,7 @@ void read_grasp(Table table, Hand& hand) {
   table.finish();
 }
 
-void read_hand_tables(Table& root, Hand& hand) {
+void read_hand_tables(Table& root, const References& references, Hand& hand) {
   if (const auto title = root.value("title")) {
     hand.title = title->text().value_or("");
     if (hand.title.find_first_of("\r\n") != std::string::npos)
@@ -320,15 +330,15 @@ void read_hand_tables(Table& root, Hand& hand) {
     if (auto tables = fingers->tables()) {
       if (tables->empty()) fingers->problem("must name at least one finger", "[[finger]]");
       for (Table& table : *tables)
-        hand.fingers.push_back(read_finger(std::move(table), radian, hand.fingers));
+        hand.fingers.push_back(read_finger(std::move(table), radian, references, hand.fingers));
     }
   if (const auto load = table_of(root.value("load"))) hand.load = read_load(*load);
   if (const auto grasp = table_of(root.value("grasp"))) read_grasp(*grasp, hand);
   root.finish();
 }
 
-Hand parse_named(std::string_view text, const std::string& file,
-                 const std::filesystem::path& path) {
+Hand parse_named(std::string_view text, const std::string& file, const std::filesystem::path& path,
+                 const HandOptions& options) {
   text = without_byte_order_mark(text);
   Problems problems{file, text, hand_file};
   const toml::table toml = parse_document(text, file, problems);
@@ -336,19 +346,19 @@ Hand parse_named(std::string_view text, const std::string& file,
   hand.file = path.filename().string();
   hand.folder = path.has_parent_path() ? path.parent_path() : ".";  // never "-", standard input
   Table root{toml, "", problems};
-  read_hand_tables(root, hand);
+  read_hand_tables(root, {hand.folder, options.allow_outside}, hand);
   problems.throw_if_any();
   return hand;
 }
 
 }  // namespace
 
-Hand read_hand(const std::filesystem::path& path) {
-  return parse_named(source_text(path), path.string(), path);
+Hand read_hand(const std::filesystem::path& path, const HandOptions& options) {
+  return parse_named(source_text(path), path.string(), path, options);
 }
 
-Hand parse_hand(std::string_view toml, const std::string& file) {
-  return parse_named(toml, file, file);
+Hand parse_hand(std::string_view toml, const std::string& file, const HandOptions& options) {
+  return parse_named(toml, file, file, options);
 }
 
 }  // namespace tactile_net

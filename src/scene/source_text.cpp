@@ -1,13 +1,9 @@
 #include "scene/source_text.hpp"
 
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
-#include <system_error>
-#include <utility>
 
 #include "scene/excerpt.hpp"
+#include "tactile_net/scene/bounded_text.hpp"
 
 namespace tactile_net {
 
@@ -15,19 +11,6 @@ namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{16} << 20;
 constexpr int most_key_parts = 8;  // toml++ allows 256 nested values: 2048 nested tables at most
-
-[[noreturn]] void refuse(const std::filesystem::path& path, std::string message,
-                         std::string hint = {}) {
-  Diagnostic diagnostic;
-  diagnostic.file = path.string();
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-  throw InputError{{std::move(diagnostic)}};
-}
-
-[[noreturn]] void refuse_size(const std::filesystem::path& path) {
-  refuse(path, "is larger than 16 MiB", "is this the right file? they have some hundred bytes");
-}
 
 /// Walks through a text and keeps count of lines and columns.
 class Cursor {
@@ -133,28 +116,7 @@ bool check_not_empty(std::string_view text, Problems& problems) {
 }  // namespace
 
 std::string source_text(const std::filesystem::path& path) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) refuse(path, "no such file");
-  if (status.type() == fs::file_type::none) refuse(path, "cannot be read: " + error.message());
-  if (fs::is_directory(status)) refuse(path, "is a folder", "name the file inside it");
-  if (!fs::is_regular_file(status))
-    refuse(path, "is not a regular file", "save it to a file first");
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (!error && size > largest_file) refuse_size(path);
-
-  errno = 0;
-  std::ifstream in{path, std::ios::binary};
-  if (!in) refuse(path, std::string{"cannot be read: "} + std::strerror(errno));
-  std::string text;
-  char block[65536];
-  while (in.read(block, sizeof block) || in.gcount() > 0) {
-    text.append(block, static_cast<std::size_t>(in.gcount()));
-    if (text.size() > largest_file) refuse_size(path);
-  }
-  if (in.bad()) refuse(path, "cannot be read to its end");
-  return text;
+  return bounded_text(path, largest_file, "is this the right file? they have some hundred bytes");
 }
 
 void check_source_text(std::string_view text, Problems& problems) {

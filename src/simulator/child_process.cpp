@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -15,7 +16,11 @@
 #include <string_view>
 #include <system_error>
 
+#include "simulator/cell.hpp"
 #include "simulator/descriptor.hpp"
+#include "simulator/pass_descriptor.hpp"
+#include "simulator/program.hpp"
+#include "tactile_net/system/leftovers.hpp"
 
 extern char** environ;
 
@@ -44,21 +49,77 @@ std::vector<char*> environment_without(const std::vector<std::string>& hidden) {
   return kept;
 }
 
+/// What the child needs, made before fork: after it nothing may be allocated.
+struct Start {
+  std::vector<char*> arguments{};
+  std::vector<char*> environment{};
+  std::string program{};  ///< the file to run, if confined
+  std::string folder{};   ///< to write in, if confined
+  bool starts_nothing = false;
+  rlim_t cpu_seconds = 0;
+  pid_t parent = 0;
+};
+
+Start start_of(const std::vector<std::string>& command, const ProcessOptions& options) {
+  Start start;
+  for (const std::string& argument : command)
+    start.arguments.push_back(const_cast<char*>(argument.c_str()));
+  start.arguments.push_back(nullptr);
+  start.environment = environment_without(options.unset);
+  if (options.confined) {
+    start.program = program_file(command.front());
+    start.folder = options.folder.string();
+    start.starts_nothing = !is_script(start.program);
+  }
+  const long processors = std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN));
+  const auto seconds = std::chrono::ceil<std::chrono::seconds>(options.time_limit).count();
+  start.cpu_seconds = static_cast<rlim_t>(seconds + 1) * static_cast<rlim_t>(processors);
+  start.parent = ::getpid();
+  return start;
+}
+
+/// The kernel kills the child when its parent ends, whatever ends it. `fork` and this are not one
+/// step: a parent that ended in between is seen by the child's having another.
+bool dies_with(pid_t parent) noexcept {
+  if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return false;
+  if (::getppid() == parent) return true;
+  errno = ESRCH;
+  return false;
+}
+
+/// Confines the child; sends the parent what it needs to serve it, if there is such.
+bool enter_cell(const Start& start, int report) noexcept {
+  int listener = -1;
+  errno = confine({.folder = start.folder.empty() ? nullptr : start.folder.c_str(),
+                   .starts_nothing = start.starts_nothing,
+                   .only = {start.program.c_str(), start.arguments.data()},
+                   .listener = &listener});
+  if (errno != 0) return false;
+  return listener < 0 || send_descriptor(report, listener);
+}
+
 /// In the child, after fork: only calls that are safe there. Reports why it could not start.
-[[noreturn]] void become(const std::vector<char*>& arguments, const std::vector<char*>& environment,
-                         const ProcessOptions& options, const std::array<int, 3>& streams,
-                         int report) noexcept {
+[[noreturn]] void become(const Start& start, const ProcessOptions& options,
+                         const std::array<int, 3>& streams, int report) noexcept {
   ::setpgid(0, 0);
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
   set_limit(RLIMIT_CORE, 0);
   set_limit(RLIMIT_FSIZE, options.file_limit);
-  const bool ready = (options.folder.empty() || ::chdir(options.folder.c_str()) == 0) &&
-                     ::dup2(streams[0], STDIN_FILENO) >= 0 &&
-                     ::dup2(streams[1], STDOUT_FILENO) >= 0 &&
-                     ::dup2(streams[2], STDERR_FILENO) >= 0;
-  if (ready) ::execvpe(arguments[0], arguments.data(), environment.data());
+  set_limit(RLIMIT_CPU, start.cpu_seconds);
+  bool ready = dies_with(start.parent) &&
+               (options.folder.empty() || ::chdir(options.folder.c_str()) == 0) &&
+               ::dup2(streams[0], STDIN_FILENO) >= 0 && ::dup2(streams[1], STDOUT_FILENO) >= 0 &&
+               ::dup2(streams[2], STDERR_FILENO) >= 0;
+  // The caller's open files are its own: a half-written result could be written on through one.
+  ::close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);
+  if (ready && options.confined) {
+    ready = enter_cell(start, report);
+    if (ready) ::execve(start.program.c_str(), start.arguments.data(), start.environment.data());
+  } else if (ready) {
+    ::execvpe(start.arguments[0], start.arguments.data(), start.environment.data());
+  }
   const int reason = errno;
   (void)!::write(report, &reason, sizeof reason);
   ::_exit(127);
@@ -82,9 +143,18 @@ void feed(Descriptor& to, std::string_view& input) {
   if (input.empty() || (sent < 0 && !waiting)) to.reset();
 }
 
+/// Our ends of the child's.
+struct Streams {
+  Descriptor& input;
+  Descriptor& output;
+  Descriptor& errors;
+  Descriptor& listener;  ///< its calls for temporary files
+};
+
 /// Moves bytes until the child has closed its streams or ended, or a limit is reached.
-End converse(pid_t child, Descriptor& input, Descriptor& output, Descriptor& errors,
-             const ProcessOptions& options, Clock::time_point deadline, ProcessResult& result) {
+End converse(pid_t child, const Streams& streams, const ProcessOptions& options,
+             Clock::time_point deadline, ProcessResult& result) {
+  const auto& [input, output, errors, listener] = streams;
   constexpr int heartbeat_ms = 50;
   std::string_view rest = options.input;
   if (rest.empty()) input.reset();
@@ -93,9 +163,9 @@ End converse(pid_t child, Descriptor& input, Descriptor& output, Descriptor& err
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
     if (left <= 0) return End::timed_out;
     if (options.cancelled != nullptr && options.cancelled()) return End::cancelled;
-    std::array<pollfd, 3> polled = {pollfd{input.get(), POLLOUT, 0},
-                                    pollfd{output.get(), POLLIN, 0},
-                                    pollfd{errors.get(), POLLIN, 0}};
+    std::array<pollfd, 4> polled = {
+        pollfd{input.get(), POLLOUT, 0}, pollfd{output.get(), POLLIN, 0},
+        pollfd{errors.get(), POLLIN, 0}, pollfd{listener.get(), POLLIN, 0}};
     const int ready = ::poll(polled.data(), polled.size(),
                              static_cast<int>(std::min<long long>(left, heartbeat_ms)));
     if (ready < 0 && errno != EINTR) fail_with_errno("poll");
@@ -108,6 +178,10 @@ End converse(pid_t child, Descriptor& input, Descriptor& output, Descriptor& err
       continue;
     }
     if (ready < 0) continue;
+    if ((polled[3].revents & POLLIN) != 0)
+      serve_temporary_file(listener.get());
+    else if (polled[3].revents != 0)
+      listener.reset();  // nobody is left to ask
     if (polled[0].revents != 0) feed(input, rest);
     if (polled[1].revents != 0) drain(output, result.output);
     if (polled[2].revents != 0) drain(errors, result.errors);
@@ -138,17 +212,13 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   SocketPair errors = socket_pair(SOCK_STREAM);
   SocketPair report = socket_pair(SOCK_STREAM);
 
-  std::vector<char*> arguments;
-  for (const std::string& argument : command)
-    arguments.push_back(const_cast<char*>(argument.c_str()));
-  arguments.push_back(nullptr);
-  const std::vector<char*> environment = environment_without(options.unset);
-
+  const Start what = start_of(command, options);
   const pid_t child = ::fork();
   if (child < 0) fail_with_errno("fork");
   if (child == 0)
-    become(arguments, environment, options,
-           {input.theirs.get(), output.theirs.get(), errors.theirs.get()}, report.theirs.get());
+    become(what, options, {input.theirs.get(), output.theirs.get(), errors.theirs.get()},
+           report.theirs.get());
+  const LeftoverChild leftover(child);
   ::setpgid(child, child);  // in both, so that neither has to wait for the other
   input.theirs.reset();
   output.theirs.reset();
@@ -157,12 +227,14 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
 
   ProcessResult result;
   int reason = 0;
+  Descriptor listener;
   ssize_t got = 0;
-  do got = ::read(report.ours.get(), &reason, sizeof reason);
-  while (got < 0 && errno == EINTR);
-  const bool started = got != static_cast<ssize_t>(sizeof reason);
+  do got = receive(report.ours.get(), reason, listener);
+  while (got > 0 && reason == 0);
+  const bool started = reason == 0;
 
-  result.end = converse(child, input.ours, output.ours, errors.ours, options, deadline, result);
+  result.end =
+      converse(child, {input.ours, output.ours, errors.ours, listener}, options, deadline, result);
   input.ours.reset();
   int status = 0;
   if (result.end != End::exited || !reap(child, deadline, status)) {

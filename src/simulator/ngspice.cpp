@@ -11,7 +11,7 @@ namespace tactile_net {
 Ngspice::Ngspice(NgspiceOptions options) : options_(std::move(options)) {}
 
 Simulation Ngspice::run(const std::string& deck) {
-  PrivateFolder folder;
+  const PrivateFolder folder;
   write_file(folder.path() / "deck.cir", deck);
   // -n: no .spiceinit of the user's.
   const ProcessResult process =
@@ -20,6 +20,7 @@ Simulation Ngspice::run(const std::string& deck) {
                    .unset = {hidden_from_ngspice.begin(), hidden_from_ngspice.end()},
                    .time_limit = options_.time_limit,
                    .output_limit = options_.output_limit,
+                   .confined = true,
                    .cancelled = options_.cancelled});
   if (process.end == ProcessResult::End::not_found)
     throw SimulatorError(SimulatorError::Cause::not_installed,

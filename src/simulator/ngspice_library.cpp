@@ -9,12 +9,15 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "simulator/descriptor.hpp"
 #include "simulator/ngspice_log.hpp"
 #include "simulator/ngspice_worker.hpp"
 #include "simulator/private_folder.hpp"
+#include "tactile_net/system/leftovers.hpp"
 
 namespace tactile_net {
 namespace {
@@ -34,9 +37,13 @@ bool readable(const Descriptor& socket, Clock::time_point deadline) {
   }
 }
 
-std::string read_log(const std::filesystem::path& folder) {
+/// The beginning of the log: of a deck that prints without end more than the limit may be there.
+std::string read_log(const std::filesystem::path& folder, std::size_t limit) {
   std::ifstream file(folder / "ngspice.log", std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::string text(limit, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(limit));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
 }
 
 }  // namespace
@@ -44,17 +51,27 @@ std::string read_log(const std::filesystem::path& folder) {
 /// The parent's side of the worker, which ends with it.
 class NgspiceLibrary::Worker {
  public:
-  explicit Worker(std::size_t output_limit) {
+  explicit Worker(const NgspiceLibraryOptions& options) : output_limit_(options.output_limit) {
     SocketPair pair = socket_pair(SOCK_SEQPACKET);
     const pid_t self = ::getpid();
+    const std::string cell = folder_.path().string();
     id_ = ::fork();
     if (id_ < 0) fail_with_errno("fork");
-    if (id_ == 0) serve_decks(pair.theirs.get(), self, output_limit);
+    if (id_ == 0)
+      serve_decks({.socket = pair.theirs.get(),
+                   .parent = self,
+                   .folder = cell.c_str(),
+                   .time_limit = options.time_limit,
+                   .output_limit = options.output_limit});
     socket_ = std::move(pair.ours);
+    leftover_.emplace(id_);
   }
   ~Worker() { (void)stop(); }
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
+
+  /// What each deck's folder must be in: the worker can write nowhere else.
+  [[nodiscard]] const PrivateFolder& folder() const noexcept { return folder_; }
 
   /// Runs deck.cir in the folder. After another end than `exited` with code 0 there is no worker.
   ProcessResult run(const std::filesystem::path& folder, std::chrono::milliseconds time_limit) {
@@ -77,7 +94,7 @@ class NgspiceLibrary::Worker {
       result.code = WIFSIGNALED(status) ? WTERMSIG(status) : std::max(1, WEXITSTATUS(status));
     }
     result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    result.output = read_log(folder);
+    result.output = read_log(folder, output_limit_ + 1);
     return result;
   }
   [[nodiscard]] pid_t id() const noexcept { return id_; }
@@ -87,6 +104,7 @@ class NgspiceLibrary::Worker {
   int stop() noexcept {
     int status = 0;
     if (id_ <= 0) return status;
+    leftover_.reset();
     ::kill(id_, SIGKILL);
     while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
     }
@@ -94,8 +112,11 @@ class NgspiceLibrary::Worker {
     return status;
   }
 
+  PrivateFolder folder_;
+  std::size_t output_limit_;
   Descriptor socket_;
   pid_t id_ = 0;
+  std::optional<LeftoverChild> leftover_;
 };
 
 NgspiceLibrary::NgspiceLibrary(NgspiceLibraryOptions options) : options_(options) {}
@@ -103,10 +124,10 @@ NgspiceLibrary::NgspiceLibrary(NgspiceLibraryOptions options) : options_(options
 NgspiceLibrary::~NgspiceLibrary() = default;
 
 Simulation NgspiceLibrary::run(const std::string& deck) {
-  PrivateFolder folder;
-  write_file(folder.path() / "deck.cir", deck);
-  if (worker_ == nullptr) worker_ = std::make_unique<Worker>(options_.output_limit);
+  if (worker_ == nullptr) worker_ = std::make_unique<Worker>(options_);
   try {
+    const PrivateFolder folder(worker_->folder().path());
+    write_file(folder.path() / "deck.cir", deck);
     return accept_log(folder, worker_->run(folder.path(), options_.time_limit), options_.time_limit,
                       options_.output_limit);
   } catch (...) {

@@ -29,15 +29,15 @@ std::string complaints(const std::string& log) {
   return text;
 }
 
-/// Keeps deck and log and throws.
-[[noreturn]] void fail(PrivateFolder& folder, Cause cause, const std::string& what,
+/// Keeps deck and log, nothing else, and throws.
+[[noreturn]] void fail(const PrivateFolder& folder, Cause cause, const std::string& what,
                        const std::string& log) {
   write_file(folder.path() / "ngspice.log", log);
-  folder.keep();
+  const std::filesystem::path kept = folder.keep({"deck.cir", "ngspice.log"});
   throw SimulatorError(cause,
                        what + complaints(log) + "\n  deck and log: " +
-                           (folder.path() / "deck.cir").string() + ", ngspice.log beside it",
-                       folder.path());
+                           (kept / "deck.cir").string() + ", ngspice.log beside it",
+                       kept);
 }
 
 /// How a failure that ngspice reported itself is called. Its operating point may end for want of a
@@ -71,7 +71,7 @@ bool is_complaint(std::string_view line) {
   return false;
 }
 
-Simulation accept_log(PrivateFolder& folder, const ProcessResult& process,
+Simulation accept_log(const PrivateFolder& folder, const ProcessResult& process,
                       std::chrono::milliseconds time_limit, std::size_t output_limit) {
   const std::string log = process.errors + process.output;
   if (process.end == End::timed_out)

@@ -26,7 +26,7 @@ inline constexpr std::array hidden_from_ngspice = {"SPICE_ASCIIRAWFILE", "SPICE_
 /// @param process  how ngspice ended, any way but not_found, and all it printed
 /// @param time_limit, output_limit  what it was held to; for the text
 /// @throw SimulatorError  as its causes; deck.cir is then kept with ngspice.log beside it
-[[nodiscard]] Simulation accept_log(PrivateFolder& folder, const ProcessResult& process,
+[[nodiscard]] Simulation accept_log(const PrivateFolder& folder, const ProcessResult& process,
                                     std::chrono::milliseconds time_limit, std::size_t output_limit);
 
 }  // namespace tactile_net

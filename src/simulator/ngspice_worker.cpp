@@ -8,6 +8,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cfenv>
@@ -20,6 +21,7 @@
 #include <string_view>
 #include <vector>
 
+#include "simulator/cell.hpp"
 #include "simulator/ngspice_log.hpp"
 
 namespace tactile_net {
@@ -132,6 +134,20 @@ void watch_parent(bool on) noexcept {
   (void)::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
+/// So much time of the processors from now on, as `run_process` gives a program.
+void limit_processors(std::chrono::milliseconds time_limit) noexcept {
+  rusage used{};
+  (void)::getrusage(RUSAGE_SELF, &used);
+  const long processors = std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN));
+  const auto seconds = std::chrono::ceil<std::chrono::seconds>(time_limit).count() + 2;
+  const rlim_t until = static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+                       static_cast<rlim_t>(seconds) * static_cast<rlim_t>(processors);
+  rlimit limit{};
+  (void)::getrlimit(RLIMIT_CPU, &limit);
+  limit.rlim_cur = std::min(until, limit.rlim_max);
+  (void)::setrlimit(RLIMIT_CPU, &limit);
+}
+
 /// Nothing of the caller's is left: files, signal handlers, exit handlers, unwritten output,
 /// locale, rounding mode.
 void become_own_process(int socket, pid_t parent) noexcept {
@@ -172,15 +188,17 @@ void enter(const char* folder) noexcept {
 
 }  // namespace
 
-void serve_decks(int socket, pid_t parent, std::size_t output_limit) noexcept {
-  become_own_process(socket, parent);
+void serve_decks(const WorkerOptions& options) noexcept {
+  become_own_process(options.socket, options.parent);
+  if (confine({.folder = options.folder}) != 0) ::_exit(1);
   Deck deck;
   for (bool started = false;; started = true) {
     std::array<char, PATH_MAX> folder{};
     if (::recv(channel_to_parent, folder.data(), folder.size() - 1, 0) <= 0) ::_exit(0);
     watch_parent(true);
+    limit_processors(options.time_limit);
     enter(folder.data());
-    deck = {.output_limit = output_limit};
+    deck = {.output_limit = options.output_limit};
     if (!started) start_library(deck);
     solve(deck);
     watch_parent(false);

@@ -8,6 +8,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstddef>
 
 #include "tactile_net/simulator/child_process.hpp"
@@ -19,12 +20,16 @@ struct WorkerReply {
   int code = 0;                                         ///< what ngspice would have exited with
 };
 
-/// Called in the child, right after fork: makes it a process of its own and serves one deck after
-/// another, until the parent hangs up or a deck fails.
-///
-/// @param socket        SOCK_SEQPACKET, to the parent
-/// @param parent        process id
-/// @param output_limit  of what one deck prints [bytes]
-[[noreturn]] void serve_decks(int socket, pid_t parent, std::size_t output_limit) noexcept;
+struct WorkerOptions {
+  int socket = -1;               ///< SOCK_SEQPACKET, to the parent
+  pid_t parent = 0;              ///< process id
+  const char* folder = nullptr;  ///< each deck's folder is in this one: it writes nowhere else
+  std::chrono::milliseconds time_limit{};  ///< of one deck, which the parent holds it to as well
+  std::size_t output_limit = 0;            ///< of what one deck prints [bytes]
+};
+
+/// Called in the child, right after fork: makes it a process of its own, confined, and serves one
+/// deck after another, until the parent hangs up or a deck fails.
+[[noreturn]] void serve_decks(const WorkerOptions& options) noexcept;
 
 }  // namespace tactile_net

@@ -130,6 +130,11 @@ std::span<const double> RawFile::vector(std::string_view name) const {
 RawFile read_raw_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error(path.string() + ": error: there is no such raw file");
+  std::error_code unknown;
+  if (const auto size = std::filesystem::file_size(path, unknown);
+      unknown || size > largest_raw_file)
+    throw std::runtime_error(path.string() + ": error: is no file, or larger than " +
+                             std::to_string(largest_raw_file >> 20U) + " MiB");
   const std::string content((std::istreambuf_iterator<char>(file)), {});
   Cursor cursor{content, path.string()};
 

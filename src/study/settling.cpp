@@ -83,6 +83,7 @@ void add_settling(StudySection& section, const WorkCurve& curve, const StudyInpu
     add_simulated(section, curve, circuit, *dynamics.settling_seconds, simulator);
   } catch (const SimulatorError& error) {
     if (error.cause() != SimulatorError::Cause::timed_out) throw;
+    error.discard();
     add_by_poles(section, curve, circuit.network().state_space(), dynamics.slowest);
   }
 }

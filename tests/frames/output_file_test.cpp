@@ -1,9 +1,15 @@
 #include "tactile_net/frames/output_file.hpp"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <iterator>
 #include <sstream>
 
+#include "tactile_net/frames/folder_lock.hpp"
 #include "tests/catch.hpp"
 
 using namespace tactile_net::frames;
@@ -126,4 +132,58 @@ TEST_CASE("a folder's files appear together, and what else is there is returned"
   fs::create_directory(path / "d.csv");
   CHECK_THROWS_AS(third.commit(), CannotCreate);
   CHECK(text_of(path / "b.csv") == "mine");
+}
+
+TEST_CASE("one run at a time writes into a folder, by whatever name", "[frames][output]") {
+  const Folder folder;
+  fs::create_directory(folder.path / "out");
+  fs::create_directory_symlink(folder.path / "out", folder.path / "link");
+  {
+    const OutputFolder first(folder.path / "out");
+    for (const fs::path& name :
+         {folder.path / "out", folder.path / "out/", folder.path / "./out", folder.path / "link"})
+      CHECK_THROWS_WITH(OutputFolder(name),
+                        ContainsSubstring(name.string()) &&
+                            ContainsSubstring("process " + std::to_string(::getpid())));
+    const OutputFolder other(folder.path / "other");
+  }
+  CHECK_NOTHROW(OutputFolder(folder.path / "out"));
+  const FolderLock lock(folder.path / "out");
+  CHECK_THROWS_AS(FolderLock(folder.path / "out"), CannotCreate);
+}
+
+TEST_CASE("what killed runs left of an output goes when it is written anew", "[frames][output]") {
+  const Folder folder;
+  const auto hour_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  for (const char* name : {"f.csv.partial-1", "f.csv.partial-22", "f.csv.partial-mine",
+                           "g.csv.partial-1", "f.csv.partial-", "locked.partial-1"}) {
+    std::ofstream(folder.path / name) << "half";
+    fs::last_write_time(folder.path / name, hour_ago);
+  }
+  std::ofstream(folder.path / "f.csv.partial-3") << "young";  // may be about to be locked
+  const auto lock = tactile_net::FileLock::of(folder.path / "locked.partial-1");
+  REQUIRE(lock.has_value());
+  write_file(folder.path / "f.csv", "whole");
+  write_file(folder.path / "locked", "whole");
+  std::vector<std::string> names = names_in(folder.path);
+  std::sort(names.begin(), names.end());
+  CHECK(names == std::vector<std::string>{"f.csv", "f.csv.partial-", "f.csv.partial-3",
+                                          "f.csv.partial-mine", "g.csv.partial-1", "locked",
+                                          "locked.partial-1"});
+
+  fs::create_directory(folder.path / "out.partial-9");
+  std::ofstream(folder.path / "out.partial-9/report.html") << "half";
+  fs::last_write_time(folder.path / "out.partial-9", hour_ago);
+  { const OutputFolder out(folder.path / "out"); }
+  CHECK_FALSE(fs::exists(folder.path / "out.partial-9"));
+}
+
+TEST_CASE("a full disk is named with its reason, whoever writes", "[frames][output]") {
+  const std::string reason = "/dev/full could not be written: No space left on device";
+  CHECK_THROWS_WITH(write_file("/dev/full", "x"), ContainsSubstring(reason));
+  CHECK_THROWS_WITH(write_file("/dev/full", std::string(1 << 20, 'x')), ContainsSubstring(reason));
+  OutputFile file("/dev/full");
+  const std::string block(1 << 16, 'x');
+  CHECK_THROWS_WITH(file.stream().write(block.data(), std::ssize(block)),
+                    ContainsSubstring(reason));
 }

@@ -39,7 +39,7 @@ std::string pressed(double normal, double tangential, double deviation = 0.0) {
 
 GraspResult held(const std::string& toml, const FrameOf& frame_of = {},
                  Observer& observer = silent) {
-  return hold(parse_hand(degrees + toml, "hand.toml"), frame_of, observer);
+  return hold(parse_hand(degrees + toml, "hand.toml", {.allow_outside = true}), frame_of, observer);
 }
 
 std::string both(const std::string& contact, const std::string& more = {}) {

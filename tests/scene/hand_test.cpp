@@ -2,6 +2,7 @@
 #include "tactile_net/scene/hand.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -253,5 +254,40 @@ TEST_CASE("every shipped hand is read, has a title and begins with a comment", "
     std::string line;
     CHECK((std::getline(in, line) && line.starts_with("# ")));
   }
-  CHECK(hands == 3);
+  CHECK(hands == 2);
+  CHECK_FALSE(read_hand(SCENES "/recorded/hand.toml").title.empty());
+}
+
+TEST_CASE("a hand names files beside its own or below, and no others", "[hand]") {
+  std::string name = (std::filesystem::temp_directory_path() / "tactile-net-hand-XXXXXX").string();
+  REQUIRE(::mkdtemp(name.data()) != nullptr);
+  const std::filesystem::path all = name;
+  std::filesystem::create_directories(all / "hand/below");
+  std::ofstream(all / "secret.toml") << "secret";
+  std::filesystem::create_symlink(all / "secret.toml", all / "hand/link.toml");
+  std::filesystem::create_symlink(all, all / "hand/up");
+  const auto hand = [&](const std::string& contact) {
+    return "[[finger]]\nbase = [0.0, 0.0]\nlinks = [1.0]\nangles = [0.5]\n"
+           "pad = { center = 0.5, side = \"left\" }\ncontact = " +
+           contact + "\n";
+  };
+  const auto read = [&](const std::string& contact, bool allowed = false) {
+    return parse_hand(hand(contact), (all / "hand/hand.toml").string(), {.allow_outside = allowed});
+  };
+  for (const char* inside : {"tip.toml", "below/tip.toml", "./below/../tip.toml", "below/none/x"})
+    CHECK_NOTHROW(read("{ scene = \"" + std::string(inside) + "\" }"));
+  for (const char* outside :
+       {"/etc/shadow", "../secret.toml", "below/../../secret.toml", "link.toml", "up/secret.toml",
+        "/proc/self/environ", "/dev/zero", ".."}) {
+    const std::string path(outside);
+    CAPTURE(path);
+    for (const std::string& contact :
+         {"{ scene = \"" + path + "\" }", "{ tractions = \"" + path + "\", pitch = 1e-3 }",
+          "{ scene = \"tip.toml\", readings = \"" + path + "\" }"}) {
+      CHECK_THROWS_WITH(read(contact), ContainsSubstring("hand.toml:6:") &&
+                                           ContainsSubstring("beside the hand's file"));
+      CHECK_NOTHROW(read(contact, true));
+    }
+  }
+  std::filesystem::remove_all(all);
 }

@@ -20,7 +20,9 @@ TEST_CASE("every shipped scene is read, has a title and begins with a comment", 
   std::size_t scenes = 0;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator{SCENES}) {
     const fs::path& path = entry.path();
-    if (path.extension() != ".toml" || path.parent_path().filename() == "hands") continue;
+    if (path.extension() != ".toml" || path.parent_path().filename() == "hands" ||
+        path.filename() == "hand.toml")
+      continue;
     ++scenes;
     CAPTURE(path);
     CHECK_FALSE(read_scene(path).title.empty());

@@ -89,14 +89,19 @@ std::ptrdiff_t open_descriptors(const std::string& process) {
 TEST_CASE("a network solved by hand comes back, and no folder stays", "[spice]") {
   const OwnTemporaryFolder own;
   const std::array<std::string, 2> nodes{"b", "a"};
-  NgspiceLibrary library;
-  CHECK(library.worker() == 0);
-  for (int i = 0; i < 3; ++i) {
-    const OperatingPoint point = operating_point(library, good, nodes);
-    CHECK_THAT(point.voltages[0], WithinRel(2.0, 1e-14));
-    CHECK_THAT(point.voltages[1], WithinRel(3.0, 1e-14));
-    CHECK(fs::is_empty(own.path()));
+  {
+    NgspiceLibrary library;
+    CHECK(library.worker() == 0);
+    for (int i = 0; i < 3; ++i) {
+      const OperatingPoint point = operating_point(library, good, nodes);
+      CHECK_THAT(point.voltages[0], WithinRel(2.0, 1e-14));
+      CHECK_THAT(point.voltages[1], WithinRel(3.0, 1e-14));
+      const fs::directory_iterator of_the_worker(own.path());
+      CHECK(fs::is_empty(of_the_worker->path()));
+      CHECK(std::distance(of_the_worker, {}) == 1);
+    }
   }
+  CHECK(fs::is_empty(own.path()));
 }
 
 TEST_CASE("library and program give the same bits", "[spice]") {

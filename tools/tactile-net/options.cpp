@@ -11,6 +11,7 @@
 #include "failure.hpp"
 #include "tactile_net/numeric/fft.hpp"
 #include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/words/confinement_words.hpp"
 #include "tactile_net/scene/nearest.hpp"
 
 namespace tactile_net::tool {
@@ -248,6 +249,9 @@ void add_grasp(Parser& parser) {
       "which torques would");
   command->add_option("HAND", options->hand, "Hand file (TOML): fingers, contacts, load")
       ->required();
+  command->add_flag("--allow-outside", options->allow_outside,
+                    "Let the hand name files elsewhere than beside its own and below: only for a "
+                    "hand of your own");
   add_results(*command, options->results, "Folder for report.html and result.json",
               "Write the result as JSON");
   add_columns(*command, options->columns);
@@ -270,7 +274,8 @@ void check_command(const CLI::App& app, std::span<const std::string> arguments) 
 std::optional<Command> parse(std::span<const std::string> arguments, std::ostream& out) {
   Parser parser;
   parser.app.set_version_flag("--version", "tactile-net " + std::string(version()) +
-                                               "\nFFT: " + std::string(name(fft_library())));
+                                               "\nFFT: " + std::string(name(fft_library())) + "\n" +
+                                               report::in_words(confinement()));
   parser.app.require_subcommand(1);
   for (const auto add : {add_run, add_gen, add_relax, add_certify, add_simulate, add_solve,
                          add_identify, add_plan, add_tradeoff, add_grasp})

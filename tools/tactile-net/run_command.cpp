@@ -7,6 +7,8 @@
 #include "options.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
+#include "terminal/interruption.hpp"
+#include "terminal/printable_stream.hpp"
 
 namespace tactile_net::tool {
 namespace {
@@ -15,7 +17,14 @@ enum ExitStatus { done = 0, failed = 1, wrong_usage = 2 };
 
 }  // namespace
 
-int run_command(std::span<const std::string> arguments, const Streams& streams) {
+int run_command(std::span<const std::string> arguments, const Streams& given) {
+  const Interruption interruption;
+  PrintableStream err(given.err);
+  const Streams streams{.in = given.in,
+                        .out = given.out,
+                        .err = err,
+                        .terminal = given.terminal,
+                        .screen = &given.err};
   const auto tell = [&](const std::exception& error) -> std::ostream& {
     return streams.err << "tactile-net: error: " << error.what() << '\n';
   };

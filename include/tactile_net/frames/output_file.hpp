@@ -1,22 +1,24 @@
 /// @file
 /// Output that is either whole or not there: written under a temporary name, then renamed.
+/// Nothing is left of what was not: at a signal, and of a killed run once the next one writes
+/// there.
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <iosfwd>
+#include <memory>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tactile_net/frames/cannot_create.hpp"
+
 namespace tactile_net::frames {
 
-/// An output cannot be created where the user asked for it.
-class CannotCreate : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+class CheckedFile;
+class FolderLock;
+class Partial;
 
 /// One file, or standard output for "-" and for an empty path. Devices and pipes are written to
 /// directly.
@@ -32,9 +34,13 @@ class OutputFile {
   [[nodiscard]] std::ostream& stream() noexcept;
 
   /// Written to directly: standard output, a device, a pipe.
-  [[nodiscard]] bool is_direct() const noexcept { return temporary_.empty(); }
+  [[nodiscard]] bool is_direct() const noexcept;
 
-  /// Flushes, checks, renames. @throw std::runtime_error  something was not written: a full disk
+  /// Flushes, checks, renames.
+  ///
+  /// @throw std::runtime_error  something was not written: which file, and why (no space left on
+  /// the
+  ///                            device); writing to `stream` throws it too
   void commit();
 
   /// As `commit`, under another name that says that there should be more: NAME.partial. What
@@ -46,9 +52,9 @@ class OutputFile {
 
  private:
   std::filesystem::path path_;
-  std::ostream* standard_output_;    // null: `file_` is written to
-  std::filesystem::path temporary_;  // empty: written directly
-  std::ofstream file_;
+  std::ostream* standard_output_;  // null: `file_` is written to
+  std::unique_ptr<CheckedFile> file_;
+  std::unique_ptr<Partial> partial_;  // after `file_`: goes before it
 };
 
 /// Writes a file as a whole. @throw CannotCreate, std::runtime_error  as `OutputFile`
@@ -58,7 +64,7 @@ void write_file(const std::filesystem::path& path, std::string_view content);
 class OutputFolder {
  public:
   /// Makes a staging folder beside (or in) `path`, so that a place that cannot be written to is
-  /// known before anything is computed. @throw CannotCreate
+  /// known before anything is computed. @throw CannotCreate  also while another run writes there
   explicit OutputFolder(const std::filesystem::path& path);
   ~OutputFolder();  ///< removes what was not committed
   OutputFolder(const OutputFolder&) = delete;
@@ -78,7 +84,8 @@ class OutputFolder {
 
  private:
   std::filesystem::path path_;
-  std::filesystem::path staging_;
+  std::unique_ptr<FolderLock> lock_;
+  std::unique_ptr<Partial> staging_;  // after the lock: goes before it
 };
 
 /// The results (CSV, SVG, decks) that a folder holds beside those just written, sorted.

@@ -30,10 +30,12 @@ struct DeckAnswer {
 void refuse_deck(const std::string& path);
 
 /// Runs the deck's own analysis, `.op` or one frequency of `.ac`, and reads the nodes that its
-/// header expects. Commands to ngspice (`*#` lines, `.control` sections) are left out.
+/// header expects. A deck is a program, and may be a stranger's: only cards that describe a circuit
+/// and its analysis are taken (docs/strangers.md), and they alone reach the simulator; the
+/// comments, commands to ngspice (`*#`) among them, do not.
 ///
-/// @throw InputError      the file cannot be read, has no `* expect NODE VOLTS` line or a malformed
-///                        one
+/// @throw InputError      the file cannot be read or is larger than 64 MiB; another card, at its
+///                        line; no `* expect NODE VOLTS` line, a malformed one, or more than 65536
 /// @throw SimulatorError  as `operating_point`
 [[nodiscard]] DeckAnswer relax_deck(const std::string& path, Simulator& simulator);
 

@@ -20,7 +20,8 @@ struct Diagnostic {
 };
 
 /// `file:line:column: error: message`, the source line with a caret, `hint: ...`; ends with a
-/// newline. A long line is cut around the column; control characters become '?'.
+/// newline. A long line is cut around the column; control characters are written as numbers,
+/// `\x1b`.
 [[nodiscard]] std::string text(const Diagnostic& diagnostic);
 
 /// Bad input; holds every problem that was found, in the file's order. what() is all their texts.

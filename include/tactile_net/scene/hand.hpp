@@ -66,11 +66,19 @@ struct Hand {
   std::optional<double> friction_used{};
 };
 
-/// @throw InputError  every problem of the file at once, as `read_scene`; and fingers that are
-///                    straight, where their contacts' places are in the file
-[[nodiscard]] Hand read_hand(const std::filesystem::path& path);
+struct HandOptions {
+  /// Whether the hand may name files elsewhere than beside its own and below. Not for a stranger's:
+  /// what is in a file shows in what is computed from it.
+  bool allow_outside = false;
+};
+
+/// @throw InputError  every problem of the file at once, as `read_scene`; fingers that are
+/// straight,
+///                    where their contacts' places are in the file; files elsewhere, links followed
+[[nodiscard]] Hand read_hand(const std::filesystem::path& path, const HandOptions& options = {});
 
 /// As `read_hand`, from text already in memory; `file` is the name in messages.
-[[nodiscard]] Hand parse_hand(std::string_view toml, const std::string& file);
+[[nodiscard]] Hand parse_hand(std::string_view toml, const std::string& file,
+                              const HandOptions& options = {});
 
 }  // namespace tactile_net

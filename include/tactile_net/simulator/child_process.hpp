@@ -1,5 +1,8 @@
 /// @file
-/// Runs another program with limits on its time and its output (POSIX).
+/// Runs another program with limits on its time and its output (Linux).
+///
+/// The program never outlives its caller: however the caller ends, the kernel kills it, and what a
+/// signal handler removes at a sudden end includes it (`system/leftovers.hpp`).
 #pragma once
 
 #include <chrono>
@@ -11,12 +14,17 @@
 namespace tactile_net {
 
 struct ProcessOptions {
-  std::filesystem::path folder{};                 ///< working directory; empty: the caller's
-  std::string input{};                            ///< written to its standard input
-  std::vector<std::string> unset{};               ///< environment variables to hide from it
-  std::chrono::milliseconds time_limit{60'000};   ///< then it and its children are killed
+  std::filesystem::path folder{};    ///< working directory; empty: the caller's
+  std::string input{};               ///< written to its standard input
+  std::vector<std::string> unset{};  ///< environment variables to hide from it
+  /// Wall time; then it and its children are killed. Its processors' time is limited by this too,
+  /// times their number.
+  std::chrono::milliseconds time_limit{60'000};
   std::size_t output_limit = 16U << 20;           ///< bytes kept; more kills it
-  std::size_t file_limit = std::size_t{4} << 30;  ///< largest file it may write [bytes]
+  std::size_t file_limit = std::size_t{1} << 30;  ///< largest file it may write [bytes]
+  /// It writes in `folder` alone (empty: nowhere) and starts nothing, as far as the kernel has the
+  /// means: see `confinement`. Of a script only the files are confined.
+  bool confined = false;
   /// Asked about every 50 ms; true: it and its children are killed. Null: nobody is asked.
   bool (*cancelled)() = nullptr;
 };

@@ -18,8 +18,8 @@ struct NgspiceOptions {
   bool (*cancelled)() = nullptr;                 ///< as `ProcessOptions::cancelled`
 };
 
-/// Runs `ngspice -b` on each deck, in a private temporary folder that is removed on success, and
-/// reads its raw file.
+/// Runs `ngspice -b` on each deck, confined to a private temporary folder that is removed at the
+/// end (`confinement.hpp`), and reads its raw file. Of a failure the deck and the log stay.
 ///
 /// Caught: not installed, time or output limit, crash, exit status, "singular matrix" and other
 /// failures it reports with exit status 0, a short file, NaN and infinity.

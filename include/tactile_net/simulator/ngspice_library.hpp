@@ -4,7 +4,8 @@
 ///
 /// The library may crash, ask its host to exit, or answer with the numbers of the deck before; so
 /// it lives in a child that is forked, without exec, by the first `run`. The worker holds none of
-/// the caller's files, reads no .spiceinit, and ends within a second of its parent.
+/// the caller's files, reads no .spiceinit, writes in its private folder alone, starts nothing
+/// (`confinement.hpp`), and ends within a second of its parent.
 #pragma once
 
 #include <chrono>

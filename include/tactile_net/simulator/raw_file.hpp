@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <span>
@@ -25,10 +26,13 @@ struct RawFile {
   [[nodiscard]] std::span<const double> vector(std::string_view name) const;
 };
 
+/// What a circuit of a thousand taxels takes, many times over. [bytes]
+inline constexpr std::uintmax_t largest_raw_file = std::uintmax_t{1} << 30;
+
 /// Reads the first plot.
 ///
-/// @throw std::runtime_error  the file is missing, its header is malformed, or fewer values stand
-///                            in it than the header announces
+/// @throw std::runtime_error  the file is missing or too large, its header is malformed, or fewer
+///                            values stand in it than the header announces
 [[nodiscard]] RawFile read_raw_file(const std::filesystem::path& path);
 
 }  // namespace tactile_net

@@ -12,6 +12,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -35,8 +36,13 @@ class SimulatorError : public std::runtime_error {
   SimulatorError(Cause cause, const std::string& text, std::filesystem::path folder)
       : std::runtime_error(text), cause_(cause), folder_(std::move(folder)) {}
   [[nodiscard]] Cause cause() const noexcept { return cause_; }
-  /// Holds deck.cir and ngspice.log; empty if nothing was kept.
+  /// Holds deck.cir and ngspice.log, nothing else; empty if nothing was kept.
   [[nodiscard]] const std::filesystem::path& folder() const noexcept { return folder_; }
+  /// Removes that folder: for who takes the failure for an answer and shows nobody the text.
+  void discard() const noexcept {
+    std::error_code ignored;
+    if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
+  }
 
  private:
   Cause cause_;

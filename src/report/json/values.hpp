@@ -9,14 +9,16 @@
 #include <vector>
 
 #include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::report {
 
 using Json = nlohmann::ordered_json;
 
-/// The document as text; bytes of a file's name that are not UTF-8 are replaced.
+/// The document as text, fit for a terminal; bytes of a file's name that are not UTF-8 are
+/// replaced.
 inline std::string text_of(const Json& json, int indent = 1) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+  return printable_json(json.dump(indent, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 inline Json number_or_null(const std::optional<double>& number) {

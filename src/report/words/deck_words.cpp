@@ -7,6 +7,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -18,8 +19,8 @@ DeckHeader header_of(const lab::SceneCircuit& circuit) {
   const std::string volts = shortest(scale.volts);
   const bool two = unknowns(scene) == 2;
   DeckHeader header{
-      .title = "tactile-net " + std::string(version()) + ": " + scene.file + ", realization " +
-               std::string(name(circuit.options().realization)),
+      .title = "tactile-net " + std::string(version()) + ": " + printable(scene.file) +
+               ", realization " + std::string(name(circuit.options().realization)),
       .comments =
           {two ? "Solves P f = b for the tractions f on the surface above a tactile array: the "
                  "normal "

@@ -9,7 +9,7 @@
 namespace tactile_net::tool {
 
 void run(const GraspOptions& options, const Streams& streams) {
-  const Hand hand = read_hand(options.hand);
+  const Hand hand = read_hand(options.hand, {.allow_outside = options.allow_outside});
   Results results(options.results, streams);
   Progress progress(streams);
   const auto readings = [&](const std::filesystem::path& file, const Scene& scene,

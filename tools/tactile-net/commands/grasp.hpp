@@ -11,6 +11,7 @@ namespace tactile_net::tool {
 
 struct GraspOptions {
   std::string hand{};
+  bool allow_outside = false;  ///< files elsewhere than beside the hand's and below
   ResultOptions results{};
   std::string columns{};
 };

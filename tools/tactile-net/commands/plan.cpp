@@ -18,6 +18,7 @@
 #include "tactile_net/report/words/controller_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/reader.hpp"
+#include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::tool {
 namespace {
@@ -101,7 +102,7 @@ void run(const PlanOptions& options, const Streams& streams) {
   if (output) {
     const std::vector<std::byte> bytes = encode_plan(plan);
     write(output.get(), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    out << "plan: " << options.output << ", " << bytes.size() << " bytes\n";
+    out << "plan: " << printable(options.output) << ", " << bytes.size() << " bytes\n";
   }
   if (summary) write(summary.get(), report::controller_json(problem.scene(), planned, frame));
 }

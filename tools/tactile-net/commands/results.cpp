@@ -4,6 +4,8 @@
 
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/system/printable.hpp"
+#include "terminal/printable_stream.hpp"
 
 namespace tactile_net::tool {
 
@@ -26,7 +28,10 @@ void Results::write(const Result& result, Progress& progress) {
     say_others(streams_.err, path_, folder_->commit());
   }
   progress.clear();
-  if (tables_) result.print(streams_.out);
+  if (tables_) {
+    PrintableStream out(streams_.out);
+    result.print(out);
+  }
   tool::write(json_.get(), json);
   if (folder_ && tables_) say_report(streams_.out, path_);
   streams_.out.flush();
@@ -55,7 +60,7 @@ void say_others(std::ostream& err, const std::filesystem::path& folder,
 }
 
 void say_report(std::ostream& out, const std::filesystem::path& folder) {
-  out << "report: " << (folder / "report.html").string() << '\n';
+  out << "report: " << printable((folder / "report.html").string()) << '\n';
 }
 
 }  // namespace tactile_net::tool

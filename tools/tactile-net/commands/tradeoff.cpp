@@ -1,8 +1,8 @@
 #include "commands/tradeoff.hpp"
 
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <string>
@@ -11,12 +11,14 @@
 
 #include "commands/deadline.hpp"
 #include "failure.hpp"
+#include "tactile_net/frames/folder_lock.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/report/json/tradeoff_json.hpp"
 #include "tactile_net/pages/tradeoff_page.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
+#include "tactile_net/scene/bounded_text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/study/processor.hpp"
@@ -26,9 +28,10 @@
 namespace tactile_net::tool {
 namespace {
 
+constexpr std::uintmax_t largest_study = std::uintmax_t{256} << 20;
+
 std::string content_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return bounded_text(path, largest_study, "is this the study's own file?");
 }
 
 struct Written {
@@ -67,8 +70,9 @@ std::vector<study::StudySection> earlier(const TradeoffOptions& options,
   const std::filesystem::path path =
       std::filesystem::path(options.results.folder) / "tradeoff.json";
   if (!std::filesystem::exists(path)) return {};
+  const std::string text = content_of(path);
   try {
-    return report::finished_jobs(content_of(path), scene_text, study::processor_name());
+    return report::finished_jobs(text, scene_text, study::processor_name());
   } catch (const std::runtime_error& error) {
     throw InputError({{.file = path.string(),
                        .message = std::string("cannot be resumed: ") + error.what(),
@@ -85,7 +89,7 @@ class Watcher final : public study::StudyObserver {
   void progress(const study::StudyProgress& progress) override {
     if (line_.due()) line_.say(report::in_words(progress));
   }
-  [[nodiscard]] bool stop() const override { return Interruption::came(); }
+  [[nodiscard]] bool stop() const override { return InterruptionAsWish::came(); }
   void save(const study::Study& study) override {
     if (!folder_.empty()) written_ = write_all(folder_, study, scene_text_);
   }
@@ -94,7 +98,7 @@ class Watcher final : public study::StudyObserver {
   [[nodiscard]] Progress& line() noexcept { return line_; }
 
  private:
-  const Interruption interruption_;
+  const InterruptionAsWish interruption_;
   Progress line_;
   std::filesystem::path folder_;
   const std::string& scene_text_;
@@ -153,8 +157,12 @@ void run(const TradeoffOptions& options, const Streams& streams) {
   study::TradeoffOptions study_options{.circuits = !options.digital,
                                        .simulator = options.simulator,
                                        .finished = earlier(options, scene_text)};
-  study_options.simulator.ngspice.cancelled = Interruption::came;
-  if (!folder.empty()) make_folder(folder);
+  study_options.simulator.ngspice.cancelled = InterruptionAsWish::came;
+  std::optional<frames::FolderLock> lock;
+  if (!folder.empty()) {
+    lock.emplace(folder);
+    make_folder(folder);
+  }
 
   Watcher watcher(folder, scene_text, streams);
   const study::Study study = study_of(scene, study_options, watcher);

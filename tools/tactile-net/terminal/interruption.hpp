@@ -1,35 +1,39 @@
 /// @file
-/// Ctrl-C as a wish to stop, not as an end: long work asks for it between its steps.
+/// Ctrl-C, the end of the terminal, a service manager's SIGTERM: the command ends, and leaves
+/// nothing behind.
 #pragma once
 
+#include <array>
 #include <csignal>
 
 namespace tactile_net::tool {
 
-/// While one lives, SIGINT and SIGTERM are remembered; a second one ends the program as usual.
+/// While one lives, SIGINT, SIGTERM and SIGHUP kill what the command has started, remove what it
+/// has half written (`system/leftovers.hpp`), and end the process as ever, by the signal: who
+/// called it sees which. A signal that is ignored, as under nohup, stays ignored.
+///
+/// Every command has one: no computation has to ask for it.
 class Interruption {
  public:
-  Interruption() {
-    came_ = 0;
-    struct sigaction action {};
-    action.sa_handler = [](int) { came_ = 1; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    ::sigaction(SIGINT, &action, &interrupt_);
-    ::sigaction(SIGTERM, &action, &terminate_);
-  }
-  ~Interruption() {
-    ::sigaction(SIGINT, &interrupt_, nullptr);
-    ::sigaction(SIGTERM, &terminate_, nullptr);
-  }
+  Interruption() noexcept;
+  ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  [[nodiscard]] static bool came() noexcept { return came_ != 0; }
-
  private:
-  static inline volatile std::sig_atomic_t came_ = 0;
-  struct sigaction interrupt_ {};
-  struct sigaction terminate_ {};
+  std::array<struct sigaction, 3> before_{};
+};
+
+/// While one lives inside an `Interruption`, the first signal is a wish to stop, which long work
+/// that can be resumed asks for between its steps; the second ends the process as above.
+class InterruptionAsWish {
+ public:
+  InterruptionAsWish() noexcept;
+  ~InterruptionAsWish();
+  InterruptionAsWish(const InterruptionAsWish&) = delete;
+  InterruptionAsWish& operator=(const InterruptionAsWish&) = delete;
+
+  [[nodiscard]] static bool came() noexcept;
 };
 
 }  // namespace tactile_net::tool

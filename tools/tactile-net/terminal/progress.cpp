@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "tactile_net/report/words/step_words.hpp"
+#include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::tool {
 namespace {
@@ -20,7 +21,7 @@ void Progress::step(const lab::Step& step) {
 
 void Progress::say(const std::string& text) {
   if (!terminal_) return;
-  err_ << clear_line << text << std::flush;
+  err_ << clear_line << printable(text) << std::flush;
   shown_ = true;
 }
 

@@ -15,7 +15,9 @@ namespace tactile_net::tool {
 
 class Progress final : public lab::Observer {
  public:
-  explicit Progress(const Streams& streams) : err_(streams.err), terminal_(streams.terminal) {}
+  explicit Progress(const Streams& streams)
+      : err_(streams.screen != nullptr ? *streams.screen : streams.err),
+        terminal_(streams.terminal) {}
   ~Progress() override { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
