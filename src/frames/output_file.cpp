@@ -54,8 +54,9 @@ void OutputFile::commit() {
 }
 
 fs::path OutputFile::commit_partial() {
-  if (!temporary_.empty()) path_ += ".partial";
-  const fs::path kept = temporary_.empty() ? fs::path{} : path_;
+  const bool direct = standard_output_ != nullptr || is_direct();
+  if (!direct) path_ += ".partial";
+  const fs::path kept = direct ? fs::path{} : path_;
   commit();
   return kept;
 }
@@ -87,6 +88,8 @@ OutputFolder::OutputFolder(const fs::path& path) : path_(path) {
 }
 
 OutputFolder::~OutputFolder() = default;
+
+fs::path OutputFolder::place(std::string_view name) const { return staging_->path() / name; }
 
 void OutputFolder::write(std::string_view name, std::string_view content) const {
   CheckedFile file(staging_->path() / name, path_ / name);

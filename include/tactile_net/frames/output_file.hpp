@@ -74,7 +74,7 @@ class OutputFolder {
   void write(std::string_view name, std::string_view content) const;
 
   /// Where a file that is too long for one text is to be written, before `commit`.
-  [[nodiscard]] std::filesystem::path place(std::string_view name) const { return staging_ / name; }
+  [[nodiscard]] std::filesystem::path place(std::string_view name) const;
 
   /// Moves every file into place, replacing those of an earlier run.
   ///
