@@ -4,8 +4,8 @@
 
 #include "commands/results.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/csv/recording_csv.hpp"
 #include "tactile_net/pages/recording_page.hpp"
+#include "tactile_net/report/csv/recording_csv.hpp"
 #include "terminal/progress.hpp"
 
 namespace tactile_net::tool {
