@@ -9,8 +9,8 @@
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/drawing/png.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/json/recording_json.hpp"
 #include "tactile_net/pages/pad_drawing.hpp"
+#include "tactile_net/report/json/recording_json.hpp"
 #include "tactile_net/report/words/recording_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
@@ -25,7 +25,6 @@ using lab::RecordingOverview;
 using lab::Verdict;
 using ValueOf = std::function<double(const FrameGroup&)>;
 using report::Answer;
-using report::TractionRange;
 using report::answers;
 using report::distrusted_in_words;
 using report::group_clock;
@@ -34,6 +33,7 @@ using report::recording_in_words;
 using report::recording_json;
 using report::sensor_in_words;
 using report::traction_range;
+using report::TractionRange;
 
 constexpr std::string_view style = R"(
 :root { --blue: #2166ac; --orange: #b25806; --purple: #762a83; --red: #c0392b; --card: #f6f8fa; }

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/pages/recording_page.hpp"
 #include "tactile_net/report/csv/recording_csv.hpp"
 #include "tactile_net/report/json/recording_json.hpp"
-#include "tactile_net/pages/recording_page.hpp"
 #include "tactile_net/report/words/recording_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
@@ -52,7 +52,8 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 TEST_CASE("a recording's page answers first, and needs no network", "[report][recording]") {
   const lab::RecordingOverview overview = press(60, lab::Verdict::unstable);
-  const std::string page = pages::recording_page(overview, "press.csv", {"a note"}, {"shown.csv"}).html;
+  const std::string page =
+      pages::recording_page(overview, "press.csv", {"a note"}, {"shown.csv"}).html;
   CHECK(page.find("largest normal force") < page.find("<svg"));
   CHECK_THAT(page, Contains("1 of 60 frames") && Contains("a note"));
   CHECK_THAT(page, Contains("<a href=\"shown.csv\">") && Contains("data:image/png;base64,"));
@@ -66,7 +67,8 @@ TEST_CASE("a recording's page answers first, and needs no network", "[report][re
 
 TEST_CASE("a title cannot leave its place in a recording's page", "[report][recording]") {
   const lab::RecordingOverview overview = press(3, lab::Verdict::ok, "</script><b onclick=1>&");
-  const std::string page = pages::recording_page(overview, "<x>.csv", {"<note>"}, {"\"><i>.csv"}).html;
+  const std::string page =
+      pages::recording_page(overview, "<x>.csv", {"<note>"}, {"\"><i>.csv"}).html;
   CHECK_THAT(page, !Contains("<b onclick") && !Contains("<x>") && !Contains("<note>"));
   CHECK_THAT(page, !Contains("<i>"));
   CHECK(recording_json(overview).find('<') == std::string::npos);

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/report/json/tradeoff_json.hpp"
 #include "tactile_net/pages/tradeoff_page.hpp"
+#include "tactile_net/report/json/tradeoff_json.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
 #include "tactile_net/study/study.hpp"

@@ -3,8 +3,8 @@
 #include "failure.hpp"
 #include "tactile_net/lab/certification.hpp"
 #include "tactile_net/lab/deck_file.hpp"
-#include "tactile_net/report/json/network_json.hpp"
 #include "tactile_net/pages/certificate_page.hpp"
+#include "tactile_net/report/json/network_json.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/scene/reader.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "failure.hpp"
 #include "tactile_net/frames/frame_of.hpp"
-#include "tactile_net/report/json/grasp_json.hpp"
 #include "tactile_net/pages/grasp_page.hpp"
+#include "tactile_net/report/json/grasp_json.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
 
 namespace tactile_net::tool {

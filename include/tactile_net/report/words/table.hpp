@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/lab/certification.hpp"
 #include "tactile_net/lab/deck_file.hpp"
 #include "tactile_net/lab/run.hpp"
-#include "tactile_net/lab/certification.hpp"
 
 namespace tactile_net::report {
 
