@@ -152,7 +152,7 @@ class CsvFrames::Reader {
     const std::string_view text = trimmed(raw);
     double value = 0.0;
     const FieldKind kind = read_field(text, header_.layout.may_have_decimal_comma(), value);
-    if (kind == FieldKind::number) {
+    if (kind == FieldKind::number) [[likely]] {
       if (header_.layout.may_have_decimal_comma()) check_decimals(raw, text, field);
       return value;
     }

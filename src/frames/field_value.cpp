@@ -2,10 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-
-#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::frames {
 namespace {
@@ -25,24 +21,11 @@ bool is_word_for_missing(std::string_view field) {
   return std::find(words.begin(), words.end(), small) != words.end();
 }
 
-FieldKind read_with_point(std::string_view field, double& value) {
-  // std::from_chars takes no leading '+'.
-  if (field.size() > 1 && field[0] == '+' && field[1] != '-') field.remove_prefix(1);
-  double read = 0.0;
-  const auto [end, error] = number_from_chars(field.data(), field.data() + field.size(), read);
-  if (end != field.data() + field.size()) return FieldKind::text;
-  if (error == std::errc::result_out_of_range) return FieldKind::too_big;
-  if (error != std::errc{}) return FieldKind::text;
-  if (!std::isfinite(read)) return FieldKind::missing;
-  value = read;
-  return FieldKind::number;
-}
-
 }  // namespace
 
-FieldKind read_field(std::string_view field, bool decimal_comma, double& value) {
+FieldKind read_unusual_field(std::string_view field, FieldKind kind, bool decimal_comma,
+                             double& value) {
   if (field.empty()) return FieldKind::missing;
-  FieldKind kind = read_with_point(field, value);
   if (kind == FieldKind::text && decimal_comma && field.size() < 64) {
     const std::size_t comma = field.find(',');
     if (comma != field.npos && field.find('.') == field.npos) {

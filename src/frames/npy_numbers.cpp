@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -11,6 +12,11 @@ namespace {
 
 template <typename Word, bool big_endian>
 Word word_at(const unsigned char* bytes) {
+  if constexpr (std::endian::native == (big_endian ? std::endian::big : std::endian::little)) {
+    Word as_it_stands;
+    std::memcpy(&as_it_stands, bytes, sizeof as_it_stands);
+    return as_it_stands;
+  }
   std::uint64_t word = 0;  // small words would be promoted to a signed one
   for (std::size_t i = 0; i < sizeof(Word); ++i)
     word = word << 8 | bytes[big_endian ? i : sizeof(Word) - 1 - i];

@@ -66,6 +66,7 @@ class NpyFrames final : public FrameSource {
   ReadNumbers read_ = nullptr;
   std::size_t width_ = 8;  // bytes of a number
   bool fortran_ = false;
+  bool any_unread_ = false;
   std::size_t header_ = 0;   // bytes
   std::size_t columns_ = 0;  // of the array
   std::size_t frames_ = 0;
