@@ -32,10 +32,16 @@ COUNTED(void, _ZN11tactile_net18TractionCovarianceC1ERKNS_14InverseProblemEdd, "
         (void* self, const InverseProblem& p, double a, double b), (self, p, a, b))
 COUNTED(ModeSpace, _ZN11tactile_net12hidden_modesERKNS_14InverseProblemE, "modes",
         (const InverseProblem& p), (p))
-COUNTED(AlphaSweep, _ZN11tactile_net11sweep_alphaERKNS_11FilterFrameESt8optionalIdE, "sweep",
-        (const FilterFrame& f, std::optional<double> n), (f, n))
-COUNTED(AlphaChoice, _ZN11tactile_net12choose_aloneERKNS_11FilterFrameENS_9AlphaRuleESt8optionalIdE,
-        "prior", (const FilterFrame& f, AlphaRule r, std::optional<double> n), (f, r, n))
+COUNTED(void, _ZN11tactile_net11AlphaTablesC1ESt4spanIKdLm18446744073709551615EEm, "tables",
+        (void* self, std::span<const double> gamma, std::size_t rows), (self, gamma, rows))
+COUNTED(AlphaSweep,
+        _ZN11tactile_net11sweep_alphaERKNS_11FilterFrameERKNS_11AlphaTablesESt8optionalIdE, "sweep",
+        (const FilterFrame& f, const AlphaTables& t, std::optional<double> n), (f, t, n))
+COUNTED(
+    AlphaChoice,
+    _ZN11tactile_net12choose_aloneERKNS_11FilterFrameERKNS_11AlphaTablesENS_9AlphaRuleESt8optionalIdE,
+    "prior", (const FilterFrame& f, const AlphaTables& t, AlphaRule r, std::optional<double> n),
+    (f, t, r, n))
 COUNTED(void,
         _ZN11tactile_net11DftTikhonovC1ERKNS_11SensorArrayERKNS_8MaterialERKNS_14ProblemOptionsE,
         "circular", (void* self, const SensorArray& a, const Material& m, const ProblemOptions& o),
@@ -72,6 +78,7 @@ TEST_CASE("run makes one problem, one family, one covariance, one look for hidde
   CHECK(made["family"] == 1);
   CHECK(made["covariance"] == 1);
   CHECK(made["modes"] == 1);
+  CHECK(made["tables"] == 1);
   CHECK(made["prior"] == 1);
 }
 
@@ -90,6 +97,7 @@ TEST_CASE("frames of a recording share what does not depend on them", "[lab][onc
     }
     CHECK(made["problem"] == 1);
     CHECK(made["family"] == 1);
+    CHECK(made["tables"] == 1);
     CHECK(made["sweep"] == static_cast<int>(frames));
   }
   SECTION("transforms of large arrays") {
@@ -104,6 +112,7 @@ TEST_CASE("frames of a recording share what does not depend on them", "[lab][onc
     }
     CHECK(made["circular"] == 1);
     CHECK(made["gradients"] == 1);
+    CHECK(made["tables"] == 1);
     CHECK(made["problem"] == 0);
   }
 }
