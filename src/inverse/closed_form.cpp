@@ -6,7 +6,8 @@
 
 namespace tactile_net {
 
-Reconstruction closed_form(const InverseProblem& problem, double alpha) {
+Reconstruction closed_form(const InverseProblem& problem, double alpha,
+                           std::optional<double> stacked_condition) {
   check_alpha(alpha);
   const auto kernel = as_eigen(problem.kernel);
   const Eigen::Index m = kernel.rows();
@@ -35,7 +36,8 @@ Reconstruction closed_form(const InverseProblem& problem, double alpha) {
 
   const StackedQr qr(of_h);
   const auto [u, condition_of_h] = qr.pseudo_inverse(m);
-  const double condition = std::max(condition_of_h, StackedQr(stacked(problem, alpha)).condition());
+  if (!stacked_condition) stacked_condition = StackedQr(stacked(problem, alpha)).condition();
+  const double condition = std::max(condition_of_h, *stacked_condition);
   Eigen::MatrixXd rotated = qr.rotate(of_c);
   const Eigen::MatrixXd v = qr.solve_rotated(rotated);
   rotated.topRows(slopes).setZero();

@@ -75,6 +75,7 @@ struct TikhonovFamily::Factors {
   explicit Factors(const InverseProblem& problem)
       : count(problem.count),
         weights(as_eigen(std::span(problem.weights))),
+        stabiliser_condition(std::hypot(1.0, 2.0 * problem.smoothing_length / problem.pitch)),
         form(as_eigen(problem.kernel), stabiliser(problem)),
         gamma(form.gamma.begin(), form.gamma.end()) {
     const auto block = static_cast<Eigen::Index>(count);
@@ -84,6 +85,7 @@ struct TikhonovFamily::Factors {
 
   std::size_t count;
   Eigen::VectorXd weights;
+  double stabiliser_condition;  // of L, at most
   StandardForm form;
   std::vector<double> gamma;
   Eigen::MatrixXd fourier;                         // cosines, then sines, channel by channel
@@ -101,6 +103,10 @@ std::span<const double> TikhonovFamily::singular_values() const noexcept { retur
 double TikhonovFamily::condition(double alpha) const noexcept {
   const double root = std::sqrt(alpha);
   return std::hypot(factors_->gamma.front(), root) / std::hypot(factors_->gamma.back(), root);
+}
+
+double TikhonovFamily::stacked_condition(double alpha) const noexcept {
+  return factors_->stabiliser_condition * condition(alpha);
 }
 
 FilterFrame TikhonovFamily::analyse(std::span<const double> readings) const {

@@ -123,6 +123,14 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
     result.remarks.emplace_back(remark::Hidden{run.problem.hidden()});
 }
 
+/// Of a method that does not know the scene's constraints: it has answered another question, which
+/// weighs more than how well.
+void note_constraints(MethodResult& result, const Run& run) {
+  if (!run.problem.constraints()) return;
+  result.remarks.emplace_back(remark::ConstraintsIgnored{});
+  if (result.verdict != Verdict::failed) result.verdict = Verdict::unconstrained;
+}
+
 MethodResult reconstruct(Method method, const Run& run) {
   MethodResult result{.method = method};
   try {
@@ -150,8 +158,7 @@ MethodResult reconstruct(Method method, const Run& run) {
     result.constrained = answer.constrained;
     measure(result, f, run.problem.scene(), run.experiment.frame.truth);
     if (traits(method).has_bands) judge_errors(result, f, answer, run);
-    if (traits(method).has_bands && !traits(method).takes_constraints && run.problem.constraints())
-      result.remarks.emplace_back(remark::ConstraintsIgnored{});
+    if (!traits(method).takes_constraints) note_constraints(result, run);
   } catch (const std::domain_error& error) {
     result.refusal = error.what();
   } catch (const std::invalid_argument& error) {
@@ -183,7 +190,7 @@ MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer
       result.remarks.emplace_back(
           remark::VoltagesUnresolved{relaxation.condition.value, relaxation.explained.limit});
     if (relaxation.stable) result.error_bound = relaxation.explained.total();
-    if (run.problem.constraints()) result.remarks.emplace_back(remark::ConstraintsIgnored{});
+    note_constraints(result, run);
   } catch (const SimulatorError& error) {
     result.refusal = error.what();
   } catch (const std::domain_error& error) {

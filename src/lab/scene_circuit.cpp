@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <utility>
+#include <variant>
 
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
@@ -54,6 +57,21 @@ double bound_of_curves(const SceneCircuit& circuit) {
   return size > 0.0 ? 2.0 * l2_norm(moved) / size : 0.0;
 }
 
+/// The options with a scale that suits the answer: see `SceneCircuit::options`.
+NetworkOptions scaled(const Scene& scene,
+                      const std::function<const std::vector<double>&()>& direct) {
+  NetworkOptions options = scene.network;
+  if (!options.one_volt) return options;
+  double one_volt = 0.1 * scene.material.youngs_modulus;
+  if (!scene.contacts.empty()) {
+    one_volt = 0.0;
+    for (const double f : direct()) one_volt = std::max(one_volt, std::abs(f));
+  }
+  const double volts = 1.0 / one_volt;
+  if (volts > 0.0 && std::isfinite(volts)) options.parts.scale.volts = volts;
+  return options;
+}
+
 /// What finite gain and offset do to the answer, from the linear equations of the same parts.
 std::optional<double> predicted_difference(const SceneCircuit& circuit) {
   const RealizationOptions& parts = circuit.options().parts;
@@ -71,6 +89,7 @@ SceneCircuit::SceneCircuit(const SceneFrame& frame) : SceneCircuit(frame, frame.
 SceneCircuit::SceneCircuit(const SceneFrame& frame, const ChosenAlpha& alpha)
     : frame_(frame),
       alpha_(alpha),
+      options_(scaled(scene(), [this]() -> const std::vector<double>& { return direct(); })),
       network_(options().realization,
                std::make_shared<const NetworkProblem>(
                    network_problem(frame.problem().problem(), alpha.value, frame.readings())),
@@ -90,7 +109,7 @@ Condition SceneCircuit::condition() const {
   const double smallest = network_.eigenvalues().smallest;
   return {smallest > 0.0 ? row_sum_norm(network_.problem().matrix) / smallest
                          : std::numeric_limits<double>::infinity(),
-          Condition::Kind::bound};
+          Condition::Kind::bound, Condition::Matrix::normal};
 }
 
 const ExplainedDifference& SceneCircuit::explained() const {
@@ -103,6 +122,21 @@ const ExplainedDifference& SceneCircuit::explained() const {
         .predicted = predicted_difference(*this)};
     if (realization.parts == RealizationTraits::Parts::curved)
       result.curves = bound_of_curves(*this);
+    return result;
+  });
+}
+
+const SceneCircuit::Ordered& SceneCircuit::ordered() const {
+  return ordered_.get([&] {
+    Ordered result{.circuit = network_.circuit()};
+    if (!options_.tolerance || !options_.tolerance->series) return result;
+    result.series = options_.tolerance->series;
+    result.circuit = with_parts_of(*result.series, std::move(result.circuit));
+    const bool at_rest = std::holds_alternative<DirectCurrent>(analysis());
+    if (!at_rest || !loaded()) return result;
+    std::vector<double> v = operating_voltages(FlatCircuit(result.circuit));
+    for (double& value : v) value /= options_.parts.scale.volts;
+    result.moved = l2_difference(v, direct());
     return result;
   });
 }

@@ -34,6 +34,7 @@ struct SceneProblem::Parts {
   ProblemOptions options;
   std::optional<Constraints> constraints;
   std::optional<InverseProblem> problem;
+  std::optional<std::pair<double, Reconstruction>> tikhonov;  // of its alpha
   std::optional<TikhonovFamily> family;
   std::optional<DftTikhonov> circular;
   std::optional<AlphaTables> alpha_tables;
@@ -93,6 +94,18 @@ SceneProblem SceneProblem::without(std::span<const std::size_t> taxels) const {
         kept.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
     }
   return other;
+}
+
+const Reconstruction& SceneProblem::tikhonov(double alpha) const {
+  auto& made = parts_->tikhonov;
+  if (!made || made->first != alpha) made.emplace(alpha, tactile_net::tikhonov(problem(), alpha));
+  return made->second;
+}
+
+std::optional<double> SceneProblem::known_condition(double alpha) const noexcept {
+  const auto& made = parts_->tikhonov;
+  if (!made || made->first != alpha) return std::nullopt;
+  return made->second.condition();
 }
 
 const TikhonovFamily& SceneProblem::family() const {

@@ -22,12 +22,18 @@ constexpr Named<Verdict> verdicts[] = {{Verdict::ok, "ok"},
                                        {Verdict::null_mode, "null_mode"},
                                        {Verdict::not_converged, "not_converged"},
                                        {Verdict::iteration_limit, "iteration_limit"},
+                                       {Verdict::unconstrained, "unconstrained"},
                                        {Verdict::oversmoothed, "oversmoothed"},
                                        {Verdict::ill_conditioned, "ill_conditioned"},
                                        {Verdict::inaccurate, "inaccurate"}};
 constexpr Named<Condition::Kind> kinds[] = {{Condition::Kind::exact, "exact"},
                                             {Condition::Kind::bound, "bound"},
                                             {Condition::Kind::noise_gain, "noise_gain"}};
+constexpr Named<Condition::Matrix> matrices[] = {{Condition::Matrix::stacked, "stacked"},
+                                                 {Condition::Matrix::eliminated, "eliminated"},
+                                                 {Condition::Matrix::circular, "circular"},
+                                                 {Condition::Matrix::kernel, "kernel"},
+                                                 {Condition::Matrix::normal, "normal"}};
 
 }  // namespace
 
@@ -84,5 +90,7 @@ std::string_view source(const ChosenAlpha& alpha) noexcept {
 }
 
 std::string_view name(Condition::Kind kind) noexcept { return name_in<kinds>(kind); }
+
+std::string_view name(Condition::Matrix matrix) noexcept { return name_in<matrices>(matrix); }
 
 }  // namespace tactile_net::lab

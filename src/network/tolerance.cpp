@@ -126,12 +126,16 @@ double nearest_in(Series series, double ohm) {
 
 namespace {
 
+/// A conductance whose resistor is of the series.
+double preferred_siemens(Series series, double siemens) {
+  return std::copysign(1.0 / nearest_in(series, 1.0 / std::abs(siemens)), siemens);
+}
+
 /// The conductances that are printed on the parts: nominal, or of the series.
 std::vector<double> printed(const Reduction& reduction, const ToleranceOptions& options) {
   std::vector<double> siemens(reduction.siemens().begin(), reduction.siemens().end());
   if (options.series)
-    for (double& value : siemens)
-      value = std::copysign(1.0 / nearest_in(*options.series, 1.0 / std::abs(value)), value);
+    for (double& value : siemens) value = preferred_siemens(*options.series, value);
   return siemens;
 }
 
@@ -143,6 +147,13 @@ void spread(std::vector<double>& siemens, const ToleranceOptions& options, std::
 }
 
 }  // namespace
+
+Circuit with_parts_of(Series series, Circuit circuit) {
+  for (Resistor& resistor : circuit.resistors)
+    resistor.siemens = preferred_siemens(series, resistor.siemens);
+  circuit.divider = nearest_in(series, circuit.divider);
+  return circuit;
+}
 
 std::vector<double> drawn(const Reduction& reduction, const ToleranceOptions& options,
                           std::size_t trial) {

@@ -30,6 +30,7 @@ using report::elements_in_words;
 using report::failure_in_words;
 using report::in_words;
 using report::material_in_words;
+using report::other_conditions_in_words;
 using report::remarks_in_words;
 using report::resultant_in_words;
 using report::rule_cells;
@@ -236,6 +237,8 @@ Page report_html(const lab::Experiment& experiment) {
   if (!report.missing.empty()) html += element("p", report.missing, "note");
   html += element("h2", "Methods compared");
   html += html_table(comparison_cells(experiment));
+  if (const std::string others = other_conditions_in_words(experiment); !others.empty())
+    html += element("p", "Condition of other matrices: " + others + ".");
   html += element("p", "Force of the contacts: " + brief(experiment.frame.force) + " exact, " +
                            brief(experiment.sampled_force) +
                            " as pitch x sum of the truth at the taxels. Errors are against the "

@@ -73,6 +73,7 @@ NetworkOptions read_network(Table table) {
     if (const auto value = table.value(key)) target = value->number(positive).value_or(target);
   };
   number("siemens", parts.scale.siemens);
+  options.one_volt = !table.value("volts");
   number("volts", parts.scale.volts);
   number("residual_gain", parts.residual_gain);
   number("divider", parts.divider);

@@ -150,8 +150,8 @@ Timing read_time(Table table) {
 // --- [forward] ----------------------------------------------------------------------------------
 
 ForwardModel read_forward(Table table) {
-  constexpr std::array models = {ForwardModel::sampled, ForwardModel::exact};
-  auto result = ForwardModel::sampled;
+  constexpr std::array models = {ForwardModel::exact, ForwardModel::sampled};
+  auto result = ForwardModel::exact;
   if (const auto model = table.value("model"))
     if (const auto index = model->one_of("model", names_of(models))) result = models[*index];
   table.finish();
@@ -307,6 +307,7 @@ void read_sections(Table& root, Scene& scene) {
     scene.reconstruct.smoothing_length = scene.sensor.depths.front();
   if (const auto table = table_of(root.value("reconstruct")))
     scene.reconstruct = read_reconstruct(*table, scene, read);
+  scene.network.one_volt = true;
   if (const auto table = table_of(root.value("network"))) scene.network = read_network(*table);
   root.finish();
   scene = at_frame(std::move(scene), scene.time ? scene.time->frames - 1 : 0);

@@ -1,10 +1,14 @@
 #include "tactile_net/lab/method.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "tactile_net/lab/run.hpp"
+#include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/scene/reader.hpp"
+#include "tactile_net/simulator/ngspice.hpp"
 #include "tests/catch.hpp"
 
 namespace tactile_net::lab {
@@ -120,6 +124,44 @@ TEST_CASE("every verdict and every method has a name of its own", "[lab][method]
   std::sort(names.begin(), names.end());
   CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
   for (const MethodTraits& row : methods()) CHECK(&traits(row.method) == &row);
+}
+
+TEST_CASE("where a rule chooses alpha the condition is a bound, close to that of a given alpha",
+          "[lab][method]") {
+  Scene scene = read_scene(SCENES "/thesis/cylinder.toml");
+  const std::vector<double> readings = simulate(scene).readings;
+  for (const double smoothing : {0.1, 1.0, 5.0}) {
+    scene.reconstruct.smoothing_length = smoothing;
+    scene.reconstruct.alpha.reset();
+    std::vector<double> f(scene.sensor.count);
+    const FrameResult chosen = make_solver(scene, Method::tikhonov)->solve(readings, f);
+    REQUIRE(chosen.condition);
+    CHECK(chosen.condition->kind == Condition::Kind::bound);
+    scene.reconstruct.alpha = chosen.alpha->value;
+    const FrameResult given = make_solver(scene, Method::tikhonov)->solve(readings, f);
+    CHECK(given.condition->kind == Condition::Kind::exact);
+    CHECK(given.condition->matrix == chosen.condition->matrix);
+    CHECK(chosen.condition->value >= given.condition->value);
+    const double of_stabiliser = std::hypot(1.0, 2.0 * smoothing / scene.sensor.pitch);
+    CHECK(chosen.condition->value <= of_stabiliser * of_stabiliser * given.condition->value);
+  }
+  std::vector<double> f(scene.sensor.count);
+  const FrameResult eliminated = make_solver(scene, Method::closed_form)->solve(readings, f);
+  CHECK(eliminated.condition->matrix == Condition::Matrix::eliminated);
+}
+
+TEST_CASE("a method that does not know the scene's constraints says so in its verdict",
+          "[lab][method]") {
+  Scene scene = read_scene(SCENES "/thesis/cylinder.toml");
+  scene.reconstruct.methods = {Method::tikhonov, Method::closed_form, Method::dft};
+  Ngspice not_needed;
+  for (const bool constrained : {false, true}) {
+    scene.reconstruct.nonnegative = constrained;
+    for (const MethodResult& result : run(scene, not_needed).results) {
+      const bool knows = traits(result.method).takes_constraints;
+      CHECK((result.verdict == Verdict::unconstrained) == (constrained && !knows));
+    }
+  }
 }
 
 TEST_CASE("the circuit solves no frames, and says so", "[lab][method]") {

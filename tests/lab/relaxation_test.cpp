@@ -1,7 +1,11 @@
 #include "tactile_net/lab/relaxation.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "tactile_net/lab/recommendation.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/network/operating_voltages.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
@@ -84,6 +88,58 @@ TEST_CASE("a scene's circuit hands on what it made", "[lab][scene_circuit]") {
   CHECK(&one.network().flat() == &one.network().flat());
   CHECK(one.condition().kind == lab::Condition::Kind::bound);
   CHECK(one.condition().value >= one.certificate().condition);
+}
+
+TEST_CASE("the largest of the answer's voltages is 1 V unless the scene states a scale",
+          "[lab][scene_circuit]") {
+  Scene scene = read_scene(SCENES "/fingertip.toml");  // tractions of kilopascals
+  const auto largest = [](const lab::SceneCircuit& one) {
+    double volts = 0.0;
+    for (const double v : operating_voltages(one.network().flat()))
+      volts = std::max(volts, std::abs(v));
+    return volts;
+  };
+  for (const Realization realization : {Realization::nic, Realization::least_squares}) {
+    scene.network.realization = realization;
+    CHECK(largest(circuit(scene)) == Approx(1.0).epsilon(1e-3));  // amplifiers of gain 1e6
+  }
+  // The unit of stress makes no difference to a circuit.
+  Scene in_kilopascal = scene;
+  in_kilopascal.material.youngs_modulus *= 1e-3;
+  for (Contact& contact : in_kilopascal.contacts) std::get<RigidContact>(contact).force *= 1e-3;
+  CHECK(circuit(in_kilopascal).options().parts.scale.volts ==
+        Approx(1e3 * circuit(scene).options().parts.scale.volts).epsilon(1e-9));
+
+  scene.contacts.clear();
+  CHECK(circuit(scene).options().parts.scale.volts == Approx(10.0 / scene.material.youngs_modulus));
+  scene.network.one_volt = false;
+  scene.network.parts.scale.volts = 0.25;
+  CHECK(circuit(scene).options().parts.scale.volts == 0.25);
+}
+
+TEST_CASE("a deck has the resistors that one can buy, and says what they do to the answer",
+          "[lab][scene_circuit]") {
+  Scene scene = read_scene(SCENES "/circuits/rail.toml");
+  CHECK_FALSE(circuit(scene).ordered().series);
+  double before = 0.0;
+  for (const Series series : {Series::e192, Series::e24}) {
+    scene.network.tolerance = ToleranceOptions{.series = series};
+    const lab::SceneCircuit one = circuit(scene);
+    const Circuit& nominal = one.network().circuit();
+    const lab::SceneCircuit::Ordered& ordered = one.ordered();
+    REQUIRE(ordered.circuit.resistors.size() == nominal.resistors.size());
+    for (std::size_t r = 0; r < nominal.resistors.size(); ++r) {
+      const double siemens = ordered.circuit.resistors[r].siemens;
+      CHECK(nearest_in(series, 1.0 / std::abs(siemens)) ==
+            Approx(1.0 / std::abs(siemens)).epsilon(1e-12));
+      CHECK(std::abs(std::log(siemens / nominal.resistors[r].siemens)) <
+            std::log(10.0) / static_cast<double>(series));
+    }
+    REQUIRE(ordered.moved);
+    CHECK(*ordered.moved > before);  // coarser steps move it further
+    CHECK(*ordered.moved < 0.2);
+    before = *ordered.moved;
+  }
 }
 
 TEST_CASE("a recommendation says which, or what it would take", "[lab][recommendation]") {

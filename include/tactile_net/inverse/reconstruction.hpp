@@ -2,6 +2,7 @@
 /// A linear method made ready: readings in, tractions out, one matrix-vector product a frame.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "tactile_net/inverse/problem.hpp"
@@ -67,7 +68,11 @@ class Reconstruction {
 /// ratio c = r_v'r_u / r_v'r_v of two residuals: the corrected form of 4.15 with nothing squared.
 /// The minimiser is the same as `tikhonov`'s: the two agree to rounding, by different ways.
 ///
+/// @param stacked_condition  `tikhonov`'s condition of the same problem and alpha where somebody
+/// has
+///                           it: saves its decomposition, a third of the work
 /// @throw as `tikhonov`
-[[nodiscard]] Reconstruction closed_form(const InverseProblem& problem, double alpha);
+[[nodiscard]] Reconstruction closed_form(const InverseProblem& problem, double alpha,
+                                         std::optional<double> stacked_condition = {});
 
 }  // namespace tactile_net

@@ -28,6 +28,10 @@ class TikhonovFamily {
   /// included, reach R f multiplied by at most about this.
   [[nodiscard]] double condition(double alpha) const noexcept;
 
+  /// At least the 2-norm condition number of [W K; sqrt(alpha) L] itself: `condition` times a bound
+  /// on R's, sqrt(1 + 4 l^2/D^2), because the eigenvalues of Q lie between 0 and 4.
+  [[nodiscard]] double stacked_condition(double alpha) const noexcept;
+
   /// The frame in the basis of the singular vectors. O(rows x columns).
   /// @throw std::invalid_argument  readings have the wrong size or are not finite
   [[nodiscard]] FilterFrame analyse(std::span<const double> readings) const;

@@ -41,7 +41,10 @@ class SceneCircuit {
   SceneCircuit(const SceneFrame& frame, const ChosenAlpha& alpha);
 
   [[nodiscard]] const Scene& scene() const noexcept { return frame_.problem().scene(); }
-  [[nodiscard]] const NetworkOptions& options() const noexcept { return scene().network; }
+  /// The scene's, with the scale that holds for this circuit. Where the scene states no `volts`
+  /// the largest of the answer's voltages is 1 V; without a contact, whose answer would be noise,
+  /// 1 V stands for the traction that strains the pad by 10 %.
+  [[nodiscard]] const NetworkOptions& options() const noexcept { return options_; }
   [[nodiscard]] const ChosenAlpha& alpha() const noexcept { return alpha_; }
 
   /// The circuit, with its flat form, reduction, state space and P's eigenvalues.
@@ -60,6 +63,14 @@ class SceneCircuit {
 
   [[nodiscard]] const ExplainedDifference& explained() const;
 
+  /// The circuit as it is ordered: with resistors of the scene's series, where it names one.
+  struct Ordered {
+    Circuit circuit{};
+    std::optional<Series> series{};
+    std::optional<double> moved{};  ///< by the series, of a circuit at rest under load: |dv| / |v|
+  };
+  [[nodiscard]] const Ordered& ordered() const;
+
   /// With the scene's accuracy of settling; 1e-3 where it gives none.
   [[nodiscard]] const Certificate& certificate() const;
 
@@ -72,9 +83,11 @@ class SceneCircuit {
  private:
   SceneFrame frame_;
   ChosenAlpha alpha_;
-  NetworkCircuit network_;
   Once<std::vector<double>> direct_;
+  NetworkOptions options_;  // after what its scale follows from
+  NetworkCircuit network_;
   Once<ExplainedDifference> explained_;
+  Once<Ordered> ordered_;
   Once<Certificate> certificate_;
 };
 

@@ -19,6 +19,7 @@
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
 #include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/alpha.hpp"
@@ -57,6 +58,12 @@ class SceneProblem {
   /// The same with these taxels dead, in place of the scene's. K is not integrated anew.
   /// @param taxels  rising, < count, not all
   [[nodiscard]] SceneProblem without(std::span<const std::size_t> taxels) const;
+
+  /// Tikhonov's method for one alpha; made anew where it differs from the last call's.
+  /// @throw std::invalid_argument, std::domain_error  as `tactile_net::tikhonov`
+  [[nodiscard]] const Reconstruction& tikhonov(double alpha) const;
+  /// Its condition number if it has been made for this alpha.
+  [[nodiscard]] std::optional<double> known_condition(double alpha) const noexcept;
 
   /// Tikhonov's method for every alpha: one singular value decomposition.
   [[nodiscard]] const TikhonovFamily& family() const;

@@ -29,6 +29,7 @@ enum class Verdict {
   // Iterations that were stopped.
   not_converged,
   iteration_limit,
+  unconstrained,  ///< the scene's constraints bind tikhonov alone; this answer does not know them
   // What the answer itself shows.
   oversmoothed,     ///< more than half of the readings' size is left unexplained
   ill_conditioned,  ///< rounding alone may have moved it by more than 1e-3

@@ -21,6 +21,10 @@ enum class Series { e12 = 12, e24 = 24, e48 = 48, e96 = 96, e192 = 192 };
 /// The value of the series nearest to `ohm` > 0, in ratio.
 [[nodiscard]] double nearest_in(Series series, double ohm);
 
+/// The circuit from parts that are sold: every resistor, the dividers too, at the nearest value of
+/// the series; negative ones (`ideal`) keep their sign.
+[[nodiscard]] Circuit with_parts_of(Series series, Circuit circuit);
+
 struct ToleranceOptions {
   std::optional<double> relative{};  ///< uniform within +-relative, 0 < relative < 1
   std::optional<Series> series{};    ///< rounded to the nearest value of the series, first

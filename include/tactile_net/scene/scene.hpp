@@ -54,7 +54,9 @@ struct ReconstructOptions {
 
 struct NetworkOptions {
   Realization realization = Realization::ideal;
-  RealizationOptions parts{};                   ///< scale, op-amps, parasitics
+  RealizationOptions parts{};  ///< scale, op-amps, parasitics
+  bool one_volt =
+      false;  ///< the scale's volts follow from the answer, whose largest voltage is 1 V
   std::optional<ToleranceOptions> tolerance{};  ///< absent: every component has its exact value
   std::optional<double> settling_accuracy{};    ///< absent: only the operating point
 };
@@ -93,7 +95,7 @@ struct Scene {
   std::optional<Converter> quantization;
   std::optional<StuckTaxels> stuck_taxels;
   std::vector<std::size_t> dead_taxels;
-  ForwardModel forward = ForwardModel::sampled;
+  ForwardModel forward = ForwardModel::exact;
   ReconstructOptions reconstruct;
   NetworkOptions network;
 };

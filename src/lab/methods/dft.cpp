@@ -35,7 +35,8 @@ class Division final : public FrameSolver {
     if (result.status != FrameStatus::ok) return result;
     const DftVerdict verdict = inverse_.verdict(readings);
     result.verdict = verdict_of(verdict);
-    result.condition = {inverse_.noise_gain().largest, Condition::Kind::noise_gain};
+    result.condition = {inverse_.noise_gain().largest, Condition::Kind::noise_gain,
+                        Condition::Matrix::kernel};
     result.remarks = remarks_;
     if (verdict == DftVerdict::cut_off) result.remarks.emplace_back(remark::CutOff{});
     return result;
@@ -69,10 +70,11 @@ class Sliding final : public FrameSolver {
     std::copy(solution.normal.begin(), solution.normal.end(), tractions.begin());
     std::copy(solution.tangential.begin(), solution.tangential.end(),
               tractions.begin() + static_cast<std::ptrdiff_t>(count_));
-    FrameResult result{.verdict = verdict_of(solution),
-                       .condition = Condition{inverse_.division().noise_gain().largest,
-                                              Condition::Kind::noise_gain},
-                       .remarks = remarks_};
+    FrameResult result{
+        .verdict = verdict_of(solution),
+        .condition = Condition{inverse_.division().noise_gain().largest,
+                               Condition::Kind::noise_gain, Condition::Matrix::kernel},
+        .remarks = remarks_};
     if (solution.verdict == FrictionVerdict::not_one_contact)
       result.remarks.emplace_back(remark::NotOneContact{});
     if (solution.verdict == FrictionVerdict::drag_in_noise)
@@ -119,7 +121,8 @@ class Frequencies final : public FrameSolver {
     result.verdict = alpha.verdict != AlphaVerdict::ok ? verdict_of(alpha.verdict)
                      : inverse_.null_modes().empty()   ? Verdict::ok
                                                        : Verdict::null_mode;
-    result.condition = {inverse_.condition(alpha.value), Condition::Kind::exact};
+    result.condition = {inverse_.condition(alpha.value), Condition::Kind::exact,
+                        Condition::Matrix::circular};
     result.remarks = remarks_;
     if (inverse_.cut_off(readings, alpha.value)) {
       result.verdict = Verdict::cut_off;

@@ -7,24 +7,23 @@
 namespace tactile_net::lab {
 namespace {
 
-using Build = Reconstruction (*)(const InverseProblem& problem, double alpha);
-
 /// A matrix-vector product a frame.
 class MatrixProduct final : public FrameSolver {
  public:
-  MatrixProduct(const SceneProblem& problem, Build build, double alpha)
-      : inverse_(build(problem.problem(), alpha)), alpha_(alpha) {}
+  MatrixProduct(Reconstruction inverse, double alpha, Condition::Matrix matrix)
+      : inverse_(std::move(inverse)), alpha_(alpha), matrix_(matrix) {}
 
   FrameResult solve(std::span<const double> readings, std::span<double> tractions) override {
     return {.status = inverse_.solve(readings, tractions),
             .alpha = ChosenAlpha{.value = alpha_},
-            .condition = Condition{inverse_.condition()}};
+            .condition = Condition{.value = inverse_.condition(), .matrix = matrix_}};
   }
   [[nodiscard]] std::size_t tractions() const override { return inverse_.tractions(); }
 
  private:
   Reconstruction inverse_;
   double alpha_;
+  Condition::Matrix matrix_;
 };
 
 /// Each frame gets the alpha that the scene's rule chooses; the family solves for it.
@@ -45,7 +44,7 @@ class FamilyOfFrames final : public FrameSolver {
     return {.status = deliver(family.solve(frame.analysed(), alpha.value), tractions),
             .alpha = alpha,
             .verdict = verdict_of(alpha.verdict),
-            .condition = Condition{family.condition(alpha.value)}};
+            .condition = Condition{family.stacked_condition(alpha.value), Condition::Kind::bound}};
   }
   [[nodiscard]] std::size_t tractions() const override { return problem_.tractions(); }
 
@@ -88,13 +87,18 @@ std::unique_ptr<FrameSolver> make_tikhonov(const SceneProblem& problem,
     return std::make_unique<SolverOfFrames>(problem, make_active_set);
   }
   if (problem.is_large()) return make_conjugate_gradients(problem, alpha);
-  if (alpha) return std::make_unique<MatrixProduct>(problem, tikhonov, *alpha);
+  if (alpha)
+    return std::make_unique<MatrixProduct>(problem.tikhonov(*alpha), *alpha,
+                                           Condition::Matrix::stacked);
   return std::make_unique<FamilyOfFrames>(problem);
 }
 
 std::unique_ptr<FrameSolver> make_closed_form(const SceneProblem& problem,
                                               std::optional<double> alpha) {
-  if (alpha) return std::make_unique<MatrixProduct>(problem, closed_form, *alpha);
+  if (alpha)
+    return std::make_unique<MatrixProduct>(
+        closed_form(problem.problem(), *alpha, problem.known_condition(*alpha)), *alpha,
+        Condition::Matrix::eliminated);
   return std::make_unique<SolverOfFrames>(problem, make_closed_form);
 }
 

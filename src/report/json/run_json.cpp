@@ -57,6 +57,7 @@ Json reconstruction(const lab::Experiment& experiment, const lab::MethodResult& 
     json["seconds"] = {{"setup", result.setup_seconds}, {"frame", result.frame_seconds}};
     json["condition"] = result.condition ? Json(result.condition->value) : Json(nullptr);
     json["condition_kind"] = result.condition ? Json(name(result.condition->kind)) : Json(nullptr);
+    json["condition_of"] = result.condition ? Json(name(result.condition->matrix)) : Json(nullptr);
     add_uncertainty(json, result);
   }
   json["warnings"] = remarks_in_words(experiment, result);

@@ -4,12 +4,31 @@
 #include <iomanip>
 #include <ostream>
 
+#include "numeric/named.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
+namespace {
+
+using Matrix = lab::Condition::Matrix;
+
+constexpr Named<Matrix> matrices[] = {
+    {Matrix::stacked, "W K above sqrt(alpha) L"},
+    {Matrix::eliminated, "its own system of slopes"},
+    {Matrix::circular, "the array as a ring"},
+    {Matrix::kernel, "noise gain of the array as a ring"},
+    {Matrix::normal, "P"},
+};
+
+std::string in_words(const lab::Condition& condition) {
+  return (condition.kind == lab::Condition::Kind::bound ? "<= " : "") + brief(condition.value);
+}
+
+}  // namespace
+
 void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const auto& row : rows)
@@ -49,10 +68,9 @@ std::vector<std::vector<std::string>> comparison_cells(const lab::Experiment& ex
         row.push_back(result.tangential.traction.empty() ? "-"
                                                          : brief(result.tangential.relative_l2));
       row.push_back(brief(result.force));
-      row.push_back(!result.condition
-                        ? "-"
-                        : (result.condition->kind == lab::Condition::Kind::bound ? "<= " : "") +
-                              brief(result.condition->value));
+      row.push_back(result.condition && result.condition->matrix == lab::Condition::Matrix::stacked
+                        ? in_words(*result.condition)
+                        : "-");
       row.push_back(brief_or_dash(result.error_bound));
       row.push_back(duration(result.setup_seconds));
       row.push_back(duration(result.frame_seconds));
@@ -90,6 +108,16 @@ std::vector<std::vector<std::string>> rule_cells(const AlphaSweep& sweep) {
 std::string rule_used(const Scene& scene) {
   return scene.reconstruct.alpha ? "the scene gives " + shortest(*scene.reconstruct.alpha)
                                  : std::string(name(scene.reconstruct.alpha_rule)) + " was used";
+}
+
+std::string other_conditions_in_words(const lab::Experiment& experiment) {
+  std::string text;
+  for (const lab::MethodResult& result : experiment.results)
+    if (result.condition && result.condition->matrix != lab::Condition::Matrix::stacked)
+      text += (text.empty() ? "" : ", ") + std::string(name(result.method)) + " " +
+              in_words(*result.condition) + " (" +
+              std::string(name_in<matrices>(result.condition->matrix)) + ")";
+  return text;
 }
 
 std::string resultant_in_words(const UncertainResultant& resultant) {
@@ -155,6 +183,8 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
     out << "  warning: " << warning << '\n';
   out << '\n';
   print_cells(out, comparison_cells(experiment));
+  if (const std::string others = other_conditions_in_words(experiment); !others.empty())
+    out << "condition of other matrices: " << others << '\n';
   out << "force of the contacts: " << brief(experiment.frame.force) << " exact, "
       << brief(experiment.sampled_force) << " as pitch x sum of the truth at the taxels\n";
   for (const lab::MethodResult& result : experiment.results) {

@@ -27,6 +27,8 @@ constexpr Named<Verdict> sentences[] = {
     {Verdict::null_mode, "part of the traction shows in no reading and was set to zero"},
     {Verdict::not_converged, "the iteration did not converge"},
     {Verdict::iteration_limit, "the search for the constraints' optimum was stopped"},
+    {Verdict::unconstrained,
+     "it may pull or slip where the scene says that nothing does: only tikhonov keeps to that"},
     {Verdict::oversmoothed, "more than half of the readings is left unexplained"},
     {Verdict::ill_conditioned, "rounding alone may have changed it"},
     {Verdict::inaccurate, "the circuit is more than 1 % off"},

@@ -16,8 +16,12 @@ namespace tactile_net::report {
 void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>& rows);
 
 /// Header and rows of the comparison of methods, as cells: shared by the terminal and the report.
+/// Its column "condition" is that of one matrix, tikhonov's.
 [[nodiscard]] std::vector<std::vector<std::string>> comparison_cells(
     const lab::Experiment& experiment);
+
+/// Condition numbers that are of other matrices, by method, each with its matrix; may be empty.
+[[nodiscard]] std::string other_conditions_in_words(const lab::Experiment& experiment);
 
 /// What a user should know of one method's answer, the circuit's own remarks first.
 [[nodiscard]] std::vector<std::string> remarks_in_words(const lab::Experiment& experiment,
