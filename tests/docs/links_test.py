@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every link of the docs leads somewhere, and so does every mention of them in the sources: links_test.py PROJECT"""
+"""Every link of the docs leads somewhere, every mention of them in the sources too, and no word is left out: links_test.py PROJECT"""
 
 import pathlib
 import re
@@ -49,6 +49,13 @@ for line, text in pages[glossary.resolve()].prose:
     for header in re.findall(r"`([\w/]+\.hpp)`", text):
         if not (project / "include/tactile_net" / header).exists():
             fault(glossary, line, f"there is no header {header}")
+
+# Every verdict that the program can give.
+concepts = project / "docs/concepts.md"
+verdicts = re.findall(r"\{Verdict::\w+, \"(\w+)\"\}", (project / "src/lab/verdict.cpp").read_text(encoding="utf-8"))
+explained = set(re.findall(r"`(\w+)`", "".join(text for _, text in pages[concepts.resolve()].prose if text.startswith("| `"))))
+for verdict in sorted(set(verdicts) - explained) + ([] if verdicts else ["(none found in src/lab/verdict.cpp)"]):
+    fault(concepts, 1, f"the verdict {verdict} is not explained")
 
 for folder in ("include", "src", "tools", "tests", "bench", "examples", "scenes", ".ci"):
     for path in (project / folder).rglob("*"):
