@@ -16,8 +16,8 @@ using namespace tactile_net::hard;
 
 constexpr const char* introduction = R"(# The hard cases, one by one
 
-What they mean for a user: [numerics.md](../numerics.md). Written by `tactile-net-numerics docs/internals/numerics.md` (target `tactile_net_numerics`) from the cases of `tests/hard`, which the
-test suite runs too: no number here is typed in.
+What they mean for a user: [numerics.md](../numerics.md). Written by `tactile-net-numerics docs/internals/numerics.md` (target
+`tactile_net_numerics`) from the cases of `tests/hard`, which the test suite runs too: no number here is typed in.
 
 Every method solves one of two systems.
 
