@@ -61,7 +61,7 @@ def pad():
         p = 52 * math.sqrt(1 - t * t)
         out += [arrow("normal", (x, surface - 4 - p), (x, surface - 3)), arrow("drag", (x, surface + 10), (x + 6 + p * 0.25, surface + 10), 5)]
     out += [text(centre - half - 14, surface - 44, "$p$ > 0: pressure, the normal traction", "end", "normal"),
-            text(centre + half + 20, surface + 22, "$q$ > 0: drag along +$y$", kind="drag"),
+            text(centre + half + 20, surface + 22, "$q$ > 0: drag", kind="drag"),
             path("", "M", (left, surface), "H", str(right)), path("base", "M", (left, base), "H", str(right)),
             text(right, base + 24, "rigid base (or none: a half plane)", "end", "quiet")]
     count = 11
