@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the code blocks of one page in a copy of the project: blocks_test.py COMMAND PROJECT PAGE
+"""Runs the code blocks of one page in a copy of the project: blocks_test.py COMMAND PROJECT PAGE [--write]
 
 The blocks of a page run one after another in the same copy, so that a later one finds the files of an earlier one.
 
@@ -15,9 +15,11 @@ The blocks of a page run one after another in the same copy, so that a later one
 
 What is printed must be what stands in the page, in its order: `...` alone stands for any lines, at a line's end for the rest
 of it. Blanks and letters are compared as they are, numbers to 1 %, for another processor rounds in another way; times, and
-numbers below 1e-9, which are rounding, may be any.
+numbers below 1e-9, which are rounding, may be any. `--write` puts what is printed now into the page, line by line, where it
+differs: read the change before it is kept.
 """
 
+import difflib
 import json
 import math
 import os
@@ -64,9 +66,27 @@ def missing_line(shown, printed):
     return None if free or at == len(printed) else "(nothing more)"
 
 
+def rewritten(shown, printed):
+    """The lines of a page as they are printed now: each replaced by the one that resembles it most, the rest of it left out."""
+    out, at = [], 0
+    for line in shown:
+        short = line.endswith("...")
+        near = {i: difflib.SequenceMatcher(None, line, printed[i][: len(line)] if short else printed[i]).ratio()
+                for i in range(at, len(printed))}
+        best = max(near, key=near.get, default=None)
+        if line.strip() == "..." or best is None or equal(line, printed[best]) or near[best] < 0.5:
+            out.append(line)
+        else:
+            out.append(" ".join(printed[best].split(" ")[: len(line.split(" ")) - 1]) + " ..." if short else printed[best])
+        if line.strip() != "..." and best is not None and near[best] >= 0.5:
+            at = best + 1
+    return out
+
+
 class Runner:
     def __init__(self, command, folder):
         self.folder = folder
+        self.changed = {}  # for --write: from a command to its lines in the page, anew
         self.environment = {**os.environ, "PATH": f"{command.parent}:{os.environ['PATH']}", "COLUMNS": "200"}
 
     def run(self, script):
@@ -80,6 +100,8 @@ class Runner:
         if code != status:
             return f"exit status {code} instead of {status}: {script.strip()}\n" + "\n".join(printed[-20:])
         line = None if shown is None else missing_line(shown, printed)
+        if line:
+            self.changed[script] = shown, rewritten(shown, printed)
         return line and f"not printed by {script.strip()}:\n{line}\nprinted was:\n" + "\n".join(printed)
 
     def sh(self, block):
@@ -95,13 +117,12 @@ class Runner:
                 commands[-1][1].append(line)
             else:
                 return "a console block begins with a command: $ ..."
+        faults = []
         for script, shown in commands:
             while shown and not shown[-1].strip():
                 shown.pop()
-            fault = self.check(script, status, shown)
-            if fault:
-                return fault
-        return None
+            faults.append(self.check(script, status, shown))
+        return "\n\n".join(filter(None, faults))
 
     def toml(self, block):
         try:
@@ -152,6 +173,12 @@ def main():
                 ran += 1
             if fault:
                 faults.append(f"{page.relative_to(project)}:{block.line}: {fault}")
+    if "--write" in sys.argv:
+        text = page.read_text(encoding="utf-8")
+        for script, (old, new) in runner.changed.items():
+            command_line = f"$ {script}\n"
+            text = text.replace(command_line + "\n".join(old), command_line + "\n".join(new), 1)
+        page.write_text(text, encoding="utf-8", newline="\n")
     print("\n\n".join(faults) or f"{page.relative_to(project)}: {ran} of {len(document.blocks)} blocks run")
     return 1 if faults else 0
 
