@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the pictures of docs/concepts.md: `python3 tools/schematics/pad.py` writes docs/concepts/*.svg, for light and dark."""
+"""Draws the pictures of docs/concepts.md and docs/hand.md: `python3 tools/schematics/concepts.py` writes docs/concepts/*.svg, for light and dark."""
 
 import math
 import pathlib
@@ -123,10 +123,87 @@ def low_pass():
     return 720, 310, out
 
 
+def finger():
+    """A finger of a hand file, with its symbols
+
+    The palm's frame X, Y; base, direction, links and angles of a finger; its pad with the frame x, y of the sensor; the
+    contact at y* and the force of the object on it, F_v along x and F_t along y.
+    """
+    scale, origin = 5000.0, (400.0, 470.0)
+    base, links, angles, direction = (-0.02, 0.0), (0.05, 0.04), (35.0, -50.0), 90.0
+    center, half, height = 0.025, 0.012, 0.005
+
+    def at(point):
+        return origin[0] + scale * point[0], origin[1] - scale * point[1]
+
+    def along(point, angle, length):
+        return point[0] + length * math.cos(math.radians(angle)), point[1] + length * math.sin(math.radians(angle))
+
+    def arc(center_, start, end, radius, kind="size"):
+        """Counter-clockwise if end > start, with an arrow at its end."""
+        points = [at(along(center_, start + (end - start) * k / 24, radius)) for k in range(25)]
+        return path(kind, "M", points[0], "L", *points[1:]) + arrow(kind, points[-2], points[-1], 5)
+
+    first = direction + angles[0]
+    second = first + angles[1]
+    joint = along(base, first, links[0])
+    tip = along(joint, second, links[1])
+    foot = along(joint, second, center)
+    middle = along(foot, second - 90, height)  # its pad faces right, seen from the last joint towards the tip
+    ends = [along(middle, second, y) for y in (-half, half)]
+    back = [along(foot, second, y) for y in (-half, half)]
+    contact = along(middle, second, 0.004)
+
+    def outline(*points):
+        return path("pad", "M", at(points[0]), "L", *[at(p) for p in points[1:]], "Z")
+
+    out = [outline(ends[0], ends[1], back[1], back[0])]
+    for start, end in ((base, joint), (joint, tip)):
+        out.append(path("base", "M", at(start), "L", at(end)))
+    for point in (base, joint):
+        x, y = at(point)
+        out.append(f'<circle class="taxel" cx="{number(x)}" cy="{number(y)}" r="8"/>')
+    out.append(path("", "M", at(ends[0]), "L", at(ends[1])))
+    out += [path("size", "M", at(base), "L", at(along(base, direction, 0.03)), "M", at(joint), "L", at(along(joint, first, 0.025))),
+            arc(base, direction, first, 0.024), arc(joint, first, second, 0.02)]
+    x, y = at(along(base, direction + 12, 0.029))
+    out += [text(x - 8, y - 2, "angle 1", "end", "quiet"), text(*at(along(joint, first + 4, 0.026)), "angle 2 < 0", "end", "quiet")]
+    x, y = at(along(base, direction, 0.0315))
+    out.append(text(x + 6, y + 6, "direction", "start", "quiet"))
+    x, y = at(base)
+    out += [text(x + 14, y - 8, "base, joint 1"), arc(base, 200, 320, 0.009), text(x + 2, y + 66, "torques: counter-clockwise", "middle", "quiet")]
+    x, y = at(joint)
+    out += [text(x - 16, y + 6, "joint 2", "end")]
+    x, y = at(along(base, first, 0.014))
+    out.append(text(x - 14, y + 4, "link 1", "end"))
+    x, y = at(along(joint, second, 0.006))
+    out.append(text(x + 12, y + 4, "link 2"))
+    x, y = at(tip)
+    out.append(text(x, y - 10, "tip", "middle"))
+    # The pad: where its middle is, and the sensor's frame.
+    gap = along(joint, second + 90, 0.0025), along(foot, second + 90, 0.0025)
+    out += [size(at(gap[0]), at(gap[1])), text(at(gap[1])[0] - 8, at(gap[1])[1] + 2, "center of the pad", "end", "quiet")]
+    x, y = at(ends[0])
+    out.append(text(x + 10, y + 14, "pad, from −half width", kind="quiet"))
+    x, y = at(ends[1])
+    out += [arrow("", at(ends[1]), at(along(ends[1], second, 0.011))), text(at(along(ends[1], second, 0.011))[0] + 8, at(along(ends[1], second, 0.011))[1] + 4, "$y$")]
+    inward = along(contact, second - 90, 0.0135)
+    out += [arrow("normal", at(inward), at(along(contact, second - 90, 0.001))), text(at(inward)[0] + 8, at(inward)[1] + 2, "$F_{v}$ along $x$, into the pad", kind="normal"),
+            arrow("drag", at(along(contact, second - 90, 0.001)), at(along(along(contact, second - 90, 0.001), second, 0.0085))),
+            text(at(along(contact, second, 0.0075))[0] + 14, at(along(contact, second, 0.0075))[1] + 8, "$F_{t}$ along $y$", kind="drag")]
+    x, y = at(contact)
+    out += [f'<circle class="taxel" cx="{number(x)}" cy="{number(y)}" r="4"/>', text(x + 30, y + 48, "contact, at $y$*"), path("size", "M", (x + 3, y + 4), "L", (x + 27, y + 42))]
+    # The palm.
+    out += [arrow("", origin, (origin[0] + 60, origin[1])), text(origin[0] + 66, origin[1] + 5, "$X$"),
+            arrow("", origin, (origin[0], origin[1] - 60)), text(origin[0] - 4, origin[1] - 66, "$Y$", "middle"),
+            text(origin[0] + 6, origin[1] + 22, "the palm's origin", kind="quiet")]
+    return 620, 550, out
+
+
 if __name__ == "__main__":
     folder = pathlib.Path(__file__).resolve().parents[2] / "docs" / "concepts"
     folder.mkdir(parents=True, exist_ok=True)
-    for name, picture in {"pad": pad, "low-pass": low_pass}.items():
+    for name, picture in {"pad": pad, "low-pass": low_pass, "finger": finger}.items():
         title, description = (" ".join(part.split()) for part in picture.__doc__.split("\n\n"))
         width, height, body = picture()
         svg = (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" role="img">\n'
