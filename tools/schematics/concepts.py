@@ -129,7 +129,7 @@ def finger():
     The palm's frame X, Y; base, direction, links and angles of a finger; its pad with the frame x, y of the sensor; the
     contact at y* and the force of the object on it, F_v along x and F_t along y.
     """
-    scale, origin = 5000.0, (400.0, 470.0)
+    scale, origin = 5000.0, (425.0, 470.0)
     base, links, angles, direction = (-0.02, 0.0), (0.05, 0.04), (35.0, -50.0), 90.0
     center, half, height = 0.025, 0.012, 0.005
 
@@ -197,7 +197,7 @@ def finger():
     out += [arrow("", origin, (origin[0] + 60, origin[1])), text(origin[0] + 66, origin[1] + 5, "$X$"),
             arrow("", origin, (origin[0], origin[1] - 60)), text(origin[0] - 4, origin[1] - 66, "$Y$", "middle"),
             text(origin[0] + 6, origin[1] + 22, "the palm's origin", kind="quiet")]
-    return 620, 550, out
+    return 640, 550, out
 
 
 if __name__ == "__main__":
