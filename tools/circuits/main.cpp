@@ -159,9 +159,9 @@ does not depend on K's unit.
 dV/dt = -rho f'R f - |e|^2/rho < 0, because the coupling cancels: e'K f comes with either sign.
 
 rho buys speed at small alpha: the slowest pole grows with it, until the residual amplifiers themselves are the slowest.
-Capacitance c at the summing nodes adds inertia to a skew coupling, which no theorem bears: stable while k rho^2 c W/D is
-below about 5 (k: the main amplifiers' bandwidth over the others', D: conductance of a residual row). The certificate checks it and
-proposes a larger conductance scale or a smaller rho.
+Stray capacitance c at the summing nodes can make it ring, and no theorem covers that: keep k rho^2 c W/D below 5 (k: the main
+amplifiers' bandwidth over the others', D: conductance of a residual row). `certify` checks it and proposes a larger conductance
+scale or a smaller rho.
 
 )";
 

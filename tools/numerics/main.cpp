@@ -1,4 +1,4 @@
-// Writes docs/numerics.md: what every method makes of every hard case, beside 50 digits.
+// Writes docs/internals/numerics.md: what every method makes of every hard case, beside 50 digits.
 #include <charconv>
 #include <iostream>
 #include <map>
@@ -14,10 +14,10 @@ namespace {
 
 using namespace tactile_net::hard;
 
-constexpr const char* introduction = R"(# Numbers that stay true
+constexpr const char* introduction = R"(# The hard cases, one by one
 
-Written by `tactile-net-numerics docs/numerics.md` (target `tactile_net_numerics`) from the cases of `tests/hard`, which the
-test suite runs too: no number here is typed in.
+What they mean for a user: [numerics.md](../numerics.md). Written by `tactile-net-numerics docs/internals/numerics.md` (target
+`tactile_net_numerics`) from the cases of `tests/hard`, which the test suite runs too: no number here is typed in.
 
 Every method solves one of two systems.
 

@@ -9,10 +9,10 @@
 ///
 /// noise and what alpha smooths away, together; for prior_alpha = alpha it is the posterior
 /// covariance sigma^2 P^-1 (Wahba 1983; Kaipio and Somersalo 2005, 3.4). The prior's size is
-/// estimated best by the rule gml, which is its maximum likelihood. Bands then hold the truth at
-/// their stated rate or more often, on average over the array, though not at every point of it:
-/// less at a contact's edge, more where nothing touches. An error of the model (kernels, pad,
-/// positions) is not in it; `NoiseEstimate` shows it apart.
+/// estimated best by the rule gml, which is its maximum likelihood. On average over the array two
+/// deviations then hold at least 95 % of the true values, if pad and noise are as stated, though
+/// not at every point of it: less at a contact's edge, more where nothing touches. An error of the
+/// model (kernels, pad, positions) is not in it; `NoiseEstimate` shows it apart.
 ///
 ///     const double prior = choose_alone(frame, AlphaRule::gml).alpha;  // alpha.hpp
 ///     const TractionCovariance covariance(problem, alpha, prior);
