@@ -32,7 +32,7 @@ std::string controller_json(const Scene& scene, const lab::PlannedController& pl
                {"frame_seconds", frame_seconds},
                {"candidates", std::move(candidates)}};
   if (scene.units) json["units"] = units_json(*scene.units);
-  if (!plan.baseline.empty()) json["baseline"] = plan.baseline;
+  if (planned.for_raw_numbers) json["baseline"] = plan.baseline;  // empty: 0
   return text_of(json, 2);
 }
 
