@@ -142,16 +142,6 @@ class Reader {
     return std::nullopt;
   }
 
-  /// The unit of a number that holds for every quantity at once.
-  Unit unit_of_all(const Value& value) const {
-    const bool strains = std::any_of(array_.reads.begin(), array_.reads.end(), is_strain);
-    const bool stresses = !std::all_of(array_.reads.begin(), array_.reads.end(), is_strain);
-    if (strains && stresses && !read_.units.stress.is_si())
-      value.problem("is of strains and of stresses, which have units here",
-                    "under [units], stress = \"Pa\", or leave it out");
-    return stresses ? read_.units.stress : Unit{};
-  }
-
   // --- one function for each table, in the order of the signal path ---
 
   Viscoelasticity viscoelasticity(Table table) const {
@@ -333,7 +323,7 @@ class Reader {
       converter.bits = static_cast<int>(bits->integer(1, 32).value_or(converter.bits));
     if (const auto value = table.required(
             "range", "the lowest and the highest reading it can tell: range = [-1.0, 1.0]"))
-      if (const auto ends = range(*value, unit_of_all(*value)))
+      if (const auto ends = range(*value, reading_unit(read_.units, array_, *value)))
         converter = {converter.bits, ends->low, ends->high};
     table.finish();
     return converter;
