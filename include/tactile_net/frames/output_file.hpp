@@ -38,9 +38,8 @@ class OutputFile {
 
   /// Flushes, checks, renames.
   ///
-  /// @throw std::runtime_error  something was not written: which file, and why (no space left on
-  /// the
-  ///                            device); writing to `stream` throws it too
+  /// @throw std::runtime_error  something was not written: which file, and why ("no space left on
+  ///                            device"); writing to `stream` throws it too
   void commit();
 
   /// As `commit`, under another name that says that there should be more: NAME.partial. What

@@ -70,8 +70,7 @@ struct Survey {
 /// Decomposes one matrix for the scene and about thirty smaller ones for the alternatives.
 ///
 /// @throw std::invalid_argument  an option is not > 0 and finite; `needs_traction`; the scene's
-/// sensor, material or
-///                               noise are out of their ranges
+///                               sensor, material or noise are out of their ranges
 [[nodiscard]] Survey identify(const Scene& scene, const SurveyOptions& options = {},
                               Observer& observer = silent);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/source.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
@@ -39,8 +40,8 @@ std::string recording_csv(const lab::RecordingOverview& overview) {
               field(overview.tangential() ? group.resultant.tangential : unknown) + ',' +
               field(group.resultant.centre().value_or(unknown)) + ",,";
     }
-    for (const double traction : group.tractions) text += field(traction);
-    text += '\n';
+    text += ',';
+    frames::append_row(text, group.tractions);
   }
   return text;
 }
