@@ -77,7 +77,7 @@ TEST_CASE("a calibration needs all of its numbers", "[calibration]") {
   const Calibration good{.gain = {1.0, 1.0}, .baseline = {0.0, 0.0}, .offset = {0.0, 0.0}};
   CHECK_NOTHROW(check(good, 2));
   CHECK_THROWS_AS(check(good, 3), std::invalid_argument);
-  for (auto* values : {&Calibration::gain, &Calibration::baseline, &Calibration::offset})
+  for (const auto values : {&Calibration::gain, &Calibration::baseline, &Calibration::offset})
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
       Calibration changed = good;
       (changed.*values)[1] = bad;
