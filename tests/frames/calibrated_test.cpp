@@ -48,23 +48,23 @@ Read read(const Scene& scene, const std::string& text, bool accept_missing = fal
   return result;
 }
 
-const std::string frames = "t,stress_x_0,stress_x_1\n0,1,2\n1,3,6\n2,10,20\n3,11,22\n";
+const std::string four_frames = "t,stress_x_0,stress_x_1\n0,1,2\n1,3,6\n2,10,20\n3,11,22\n";
 
 }  // namespace
 
 TEST_CASE("without [calibration] and [units] the numbers are the readings",
           "[frames][calibration]") {
-  const Read all = read(scene_with(""), frames);
+  const Read all = read(scene_with(""), four_frames);
   CHECK(all.frames == std::vector<Numbers>{{1, 2}, {3, 6}, {10, 20}, {11, 22}});
   CHECK_FALSE(all.calibration);
 }
 
 TEST_CASE("units and calibration are applied to every frame", "[frames][calibration]") {
-  CHECK(read(scene_with("[units]\nstress = \"kPa\"\n"), frames).frames.at(1) ==
+  CHECK(read(scene_with("[units]\nstress = \"kPa\"\n"), four_frames).frames.at(1) ==
         Numbers{3000, 6000});
   const Read all = read(
       scene_with("[units]\nstress = \"kPa\"\n[calibration]\ngain = [0.5, -0.5]\nbaseline = 1\n"),
-      frames);
+      four_frames);
   CHECK(all.frames.at(0) == Numbers{0, -500});
   CHECK(all.frames.at(3) == Numbers{5000, -10500});
   CHECK(all.times == std::vector<std::string>{"0", "1", "2", "3"});
@@ -72,7 +72,7 @@ TEST_CASE("units and calibration are applied to every frame", "[frames][calibrat
 
 TEST_CASE("the mean of frames is the baseline of all, theirs too", "[frames][calibration]") {
   const Scene scene = scene_with("[calibration]\ngain = 2\nbaseline_frames = [0, 1]\n");
-  const Read all = read(scene, frames);
+  const Read all = read(scene, four_frames);
   CHECK(all.error.empty());
   CHECK(all.frames == std::vector<Numbers>{{-2, -4}, {2, 4}, {16, 32}, {18, 36}});
   CHECK(all.times == std::vector<std::string>{"0", "1", "2", "3"});
@@ -81,12 +81,13 @@ TEST_CASE("the mean of frames is the baseline of all, theirs too", "[frames][cal
   CHECK_FALSE(all.calibration->baseline_frames);
 
   const Scene later = scene_with("[calibration]\nbaseline_frames = [1, 1]\n");
-  CHECK(read(later, frames).frames == std::vector<Numbers>{{-2, -4}, {0, 0}, {7, 14}, {8, 16}});
+  CHECK(read(later, four_frames).frames ==
+        std::vector<Numbers>{{-2, -4}, {0, 0}, {7, 14}, {8, 16}});
 }
 
 TEST_CASE("frames that cannot tell the baseline are refused", "[frames][calibration]") {
   const Scene scene = scene_with("[calibration]\nbaseline_frames = [0, 4]\n");
-  CHECK_THAT(read(scene, frames).error, ContainsSubstring("ends after 4 frames"));
+  CHECK_THAT(read(scene, four_frames).error, ContainsSubstring("ends after 4 frames"));
   const Scene one = scene_with("[calibration]\nbaseline_frames = [0, 1]\n");
   const Read missing = read(one, "stress_x_0,stress_x_1\n1,NaN\n3,NaN\n5,6\n", true);
   CHECK_THAT(missing.error, ContainsSubstring("has no 'stress_x_1' in any frame"));
@@ -111,7 +112,7 @@ TEST_CASE("a dead taxel reads zero, whatever its calibration", "[frames][calibra
 TEST_CASE("a frame that was kept for the baseline is named by its number",
           "[frames][calibration]") {
   const Scene scene = scene_with("[calibration]\nbaseline_frames = [0, 1]\n");
-  std::istringstream in(frames);
+  std::istringstream in(four_frames);
   ReadingsFile file("-", scene, &in);
   Numbers frame(2);
   const auto refusal = [&] {

@@ -187,7 +187,7 @@ TEST_CASE("a plan with a baseline has a version of its own, and needs one", "[pl
   bytes[8] = std::byte{2};  // the baseline's length is not there
   sign(bytes);
   CHECK_THAT(refusal(bytes), ContainsSubstring("contradict its length"));
-  bytes.insert(bytes.end(), 8, std::byte{0});  // none
+  bytes.insert(bytes.end() - 8, 8, std::byte{0});  // none
   sign(bytes);
   CHECK_THAT(refusal(bytes), ContainsSubstring("baseline is empty"));
 

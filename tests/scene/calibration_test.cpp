@@ -77,7 +77,7 @@ TEST_CASE("a calibration needs all of its numbers", "[calibration]") {
   const Calibration good{.gain = {1.0, 1.0}, .baseline = {0.0, 0.0}, .offset = {0.0, 0.0}};
   CHECK_NOTHROW(check(good, 2));
   CHECK_THROWS_AS(check(good, 3), std::invalid_argument);
-  for (auto* values : {&Calibration::gain, &Calibration::baseline, &Calibration::offset})
+  for (const auto values : {&Calibration::gain, &Calibration::baseline, &Calibration::offset})
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
       Calibration changed = good;
       (changed.*values)[1] = bad;
@@ -126,12 +126,12 @@ TEST_CASE("a calibration that does not fit is refused at its place", "[calibrati
        {"baseline_frames = [9, 0]", "must begin with the earlier frame"},
        {"baseline_frames = [0, 1398101]", "calibration.baseline_frames must be from 0 to 1398100"},
        {"baseline_frames = [-1, 5]", "calibration.baseline_frames must be from 0"},
-       {"baseline = 1\nbaseline_frames = [0, 1]", "exclude each other"},
+       {"baseline_frames = [0, 1]\nbaseline = 1", "exclude each other"},
        {"file = 3", "calibration.file must be text"},
        {"file = \"\"", "must name a file"},
        {"file = \"nowhere.csv\"", "no such file"}}));
   CHECK_THAT(refusal("[calibration]\n" + more + "\n"),
-             StartsWith("scene.toml:11:") && ContainsSubstring(words));
+             StartsWith("scene.toml:12:") && ContainsSubstring(words));
 }
 
 TEST_CASE("the first frames may tell the baseline", "[calibration]") {
@@ -179,7 +179,7 @@ TEST_CASE("what is wrong in a calibration's file is said by its line, and not qu
        {"", "it has 0 rows"}}));
   folder.write("c.csv", text);
   const std::string error = refusal("[calibration]\nfile = \"c.csv\"\n", folder.scene());
-  CHECK_THAT(error, ContainsSubstring("scene.toml:11:8: error: calibration.file names a file") &&
+  CHECK_THAT(error, ContainsSubstring("scene.toml:12:8: error: calibration.file names a file") &&
                         ContainsSubstring(words));
   CHECK(error.find("secret") == std::string::npos);
 }
