@@ -64,7 +64,7 @@ TEST_CASE("the smallest scene is complete: defaults are filled in", "[scene]") {
   CHECK_FALSE(scene.noise.has_value());
   CHECK_FALSE(scene.quantization.has_value());
   CHECK(scene.dead_taxels.empty());
-  CHECK(scene.forward == ForwardModel::sampled);
+  CHECK(scene.forward == ForwardModel::exact);
   CHECK(scene.reconstruct.methods == std::vector{Method::tikhonov});
   CHECK_FALSE(scene.reconstruct.alpha.has_value());
   CHECK(scene.reconstruct.smoothing_length == 1.5);
