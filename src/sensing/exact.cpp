@@ -254,7 +254,8 @@ std::vector<double> exact_readings(const SensorArray& array, const Material& mat
       if (!(error <= rule.error_limit * peak) && std::isfinite(rule.error_limit))
         throw std::runtime_error(channel.name + " at depth " + shortest(channel.depth) +
                                  ": the integral is known only to " + shortest(error) +
-                                 ", its peak is " + shortest(peak));
+                                 ", its peak is " + shortest(peak) +
+                                 "; the model sampled has no integral");
     }
     readings.insert(readings.end(), sum.begin(), sum.end());
   }

@@ -242,6 +242,7 @@ TEST_CASE("a family of methods that fails is listed, and leaves the others", "[c
   std::string shallow = pressed;
   shallow.replace(shallow.find("depth = 1.0"), 11, "depth = 1e-5");
   shallow.replace(shallow.find("\"strain_x\""), 10, "\"shear_xy\", \"stress_x\"");
+  shallow += "[forward]\nmodel = \"sampled\"\n";
   const ProcessResult result = tool({"tradeoff", folder.write("s.toml", shallow), "--digital"});
   CHECK(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("left out: forward model: ") &&
