@@ -26,11 +26,14 @@ std::vector<double> row_of(const Scene& scene, Traction component, double depth)
 
 }  // namespace
 
-InteriorKernels interior_kernels(const Scene& scene, std::size_t rows, bool tangential) {
+double interior_depth(const Scene& scene) {
   const auto& depths = scene.sensor.depths;
-  const double bottom = scene.material.layer
-                            ? scene.material.layer->thickness
-                            : 2.0 * *std::max_element(depths.begin(), depths.end());
+  return scene.material.layer ? scene.material.layer->thickness
+                              : 2.0 * *std::max_element(depths.begin(), depths.end());
+}
+
+InteriorKernels interior_kernels(const Scene& scene, std::size_t rows, bool tangential) {
+  const double bottom = interior_depth(scene);
   InteriorKernels kernels{.lags = 2 * scene.sensor.count - 1};
   for (std::size_t i = 0; i < rows; ++i) {
     const double depth = bottom * (static_cast<double>(i) + 0.5) / static_cast<double>(rows);

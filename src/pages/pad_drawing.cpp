@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tactile_net/drawing/html.hpp"
+#include "tactile_net/lab/interior.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::pages {
@@ -22,24 +23,21 @@ PadFrame pad_frame(const Scene& scene) {
   PadFrame frame;
   const double length = sensor.pitch * static_cast<double>(sensor.count);
   frame.scale = frame.width / length;
-  frame.bottom = scene.material.layer
-                     ? scene.material.layer->thickness
-                     : 2.0 * *std::max_element(sensor.depths.begin(), sensor.depths.end());
-  const double thickness = std::clamp(frame.scale * frame.bottom, 90.0, 420.0);
-  frame.height = frame.surface + thickness + 34.0;
+  frame.bottom = lab::interior_depth(scene);
+  frame.thickness = std::clamp(frame.scale * frame.bottom, 90.0, 420.0);
+  frame.height = frame.surface + frame.thickness + 34.0;
   return frame;
 }
 
 std::string draw_pad(const Scene& scene, std::string_view inside, std::string_view above) {
   const PadFrame frame = pad_frame(scene);
-  const double thickness = frame.height - frame.surface - 34.0;
-  const double bottom = frame.surface + thickness;
-  const auto depth = [&](double x) { return frame.surface + thickness * x / frame.bottom; };
+  const double bottom = frame.surface + frame.thickness;
+  const auto depth = [&](double x) { return frame.surface + frame.thickness * x / frame.bottom; };
   std::string svg = "<svg viewBox=\"-24 0 1058 " + px(frame.height) +
                     "\" role=\"img\" aria-label=\"Section of the pad: taxels below the surface, "
                     "tractions on top\">\n";
   svg += "<rect class=\"pad\" x=\"0\" y=\"" + px(frame.surface) + "\" width=\"1000\" height=\"" +
-         px(thickness) + "\"/>\n";
+         px(frame.thickness) + "\"/>\n";
   svg += inside;
   const double radius = std::clamp(300.0 / static_cast<double>(scene.sensor.count), 1.2, 4.0);
   for (const double x : scene.sensor.depths)
@@ -60,8 +58,8 @@ std::string draw_pad(const Scene& scene, std::string_view inside, std::string_vi
   for (const double x : scene.sensor.depths) at += (at.empty() ? "" : ", ") + brief(x);
   svg += label(1000.0, bottom + 24.0, "taxels at depth " + at, "end");
   const double y = frame.surface;
-  svg += "<g class=\"axis\"><path d=\"M-12 " + px(y) + "v46m-5 -9l5 9l5 -9M-12 " + px(y) +
-         "m1000 -14\"/></g>\n" + label(-16.0, y + 66.0, "x");
+  svg += "<g class=\"axis\"><path d=\"M-12 " + px(y) + "v46m-5 -9l5 9l5 -9\"/></g>\n" +
+         label(-16.0, y + 66.0, "x");
   svg += "<g class=\"axis\"><path d=\"M968 " + px(y - 8.0) + "h40m-9 -5l9 5l-9 5\"/></g>\n" +
          label(1014.0, y - 3.0, "y");
   svg += above;

@@ -22,7 +22,6 @@ using drawing::element;
 using drawing::escaped;
 using lab::FrameGroup;
 using lab::RecordingOverview;
-using lab::Verdict;
 using ValueOf = std::function<double(const FrameGroup&)>;
 using report::Answer;
 using report::answers;
@@ -36,9 +35,9 @@ using report::traction_range;
 using report::TractionRange;
 
 constexpr std::string_view style = R"(
-:root { --blue: #2166ac; --orange: #b25806; --purple: #762a83; --red: #c0392b; --card: #f6f8fa; }
+:root { --blue: #2166ac; --orange: #b25806; --red: #c0392b; --card: #f6f8fa; }
 @media screen and (prefers-color-scheme: dark) {
-  :root { --blue: #6baed6; --orange: #f1a340; --purple: #c2a5cf; --red: #ff7b6b; --card: #1d2226; }
+  :root { --blue: #6baed6; --orange: #f1a340; --red: #ff7b6b; --card: #1d2226; }
 }
 .answers { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 15.5rem), 1fr)); gap: .8rem; margin: 1.2rem 0; }
 .answers div { background: var(--card); border: 1px solid var(--rule); border-radius: 10px; padding: .7rem 1rem; }
@@ -137,30 +136,32 @@ std::string path_of(const RecordingOverview& overview, const Range& range, const
 std::string area_of(const RecordingOverview& overview, const Range& range, const ValueOf& low,
                     const ValueOf& high, std::string_view type) {
   std::string d;
-  std::string back;
-  for (std::size_t i = 0; i < overview.groups.size(); ++i) {
-    const std::string x = fixed(static_cast<double>(i) + 0.5, 1) + ' ';
-    d += (i == 0 ? "M" : "L") + x + fixed(range.at(high(overview.groups[i])), 2);
-    back.insert(0, "L" + x + fixed(range.at(low(overview.groups[i])), 2));
-  }
-  return "<path class=\"" + std::string(type) + "\" d=\"" + d + back + "Z\"/>";
+  const auto add = [&](std::size_t i, const ValueOf& edge) {
+    d += (d.empty() ? "M" : "L") + fixed(static_cast<double>(i) + 0.5, 1) + ' ' +
+         fixed(range.at(edge(overview.groups[i])), 2);
+  };
+  for (std::size_t i = 0; i < overview.groups.size(); ++i) add(i, high);
+  for (std::size_t i = overview.groups.size(); i-- > 0;) add(i, low);
+  return "<path class=\"" + std::string(type) + "\" d=\"" + d + "Z\"/>";
 }
 
-std::string zero_line(const RecordingOverview& overview, const Range& range) {
-  const std::string y = fixed(range.at(0.0), 2);
-  return "<line class=\"zero\" x1=\"0\" x2=\"" + std::to_string(overview.groups.size()) +
-         "\" y1=\"" + y + "\" y2=\"" + y + "\"/>";
+std::string level_line(const RecordingOverview& overview, const Range& range, double level,
+                       std::string_view type) {
+  const std::string y = fixed(range.at(level), 2);
+  return "<line class=\"" + std::string(type) + "\" x1=\"0\" x2=\"" +
+         std::to_string(overview.groups.size()) + "\" y1=\"" + y + "\" y2=\"" + y + "\"/>";
 }
 
 /// y over time: the component of every group's frame, largest y on top.
 std::string heat_map(const RecordingOverview& overview, Traction component, double largest) {
   const std::size_t n = overview.scene.sensor.count;
-  const std::size_t offset = component == Traction::normal ? 0 : n;
   std::vector<std::uint8_t> pixels(n * overview.groups.size());
-  for (std::size_t column = 0; column < overview.groups.size(); ++column)
+  for (std::size_t column = 0; column < overview.groups.size(); ++column) {
+    const auto values = overview.component(overview.groups[column].tractions, component);
     for (std::size_t i = 0; i < n; ++i)
       pixels[(n - 1 - i) * overview.groups.size() + column] =
-          drawing::diverging_index(overview.groups[column].tractions[offset + i] / largest);
+          drawing::diverging_index(values[i] / largest);
+  }
   const auto palette = component == Traction::normal
                            ? drawing::diverging(Colour{192, 57, 43}, Colour{33, 102, 172})
                            : drawing::diverging(Colour{118, 42, 131}, Colour{200, 98, 6});
@@ -174,19 +175,9 @@ Range along_the_array(const Scene& scene) {
   return {-half, half};
 }
 
-double largest_of(const RecordingOverview& overview, Traction component) {
-  const std::size_t n = overview.scene.sensor.count;
-  double largest = 0.0;
-  for (const FrameGroup* group : overview.trusted())
-    for (std::size_t i = 0; i < n; ++i)
-      largest = std::max(largest,
-                         std::abs(group->tractions[i + (component == Traction::normal ? 0 : n)]));
-  return largest;
-}
-
 std::string heat_maps(const RecordingOverview& overview) {
   const Range y = along_the_array(overview.scene);
-  const double most = largest_of(overview, Traction::normal);
+  const double most = overview.largest(Traction::normal);
   const auto centre = [&](const FrameGroup& group) {
     const auto place = group.resultant.centre();
     return place && overview.loaded(group) && std::abs(*place) < y.high
@@ -202,7 +193,7 @@ std::string heat_maps(const RecordingOverview& overview) {
                            "centre of pressure. A click chooses a frame; a stroke along a picture "
                            "shows that part of all of them, a double click everything again.");
   if (!overview.tangential()) return html;
-  const double side = largest_of(overview, Traction::tangential);
+  const double side = overview.largest(Traction::tangential);
   return html + element("h2", "Tangential traction, y over time") +
          time_picture(
              overview, y, "Heat map of the tangential traction over time", "low",
@@ -242,7 +233,7 @@ std::string forces(const RecordingOverview& overview) {
       range.take(high(tangential)(*group));
     }
   if (range.empty()) range.high = 1.0;
-  std::string inside = zero_line(overview, range);
+  std::string inside = level_line(overview, range, 0.0, "zero");
   inside += area_of(overview, range, low(false), high(false), "normal-area");
   inside += path_of(
       overview, range, [](const FrameGroup& g) { return g.resultant.normal; }, "normal");
@@ -269,11 +260,7 @@ std::string residuals(const RecordingOverview& overview) {
   if (stated) range.take(1.2 * *stated);
   if (range.empty()) return {};
   std::string inside;
-  if (stated) {
-    const std::string y = fixed(range.at(*stated), 2);
-    inside += "<line class=\"normal\" x1=\"0\" x2=\"" + std::to_string(overview.groups.size()) +
-              "\" y1=\"" + y + "\" y2=\"" + y + "\"/>";
-  }
+  if (stated) inside += level_line(overview, range, *stated, "normal");
   inside += path_of(
       overview, range,
       [](const FrameGroup& g) { return double_or_nan(g, &NoiseEstimate::residual_rms); },
@@ -314,9 +301,9 @@ std::string verdicts(const RecordingOverview& overview) {
 std::string one_frame(const RecordingOverview& overview) {
   const Scene& scene = overview.scene;
   const PadFrame pad = pad_frame(scene);
-  const std::string inside =
-      "<image id=\"inside\" x=\"0\" y=\"" + fixed(pad.surface, 1) + "\" width=\"1000\" height=\"" +
-      fixed(pad.height - pad.surface - 34.0, 1) + "\" preserveAspectRatio=\"none\"/>\n";
+  const std::string inside = "<image id=\"inside\" x=\"0\" y=\"" + fixed(pad.surface, 1) +
+                             "\" width=\"1000\" height=\"" + fixed(pad.thickness, 1) +
+                             "\" preserveAspectRatio=\"none\"/>\n";
   const std::string above =
       "<path id=\"pressure\" data-surface=\"" + fixed(pad.surface, 1) + "\"/><path id=\"drag\"/>\n";
   const TractionRange tractions = traction_range(overview);

@@ -9,6 +9,10 @@
 
 namespace tactile_net::lab {
 
+/// How deep a picture of the pad reaches [m]: to a layer's base, or on a half plane to twice the
+/// deepest taxel.
+[[nodiscard]] double interior_depth(const Scene& scene);
+
 /// stress_x on rows of points below the taxels' places, of a unit traction on one taxel's strip.
 struct InteriorKernels {
   std::vector<double> depths{};  ///< of the rows [m]
@@ -18,8 +22,7 @@ struct InteriorKernels {
   std::vector<double> of_tangential{};  ///< empty: not asked for
 };
 
-/// A strip is one pitch wide, its traction uniform. Rows reach down to a layer's base, or on a half
-/// plane to twice the deepest taxel.
+/// A strip is one pitch wide, its traction uniform. Rows reach down to `interior_depth`.
 [[nodiscard]] InteriorKernels interior_kernels(const Scene& scene, std::size_t rows,
                                                bool tangential);
 

@@ -15,6 +15,7 @@ struct PadFrame {
   double surface = 110.0;  ///< y of the pad's surface in the picture: above it loads are drawn
   double scale = 1.0;      ///< pixels per unit of length
   double bottom = 0.0;     ///< depth that is drawn, in the scene's unit of length
+  double thickness = 0.0;  ///< of the pad as it is drawn
   double height = 0.0;     ///< of the whole picture
 
   /// The picture's x of a place y along the surface.
