@@ -14,6 +14,7 @@
 #include "tactile_net/network/circuit.hpp"
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/network/tolerance.hpp"
+#include "tactile_net/scene/units.hpp"
 #include "tactile_net/sensing/array.hpp"
 #include "tactile_net/sensing/effects/broken_taxels.hpp"
 #include "tactile_net/sensing/effects/crosstalk.hpp"
@@ -72,6 +73,9 @@ struct Timing {
 struct Scene {
   std::string file;   ///< name of the file, without its folder
   std::string title;  ///< optional `title` at the top of the file
+  /// Present: every number below is in SI, whatever the file has. Absent: any consistent set, as
+  /// the file has it.
+  std::optional<Units> units;
   SensorArray sensor;
   Material material;
   std::optional<Timing> time;  ///< absent: one frame, of loads that have always been there
