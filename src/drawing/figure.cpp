@@ -72,7 +72,9 @@ Figures::Figures(std::vector<Figure> figures) : figures_(std::move(figures)) {
       return std::none_of(curve.y.begin(), curve.y.end(),
                           [](double y) { return std::isfinite(y); });
     });
-  std::erase_if(figures_, [](const Figure& figure) { return figure.plot.curves.empty(); });
+  std::erase_if(figures_, [](const Figure& figure) {
+    return figure.plot.curves.empty() && figure.picture.empty();
+  });
   std::vector<Plot> plots;
   for (const Figure& figure : figures_) {
     if (!figure.picture.empty()) continue;
@@ -103,7 +105,8 @@ std::string Figures::html(std::string_view section) const {
     const Figure& figure = figures_[i];
     if (figure.section != section || pictures_[i].empty()) continue;
     html += figure_html(figure.name, pictures_[i], escaped(typeset(figure.caption)),
-                        figure.name + ".csv", figure.plot.wide ? "whole-row" : "");
+                        figure.data.empty() ? figure.name + ".csv" : figure.data,
+                        figure.plot.wide ? "whole-row" : figure.type);
   }
   return html.empty() ? html : "<div class=\"figures\">\n" + html + "</div>\n";
 }
@@ -111,7 +114,7 @@ std::string Figures::html(std::string_view section) const {
 Files Figures::data() const {
   Files files;
   for (const Figure& figure : figures_)
-    files.emplace_back(figure.name + ".csv", csv_of(figure.plot));
+    if (figure.data.empty()) files.emplace_back(figure.name + ".csv", csv_of(figure.plot));
   return files;
 }
 

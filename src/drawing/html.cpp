@@ -1,5 +1,6 @@
 #include "tactile_net/drawing/html.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
@@ -85,8 +86,9 @@ std::string typeset(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     std::pair<std::string, std::size_t> next = rewritten(text, at);
     for (const auto& [sign, written] : signs)
-      if (next.second == 0 && stands(sign, text, at)) next = {written, sign.size()};
-    if (next.second == 0) next = {text[at], 1};
+      if (next.second == 0 && stands(sign, text, at))
+        next = std::pair(std::string(written), sign.size());
+    if (next.second == 0) next = std::pair(std::string(1, text[at]), std::size_t{1});
     out += next.first;
     at += next.second;
   }

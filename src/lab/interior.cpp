@@ -48,4 +48,21 @@ InteriorKernels interior_kernels(const Scene& scene, std::size_t rows, bool tang
   return kernels;
 }
 
+std::vector<double> interior_stress(const InteriorKernels& kernels, std::span<const double> normal,
+                                    std::span<const double> tangential) {
+  const std::size_t count = normal.size();
+  std::vector<double> stress(kernels.depths.size() * count);
+  const auto add = [&](const std::vector<double>& of_unit, std::span<const double> tractions) {
+    for (std::size_t at = 0; at < stress.size() && !tractions.empty(); ++at) {
+      const double* const here =
+          of_unit.data() + (at / count) * kernels.lags + at % count + count - 1;
+      for (std::size_t i = 0; i < count; ++i)
+        stress[at] += *(here - static_cast<std::ptrdiff_t>(i)) * tractions[i];
+    }
+  };
+  add(kernels.of_normal, normal);
+  add(kernels.of_tangential, tangential);
+  return stress;
+}
+
 }  // namespace tactile_net::lab

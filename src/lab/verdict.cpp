@@ -33,6 +33,10 @@ constexpr Named<Condition::Kind> kinds[] = {{Condition::Kind::exact, "exact"},
 
 std::string_view name(Verdict verdict) noexcept { return name_in<verdicts>(verdict); }
 
+std::optional<Verdict> verdict_named(std::string_view name) noexcept {
+  return named_in<verdicts>(name);
+}
+
 Verdict verdict_of(AlphaVerdict verdict) noexcept {
   switch (verdict) {
     case AlphaVerdict::ok:

@@ -112,14 +112,19 @@ class Pages(unittest.TestCase):
             ("colours", "prefers-color-scheme: dark", "prefers-color-scheme: light"),
             ("link", 'href="normal.csv"', 'href="absent.csv"'),
             ("figure", "<figcaption>", "<figcaption hidden></figcaption><figcaption>"),
+            ("name", 'aria-label="Section', 'data-label="Section'),
+            ("answer: there", 'class="answers"', 'class="replies"'),
+            ("answer: it", 'class="answers"', 'style="margin-top: 60rem" class="answers"', 1400),
+            ("verdict", '<td data-label="verdict">', '<td data-label="verdict" style="display: none">'),
+            ("verdict", '<td data-label="verdict">', '<td data-label="verdict" style="position: relative; left: 30rem">'),
             ("not self-contained", "</body>", "<img src='network.cir' alt=''></body>"),
         ]
         broken = page.parent / "broken.html"
-        for fault, good, bad in breaks:
+        for fault, good, bad, *width in breaks:
             with self.subTest(fault=fault):
                 self.assertIn(good, whole)
                 broken.write_text(whole.replace(good, bad, 1))
-                found, _ = faults_of(self.browser, broken, 400, True)
+                found, _ = faults_of(self.browser, broken, *(width or [400]), True)
                 self.assertTrue(any(one.startswith(fault) for one in found), found)
         broken.unlink()
 

@@ -19,6 +19,9 @@ struct Figure {
   Plot plot;            ///< what gnuplot draws, and the numbers in any case
   /// HTML of the picture where gnuplot is not to draw it: an <svg>, or what says the same.
   std::string picture{};
+  std::string
+      data{};  ///< a file beside the page that holds the numbers; empty: NAME.csv, of `plot`
+  std::string type{};  ///< of the <figure>, for the style
 };
 
 /// Name and content of files that stand beside a page.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "tactile_net/scene/scene.hpp"
@@ -25,5 +26,12 @@ struct InteriorKernels {
 /// A strip is one pitch wide, its traction uniform. Rows reach down to `interior_depth`.
 [[nodiscard]] InteriorKernels interior_kernels(const Scene& scene, std::size_t rows,
                                                bool tangential);
+
+/// stress_x inside the pad [Pa], row by row, one value per taxel's place, under tractions of one
+/// value per taxel. O(rows count^2).
+/// @param tangential  empty: none
+[[nodiscard]] std::vector<double> interior_stress(const InteriorKernels& kernels,
+                                                  std::span<const double> normal,
+                                                  std::span<const double> tangential);
 
 }  // namespace tactile_net::lab
