@@ -5,6 +5,7 @@
 #include <charconv>
 #include <utility>
 
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/system/printable.hpp"
 
@@ -50,16 +51,33 @@ std::pair<std::string, std::size_t> rewritten(std::string_view text, std::size_t
           length};
 }
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> signs = {
-    {{" us", " µs"}, {"+-", "±"}, {"<=", "≤"}, {">=", "≥"}}};
+/// "0.549 +- 0.0857" at `at`, rounded by the deviation, and how much of the text it was.
+std::pair<std::string, std::size_t> rounded(std::string_view text, std::size_t at) {
+  const bool inside = at > 0 && (is_digit(text[at - 1]) || text[at - 1] == '.');
+  if (inside || !(is_digit(text[at]) || text[at] == '-')) return {};
+  const char* const end = text.data() + text.size();
+  double value = 0.0;
+  const auto [first, error] = number_from_chars(text.data() + at, end, value);
+  constexpr std::string_view between = " +- ";
+  const auto middle = static_cast<std::size_t>(first - text.data());
+  if (error != std::errc{} || !text.substr(middle).starts_with(between)) return {};
+  double deviation = 0.0;
+  const auto [last, wrong] =
+      number_from_chars(text.data() + middle + between.size(), end, deviation);
+  if (wrong != std::errc{}) return {};
+  return {plus_minus(value, deviation), static_cast<std::size_t>(last - text.data()) - at};
+}
 
-/// The micro of microseconds alone: "5 us", not "let us".
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> signs = {
+    {{" us", " µs"}, {" deg", "°"}, {"+-", "±"}, {"<=", "≤"}, {">=", "≥"}}};
+
+/// A unit behind a number alone: "5 us", not "let us".
 bool stands(std::string_view sign, std::string_view text, std::size_t at) {
   if (!text.substr(at).starts_with(sign)) return false;
   const std::size_t end = at + sign.size();
   const bool letter = end < text.size() && ((text[end] >= 'a' && text[end] <= 'z') ||
                                             (text[end] >= 'A' && text[end] <= 'Z'));
-  return sign != " us" || (at > 0 && is_digit(text[at - 1]) && !letter);
+  return sign.front() != ' ' || (at > 0 && is_digit(text[at - 1]) && !letter);
 }
 
 }  // namespace
@@ -84,7 +102,8 @@ std::string escaped(std::string_view text) {
 std::string typeset(std::string_view text) {
   std::string out;
   for (std::size_t at = 0; at < text.size();) {
-    std::pair<std::string, std::size_t> next = rewritten(text, at);
+    std::pair<std::string, std::size_t> next = rounded(text, at);
+    if (next.second == 0) next = rewritten(text, at);
     for (const auto& [sign, written] : signs)
       if (next.second == 0 && stands(sign, text, at))
         next = std::pair(std::string(written), sign.size());

@@ -224,8 +224,8 @@ std::string colour_of(const Curve& curve) {
 constexpr double font = 16.0;          // on a telephone 500 units are 380 pixels: 12 pixels high
 constexpr double plot_height = 290.0;  // of the axes' box
 
-/// Words beside points: to the right of those in the left half and to the left of the others, one
-/// line below another's at least, from the lowest point upwards.
+/// Words above points, each at the end of a hairline; from the lowest point upwards, each a line
+/// above the one before.
 std::string names_of(const Plot& plot) {
   struct Name {
     double x, y;
@@ -242,14 +242,23 @@ std::string names_of(const Plot& plot) {
   const auto along = [](const Range& range, double value) {
     return std::log(value / range.low) / std::log(range.high / range.low);
   };
-  double free = 0.04;
+  double free = 0.0;
   std::string text;
   for (const Name& name : names) {
-    const bool right = along(x, name.x) < 0.5;
-    const double at = std::max(along(y, name.y), free);
-    free = at + 1.25 * font / plot_height;
-    text += "set label " + literal(*name.words) + " at first " + number(name.x) + ", graph " +
-            number(at) + (right ? " left offset 1,0.1\n" : " right offset -1,0.1\n");
+    const double line = 1.3 * font / plot_height;
+    const double at = std::max(along(y, name.y) + line, free);
+    free = at + line;
+    // Right of the hairline, or as far right as the words still end inside; letters are half as
+    // wide as high.
+    const double width =
+        0.52 * font * static_cast<double>(name.words->size()) / (plot.wide ? 950.0 : 380.0);
+    const double left = std::max(0.0, std::min((along(x, name.x) + 0.03) / 1.06, 1.0 - width));
+    const std::string place = "first " + number(name.x) + ", ";
+    text += "set label " + literal(*name.words) + " at graph " + number(left) + ", graph " +
+            number(at) + " left offset 0.4,0\nset label '' at " + place + "first " +
+            number(name.y) + " point pt 7 ps 0.7\nset arrow from " + place + "first " +
+            number(name.y) + " to " + place + "graph " + number(at) + " nohead lw 0.7 lc rgb '" +
+            std::string(grey) + "'\n";
   }
   return text;
 }
@@ -263,6 +272,7 @@ std::string script(const Plot& plot) {
     longest = std::max(longest, curve.label.size());
     ++entries;
   }
+  const std::string names = names_of(plot);
   const std::size_t columns = (longest > 22 ? 1U : 2U) * (plot.wide ? 2U : 1U);
   const std::size_t rows = (entries + columns - 1) / columns;
   const auto key = static_cast<double>(27 * rows);
@@ -274,8 +284,7 @@ std::string script(const Plot& plot) {
       number((key + 74.0) / height) + "\nset key at screen 0.02, " + number((key + 8.0) / height) +
       " left top Left reverse samplen 1.5 spacing 1.1 maxrows " + std::to_string(rows) +
       "\nset title " + literal(plot.title) + "\nset xlabel " + literal(plot.x_label) +
-      " offset 0,0.4" + "\nset ylabel " + literal(plot.y_label) + axes(plot) + "\n" +
-      names_of(plot);
+      " offset 0,0.4" + "\nset ylabel " + literal(plot.y_label) + axes(plot) + "\n" + names;
   const auto sharing = std::count_if(plot.curves.begin(), plot.curves.end(), [](const Curve& c) {
     return c.x.empty() && !c.dots && !c.dashed;
   });
@@ -295,7 +304,7 @@ std::string script(const Plot& plot) {
       bands += data + " using 1:3:4 with filledcurves fs transparent solid 0.18 noborder" +
                colour_of(curve) + " title " + std::exchange(band_title, "''") + ", ";
   }
-  return text + "plot " + bands + lines + "\nunset label\n" +
+  return text + "plot " + bands + lines + (names.empty() ? "\n" : "\nunset label\nunset arrow\n") +
          (plot.linear_within > 0.0
               ? "unset nonlinear x\nunset nonlinear y\nunset arrow\nset zeroaxis lc rgb "
                 "'#999999'\nset xrange [*:*]\nset yrange [*:*]\n"

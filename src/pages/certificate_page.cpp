@@ -69,7 +69,7 @@ Figure settling_figure(const lab::Certification& c) {
   constexpr std::size_t stretches = 250;
   const double horizon = dynamics.settling_seconds ? 1.5 * *dynamics.settling_seconds
                                                    : 5.0 / std::abs(dynamics.slowest);
-  // Of ringing that is faster than a stretch of time the crest is drawn: where it is sampled more
+  // Of ringing that is faster than a stretch of time the crest is found: where it is sampled more
   // rarely than it rings, its phases are as good as random, and some are near the crest.
   const double work = static_cast<double>(stretches) * std::pow(dynamics.states, 2);
   const auto looks = static_cast<std::size_t>(std::clamp(4e8 / work, 2.0, 16.0));
@@ -77,10 +77,13 @@ Figure settling_figure(const lab::Certification& c) {
   const std::vector<double> errors = step_errors(
       c.circuit.network().state_space(), stretch / static_cast<double>(looks), looks * stretches);
   Curve crest{"error of all node voltages", {errors.front()}, 1};
+  if (dynamics.settling_seconds) crest.label = "largest error still to come";
   for (std::size_t k = 0; k < stretches; ++k) {
     const auto from = errors.begin() + static_cast<std::ptrdiff_t>(k * looks);
     crest.y.push_back(*std::max_element(from, from + static_cast<std::ptrdiff_t>(looks) + 1));
   }
+  if (dynamics.settling_seconds)
+    for (std::size_t k = stretches; k-- > 0;) crest.y[k] = std::max(crest.y[k], crest.y[k + 1]);
   plot.curves.push_back(std::move(crest));
   const auto [unit, seconds] = unit_of_time(horizon);
   plot.x_label = "time [" + unit + "]";
@@ -94,11 +97,11 @@ Figure settling_figure(const lab::Certification& c) {
   }
   return {"settling", "time",
           dynamics.settling_seconds
-              ? "The answer's error after the inputs step from 0, by the exact solution of the "
-                "circuit's linear equations, of fast ringing the crests; it has settled where it "
-                "stays below the dashed line. A straight slope is one pole: the slowest that the "
-                "inputs "
-                "excite enough to be seen."
+              ? "The largest error of the answer that is still to come after the inputs step from "
+                "0, by "
+                "the exact solution of the circuit's linear equations; it has settled where that "
+                "falls below the dashed line. A straight slope is one pole: the slowest that the "
+                "inputs excite enough to be seen; steps are ringing."
               : "The distance from the answer that the circuit should come to rest at: it grows, "
                 "in the end at the rate of its rightmost pole.",
           std::move(plot)};

@@ -237,7 +237,8 @@ std::string one_frame(const RecordingOverview& overview) {
                 "The pad in section. On the surface the pressure" +
                     std::string(overview.tangential() ? " and the drag" : "") +
                     "; inside, the stress across the surface that they cause: blue presses, red "
-                    "pulls.") +
+                    "pulls.",
+                "") +
          drawing::figure_html(
              "",
              stretched_picture(n, range, unit_of(scene, Dimension::stress, range),

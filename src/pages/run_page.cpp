@@ -41,7 +41,6 @@ using report::rule_used;
 using report::sensor_in_words;
 
 constexpr std::string_view answer = "answer";
-constexpr std::string_view errors = "errors";
 constexpr std::string_view choice = "choice";
 constexpr std::string_view readings = "readings";
 constexpr std::string_view over_time = "over time";
@@ -110,14 +109,18 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
   if (band) found.band_label = "two deviations";
   found.curves.push_back({"truth", traction(truth), 0, true});  // last: on top
   figures.push_back(
-      {file, std::string(answer),
+      {file,
+       std::string(answer),
        "The truth at the taxels (dots) and the answers; methods that found the same are one line." +
            std::string(band ? " The band is two standard deviations, of noise and of what alpha "
                               "smooths away together: look for dots outside it, at a contact's "
                               "steep edges first."
                             : ""),
-       std::move(found)});
-  figures.push_back({file + "-error", std::string(errors),
+       std::move(found),
+       {},
+       {},
+       "tall"});
+  figures.push_back({file + "-error", std::string(answer),
                      "Each answer minus the truth. Swings at a contact's edge that die away from "
                      "it are smoothing, and a smaller alpha narrows them; a ripple of one size all "
                      "along the array is noise, and a larger alpha lowers it.",
@@ -372,7 +375,6 @@ Page report_html(const lab::Experiment& experiment, const Made& made) {
   if (!page.missing.empty()) html += element("p", page.missing, "note");
   html += figures.html(answer);
   html += methods_section(experiment);
-  html += titled(figures, "How far off", errors);
   html += titled(figures, "Over time", over_time);
   if (experiment.sweep) {
     html += element("h2", "The choice of alpha");

@@ -21,7 +21,7 @@ std::string_view style_sheet() noexcept {
 body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper);
        max-width: 70rem; margin: 1.5rem auto; padding: 0 1rem; overflow-wrap: break-word; }
 h1 { font-size: 1.6rem; line-height: 1.25; margin-bottom: 0; }
-h2 { font-size: 1.15rem; margin-top: 2rem; } a { color: var(--link); } code { overflow-wrap: anywhere; }
+h1 + p { max-width: none; } h2 { font-size: 1.15rem; margin-top: 2rem; } a { color: var(--link); } code { overflow-wrap: anywhere; }
 p, ul { max-width: 50rem; } .quiet { color: var(--quiet); font-size: .95rem; margin-top: .3rem; }
 .note { color: var(--note-ink); background: var(--note); padding: .4rem .8rem; border-left: 4px solid #e69f00; }
 .bad { color: var(--bad-ink); background: var(--bad); padding: .4rem .8rem; border-left: 4px solid #d55e00; }
@@ -42,6 +42,7 @@ th, td { text-align: left; padding: .25rem .8rem .25rem 0; border-bottom: 1px so
 .figures { display: grid; gap: 1.5rem 2rem; margin: 1.5rem 0; align-items: start;
            grid-template-columns: repeat(auto-fill, minmax(min(100%, 30rem), 1fr)); }
 figure { margin: 0; min-width: 0; max-width: 36rem; } .whole-row { grid-column: 1 / -1; max-width: none; }
+@media screen and (min-width: 68rem) { .tall { grid-row: span 2; } }
 .plot svg { display: block; width: 100%; height: auto; } .narrow-plot { display: none; }
 figcaption { color: var(--quiet); font-size: .95rem; margin-top: .3rem; }
 .two { display: grid; grid-template-columns: 1.25fr 1fr; gap: 1.6rem; align-items: end; } .two figure { max-width: none; }
@@ -72,8 +73,8 @@ figcaption { color: var(--quiet); font-size: .95rem; margin-top: .3rem; }
 .key-normal { color: var(--blue); font-weight: 600; } .key-tangential { color: var(--orange); font-weight: 600; }
 .bars { display: grid; grid-template-columns: minmax(7rem, auto) 1fr; gap: .35rem .9rem; align-items: center; }
 .bars svg { width: 100%; height: 1.1rem; display: block; overflow: visible; } .bars .value { font-variant-numeric: tabular-nums; }
-.bars.valued { grid-template-columns: minmax(7rem, auto) 1fr 4.5rem; } .bars .own { font-weight: 600; }
-.bars rect { fill: var(--blue); } .bars rect.tangential { fill: var(--orange); stroke: none; }
+.bars.valued { grid-template-columns: minmax(7rem, auto) 5rem 1fr; } .bars .own { font-weight: 600; }
+.bars rect { shape-rendering: crispEdges;  fill: var(--blue); } .bars rect.tangential { fill: var(--orange); stroke: none; }
 .bars rect.least { fill: var(--green); } .bars rect.dim { fill: var(--limb); } .bars rect.room { fill: var(--rule); opacity: .5; }
 .bars .scale { grid-column: 2; display: flex; justify-content: space-between; font-size: .8rem; color: var(--quiet); }
 .cards table, .cards tbody { display: block; } .cards thead { display: none; } .cards td { border: 0; padding: 0; white-space: normal; min-width: 0; }

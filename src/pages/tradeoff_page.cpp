@@ -214,13 +214,13 @@ Figure truth_figure(const study::Study& study, const std::vector<study::WorkPoin
   std::string html = "<div class=\"bars valued\">\n";
   for (const Bar& bar : bars) {
     const double width = 1000.0 * std::min(1.0, bar.error / full);
-    html += element("span", bar.label);
+    html += element("span", bar.label) + element("span", percent(bar.error), "value");
     html +=
         "<svg viewBox=\"0 0 1000 100\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"" +
         drawing::escaped(bar.label + ": " + percent(bar.error)) +
         "\"><rect class=\"room\" width=\"1000\" height=\"100\"/><rect class=\"" +
         (&bar == &bars.front() ? "least" : "dim") + "\" width=\"" + fixed(width, 1) +
-        "\" height=\"100\"/></svg>" + element("span", percent(bar.error), "value");
+        "\" height=\"100\"/></svg>\n";
   }
   curves.push_back(border("the exact solution", exact, curves, 0));
   return {.name = "error-to-truth",
@@ -231,7 +231,8 @@ Figure truth_figure(const study::Study& study, const std::vector<study::WorkPoin
               "sampling and noise set it. Fewer taxels and constraints are other problems.",
           .plot = plot_of("Time over error against the truth", "|f - truth| / |truth|",
                           "time of a frame [s]", std::move(curves)),
-          .picture = html + "</div>\n"};
+          .picture = html + "</div>\n",
+          .type = "whole-row"};
 }
 
 std::vector<Figure> figures_of(const study::Study& study) {

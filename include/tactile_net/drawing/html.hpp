@@ -14,7 +14,8 @@ namespace tactile_net::drawing {
 [[nodiscard]] std::string escaped(std::string_view text);
 
 /// Numbers and units as people write them, for what is read and never parsed: "2.5 us" -> "2.5 µs",
-/// "+-" -> "±", "<=" -> "≤", "1.09e+03" -> "1090" up to a million, "1e-05" -> "1e-5". UTF-8.
+/// "3.04 deg" -> "3.04°", "0.549 +- 0.0857" -> "0.55 ± 0.09", "<=" -> "≤", "1.09e+03" -> "1090" up
+/// to a million, "1e-05" -> "1e-5". UTF-8.
 [[nodiscard]] std::string typeset(std::string_view text);
 
 /// <tag class="type">content</tag>, the content typeset and escaped.

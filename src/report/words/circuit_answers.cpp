@@ -13,22 +13,22 @@ Answer stability(const lab::Certification& c) {
   switch (certificate.stability) {
     case Stability::stable:
       if (c.tolerance && 2 * c.tolerance->stable <= c.tolerance->trials)
-        return {circuit + ": stable",
-                "with exact parts; of " + std::to_string(c.tolerance->trials) +
+        return {"stable",
+                circuit + ", with exact parts; of " + std::to_string(c.tolerance->trials) +
                     " builds with real ones " + std::to_string(c.tolerance->stable) + " are",
                 true};
       return {circuit + ": stable",
               certificate.theorem.holds()
-                  ? "proven by theorem " + std::string(certificate.theorem.name)
-                  : "by its poles; no theorem speaks of it"};
+                  ? circuit + ", proven by theorem " + std::string(certificate.theorem.name)
+                  : circuit + ", by its poles; no theorem speaks of it"};
     case Stability::unstable:
-      return {circuit + ": unstable", "it runs away from the answer", true};
+      return {"unstable", circuit + ": it runs away from the answer", true};
     case Stability::not_definite:
       return {"no circuit", "P is not positive definite: nothing for it settles", true};
     case Stability::lossless:
-      return {circuit + ": rings", "lossless: it has its answer at one frequency alone"};
+      return {"rings", circuit + ", lossless: it has its answer at one frequency alone"};
     case Stability::not_modelled:
-      return {circuit + ": not known", "the op-amps have no bandwidth, and no theorem applies",
+      return {"not known", circuit + ": the op-amps have no bandwidth, and no theorem applies",
               true};
   }
   return {};
@@ -65,19 +65,23 @@ Answer cost(const Certificate& certificate) {
 std::vector<Answer> answers(const lab::Certification& c) {
   std::vector<Answer> all = {stability(c), settling(c.certificate()), cost(c.certificate())};
   const lab::Recommendation& r = c.recommendation;
-  if (c.tolerance)
+  using Outcome = lab::Recommendation::Outcome;
+  const std::string chosen = r.choice ? std::string(name(r.chosen().realization)) : "";
+  if (c.tolerance) {
+    const bool other = r.choice && r.chosen().realization != c.circuit.options().realization;
     all.push_back({percent(c.tolerance->yield()) + " yield",
                    "builds with real parts within " + percent(c.circuit.tolerance().accuracy) +
-                       " of the exact network",
+                       " of the exact network" +
+                       (other ? "; " + chosen + " bears its parts better" : ""),
                    c.tolerance->yield() < 0.5});
-  if (r.outcome == lab::Recommendation::Outcome::reached)
-    all.push_back({"build " + std::string(name(r.chosen().realization)),
-                   "the fewest amplifiers (" + std::to_string(r.chosen().opamps) + ") within " +
-                       percent(r.drawn.accuracy) + " in 95 of 100 builds"});
-  else if (r.outcome == lab::Recommendation::Outcome::none_reaches)
-    all.push_back(
-        {"none reaches " + percent(r.drawn.accuracy),
-         "with such parts; " + std::string(name(r.chosen().realization)) + " comes nearest", true});
+  } else if (r.outcome == Outcome::reached) {
+    all.push_back({"build " + chosen, "the fewest amplifiers (" +
+                                          std::to_string(r.chosen().opamps) + ") within " +
+                                          percent(r.drawn.accuracy) + " in 95 of 100 builds"});
+  } else if (r.outcome == Outcome::none_reaches) {
+    all.push_back({"none reaches " + percent(r.drawn.accuracy),
+                   "with such parts; " + chosen + " comes nearest", true});
+  }
   return all;
 }
 

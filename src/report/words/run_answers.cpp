@@ -66,11 +66,10 @@ Answer agreement(const Experiment& experiment) {
                               ": nothing to compare it with"};
   } else if (groups.size() == 1) {
     answer = {std::to_string(all) + " methods agree",
-              equal_methods(experiment, groups.front()) + ", to " +
-                  brief(groups.front().difference, 1) + " of the largest traction"};
+              "to " + brief(groups.front().difference, 1) + " of the largest traction"};
   } else {
     const MethodResult& first = experiment.results[groups.front().results.front()];
-    answer.value = std::to_string(groups.size()) + " answers";
+    answer.value = "methods differ";
     answer.doubtful = true;
     for (std::size_t i = 1; i < groups.size(); ++i)
       answer.meaning +=

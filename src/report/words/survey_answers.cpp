@@ -29,7 +29,7 @@ std::vector<Answer> answers(const Scene& scene, const lab::Survey& survey) {
                     (own.unknowns == 2 && lab::hides_mean(own, Traction::tangential));
   if (hidden > 0)
     all.push_back({std::to_string(hidden) + (hidden == 1 ? " is hidden" : " are hidden"),
-                   "combinations of tractions that no reading shows; below stands which", true});
+                   "of the combinations of tractions: no reading shows it", true});
   else if (mean)
     all.push_back({"the mean is hidden", "a uniform traction shows only where it ends", true});
   else
