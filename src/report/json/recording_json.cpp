@@ -7,6 +7,7 @@
 #include <span>
 
 #include "report/json/values.hpp"
+#include "tactile_net/drawing/html.hpp"
 #include "tactile_net/drawing/png.hpp"
 #include "tactile_net/lab/interior.hpp"
 #include "tactile_net/report/words/recording_words.hpp"
@@ -103,7 +104,7 @@ std::string recording_json(const lab::RecordingOverview& overview) {
     const bool trusted = group.verdict == lab::Verdict::ok;
     said.push_back({{"time", group_place(overview, group)},
                     {"clock", group_clock(group)},
-                    {"answer", group_answer(overview, group)},
+                    {"answer", drawing::typeset(group_answer(overview, group))},
                     {"trust", trusted ? "" : group_distrust(group)}});
   }
   json["said"] = std::move(said);

@@ -17,7 +17,7 @@ Answer stability(const lab::Certification& c) {
                 circuit + ", with exact parts; of " + std::to_string(c.tolerance->trials) +
                     " builds with real ones " + std::to_string(c.tolerance->stable) + " are",
                 true};
-      return {circuit + ": stable",
+      return {"stable",
               certificate.theorem.holds()
                   ? circuit + ", proven by theorem " + std::string(certificate.theorem.name)
                   : circuit + ", by its poles; no theorem speaks of it"};
