@@ -146,7 +146,7 @@ std::string html_page(std::string_view title, std::string_view body, std::string
          element("title", title) + "<style>" + std::string(style) + "</style></head>\n<body>\n" +
          std::string(body) +
          element("footer", "Written by tactile-net " + std::string(version()) +
-                               ". Lengths, forces and tractions are in the input's units.") +
+                               ". Numbers without a unit are in the input's units.") +
          "</body>\n</html>\n";
 }
 

@@ -91,8 +91,9 @@ Plot deviation_plot(const Scene& scene, const lab::Survey& survey, Traction comp
             true,
             true};
   for (const lab::SensorChoice* choice : choices) {
-    Curve line{
-        in_words(*choice) + (choice == &survey.own ? " (now)" : ""), {}, plot.curves.size() + 1};
+    Curve line{in_words(*choice, scene.units) + (choice == &survey.own ? " (now)" : ""),
+               {},
+               plot.curves.size() + 1};
     for (const Resolution& resolution : choice->resolutions)
       if (shown(resolution)) {
         const double ratio = deviation(resolution, component) / survey.traction;
@@ -159,7 +160,8 @@ Plot sight_plot(const Scene& scene, const std::vector<const lab::SensorChoice*>&
   for (const lab::SensorChoice* choice : choices)
     for (const Traction component : {Traction::normal, Traction::tangential}) {
       if (component == Traction::tangential && choice->unknowns == 1) continue;
-      Curve curve{in_words(*choice) + (component == Traction::normal ? ", normal" : ", tangential"),
+      Curve curve{in_words(*choice, scene.units) +
+                      (component == Traction::normal ? ", normal" : ", tangential"),
                   {}};
       for (const Resolution& resolution : choice->resolutions)
         if (std::isfinite(resolution.wavelength))
@@ -181,12 +183,13 @@ Figure sight_figure(const Scene& scene, const lab::Survey& survey) {
   std::string html = "<div class=\"bars\">\n";
   for (const lab::SensorChoice* choice : choices) {
     const bool own = choice == &survey.own;
-    html += element("span", in_words(*choice) + (own ? " (now)" : ""), own ? "own" : "");
+    html +=
+        element("span", in_words(*choice, scene.units) + (own ? " (now)" : ""), own ? "own" : "");
     const std::string told =
         choice->normal ? "normal from " + length(*choice->normal) : "no normal";
     html +=
         "<svg viewBox=\"0 0 1000 100\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"" +
-        drawing::escaped(in_words(*choice) + ": " + told) + "\">" +
+        drawing::escaped(in_words(*choice, scene.units) + ": " + told) + "\">" +
         sight(*choice, Traction::normal, survey.traction, spectrum, 0.0, two ? 46.0 : 100.0) +
         (two ? sight(*choice, Traction::tangential, survey.traction, spectrum, 54.0, 46.0) : "") +
         "</svg>\n";
@@ -237,20 +240,21 @@ std::vector<Figure> figures_of(const Scene& scene, const lab::Survey& survey) {
 
 }  // namespace
 
-std::vector<std::vector<std::string>> survey_cells(const lab::Survey& survey) {
+std::vector<std::vector<std::string>> survey_cells(const lab::Survey& survey,
+                                                   const std::optional<Units>& units) {
   std::vector<std::vector<std::string>> rows = {{"reads", "unknowns", "condition", "hidden",
                                                  "hidden mean", "normal from", "tangential from"}};
-  const auto wavelength = [](const std::optional<double>& value) {
-    return value ? brief(*value) : std::string("none");
+  const auto wavelength = [&](const std::optional<double>& value) {
+    return value ? report::in_unit(units, Dimension::length, *value) : std::string("none");
   };
   const auto add = [&](const lab::SensorChoice& choice, const std::string& mark) {
     const bool two = choice.unknowns == 2;
     std::vector<std::string> means;
     if (lab::hides_mean(choice, Traction::normal)) means.emplace_back("normal");
     if (two && lab::hides_mean(choice, Traction::tangential)) means.emplace_back("tangential");
-    rows.push_back({in_words(choice) + mark, std::to_string(choice.unknowns),
+    rows.push_back({in_words(choice, units) + mark, std::to_string(choice.unknowns),
                     condition_in_words(choice.identifiability),
-                    in_short(choice.identifiability.null_space),
+                    in_short(choice.identifiability.null_space, units),
                     means.empty() ? "-" : join(means, ", "), wavelength(choice.normal),
                     two ? wavelength(choice.tangential) : "-"});
   };
@@ -263,7 +267,7 @@ std::string cells_in_words(const Scene& scene, const lab::Survey& survey) {
   std::string text =
       "normal from, tangential from: the shortest wavelength from which on every ripple of "
       "amplitude " +
-      brief(survey.traction) +
+      report::in_unit(scene, Dimension::stress, survey.traction) +
       " stands out of the noise, by its standard deviation in one frame; hidden mean: shows only "
       "at "
       "the array's ends. Noise: " +
@@ -274,7 +278,8 @@ std::string cells_in_words(const Scene& scene, const lab::Survey& survey) {
   return text;
 }
 
-std::vector<std::string> singular_values_in_words(const Identifiability& result) {
+std::vector<std::string> singular_values_in_words(const Identifiability& result,
+                                                  const std::optional<Units>& units) {
   std::vector<std::string> text;
   text.push_back("singular values: " + std::to_string(result.singular_values.size()) + ", from " +
                  brief(result.singular_values.front()) + " to " +
@@ -283,18 +288,19 @@ std::vector<std::string> singular_values_in_words(const Identifiability& result)
   text.push_back(result.null_space.dimension > 0
                      ? "noise gain: unbounded without smoothing"
                      : "noise gain: noise of the assumed size may become a traction of " +
-                           brief(result.noise_gain) + " without smoothing");
+                           report::in_unit(units, Dimension::stress, result.noise_gain) +
+                           " without smoothing");
   for (const ModeSpace* space : {&result.null_space, &result.nearly_null}) {
     const bool null = space == &result.null_space;
     const std::size_t shown = std::min<std::size_t>(space->modes.size(), 3);
     const std::string kind = null ? "hidden: " : "nearly hidden: ";
     for (std::size_t i = 0; i < shown; ++i)
       text.push_back(
-          kind + in_words(space->modes[i]) +
+          kind + in_words(space->modes[i], units) +
           (null ? "" : " (singular value " + brief(space->modes[i].singular_value) + ")"));
     if (space->dimension > shown)
       text.push_back(kind + std::to_string(space->dimension - shown) + " more" +
-                     wavelengths_in_short(*space));
+                     wavelengths_in_short(*space, units));
   }
   return text;
 }
@@ -306,7 +312,7 @@ Page survey_html(const Scene& scene, const lab::Survey& survey, const Made& made
   std::string html =
       heading(scene.title, scene.file, sensor_in_words(scene) + "; " + material_in_words(scene));
   html += answer_box(answers(scene, survey));
-  const std::vector<std::string> verdict = verdict_in_words(survey);
+  const std::vector<std::string> verdict = verdict_in_words(survey, scene.units);
   const bool hidden = survey.own.identifiability.null_space.dimension > 0;
   html += element("p", verdict.front(), hidden ? "bad" : "");
   if (!page.missing.empty()) html += element("p", page.missing, "note");
@@ -314,10 +320,10 @@ Page survey_html(const Scene& scene, const lab::Survey& survey, const Made& made
   html += paragraphs({verdict.begin() + 1, verdict.end()}, "");
   html += element("h2", "Which quantities, at which depth");
   html += element("p", cells_in_words(scene, survey));
-  html += html_table(survey_cells(survey));
+  html += html_table(survey_cells(survey, scene.units));
   html += figures.html("others");
   html += element("h2", "What these sensors hide, by singular values");
-  html += html_list(singular_values_in_words(survey.own.identifiability));
+  html += html_list(singular_values_in_words(survey.own.identifiability, scene.units));
   html += figures.html("scene");
   html += colophon("The scene, the files, the command", scene_html(scene), page.files, made);
   page.html = page_html(scene.file + " - tactile-net identify", html);

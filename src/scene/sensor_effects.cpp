@@ -20,6 +20,9 @@ constexpr Rule share{"must be >= 0 and < 1", [](double x) noexcept { return x >=
 constexpr Rule weight_range{"must be > 0 and at most 1",
                             [](double x) noexcept { return x > 0.0 && x <= 1.0; }};
 
+using Numbers = std::vector<double>;
+using Indices = std::optional<std::vector<std::size_t>>;  // absent: all taxels
+
 /// Reads the tables of one scene's sensor effects.
 class Reader {
  public:
@@ -27,7 +30,8 @@ class Reader {
 
   // --- shared ---
 
-  /// A table that names every quantity that is read and no other; `one` reads each value.
+  /// A table that names every quantity that is read and no other; `one` reads each value, given the
+  /// unit of that quantity's readings.
   template <typename T>
   PerQuantity<T> of_each(Table table, auto one) const {
     PerQuantity<T> result;
@@ -42,7 +46,7 @@ class Reader {
       if (!value) continue;
       if (!is_read && read_.reads_complete)
         value->problem("is of a quantity that sensor.reads does not name", "remove it");
-      else if (auto got = one(*value))
+      else if (auto got = one(*value, reading_unit(read_.units, quantity)))
         result[quantity] = std::move(*got);
     }
     table.finish();
@@ -54,13 +58,16 @@ class Reader {
   PerQuantity<T> per_quantity(const Value& value, auto one) const {
     if (value.is_table()) return of_each<T>(*value.table(), one);
     PerQuantity<T> result;
-    if (const auto got = one(value))
-      for (const Quantity quantity : array_.reads) result[quantity] = *got;
+    for (const Quantity quantity : array_.reads)
+      if (auto got = one(value, reading_unit(read_.units, quantity)))
+        result[quantity] = std::move(*got);
+    if (array_.reads.empty()) (void)one(value, Unit{});  // what is wrong with it is said anyway
     return result;
   }
 
   PerQuantity<double> numbers_per_quantity(const Value& value, const Rule& rule) const {
-    return per_quantity<double>(value, [&](const Value& one) { return one.number(rule); });
+    return per_quantity<double>(
+        value, [&](const Value& one, const Unit& unit) { return one.number(rule, unit); });
   }
 
   static std::uint64_t seed(Table& table) {
@@ -91,10 +98,9 @@ class Reader {
   }
 
   /// A list of one value per taxel, or per index where there are some; `indices` are complete.
-  std::optional<std::vector<double>> taxel_values(
-      const Value& value, const Rule& rule,
-      const std::optional<std::vector<std::size_t>>& indices) const {
-    auto numbers = value.numbers(rule);
+  std::optional<Numbers> taxel_values(const Value& value, const Rule& rule, const Indices& indices,
+                                      const Unit& unit = {}) const {
+    auto numbers = value.numbers(rule, unit);
     if (!numbers) return std::nullopt;
     const std::size_t expected = indices ? indices->size() : array_.count;
     if (expected > 0 && numbers->size() != expected) {
@@ -106,24 +112,23 @@ class Reader {
   }
 
   /// As `taxel_values`, spread over all taxels: 0 where no index is.
-  std::optional<std::vector<double>> spread(
-      const Value& value, const Rule& rule,
-      const std::optional<std::vector<std::size_t>>& indices) const {
-    auto numbers = taxel_values(value, rule, indices);
+  std::optional<Numbers> spread(const Value& value, const Rule& rule, const Indices& indices,
+                                const Unit& unit = {}) const {
+    auto numbers = taxel_values(value, rule, indices, unit);
     if (!numbers || !indices) return numbers;
-    std::vector<double> all(array_.count);
+    Numbers all(array_.count);
     for (std::size_t i = 0; i < indices->size() && i < numbers->size(); ++i)
       if ((*indices)[i] < all.size()) all[(*indices)[i]] = (*numbers)[i];
     return all;
   }
 
-  std::optional<std::vector<std::size_t>> optional_indices(Table& table) const {
+  Indices optional_indices(Table& table) const {
     const auto value = table.value("indices");
     return value ? std::optional(taxels(*value)) : std::nullopt;
   }
 
-  std::optional<Range> range(const Value& value) const {
-    const auto ends = value.numbers(any_number);
+  std::optional<Range> range(const Value& value, const Unit& unit) const {
+    const auto ends = value.numbers(any_number, unit);
     if (!ends) return std::nullopt;
     if (ends->size() != 2)
       value.problem("must be two numbers, the lowest and the highest reading",
@@ -169,7 +174,7 @@ class Reader {
     const auto weights = table.required(
         "weights", "the share of the reading that goes through each play: weights = [0.1, 0.1]");
     if (weights) {
-      result.weights = weights->numbers(weight_range).value_or(std::vector<double>{});
+      result.weights = weights->numbers(weight_range).value_or(Numbers{});
       if (std::accumulate(result.weights.begin(), result.weights.end(), 0.0) > 1.0 + 1e-12)
         weights->problem("must add up to 1 at most");
     }
@@ -177,16 +182,17 @@ class Reader {
             "thresholds",
             "how far each play lags behind, in the unit of the readings: thresholds = [0.01, "
             "0.02]"))
-      result.thresholds = per_quantity<std::vector<double>>(*thresholds, [&](const Value& one) {
-        auto numbers = one.numbers(not_negative);
-        if (numbers && !result.weights.empty() && numbers->size() != result.weights.size()) {
-          one.problem(
-              "must have one threshold per weight: " + std::to_string(result.weights.size()) +
-              " (got " + std::to_string(numbers->size()) + ')');
-          numbers.reset();
-        }
-        return numbers;
-      });
+      result.thresholds =
+          per_quantity<Numbers>(*thresholds, [&](const Value& one, const Unit& unit) {
+            auto numbers = one.numbers(not_negative, unit);
+            if (numbers && !result.weights.empty() && numbers->size() != result.weights.size()) {
+              one.problem(
+                  "must have one threshold per weight: " + std::to_string(result.weights.size()) +
+                  " (got " + std::to_string(numbers->size()) + ')');
+              numbers.reset();
+            }
+            return numbers;
+          });
     table.finish();
     return result;
   }
@@ -206,8 +212,7 @@ class Reader {
     const auto indices = optional_indices(table);
     const auto values = table.value("values");
     const auto rms = table.required("rms", "of the relative error: rms = 0.01", {"values"});
-    if (values)
-      result.values = spread(*values, any_number, indices).value_or(std::vector<double>{});
+    if (values) result.values = spread(*values, any_number, indices).value_or(Numbers{});
     if (rms) result.rms = rms->number(not_negative).value_or(0.0);
     exclude(values, rms);
     table.finish();
@@ -221,8 +226,9 @@ class Reader {
     const auto values = table.value("values");
     const auto rms = table.required("rms", "in the unit of the readings: rms = 1e-3", {"values"});
     if (values)
-      result.values = per_quantity<std::vector<double>>(
-          *values, [&](const Value& one) { return spread(one, any_number, indices); });
+      result.values = per_quantity<Numbers>(*values, [&](const Value& one, const Unit& unit) {
+        return spread(one, any_number, indices, unit);
+      });
     if (rms) result.rms = numbers_per_quantity(*rms, not_negative);
     exclude(values, rms);
     table.finish();
@@ -294,8 +300,9 @@ class Reader {
     const auto indices = optional_indices(table);
     if (const auto rms = table.required(
             "rms", "of every taxel, or of those of indices: indices = [3, 17], rms = [0.01, 0.02]"))
-      result.rms = per_quantity<std::vector<double>>(
-          *rms, [&](const Value& one) { return spread(one, not_negative, indices); });
+      result.rms = per_quantity<Numbers>(*rms, [&](const Value& one, const Unit& unit) {
+        return spread(one, not_negative, indices, unit);
+      });
     table.finish();
     return result;
   }
@@ -304,7 +311,8 @@ class Reader {
     Saturation result;
     if (const auto value =
             table.required("range", "the lowest and the highest reading: range = [-1.0, 1.0]"))
-      result.range = per_quantity<Range>(*value, [&](const Value& one) { return range(one); });
+      result.range = per_quantity<Range>(
+          *value, [&](const Value& one, const Unit& unit) { return range(one, unit); });
     table.finish();
     return result;
   }
@@ -315,7 +323,8 @@ class Reader {
       converter.bits = static_cast<int>(bits->integer(1, 32).value_or(converter.bits));
     if (const auto value = table.required(
             "range", "the lowest and the highest reading it can tell: range = [-1.0, 1.0]"))
-      if (const auto ends = range(*value)) converter = {converter.bits, ends->low, ends->high};
+      if (const auto ends = range(*value, reading_unit(read_.units, array_, *value)))
+        converter = {converter.bits, ends->low, ends->high};
     table.finish();
     return converter;
   }
@@ -326,8 +335,8 @@ class Reader {
     if (indices) result.indices = taxels(*indices);
     if (const auto values = table.required(
             "values", "what each of them reads, in the unit of the readings: values = [0.1, 0.0]"))
-      result.values = per_quantity<std::vector<double>>(*values, [&](const Value& one) {
-        return taxel_values(one, any_number, std::optional(result.indices));
+      result.values = per_quantity<Numbers>(*values, [&](const Value& one, const Unit& unit) {
+        return taxel_values(one, any_number, std::optional(result.indices), unit);
       });
     table.finish();
     return result;

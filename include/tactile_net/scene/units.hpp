@@ -31,6 +31,11 @@ struct Unit {
   [[nodiscard]] constexpr bool is_si() const noexcept { return multiplier == divisor; }
 };
 
+/// "Per" this unit.
+[[nodiscard]] constexpr Unit inverse(const Unit& unit) noexcept {
+  return {unit.name, unit.divisor, unit.multiplier};
+}
+
 /// The units of a dimension, from small to large; "um" and "µm" are two spellings of one.
 [[nodiscard]] std::span<const Unit> units_of(Dimension dimension) noexcept;
 

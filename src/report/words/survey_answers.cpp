@@ -39,7 +39,7 @@ std::vector<Answer> answers(const Scene& scene, const lab::Survey& survey) {
                        brief(own.identifiability.condition) + " times less"});
   const auto& [exchange, pair_here, best] = survey.advice;
   if (const auto& index = exchange ? exchange : pair_here ? pair_here : best)
-    all.push_back({in_words(survey.alternatives[*index]),
+    all.push_back({in_words(survey.alternatives[*index], scene.units),
                    own.unknowns == 1 ? "would tell both tractions" : "would tell more"});
   else
     all.push_back({"keep them", "nothing compared tells more"});
