@@ -36,6 +36,7 @@ using report::in_unit;
 using report::in_words;
 using report::material_in_words;
 using report::remarks_in_words;
+using report::resultant_in_words;
 using report::rule_cells;
 using report::rule_used;
 using report::sensor_in_words;
@@ -320,19 +321,6 @@ std::string network_section(const lab::Relaxation& relaxation) {
          "<p>Its deck: <a href=\"network.cir\">network.cir</a>, to be run by ngspice -b.</p>\n" +
          html_list(in_words(relaxation)) +
          (disagreement ? element("p", in_words(*disagreement), "bad") : "");
-}
-
-/// "normal 0.982 ± 0.002, centre 0.000 ± 0.008": of one method.
-std::string resultant_in_words(const Scene& scene, const UncertainResultant& resultant) {
-  const auto say = [&](Dimension dimension, const Uncertain& number) {
-    return in_unit(scene, dimension, number.value, number.deviation);
-  };
-  std::string text = "normal force " + say(Dimension::force, resultant.normal);
-  if (resultant.tangential) text += ", tangential " + say(Dimension::force, *resultant.tangential);
-  if (resultant.centre) text += ", centre " + say(Dimension::length, *resultant.centre);
-  if (resultant.angle)
-    text += ", angle " + plus_minus(resultant.angle->value, resultant.angle->deviation) + " rad";
-  return text;
 }
 
 std::string methods_section(const lab::Experiment& experiment) {

@@ -116,7 +116,7 @@ footer { color: var(--quiet); margin-top: 3rem; font-size: .9rem; }
   body { font-size: 10pt; max-width: none; margin: 0; padding: 0; } h2 { break-after: avoid; }
   .figures { grid-template-columns: 1fr 1fr; gap: 1rem; } figure, tr, .answers div { break-inside: avoid; }
   figcaption { font-size: 9pt; } table { font-size: 8.5pt; } th, td { padding-right: .5rem; white-space: normal; }
-  .wide { overflow: visible; background: none; } #live { display: none; } .picture > svg { height: 4cm; }
+  .wide { overflow: visible; background: none; } #live { display: none; } .picture > svg { height: 4cm; } .section text { font-size: 34px; }
   .answers { grid-template-columns: repeat(4, 1fr); gap: .4rem; } .answers b { font-size: 12pt; }
 }
 )";
