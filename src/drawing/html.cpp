@@ -65,7 +65,17 @@ std::pair<std::string, std::size_t> rounded(std::string_view text, std::size_t a
   const auto [last, wrong] =
       number_from_chars(text.data() + middle + between.size(), end, deviation);
   if (wrong != std::errc{}) return {};
-  return {plus_minus(value, deviation), static_cast<std::size_t>(last - text.data()) - at};
+  const auto end_of_both = static_cast<std::size_t>(last - text.data());
+  const std::string_view given = text.substr(at, middle - at);
+  std::string both = plus_minus(value, deviation);
+  const auto decimals = [](std::string_view number) {
+    const std::string_view whole = number.substr(0, number.find(' '));
+    return whole.find('.') == whole.npos ? 0 : whole.size() - whole.find('.');
+  };
+  // Digits that the text does not have are not made up.
+  if (given.find('e') == given.npos && decimals(both) > decimals(given))
+    both = std::string(given) + " ± " + brief(deviation);
+  return {std::move(both), end_of_both - at};
 }
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> signs = {

@@ -66,7 +66,7 @@ Figure settling_figure(const lab::Certification& c) {
   plot.title = "From a step of all inputs to the answer";
   plot.y_label = "|v - v end| / |v end|";
   plot.logarithmic_y = true;
-  constexpr std::size_t stretches = 250;
+  constexpr std::size_t stretches = 400;
   const double horizon = dynamics.settling_seconds ? 1.5 * *dynamics.settling_seconds
                                                    : 5.0 / std::abs(dynamics.slowest);
   // Of ringing that is faster than a stretch of time the crest is found: where it is sampled more

@@ -55,10 +55,13 @@ std::string caption(const lab::GraspResult& grasp) {
 std::string tables(const lab::GraspResult& grasp, const std::string& title,
                    const std::vector<FingerAction>& actions,
                    const std::vector<lab::FingerMargins>& margins) {
+  report::Cells torques = torque_cells(grasp, actions, margins);
+  for (std::size_t i = 1; i < torques.size(); ++i)  // a card stands alone
+    if (torques[i][0].empty()) torques[i][0] = torques[i - 1][0];
   return element("h2", title) + "<div class=\"cards\">" +
          verdict_table(contact_cells(grasp, actions, margins)) + "</div>" +
          element("p", "Torques, counter-clockwise, joints from the palm to the tip:", "quiet") +
-         html_table(torque_cells(grasp, actions, margins));
+         html_table(torques);
 }
 
 }  // namespace

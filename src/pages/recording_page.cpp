@@ -181,7 +181,9 @@ std::string residuals(const RecordingOverview& overview) {
              [](const FrameGroup& g) { return double_or_nan(g, &NoiseEstimate::residual_rms); }),
       "residual");
   return element("h2", "What the tractions leave unexplained") +
-         over_time(overview, range, {}, "Residual over time", "low", inside,
+         over_time(overview, range,
+                   unit_of(overview.scene, report::residual_dimension(overview.scene), range),
+                   "Residual over time", "low", inside,
                    "Root mean square of a reading's residual" +
                        std::string(stated ? "; the blue line is the noise that the scene states. "
                                             "Above it the pad, the depth or the calibration is "

@@ -97,6 +97,15 @@ class Pages(unittest.TestCase):
                 with self.subTest(page=name, data=data.name):
                     self.assertGreaterEqual(len(data.read_text().splitlines()), 2)
 
+    def test_every_file_beside_a_page_is_linked_and_the_command_is_told(self):
+        for name, page in self.pages.items():
+            text = page.read_text()
+            self.assertIn("Made by <code>tactile-net " + name.split()[0], text)
+            for file in page.parent.iterdir():
+                with self.subTest(page=name, file=file.name):
+                    if file != page:
+                        self.assertIn(f'href="{file.name}"', text)
+
     def test_a_page_that_is_broken_is_found_out(self):
         page = self.pages["run"]
         whole = page.read_text()
