@@ -18,13 +18,22 @@ std::string field(const std::string& text) {
 
 std::string value(double number) { return std::isfinite(number) ? shortest(number) : ""; }
 
+/// gnuplot's drawing with the caption as its name, for whoever hears a page.
+std::string plot_html(const std::string& svg, const Figure& figure, const std::string& type) {
+  return "<div class=\"" + type + "\"><svg role=\"img\" aria-label=\"" +
+         escaped(typeset(figure.caption)) + "\"" + svg.substr(4) + "</div>";
+}
+
 }  // namespace
 
-std::string figure_html(const std::string& name, const std::string& picture,
-                        const std::string& caption, const std::string& data) {
-  const std::string link = escaped(data);
-  return "<figure id=\"" + escaped(name) + "\">" + picture + "\n<figcaption>" + caption +
-         " Data: <a href=\"" + link + "\">" + link + "</a></figcaption></figure>\n";
+std::string figure_html(std::string_view name, std::string_view picture, std::string_view caption,
+                        std::string_view data, std::string_view type) {
+  const auto attribute = [](const std::string& key, std::string_view value) {
+    return value.empty() ? "" : ' ' + key + "=\"" + escaped(value) + '"';
+  };
+  return "<figure" + attribute("id", name) + attribute("class", type) + ">" + std::string(picture) +
+         "\n<figcaption>" + std::string(caption) + " <a" + attribute("href", data) +
+         ">Numbers</a></figcaption></figure>\n";
 }
 
 std::string csv_of(const Plot& plot) {
@@ -63,23 +72,41 @@ Figures::Figures(std::vector<Figure> figures) : figures_(std::move(figures)) {
       return std::none_of(curve.y.begin(), curve.y.end(),
                           [](double y) { return std::isfinite(y); });
     });
-  std::erase_if(figures_, [](const Figure& figure) { return figure.plot.curves.empty(); });
+  std::erase_if(figures_, [](const Figure& figure) {
+    return figure.plot.curves.empty() && figure.picture.empty();
+  });
   std::vector<Plot> plots;
-  for (const Figure& figure : figures_) plots.push_back(figure.plot);
+  for (const Figure& figure : figures_) {
+    if (!figure.picture.empty()) continue;
+    plots.push_back(figure.plot);
+    if (!figure.plot.wide) continue;
+    plots.push_back(figure.plot);
+    plots.back().wide = false;
+  }
+  std::vector<std::string> drawn;
   try {
-    svg_ = draw(plots);
+    drawn = draw(plots);
   } catch (const std::runtime_error& error) {
     missing_ = std::string("the report has no plots: ") + error.what();
+  }
+  auto next = drawn.begin();
+  for (const Figure& figure : figures_) {
+    pictures_.push_back(figure.picture);
+    if (!figure.picture.empty() || drawn.empty()) continue;
+    svg_.emplace_back(figure.name + ".svg", *next);
+    pictures_.back() = plot_html(*next++, figure, figure.plot.wide ? "plot wide-plot" : "plot");
+    if (figure.plot.wide) pictures_.back() += plot_html(*next++, figure, "plot narrow-plot");
   }
 }
 
 std::string Figures::html(std::string_view section) const {
   std::string html;
-  for (std::size_t i = 0; i < svg_.size(); ++i) {
+  for (std::size_t i = 0; i < figures_.size(); ++i) {
     const Figure& figure = figures_[i];
-    if (figure.section != section) continue;
-    html += figure_html(figure.name, "<div class=\"plot\">" + svg_[i] + "</div>",
-                        escaped(figure.caption), figure.name + ".csv");
+    if (figure.section != section || pictures_[i].empty()) continue;
+    html += figure_html(figure.name, pictures_[i], escaped(typeset(figure.caption)),
+                        figure.data.empty() ? figure.name + ".csv" : figure.data,
+                        figure.plot.wide ? "whole-row" : figure.type);
   }
   return html.empty() ? html : "<div class=\"figures\">\n" + html + "</div>\n";
 }
@@ -87,14 +114,7 @@ std::string Figures::html(std::string_view section) const {
 Files Figures::data() const {
   Files files;
   for (const Figure& figure : figures_)
-    files.emplace_back(figure.name + ".csv", csv_of(figure.plot));
-  return files;
-}
-
-Files Figures::pictures() const {
-  Files files;
-  for (std::size_t i = 0; i < svg_.size(); ++i)
-    files.emplace_back(figures_[i].name + ".svg", svg_[i]);
+    if (figure.data.empty()) files.emplace_back(figure.name + ".csv", csv_of(figure.plot));
   return files;
 }
 

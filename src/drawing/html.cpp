@@ -1,46 +1,94 @@
 #include "tactile_net/drawing/html.hpp"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::drawing {
 namespace {
 
-/// Light and dark, from a telephone's width on. Plots are drawn on white: in the dark they are
-/// turned to light lines on black, hues kept. Two of them stand in a row where there is room.
-constexpr std::string_view style = R"(
-:root { color-scheme: light dark; --ink: #222; --paper: #fff; --rule: #ddd; --quiet: #595959;
-        --note: #fff6e5; --note-ink: #7a4b00; --bad: #fdecea; --bad-ink: #8a1c00; --link: #0059a3; }
-@media screen and (prefers-color-scheme: dark) {
-  :root { --ink: #e6e6e6; --paper: #191919; --rule: #444; --quiet: #aaa;
-          --note: #33270f; --note-ink: #ffd58a; --bad: #3a1712; --bad-ink: #ffb4a3; --link: #8ab4f8; }
-  .plot svg { filter: invert(.93) hue-rotate(180deg) brightness(1.4); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Where the decimal number ends that begins at `at`: digits, a point and digits.
+std::size_t end_of_decimal(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_digit(text[at])) ++at;
+  if (at + 1 < text.size() && text[at] == '.' && is_digit(text[at + 1]))
+    for (++at; at < text.size() && is_digit(text[at]);) ++at;
+  return at;
 }
-body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper);
-       max-width: 70rem; margin: 2rem auto; padding: 0 1rem; overflow-wrap: break-word; }
-h1 { font-size: 1.6rem; line-height: 1.25; margin-bottom: 0; }
-h2 { font-size: 1.15rem; margin-top: 2rem; } a { color: var(--link); }
-p, ul { max-width: 50rem; }
-table { border-collapse: collapse; } .wide { overflow-x: auto; margin: 1rem 0; }
-th, td { text-align: left; padding: .25rem .8rem .25rem 0; border-bottom: 1px solid var(--rule);
-         white-space: nowrap; font-variant-numeric: tabular-nums; }
-.note { color: var(--note-ink); background: var(--note); padding: .4rem .8rem;
-        border-left: 4px solid #e69f00; }
-.bad { color: var(--bad-ink); background: var(--bad); padding: .4rem .8rem;
-       border-left: 4px solid #d55e00; }
-.answer { font-size: 1.1rem; border-left: 4px solid #0072b2; padding: .2rem .8rem; }
-.figures { display: grid; gap: 1.5rem 2rem; margin: 1.5rem 0;
-           grid-template-columns: repeat(auto-fill, minmax(min(100%, 32rem), 1fr)); }
-figure { margin: 0; min-width: 0; max-width: 40rem; } .plot svg { display: block; width: 100%; height: auto; }
-figcaption { color: var(--quiet); font-size: .95rem; margin-top: .3rem; }
-footer { color: var(--quiet); margin-top: 3rem; font-size: .9rem; }
-@media print {
-  body { font-size: 10pt; max-width: none; margin: 0; padding: 0; } h2 { break-after: avoid; }
-  .figures { grid-template-columns: 1fr 1fr; gap: 1rem; } figure, tr { break-inside: avoid; }
-  figcaption { font-size: 9pt; } table { font-size: 8.5pt; } th, td { padding-right: .5rem; white-space: normal; }
-  .wide { overflow: visible; }
+
+/// "1.09" and 3: "1090".
+std::string shifted(std::string_view decimal, std::size_t power) {
+  const std::size_t point = std::min(decimal.find('.'), decimal.size());
+  std::string digits(decimal.substr(0, point));
+  if (point < decimal.size()) digits += decimal.substr(point + 1);
+  if (digits.size() <= point + power) return digits.append(point + power - digits.size(), '0');
+  return digits.insert(point + power, 1, '.');
 }
-)";
+
+/// A number at `at`, written for people, and how much of the text it was; nothing: none begins
+/// there, or it is fine as it is.
+std::pair<std::string, std::size_t> rewritten(std::string_view text, std::size_t at) {
+  const bool inside = at > 0 && (is_digit(text[at - 1]) || text[at - 1] == '.');
+  if (inside || !is_digit(text[at])) return {};
+  const std::size_t end = end_of_decimal(text, at);
+  if (end + 3 >= text.size() || text[end] != 'e' || (text[end + 1] != '+' && text[end + 1] != '-'))
+    return {};
+  int power = 0;
+  const auto [stop, error] =
+      std::from_chars(text.data() + end + 2, text.data() + text.size(), power);
+  if (error != std::errc{}) return {};
+  const std::string_view decimal = text.substr(at, end - at);
+  const auto length = static_cast<std::size_t>(stop - text.data()) - at;
+  if (text[end + 1] == '+' && power < 6)
+    return {shifted(decimal, static_cast<std::size_t>(power)), length};
+  return {std::string(decimal) + (text[end + 1] == '-' ? "e-" : "e") + std::to_string(power),
+          length};
+}
+
+/// "0.549 +- 0.0857" at `at`, rounded by the deviation, and how much of the text it was.
+std::pair<std::string, std::size_t> rounded(std::string_view text, std::size_t at) {
+  const bool inside = at > 0 && (is_digit(text[at - 1]) || text[at - 1] == '.');
+  if (inside || !(is_digit(text[at]) || text[at] == '-')) return {};
+  const char* const end = text.data() + text.size();
+  double value = 0.0;
+  const auto [first, error] = number_from_chars(text.data() + at, end, value);
+  constexpr std::string_view between = " +- ";
+  const auto middle = static_cast<std::size_t>(first - text.data());
+  if (error != std::errc{} || !text.substr(middle).starts_with(between)) return {};
+  double deviation = 0.0;
+  const auto [last, wrong] =
+      number_from_chars(text.data() + middle + between.size(), end, deviation);
+  if (wrong != std::errc{}) return {};
+  const auto end_of_both = static_cast<std::size_t>(last - text.data());
+  const std::string_view given = text.substr(at, middle - at);
+  std::string both = plus_minus(value, deviation);
+  const auto decimals = [](std::string_view number) {
+    const std::string_view whole = number.substr(0, number.find(' '));
+    return whole.find('.') == whole.npos ? 0 : whole.size() - whole.find('.');
+  };
+  // Digits that the text does not have are not made up.
+  if (given.find('e') == given.npos && decimals(both) > decimals(given))
+    both = std::string(given) + " ± " + brief(deviation);
+  return {std::move(both), end_of_both - at};
+}
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> signs = {
+    {{" us", " µs"}, {" deg", "°"}, {"+-", "±"}, {"<=", "≤"}, {">=", "≥"}}};
+
+/// A unit behind a number alone: "5 us", not "let us".
+bool stands(std::string_view sign, std::string_view text, std::size_t at) {
+  if (!text.substr(at).starts_with(sign)) return false;
+  const std::size_t end = at + sign.size();
+  const bool letter = end < text.size() && ((text[end] >= 'a' && text[end] <= 'z') ||
+                                            (text[end] >= 'A' && text[end] <= 'Z'));
+  return sign.front() != ' ' || (at > 0 && is_digit(text[at - 1]) && !letter);
+}
 
 }  // namespace
 
@@ -61,10 +109,25 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
+std::string typeset(std::string_view text) {
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    std::pair<std::string, std::size_t> next = rounded(text, at);
+    if (next.second == 0) next = rewritten(text, at);
+    for (const auto& [sign, written] : signs)
+      if (next.second == 0 && stands(sign, text, at))
+        next = std::pair(std::string(written), sign.size());
+    if (next.second == 0) next = std::pair(std::string(1, text[at]), std::size_t{1});
+    out += next.first;
+    at += next.second;
+  }
+  return out;
+}
+
 std::string element(std::string_view tag, std::string_view content, std::string_view type) {
   std::string out = "<" + std::string(tag);
   if (!type.empty()) out += " class=\"" + std::string(type) + "\"";
-  return out + ">" + escaped(content) + "</" + std::string(tag) + ">\n";
+  return out + ">" + escaped(typeset(content)) + "</" + std::string(tag) + ">\n";
 }
 
 std::string html_list(const std::vector<std::string>& items) {
@@ -73,23 +136,27 @@ std::string html_list(const std::vector<std::string>& items) {
   return out + "</ul>\n";
 }
 
-std::string html_table(const std::vector<std::vector<std::string>>& rows) {
-  std::string out = "<div class=\"wide\"><table>\n";
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+std::string html_table(const std::vector<std::vector<std::string>>& rows, const CellHtml& cell) {
+  std::string out = "<div class=\"wide\"><table>\n<thead><tr>";
+  for (const std::string& title : rows.front()) out += element("th", title);
+  out += "</tr></thead>\n<tbody>\n";
+  for (std::size_t i = 1; i < rows.size(); ++i) {
     out += "<tr>";
-    for (const std::string& cell : rows[i]) out += element(i == 0 ? "th" : "td", cell);
+    for (std::size_t k = 0; k < rows[i].size(); ++k)
+      out += "<td data-label=\"" + escaped(typeset(rows.front()[k])) + "\">" +
+             (cell ? cell(k, rows[i][k]) : escaped(typeset(rows[i][k]))) + "</td>";
     out += "</tr>\n";
   }
-  return out + "</table></div>\n";
+  return out + "</tbody></table></div>\n";
 }
 
-std::string html_page(std::string_view title, std::string_view body, std::string_view extra_style) {
+std::string html_page(std::string_view title, std::string_view body, std::string_view style) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width\">\n" +
-         element("title", title) + "<style>" + std::string(style) + std::string(extra_style) +
-         "</style></head>\n<body>\n" + std::string(body) +
+         element("title", title) + "<style>" + std::string(style) + "</style></head>\n<body>\n" +
+         std::string(body) +
          element("footer", "Written by tactile-net " + std::string(version()) +
-                               ". Lengths, forces and tractions are in the input's units.") +
+                               ". Numbers without a unit are in the input's units.") +
          "</body>\n</html>\n";
 }
 

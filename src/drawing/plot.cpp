@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
+#include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/simulator/child_process.hpp"
 #include "tactile_net/system/printable.hpp"
@@ -18,13 +20,16 @@ namespace {
 constexpr std::array<std::string_view, 6> colours = {"#000000", "#0072b2", "#d55e00",
                                                      "#009e73", "#cc79a7", "#e69f00"};
 
-/// Answers that may be equal: each is thinner than the one it covers, so that all are seen.
-const std::array<std::string, 6> widths = {"2", "5.5", "3", "1.5", "1.5", "1.5"};
+constexpr std::string_view grey = "#9aa0a6";
+
+/// Answers that may be close: each is thinner than the one it covers, so that all are seen.
+const std::array<std::string, 6> widths = {"2", "4", "2.5", "1.5", "1.5", "1.5"};
 
 /// A gnuplot string: single-quoted, quotes doubled. A line break would end it, and begin a command.
 std::string literal(std::string_view text) {
   std::string out = "'";
-  for (const char c : printable(text)) out += c == '\'' ? std::string("''") : std::string(1, c);
+  for (const char c : printable(typeset(text)))
+    out += c == '\'' ? std::string("''") : std::string(1, c);
   return out + "'";
 }
 
@@ -121,8 +126,27 @@ std::string decades(char axis, const Range& range) {
   return "\nset " + name + "tics (" + labels + ")";
 }
 
+/// The least and the greatest of a logarithmic axis, with room for what lies on them.
+Range with_room(Range range) {
+  const double room = std::max(1.3, std::pow(range.high / range.low, 0.05));
+  return {range.low / room, range.high * room};
+}
+
+Range positive(const Plot& plot, std::vector<double> Curve::*values) {
+  Range range;
+  for (const Curve& curve : plot.curves)
+    for (const double value : curve.*values)
+      if (value > 0.0) range.add(value);
+  return range;
+}
+
 /// The y axis; bands are cut off where they would hide the lines.
 std::string y_range(const Plot& plot) {
+  if (plot.logarithmic_y) {
+    const Range range = with_room(positive(plot, &Curve::y));
+    if (range.low > 0.0 && std::isfinite(range.high))
+      return "\nset yrange [" + number(range.low) + ":" + number(range.high) + "]";
+  }
   if (plot.y_end > 0.0) return "\nset yrange [0:" + number(plot.y_end) + "]";
   if (plot.from_zero) return "\nset yrange [0:*]";
   if (plot.y_at_least > 0.0)
@@ -183,7 +207,8 @@ std::string data_block(const Plot& plot, const Curve& curve, std::size_t index) 
 
 std::string style_of(const Curve& curve, bool alone) {
   const std::size_t index = curve.colour % colours.size();
-  if (curve.dots) return " with points pt 7 ps 0.5";
+  if (curve.dots) return " with points pt 7 ps " + std::string(curve.quiet ? "0.4" : "0.5");
+  if (curve.quiet) return " with linespoints lw 1 pt 7 ps 0.4";
   // Beyond the colours the marks' shapes go on.
   const std::string mark = " pt " + std::to_string(4 + curve.colour % 9) + " ps 0.6";
   if (curve.marks) return " with linespoints lw 1.5" + mark;
@@ -191,41 +216,95 @@ std::string style_of(const Curve& curve, bool alone) {
   return " with lines lw " + (curve.dashed ? "1.5 dt 2" : alone ? "2.5" : widths[index]);
 }
 
+std::string colour_of(const Curve& curve) {
+  return " lc rgb '" + std::string(curve.quiet ? grey : colours[curve.colour % colours.size()]) +
+         "'";
+}
+
+constexpr double font = 16.0;          // on a telephone 500 units are 380 pixels: 12 pixels high
+constexpr double plot_height = 290.0;  // of the axes' box
+
+/// Words above points, each at the end of a hairline; from the lowest point upwards, each a line
+/// above the one before.
+std::string names_of(const Plot& plot) {
+  struct Name {
+    double x, y;
+    const std::string* words;
+  };
+  std::vector<Name> names;
+  for (const Curve& curve : plot.curves)
+    for (std::size_t i = 0; i < curve.names.size(); ++i)
+      if (!curve.names[i].empty()) names.push_back({curve.x[i], curve.y[i], &curve.names[i]});
+  std::stable_sort(names.begin(), names.end(),
+                   [](const Name& a, const Name& b) { return a.y < b.y; });
+  const Range x = positive(plot, &Curve::x);
+  const Range y = with_room(positive(plot, &Curve::y));
+  const auto along = [](const Range& range, double value) {
+    return std::log(value / range.low) / std::log(range.high / range.low);
+  };
+  double free = 0.0;
+  std::string text;
+  for (const Name& name : names) {
+    const double line = 1.3 * font / plot_height;
+    const double at = std::max(along(y, name.y) + line, free);
+    free = at + line;
+    // Right of the hairline, or as far right as the words still end inside; letters are half as
+    // wide as high.
+    const double width =
+        0.52 * font * static_cast<double>(name.words->size()) / (plot.wide ? 950.0 : 380.0);
+    const double left = std::max(0.0, std::min((along(x, name.x) + 0.03) / 1.06, 1.0 - width));
+    const std::string place = "first " + number(name.x) + ", ";
+    text += "set label " + literal(*name.words) + " at graph " + number(left) + ", graph " +
+            number(at) + " left offset 0.4,0\nset label '' at " + place + "first " +
+            number(name.y) + " point pt 7 ps 0.7\nset arrow from " + place + "first " +
+            number(name.y) + " to " + place + "graph " + number(at) + " nohead lw 0.7 lc rgb '" +
+            std::string(grey) + "'\n";
+  }
+  return text;
+}
+
 std::string script(const Plot& plot) {
-  // The key stands under the plot, two short labels in a row, and the picture grows with it. On
-  // a telephone 560 units are 370 pixels: the text is large enough to be read there.
-  std::size_t longest = 0;
-  for (const Curve& curve : plot.curves) longest = std::max(longest, curve.label.size());
-  const bool wide = longest > 24;
-  const std::size_t rows = wide ? plot.curves.size() : (plot.curves.size() + 1) / 2;
-  const auto key = static_cast<double>(25 * rows);
-  const double height = key + 375.0;
+  // The key stands under the plot, short labels side by side, and the picture grows with it.
+  std::size_t longest = std::max(plot.band_label.size(), plot.quiet_label.size());
+  std::size_t entries = (plot.band_label.empty() ? 0U : 1U) + (plot.quiet_label.empty() ? 0U : 1U);
+  for (const Curve& curve : plot.curves) {
+    if (curve.quiet) continue;
+    longest = std::max(longest, curve.label.size());
+    ++entries;
+  }
+  const std::string names = names_of(plot);
+  const std::size_t columns = (longest > 22 ? 1U : 2U) * (plot.wide ? 2U : 1U);
+  const std::size_t rows = (entries + columns - 1) / columns;
+  const auto key = static_cast<double>(27 * rows);
+  const double height = key + plot_height + 110.0;
   std::string text =
-      "set terminal svg size 560," + number(height) +
-      " dynamic noenhanced font 'sans-serif,15' background '#ffffff'" + "\nset bmargin at screen " +
-      number((key + 65.0) / height) + "\nset key at screen 0.02, " + number((key + 8.0) / height) +
+      "set terminal svg size " + std::string(plot.wide ? "1080," : "500,") + number(height) +
+      " dynamic noenhanced font 'sans-serif," + number(font) + "' background '#ffffff'" +
+      "\nset tmargin at screen " + number(1.0 - 36.0 / height) + "\nset bmargin at screen " +
+      number((key + 74.0) / height) + "\nset key at screen 0.02, " + number((key + 8.0) / height) +
       " left top Left reverse samplen 1.5 spacing 1.1 maxrows " + std::to_string(rows) +
       "\nset title " + literal(plot.title) + "\nset xlabel " + literal(plot.x_label) +
-      " offset 0,0.3" + "\nset ylabel " + literal(plot.y_label) + axes(plot) + "\n";
+      " offset 0,0.4" + "\nset ylabel " + literal(plot.y_label) + axes(plot) + "\n" + names;
   const auto sharing = std::count_if(plot.curves.begin(), plot.curves.end(), [](const Curve& c) {
     return c.x.empty() && !c.dots && !c.dashed;
   });
   // Bands first: they lie under every line.
   std::string bands;
   std::string lines;
+  std::string band_title = literal(plot.band_label);
+  std::string quiet_title = literal(plot.quiet_label);
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const Curve& curve = plot.curves[i];
     text += data_block(plot, curve, i);
     const std::string data = "$c" + std::to_string(i);
-    const std::string colour =
-        " lc rgb '" + std::string(colours[curve.colour % colours.size()]) + "'";
+    const std::string title = curve.quiet ? std::exchange(quiet_title, "''") : literal(curve.label);
     lines += (lines.empty() ? "" : ", ") + data + " using 1:2" + style_of(curve, sharing < 2) +
-             colour + " title " + literal(curve.label);
+             colour_of(curve) + " title " + title;
     if (!curve.half_width.empty())
-      bands += data + " using 1:3:4 with filledcurves fs transparent solid 0.18 noborder" + colour +
-               " notitle, ";
+      bands += data + " using 1:3:4 with filledcurves fs transparent solid 0.18 noborder" +
+               colour_of(curve) + " title " + std::exchange(band_title, "''") + ", ";
   }
-  return text + "plot " + bands + lines + "\n" +
+  return text + "plot " + bands + lines + (names.empty() ? "\n" : "\nunset label\nunset arrow\n") +
          (plot.linear_within > 0.0
               ? "unset nonlinear x\nunset nonlinear y\nunset arrow\nset zeroaxis lc rgb "
                 "'#999999'\nset xrange [*:*]\nset yrange [*:*]\n"

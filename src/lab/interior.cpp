@@ -26,11 +26,14 @@ std::vector<double> row_of(const Scene& scene, Traction component, double depth)
 
 }  // namespace
 
-InteriorKernels interior_kernels(const Scene& scene, std::size_t rows, bool tangential) {
+double interior_depth(const Scene& scene) {
   const auto& depths = scene.sensor.depths;
-  const double bottom = scene.material.layer
-                            ? scene.material.layer->thickness
-                            : 2.0 * *std::max_element(depths.begin(), depths.end());
+  return scene.material.layer ? scene.material.layer->thickness
+                              : 2.0 * *std::max_element(depths.begin(), depths.end());
+}
+
+InteriorKernels interior_kernels(const Scene& scene, std::size_t rows, bool tangential) {
+  const double bottom = interior_depth(scene);
   InteriorKernels kernels{.lags = 2 * scene.sensor.count - 1};
   for (std::size_t i = 0; i < rows; ++i) {
     const double depth = bottom * (static_cast<double>(i) + 0.5) / static_cast<double>(rows);
@@ -43,6 +46,23 @@ InteriorKernels interior_kernels(const Scene& scene, std::size_t rows, bool tang
     if (tangential) append(kernels.of_tangential, Traction::tangential);
   }
   return kernels;
+}
+
+std::vector<double> interior_stress(const InteriorKernels& kernels, std::span<const double> normal,
+                                    std::span<const double> tangential) {
+  const std::size_t count = normal.size();
+  std::vector<double> stress(kernels.depths.size() * count);
+  const auto add = [&](const std::vector<double>& of_unit, std::span<const double> tractions) {
+    for (std::size_t at = 0; at < stress.size() && !tractions.empty(); ++at) {
+      const double* const here =
+          of_unit.data() + (at / count) * kernels.lags + at % count + count - 1;
+      for (std::size_t i = 0; i < count; ++i)
+        stress[at] += *(here - static_cast<std::ptrdiff_t>(i)) * tractions[i];
+    }
+  };
+  add(kernels.of_normal, normal);
+  add(kernels.of_tangential, tangential);
+  return stress;
 }
 
 }  // namespace tactile_net::lab

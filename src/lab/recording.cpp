@@ -66,6 +66,21 @@ std::vector<const FrameGroup*> RecordingOverview::trusted() const {
   return some;
 }
 
+std::span<const double> RecordingOverview::component(std::span<const double> values,
+                                                     Traction traction) const {
+  const std::size_t n = scene.sensor.count;
+  if (traction == Traction::normal) return values.first(n);
+  return values.size() > n ? values.subspan(n, n) : std::span<const double>{};
+}
+
+double RecordingOverview::largest(Traction traction) const {
+  double most = 0.0;
+  for (const FrameGroup* group : trusted())
+    for (const double value : component(group->tractions, traction))
+      most = std::max(most, std::abs(value));
+  return most;
+}
+
 bool RecordingOverview::loaded(const FrameGroup& group) const {
   const double least =
       group.bands ? 3.0 * group.bands->resultant.normal.deviation : 0.05 * peak().resultant.normal;

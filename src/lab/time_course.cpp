@@ -1,5 +1,6 @@
 #include "tactile_net/lab/time_course.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "tactile_net/lab/method.hpp"
@@ -45,8 +46,12 @@ TimeCourse time_course(const SceneProblem& problem, Method method, Observer& obs
     try {
       if (solver->solve(recording.readings(), f).status == FrameStatus::ok)
         found = resultant_of(normal, tangential, scene.sensor.pitch);
+      else
+        std::fill(f.begin(), f.end(), none);
     } catch (const std::domain_error&) {  // its answer would be noise: a gap
+      std::fill(f.begin(), f.end(), none);
     }
+    course.tractions.insert(course.tractions.end(), f.begin(), f.end());
     course.found.push_back(found);
     observer.step({Step::Kind::frame, k});
   }

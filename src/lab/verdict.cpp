@@ -39,6 +39,10 @@ constexpr Named<Condition::Matrix> matrices[] = {{Condition::Matrix::stacked, "s
 
 std::string_view name(Verdict verdict) noexcept { return name_in<verdicts>(verdict); }
 
+std::optional<Verdict> verdict_named(std::string_view name) noexcept {
+  return named_in<verdicts>(name);
+}
+
 Verdict verdict_of(AlphaVerdict verdict) noexcept {
   switch (verdict) {
     case AlphaVerdict::ok:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pages/parts.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/network_words.hpp"
@@ -17,10 +18,10 @@ using drawing::element;
 using drawing::Figure;
 using drawing::Figures;
 using drawing::html_list;
-using drawing::html_page;
 using drawing::html_table;
 using drawing::Page;
 using drawing::Plot;
+using report::answers;
 using report::cells;
 using report::in_words;
 using report::material_in_words;
@@ -54,7 +55,7 @@ Figure poles_figure(const Dynamics& dynamics) {
 
 /// The unit [s] in which a time has one to three digits before its point.
 std::pair<std::string, double> unit_of_time(double seconds) {
-  for (const auto& [unit, scale] : {std::pair("s", 1.0), {"ms", 1e-3}, {"us", 1e-6}})
+  for (const auto& [unit, scale] : {std::pair("s", 1.0), {"ms", 1e-3}, {"µs", 1e-6}})
     if (seconds >= scale) return {unit, scale};
   return {"ns", 1e-9};
 }
@@ -65,28 +66,42 @@ Figure settling_figure(const lab::Certification& c) {
   plot.title = "From a step of all inputs to the answer";
   plot.y_label = "|v - v end| / |v end|";
   plot.logarithmic_y = true;
-  constexpr std::size_t steps = 400;
+  constexpr std::size_t stretches = 400;
   const double horizon = dynamics.settling_seconds ? 1.5 * *dynamics.settling_seconds
                                                    : 5.0 / std::abs(dynamics.slowest);
-  const double step = horizon / static_cast<double>(steps);
-  plot.curves.push_back({"error of all node voltages",
-                         step_errors(c.circuit.network().state_space(), step, steps), 1});
+  // Of ringing that is faster than a stretch of time the crest is found: where it is sampled more
+  // rarely than it rings, its phases are as good as random, and some are near the crest.
+  const double work = static_cast<double>(stretches) * std::pow(dynamics.states, 2);
+  const auto looks = static_cast<std::size_t>(std::clamp(4e8 / work, 2.0, 16.0));
+  const double stretch = horizon / static_cast<double>(stretches);
+  const std::vector<double> errors = step_errors(
+      c.circuit.network().state_space(), stretch / static_cast<double>(looks), looks * stretches);
+  Curve crest{"error of all node voltages", {errors.front()}, 1};
+  if (dynamics.settling_seconds) crest.label = "largest error still to come";
+  for (std::size_t k = 0; k < stretches; ++k) {
+    const auto from = errors.begin() + static_cast<std::ptrdiff_t>(k * looks);
+    crest.y.push_back(*std::max_element(from, from + static_cast<std::ptrdiff_t>(looks) + 1));
+  }
+  if (dynamics.settling_seconds)
+    for (std::size_t k = stretches; k-- > 0;) crest.y[k] = std::max(crest.y[k], crest.y[k + 1]);
+  plot.curves.push_back(std::move(crest));
   const auto [unit, seconds] = unit_of_time(horizon);
   plot.x_label = "time [" + unit + "]";
-  for (std::size_t k = 0; k <= steps; ++k)
-    plot.x.push_back(step * static_cast<double>(k) / seconds);
+  for (std::size_t k = 0; k <= stretches; ++k)
+    plot.x.push_back(stretch * static_cast<double>(k) / seconds);
   if (dynamics.settling_seconds) {
     Curve settled{"settled: " + brief(c.certificate().accuracy),
-                  std::vector<double>(steps + 1, c.certificate().accuracy)};
+                  std::vector<double>(stretches + 1, c.certificate().accuracy)};
     settled.dashed = true;
     plot.curves.push_back(std::move(settled));
   }
   return {"settling", "time",
           dynamics.settling_seconds
-              ? "The answer's error after the inputs step from 0, by the exact solution of the "
-                "circuit's linear equations; it has settled where it stays below the dashed line. "
-                "Waves are ringing. A straight slope is one pole: the slowest that the inputs "
-                "excite enough to be seen."
+              ? "The largest error of the answer that is still to come after the inputs step from "
+                "0, by "
+                "the exact solution of the circuit's linear equations; it has settled where that "
+                "falls below the dashed line. A straight slope is one pole: the slowest that the "
+                "inputs excite enough to be seen; steps are ringing."
               : "The distance from the answer that the circuit should come to rest at: it grows, "
                 "in the end at the rate of its rightmost pole.",
           std::move(plot)};
@@ -162,13 +177,6 @@ Figure resistors_figure(const FlatCircuit& circuit) {
           std::move(plot)};
 }
 
-/// What the word "stable" does not say.
-std::string parts_note(const lab::Certification& c) {
-  if (!c.tolerance || 2 * c.tolerance->stable > c.tolerance->trials) return {};
-  return "With exact parts. Of " + std::to_string(c.tolerance->trials) + " builds with real ones " +
-         std::to_string(c.tolerance->stable) + " are stable.";
-}
-
 std::vector<Figure> figures_of(const lab::Certification& c) {
   std::vector<Figure> figures;
   if (c.certificate().dynamics) {
@@ -184,22 +192,17 @@ std::vector<Figure> figures_of(const lab::Certification& c) {
 
 }  // namespace
 
-Page certificate_html(const lab::Certification& c) {
+Page certificate_html(const lab::Certification& c, const Made& made) {
   const Figures figures(figures_of(c));
-  Page report{.missing = figures.missing(), .files = figures.data()};
-  const bool bad = c.certificate().stability == Stability::unstable ||
-                   c.certificate().stability == Stability::not_definite;
-  const std::vector<std::string> words = in_words(c.certificate());
+  Page page{.missing = figures.missing(), .files = figures.data()};
 
-  std::string& html = report.html;
-  html += element("h1", c.scene().title.empty() ? c.scene().file : c.scene().title);
-  html += element("p", c.scene().file + ": " + sensor_in_words(c.scene()) + "; " +
-                           material_in_words(c.scene()) + ".");
-  html += element("p", words.front(), bad ? "bad" : "answer");
-  if (const std::string note = parts_note(c); !bad && !note.empty())
-    html += element("p", note, "note");
-  html += html_list({words.begin() + 1, words.end()});
-  if (!report.missing.empty()) html += element("p", report.missing, "note");
+  std::string html = heading(c.scene().title, c.scene().file,
+                             sensor_in_words(c.scene()) + "; " + material_in_words(c.scene()));
+  html += answer_box(answers(c));
+  html += element("p", in_words(c.recommendation));
+  for (const CircuitRemark& remark : c.certificate().remarks)
+    html += element("p", in_words(remark), "note");
+  if (!page.missing.empty()) html += element("p", page.missing, "note");
 
   html += element("h2", "Over time");
   if (!c.certificate().dynamics)
@@ -212,11 +215,11 @@ Page certificate_html(const lab::Certification& c) {
   html += element("h2", "With real parts");
   if (c.tolerance) html += html_list(tolerance_in_words(c));
   if (!c.recommendation.candidates.empty()) html += html_table(cells(c.recommendation));
-  html += element("p", in_words(c.recommendation), "answer");
   html += figures.html("parts");
-  html += "<p>All numbers: <a href=\"certificate.json\">certificate.json</a>.</p>\n";
-  html = html_page(c.scene().file + " - tactile-net certify", html);
-  return report;
+  html += element("h2", "What is known of it") + html_list(in_words(c.certificate()));
+  html += colophon("The scene, the files, the command", scene_html(c.scene()), page.files, made);
+  page.html = page_html(c.scene().file + " - tactile-net certify", html);
+  return page;
 }
 
 }  // namespace tactile_net::pages

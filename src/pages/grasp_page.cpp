@@ -1,5 +1,6 @@
 #include "tactile_net/pages/grasp_page.hpp"
 
+#include "pages/parts.hpp"
 #include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/pages/hand_drawing.hpp"
@@ -12,8 +13,8 @@ using drawing::element;
 using drawing::escaped;
 using drawing::figure_html;
 using drawing::html_list;
-using drawing::html_page;
 using drawing::html_table;
+using report::answers;
 using report::balance_in_words;
 using report::contact_cells;
 using report::failures_in_words;
@@ -51,41 +52,47 @@ std::string caption(const lab::GraspResult& grasp) {
          (grasp.hand.fingers.size() > 1 ? "; dashes join the contacts." : ".");
 }
 
-std::string answer(const lab::GraspResult& grasp, const std::string& title,
+std::string tables(const lab::GraspResult& grasp, const std::string& title,
                    const std::vector<FingerAction>& actions,
-                   const std::vector<lab::FingerMargins>& margins,
-                   const std::vector<std::string>& words) {
-  return element("h2", title) + html_list(words) +
-         html_table(contact_cells(grasp, actions, margins)) +
-         element("p", "Torques, counter-clockwise, joints from the palm to the tip:") +
-         html_table(torque_cells(grasp, actions, margins));
+                   const std::vector<lab::FingerMargins>& margins) {
+  report::Cells torques = torque_cells(grasp, actions, margins);
+  for (std::size_t i = 1; i < torques.size(); ++i)  // a card stands alone
+    if (torques[i][0].empty()) torques[i][0] = torques[i - 1][0];
+  return element("h2", title) + "<div class=\"cards\">" +
+         verdict_table(contact_cells(grasp, actions, margins)) + "</div>" +
+         element("p", "Torques, counter-clockwise, joints from the palm to the tip:", "quiet") +
+         html_table(torques);
 }
 
 }  // namespace
 
-std::string grasp_report_html(const lab::GraspResult& grasp) {
+std::string grasp_report_html(const lab::GraspResult& grasp, const Made& made) {
   const Hand& hand = grasp.hand;
-  std::string html = element("h1", hand.title.empty() ? hand.file : hand.title);
-  if (!hand.title.empty()) html += element("p", hand.file);
-  html += figure_html("hand", draw_hand(grasp), caption(grasp), "result.json");
-  for (const std::string& failure : failures_in_words(grasp)) html += element("p", failure, "bad");
-  for (const std::string& warning : warnings_in_words(grasp)) html += element("p", warning, "note");
-  html += element("h2", "The grasp");
-  html += element("p", std::to_string(grasp.tips.size()) +
-                           (grasp.tips.size() == 1 ? " finger; " : " fingers; ") +
-                           load_in_words(grasp) + ".");
-  html += html_list(sources_in_words(grasp));
+  std::string html =
+      heading(hand.title, hand.file,
+              std::to_string(grasp.tips.size()) +
+                  (grasp.tips.size() == 1 ? " finger; " : " fingers; ") + load_in_words(grasp));
+  html += answer_box(answers(grasp));
+  html += paragraphs(failures_in_words(grasp), "bad");
+  html += "<div class=\"two top\">" +
+          figure_html("hand", draw_hand(grasp), caption(grasp), "result.json") + "<div>";
   if (grasp.measured)
-    html += answer(grasp, "What the measured forces mean", grasp.measured->grasp.fingers,
-                   grasp.measured->margins, balance_in_words(grasp));
+    html += tables(grasp, "What the measured forces mean", grasp.measured->grasp.fingers,
+                   grasp.measured->margins);
   if (grasp.held)
-    html += answer(grasp, "What would hold the load", grasp.held->grasp.fingers,
-                   grasp.held->margins, hold_in_words(grasp));
-  html +=
-      element("p",
-              "+- is one standard deviation. Normal is into the pad and tangential along its y; "
-              "the distance to the friction cone's edge is a force.");
-  return html_page(hand.file + " - tactile-net", html, drawing_style());
+    html +=
+        tables(grasp, "What would hold the load", grasp.held->grasp.fingers, grasp.held->margins);
+  html += "</div></div>\n" + paragraphs(warnings_in_words(grasp), "note");
+  if (grasp.measured)
+    html += element("h2", "How the measured forces balance") + html_list(balance_in_words(grasp));
+  if (grasp.held) html += element("h2", "How it is held") + html_list(hold_in_words(grasp));
+  html += element("h2", "Where the contacts come from") + html_list(sources_in_words(grasp));
+  html += element("p",
+                  "± is one standard deviation. Normal is into the pad and tangential along its y; "
+                  "the distance to the friction cone's edge is a force.");
+  html += colophon("The hand, the files, the command", element("p", "Hand: " + hand.file + "."), {},
+                   made);
+  return page_html(hand.file + " - tactile-net grasp", html);
 }
 
 }  // namespace tactile_net::pages

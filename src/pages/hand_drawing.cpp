@@ -12,13 +12,12 @@
 namespace tactile_net::pages {
 namespace {
 
-using drawing::element;
 using drawing::escaped;
 
 constexpr double hand_size = 420.0;  // of the hand's longer side, in the picture's units
 constexpr double longest_arrow = 130.0;
 constexpr double cone_length = 90.0;
-constexpr double text_size = 17.0;
+constexpr double text_size = 18.0;
 
 std::string px(double value) { return fixed(value, 1); }
 
@@ -84,9 +83,10 @@ class Picture {
     constexpr double margin = 16.0;
     const Vector2 size = high_ - low_;
     return "<svg class=\"hand\" preserveAspectRatio=\"xMinYMin\" "
-           "xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"" +
-           px(low_.x - margin) + ' ' + px(low_.y - margin) + ' ' + px(size.x + 2.0 * margin) + ' ' +
-           px(size.y + 2.0 * margin) + "\">\n" + element("title", title) + svg_ + "</svg>\n";
+           "xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"" +
+           escaped(title) + "\" viewBox=\"" + px(low_.x - margin) + ' ' + px(low_.y - margin) +
+           ' ' + px(size.x + 2.0 * margin) + ' ' + px(size.y + 2.0 * margin) + "\">\n" + svg_ +
+           "</svg>\n";
   }
 
  private:
@@ -165,7 +165,11 @@ void draw_finger(Picture& picture, const lab::Fingertip& tip) {
   picture.area({picture.at(ends[0]), picture.at(ends[1]), picture.at(feet[1]), picture.at(feet[0])},
                "pad");
   picture.line({picture.at(ends[0]), picture.at(ends[1])}, "surface");
-  for (const Vector2 joint : pose.joints) picture.dot(picture.at(joint), 7.0, "joint");
+  std::size_t number = 0;
+  for (const Vector2 joint : pose.joints) {
+    picture.dot(picture.at(joint), 7.0, "joint");
+    picture.text(picture.at(joint) + Vector2{13.0, -9.0}, std::to_string(++number), "start");
+  }
   const Vector2 base = picture.at(pose.joints.front());
   picture.text(base + Vector2{0.0, 30.0}, tip.finger.name, "middle");
 }
@@ -184,6 +188,16 @@ void draw_torque(Picture& picture, Vector2 at, double torque) {
   const Vector2 u = 1.0 / length(end - points[19]) * (end - points[19]);
   const Vector2 side = 5.0 * quarter_turn(u);
   picture.area({end + 11.0 * u, end + side, end - side}, "load head");
+}
+
+/// The hand's axes, at the picture's lower left.
+void draw_frame(Picture& picture) {
+  const Vector2 origin = {picture.low().x + 4.0, picture.high().y + 66.0};
+  constexpr double size = 46.0;
+  picture.arrow(origin, {size, 0.0}, "frame");
+  picture.arrow(origin, {0.0, -size}, "frame");
+  picture.text(origin + Vector2{size + 6.0, 5.0}, "X", "start");
+  picture.text(origin + Vector2{10.0, -size + 8.0}, "Y", "start");
 }
 
 void draw_scales(Picture& picture, double lengths, double forces) {
@@ -238,33 +252,9 @@ std::string draw_hand(const lab::GraspResult& grasp) {
     draw_torque(picture, at, load->torque);
     picture.dot(at, 4.0, "load head");
   }
+  draw_frame(picture);
   draw_scales(picture, lengths, forces);
   return picture.finish("The hand, its contacts and the forces on the object");
-}
-
-std::string drawing_style() {
-  return R"(
-.hand { --ink: #333; --link: #b9bec4; --pad: #e6b8a2; --measured: #0072b2; --held: #d55e00;
-        --load: #009e73; width: 100%; max-width: 46rem; max-height: 38rem; }
-@media screen and (prefers-color-scheme: dark) {
-  .hand { --ink: #ddd; --link: #5c636a; --pad: #8a5a44; --measured: #56b4e9; --held: #ff9d57;
-          --load: #35d0a5; } }
-.hand polyline { fill: none; stroke-linecap: round; stroke-linejoin: round; }
-.hand .palm { stroke: var(--link); stroke-width: 22; opacity: .55; }
-.hand .link { stroke: var(--link); stroke-width: 13; }
-.hand .joint { fill: var(--paper); stroke: var(--ink); stroke-width: 2.5; }
-.hand .pad { fill: var(--pad); opacity: .75; } .hand .surface { stroke: var(--ink); stroke-width: 3; }
-.hand .grasp { stroke: var(--ink); stroke-width: 1.2; stroke-dasharray: 5 5; opacity: .6; }
-.hand .cone { fill: var(--ink); opacity: .12; } .hand .contact { fill: var(--ink); }
-.hand .shaft { stroke-width: 4; } .hand .held.shaft { stroke-width: 9; opacity: .75; }
-.hand .measured { stroke: var(--measured); } .hand .measured.head { fill: var(--measured); }
-.hand .held { stroke: var(--held); } .hand .held.head { fill: var(--held); }
-.hand .load { stroke: var(--load); } .hand .load.head { fill: var(--load); }
-.hand .scale { stroke: var(--ink); stroke-width: 2; }
-.hand text { font: 17px system-ui, sans-serif; fill: var(--ink); }
-.key-measured { border-bottom: 3px solid #0072b2; } .key-held { border-bottom: 3px solid #d55e00; }
-.key-load { border-bottom: 3px solid #009e73; }
-)";
 }
 
 }  // namespace tactile_net::pages

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "pages/axis.hpp"
+#include "pages/parts.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
+#include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/words/identify_words.hpp"
 #include "tactile_net/report/words/mode_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -20,10 +23,10 @@ using drawing::element;
 using drawing::Figure;
 using drawing::Figures;
 using drawing::html_list;
-using drawing::html_page;
 using drawing::html_table;
 using drawing::Page;
 using drawing::Plot;
+using report::answers;
 using report::in_short;
 using report::in_words;
 using report::material_in_words;
@@ -51,42 +54,46 @@ Plot singular_value_plot(const Identifiability& result) {
   return plot;
 }
 
-/// The scene's sensors and the alternatives that tell most, at most five in all.
-std::vector<const lab::SensorChoice*> drawn(const lab::Survey& survey) {
+/// The scene's sensors and the alternatives that tell most, at most so many in all.
+std::vector<const lab::SensorChoice*> drawn(const lab::Survey& survey, std::size_t most) {
   std::vector<const lab::SensorChoice*> choices;
   for (const lab::SensorChoice& choice : survey.alternatives)
     if (choice.unknowns == survey.own.unknowns) choices.push_back(&choice);
   std::stable_sort(choices.begin(), choices.end(),
                    [](auto a, auto b) { return lab::tells_more(*a, *b); });
-  choices.resize(std::min<std::size_t>(choices.size(), 4));
+  choices.resize(std::min(choices.size(), most - 1));
   choices.insert(choices.begin(), &survey.own);
   return choices;
 }
 
-Plot deviation_plot(const lab::Survey& survey, Traction component) {
-  Plot plot{std::string(component == Traction::normal ? "Normal" : "Tangential") +
-                " traction: what noise hides",
-            "wavelength of a ripple [unit of the pitch]",
-            "standard deviation / ripple",
-            {},
-            {},
-            true,
-            true};
+Plot deviation_plot(const Scene& scene, const lab::Survey& survey, Traction component) {
   // Far above the traction nothing is left to see: a curve ends there.
   constexpr double top = 1e4;
+  const std::vector<const lab::SensorChoice*> choices = drawn(survey, 5);
   double shortest = std::numeric_limits<double>::infinity();
-  for (const lab::SensorChoice* choice : drawn(survey))
+  for (const lab::SensorChoice* choice : choices)
     for (const Resolution& resolution : choice->resolutions)
       if (deviation(resolution, component) <= top * survey.traction)
         shortest = std::min(shortest, resolution.wavelength);
   const auto shown = [&](const Resolution& resolution) {
     return std::isfinite(resolution.wavelength) && resolution.wavelength >= shortest;
   };
+  std::vector<double> wavelengths;
   for (const Resolution& resolution : survey.own.resolutions)
-    if (shown(resolution)) plot.x.push_back(resolution.wavelength);
-  for (const lab::SensorChoice* choice : drawn(survey)) {
-    Curve line{
-        in_words(*choice) + (choice == &survey.own ? " (now)" : ""), {}, plot.curves.size() + 1};
+    if (shown(resolution)) wavelengths.push_back(resolution.wavelength);
+  const Axis along = axis(scene, "wavelength of a ripple", Dimension::length, {&wavelengths});
+  Plot plot{std::string(component == Traction::normal ? "Normal" : "Tangential") +
+                " traction: what noise hides",
+            along.label,
+            "standard deviation / ripple",
+            along(wavelengths),
+            {},
+            true,
+            true};
+  for (const lab::SensorChoice* choice : choices) {
+    Curve line{in_words(*choice, scene.units) + (choice == &survey.own ? " (now)" : ""),
+               {},
+               plot.curves.size() + 1};
     for (const Resolution& resolution : choice->resolutions)
       if (shown(resolution)) {
         const double ratio = deviation(resolution, component) / survey.traction;
@@ -95,27 +102,139 @@ Plot deviation_plot(const lab::Survey& survey, Traction component) {
     plot.curves.push_back(std::move(line));
   }
   plot.curves.push_back({"the ripple itself", std::vector<double>(plot.x.size(), 1.0), 0});
+  plot.curves.back().width = 4.0;
   return plot;
 }
 
-std::vector<Figure> figures_of(const lab::Survey& survey) {
+/// The wavelengths of a survey on a logarithmic line, 0 to 1000 from the shortest to the longest.
+struct Spectrum {
+  double shortest = std::numeric_limits<double>::infinity();
+  double longest = 0.0;
+
+  explicit Spectrum(const lab::SensorChoice& choice) {
+    for (const Resolution& resolution : choice.resolutions) {
+      if (!std::isfinite(resolution.wavelength)) continue;
+      shortest = std::min(shortest, resolution.wavelength);
+      longest = std::max(longest, resolution.wavelength);
+    }
+  }
+  [[nodiscard]] double at(double wavelength) const {
+    return 1000.0 *
+           std::clamp(std::log(wavelength / shortest) / std::log(longest / shortest), 0.0, 1.0);
+  }
+};
+
+/// What of one traction stands out of the noise: full colour where ten times as much, none where
+/// the noise is larger.
+std::string sight(const lab::SensorChoice& choice, Traction component, double traction,
+                  const Spectrum& spectrum, double top, double height) {
+  const std::string place = "\" y=\"" + fixed(top, 0) + "\" height=\"" + fixed(height, 0) + "\"";
+  std::string svg = "<rect class=\"room\" x=\"0\" width=\"1000" + place + "/>";
+  const auto& all = choice.resolutions;
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    const double ratio = deviation(all[j], component) / traction;
+    if (!std::isfinite(all[j].wavelength) || !(ratio <= 1.0)) continue;
+    // From half way to the next longer wavelength to half way to the next shorter one.
+    const double here = all[j].wavelength;
+    const double longer =
+        j > 0 && std::isfinite(all[j - 1].wavelength) ? all[j - 1].wavelength : here;
+    const double shorter = j + 1 < all.size() ? all[j + 1].wavelength : here;
+    const double from = spectrum.at(std::sqrt(here * shorter));
+    const double to = spectrum.at(std::sqrt(here * longer));
+    const double opacity = std::min(1.0, 0.3 - 0.7 * std::log10(std::max(ratio, 1e-3)));
+    svg += "<rect class=\"" + std::string(component == Traction::normal ? "normal" : "tangential") +
+           "\" x=\"" + fixed(from, 1) + "\" width=\"" + fixed(to - from + 0.5, 1) + place +
+           " fill-opacity=\"" + fixed(opacity, 2) + "\"/>";
+  }
+  return svg;
+}
+
+/// The numbers behind the bars.
+Plot sight_plot(const Scene& scene, const std::vector<const lab::SensorChoice*>& choices,
+                double traction) {
+  std::vector<double> wavelengths;
+  for (const Resolution& resolution : choices.front()->resolutions)
+    if (std::isfinite(resolution.wavelength)) wavelengths.push_back(resolution.wavelength);
+  const Axis along = axis(scene, "wavelength of a ripple", Dimension::length, {&wavelengths});
+  Plot plot{"", along.label, "standard deviation / ripple", along(wavelengths), {}};
+  for (const lab::SensorChoice* choice : choices)
+    for (const Traction component : {Traction::normal, Traction::tangential}) {
+      if (component == Traction::tangential && choice->unknowns == 1) continue;
+      Curve curve{in_words(*choice, scene.units) +
+                      (component == Traction::normal ? ", normal" : ", tangential"),
+                  {}};
+      for (const Resolution& resolution : choice->resolutions)
+        if (std::isfinite(resolution.wavelength))
+          curve.y.push_back(deviation(resolution, component) / traction);
+      plot.curves.push_back(std::move(curve));
+    }
+  return plot;
+}
+
+/// What every choice of sensors sees, by wavelength: a bar each, for two tractions one on the
+/// other.
+Figure sight_figure(const Scene& scene, const lab::Survey& survey) {
+  const Spectrum spectrum(survey.own);
+  const bool two = survey.own.unknowns == 2;
+  const auto length = [&](double value) {
+    return report::in_unit(scene, Dimension::length, value);
+  };
+  const std::vector<const lab::SensorChoice*> choices = drawn(survey, 8);
+  std::string html = "<div class=\"bars\">\n";
+  for (const lab::SensorChoice* choice : choices) {
+    const bool own = choice == &survey.own;
+    html +=
+        element("span", in_words(*choice, scene.units) + (own ? " (now)" : ""), own ? "own" : "");
+    const std::string told =
+        choice->normal ? "normal from " + length(*choice->normal) : "no normal";
+    html +=
+        "<svg viewBox=\"0 0 1000 100\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"" +
+        drawing::escaped(in_words(*choice, scene.units) + ": " + told) + "\">" +
+        sight(*choice, Traction::normal, survey.traction, spectrum, 0.0, two ? 46.0 : 100.0) +
+        (two ? sight(*choice, Traction::tangential, survey.traction, spectrum, 54.0, 46.0) : "") +
+        "</svg>\n";
+  }
+  html += "<div class=\"scale\">" + element("span", "wavelength " + length(spectrum.shortest)) +
+          element("span", length(std::sqrt(spectrum.shortest * spectrum.longest))) +
+          element("span", length(spectrum.longest)) + "</div></div>\n";
+  return {.name = "sight",
+          .section = "answer",
+          .caption =
+              "What each choice of sensors sees, by the wavelength of a ripple: coloured "
+              "where it stands out of the noise, in full where ten times as far" +
+              std::string(two ? "; blue is normal, orange tangential" : "") + ".",
+          .plot = sight_plot(scene, choices, survey.traction),
+          .picture = std::move(html)};
+}
+
+std::vector<Figure> figures_of(const Scene& scene, const lab::Survey& survey) {
   const std::string ripples =
       "How far noise leaves the amplitude of a ripple uncertain in one frame, for the scene's "
       "sensors (now) and the best of the others in their place. A ripple stands out of the noise "
       "where a curve lies below the heavy line: the further left it crosses, the finer the detail "
       "that can be told.";
   std::vector<Figure> figures = {
+      {.name = "pad",
+       .section = "answer",
+       .caption = "The pad in section, to scale: the deeper the taxels below the surface, the more "
+                  "the pad smooths before they read.",
+       .plot = {},
+       .picture = draw_pad(scene, "", ""),
+       .data = "result.json"},
+      sight_figure(scene, survey),
       {"singular-values", "scene",
        "How strongly the combinations of tractions show in the readings, in units of the noise, "
        "strongest first. The lower a dot, the more its combination is drowned; those on or below "
        "the heavy line are lost to rounding, whatever the noise; one of exactly 0 has no place "
        "here.",
        singular_value_plot(survey.own.identifiability)},
-      {"resolution-normal", "others", ripples, deviation_plot(survey, Traction::normal)}};
+      {"resolution-normal", "others", ripples, deviation_plot(scene, survey, Traction::normal)}};
   if (survey.own.unknowns == 2)
     figures.push_back({"resolution-tangential", "others", "The same for the tangential traction.",
-                       deviation_plot(survey, Traction::tangential)});
-  std::erase_if(figures, [](const Figure& figure) { return figure.plot.x.empty(); });
+                       deviation_plot(scene, survey, Traction::tangential)});
+  std::erase_if(figures, [](const Figure& figure) {
+    return figure.plot.x.empty() && figure.picture.empty();
+  });
   return figures;
 }
 
@@ -186,28 +305,29 @@ std::vector<std::string> singular_values_in_words(const Identifiability& result,
   return text;
 }
 
-Page survey_html(const Scene& scene, const lab::Survey& survey) {
-  const Figures figures(figures_of(survey));
-  Page result{.missing = figures.missing(), .files = figures.data()};
+Page survey_html(const Scene& scene, const lab::Survey& survey, const Made& made) {
+  const Figures figures(figures_of(scene, survey));
+  Page page{.missing = figures.missing(), .files = figures.data()};
 
-  std::string body = element("h1", scene.title.empty() ? scene.file : scene.title);
-  body += element(
-      "p", scene.file + ": " + sensor_in_words(scene) + "; " + material_in_words(scene) + ".");
-  body += element("h2", "What these sensors can tell");
+  std::string html =
+      heading(scene.title, scene.file, sensor_in_words(scene) + "; " + material_in_words(scene));
+  html += answer_box(answers(scene, survey));
   const std::vector<std::string> verdict = verdict_in_words(survey, scene.units);
   const bool hidden = survey.own.identifiability.null_space.dimension > 0;
-  body += element("p", verdict.front(), hidden ? "bad" : "");
-  for (std::size_t i = 1; i < verdict.size(); ++i) body += element("p", verdict[i]);
-  body += html_list(singular_values_in_words(survey.own.identifiability, scene.units));
-  if (!result.missing.empty()) body += element("p", result.missing, "note");
-  body += figures.html("scene");
-  body += element("h2", "Which quantities, at which depth");
-  body += element("p", cells_in_words(scene, survey));
-  body += html_table(survey_cells(survey, scene.units));
-  body += figures.html("others");
-  body += "<p>All numbers: <a href=\"result.json\">result.json</a>.</p>\n";
-  result.html = html_page(scene.file + " - tactile-net identify", body);
-  return result;
+  html += element("p", verdict.front(), hidden ? "bad" : "");
+  if (!page.missing.empty()) html += element("p", page.missing, "note");
+  html += figures.html("answer");
+  html += paragraphs({verdict.begin() + 1, verdict.end()}, "");
+  html += element("h2", "Which quantities, at which depth");
+  html += element("p", cells_in_words(scene, survey));
+  html += html_table(survey_cells(survey, scene.units));
+  html += figures.html("others");
+  html += element("h2", "What these sensors hide, by singular values");
+  html += html_list(singular_values_in_words(survey.own.identifiability, scene.units));
+  html += figures.html("scene");
+  html += colophon("The scene, the files, the command", scene_html(scene), page.files, made);
+  page.html = page_html(scene.file + " - tactile-net identify", html);
+  return page;
 }
 
 }  // namespace tactile_net::pages

@@ -1,18 +1,54 @@
 #include "tactile_net/pages/pad_drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "tactile_net/drawing/html.hpp"
+#include "tactile_net/drawing/png.hpp"
+#include "tactile_net/lab/interior.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::pages {
 namespace {
 
+using drawing::element;
+
 std::string px(double value) { return fixed(value, 1); }
 
-std::string label(double x, double y, std::string_view words, std::string_view anchor = "start") {
-  return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" text-anchor=\"" + std::string(anchor) +
-         "\">" + drawing::escaped(words) + "</text>\n";
+std::string letter(double x, double y, std::string_view words) {
+  return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\">" + std::string(words) + "</text>\n";
+}
+
+std::string line(std::string_view type, double y) {
+  return "<line class=\"" + std::string(type) + "\" x1=\"0\" x2=\"1000\" y1=\"" + px(y) +
+         "\" y2=\"" + px(y) + "\"/>\n";
+}
+
+double largest(std::span<const double> values) {
+  double most = 0.0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+/// What lies below the pad, and where the taxels are; above that the ends of y.
+std::string words_below(const Scene& scene) {
+  const auto length = [&](double value) {
+    return report::in_unit(scene, Dimension::length, value);
+  };
+  const double half = 0.5 * scene.sensor.pitch * static_cast<double>(scene.sensor.count);
+  std::string depths;
+  for (const double x : scene.sensor.depths) depths += (depths.empty() ? "" : ", ") + length(x);
+  const auto& layer = scene.material.layer;
+  return "<div class=\"pad-words\">" + element("span", "y = " + length(-half)) +
+         element("span", "0") + element("span", length(half)) + "</div><div class=\"pad-words\">" +
+         element("span", !layer ? "deep: a half plane"
+                                : length(layer->thickness) + " thick, " +
+                                      (layer->base == Base::bonded ? "bonded to a rigid base"
+                                                                   : "slides on a rigid base")) +
+         element("span", "taxels at depth x = " + depths) + "</div>\n";
 }
 
 }  // namespace
@@ -20,61 +56,76 @@ std::string label(double x, double y, std::string_view words, std::string_view a
 PadFrame pad_frame(const Scene& scene) {
   const SensorArray& sensor = scene.sensor;
   PadFrame frame;
-  const double length = sensor.pitch * static_cast<double>(sensor.count);
-  frame.scale = frame.width / length;
-  frame.bottom = scene.material.layer
-                     ? scene.material.layer->thickness
-                     : 2.0 * *std::max_element(sensor.depths.begin(), sensor.depths.end());
-  const double thickness = std::clamp(frame.scale * frame.bottom, 90.0, 420.0);
-  frame.height = frame.surface + thickness + 34.0;
+  frame.scale = frame.width / (sensor.pitch * static_cast<double>(sensor.count));
+  frame.bottom = lab::interior_depth(scene);
+  frame.thickness = std::clamp(frame.scale * frame.bottom, 90.0, 420.0);
+  frame.height = frame.surface + frame.thickness + 4.0;
   return frame;
 }
 
 std::string draw_pad(const Scene& scene, std::string_view inside, std::string_view above) {
   const PadFrame frame = pad_frame(scene);
-  const double thickness = frame.height - frame.surface - 34.0;
-  const double bottom = frame.surface + thickness;
-  const auto depth = [&](double x) { return frame.surface + thickness * x / frame.bottom; };
-  std::string svg = "<svg viewBox=\"-24 0 1058 " + px(frame.height) +
-                    "\" role=\"img\" aria-label=\"Section of the pad: taxels below the surface, "
-                    "tractions on top\">\n";
+  const double top = above.empty() ? frame.surface - 40.0 : 0.0;
+  const auto depth = [&](double x) { return frame.surface + frame.thickness * x / frame.bottom; };
+  std::string svg = "<svg class=\"section\" viewBox=\"-34 " + px(top) + " 1078 " +
+                    px(frame.height - top) +
+                    "\" role=\"img\" aria-label=\"Section of the pad: taxels below the surface" +
+                    (above.empty() ? "" : ", tractions on top") + "\">\n";
   svg += "<rect class=\"pad\" x=\"0\" y=\"" + px(frame.surface) + "\" width=\"1000\" height=\"" +
-         px(thickness) + "\"/>\n";
+         px(frame.thickness) + "\"/>\n";
   svg += inside;
   const double radius = std::clamp(300.0 / static_cast<double>(scene.sensor.count), 1.2, 4.0);
   for (const double x : scene.sensor.depths)
     for (std::size_t i = 0; i < scene.sensor.count; ++i)
       svg += "<circle class=\"taxel\" cx=\"" + px(frame.at(position(scene.sensor, i))) +
              "\" cy=\"" + px(depth(x)) + "\" r=\"" + px(radius) + "\"/>";
-  svg += "\n<line class=\"surface\" x1=\"0\" x2=\"1000\" y1=\"" + px(frame.surface) + "\" y2=\"" +
-         px(frame.surface) + "\"/>\n";
-  if (scene.material.layer)
-    svg += "<line class=\"base\" x1=\"0\" x2=\"1000\" y1=\"" + px(bottom) + "\" y2=\"" +
-           px(bottom) + "\"/>\n" +
-           label(2.0, bottom + 24.0,
-                 scene.material.layer->base == Base::bonded ? "bonded to a rigid base"
-                                                            : "slides on a rigid base");
-  else
-    svg += label(2.0, bottom + 24.0, "deep: a half plane");
-  std::string at;
-  for (const double x : scene.sensor.depths) at += (at.empty() ? "" : ", ") + brief(x);
-  svg += label(1000.0, bottom + 24.0, "taxels at depth " + at, "end");
   const double y = frame.surface;
-  svg += "<g class=\"axis\"><path d=\"M-12 " + px(y) + "v46m-5 -9l5 9l5 -9M-12 " + px(y) +
-         "m1000 -14\"/></g>\n" + label(-16.0, y + 66.0, "x");
-  svg += "<g class=\"axis\"><path d=\"M968 " + px(y - 8.0) + "h40m-9 -5l9 5l-9 5\"/></g>\n" +
-         label(1014.0, y - 3.0, "y");
+  svg += '\n' + line("surface", y);
+  if (scene.material.layer) svg += line("base", y + frame.thickness);
+  svg += "<g class=\"axis\"><path d=\"M-12 " + px(y) + "v46m-5 -9l5 9l5 -9\"/><path d=\"M968 " +
+         px(y - 8.0) + "h40m-9 -5l9 5l-9 5\"/></g>\n" + letter(-20.0, y + 76.0, "x") +
+         letter(1016.0, y - 1.0, "y");
   svg += above;
-  return svg + "</svg>\n";
+  return svg + "</svg>\n" + words_below(scene);
 }
 
-std::string_view pad_style() noexcept {
-  return R"(
-.pad { fill: var(--pad); } .taxel { fill: var(--ink); } .surface { stroke: var(--ink); stroke-width: 1.5; }
-.base { stroke: var(--ink); stroke-width: 4; } .axis path { stroke: var(--quiet); fill: none; stroke-width: 1.5; }
-:root { --pad: #f3e3d3; }
-@media screen and (prefers-color-scheme: dark) { :root { --pad: #3a322a; } }
-)";
+std::string draw_stress(const Scene& scene, const PadLoad& load) {
+  constexpr std::size_t rows = 18;
+  const double most = largest(load.normal);
+  const std::size_t count = scene.sensor.count;
+  if (!(most > 0.0) || count > 1024) return {};
+  const lab::InteriorKernels kernels = lab::interior_kernels(scene, rows, !load.tangential.empty());
+  std::vector<std::uint8_t> pixels;
+  for (const double stress : lab::interior_stress(kernels, load.normal, load.tangential))
+    pixels.push_back(drawing::diverging_index(stress / most));
+  const PadFrame frame = pad_frame(scene);
+  return "<image x=\"0\" y=\"" + px(frame.surface) + "\" width=\"1000\" height=\"" +
+         px(frame.thickness) + "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," +
+         drawing::base64(
+             drawing::png(count, rows, pixels, drawing::diverging({192, 57, 43}, {33, 102, 172}))) +
+         "\"/>\n";
+}
+
+std::string draw_load(const Scene& scene, const PadLoad& load) {
+  const PadFrame frame = pad_frame(scene);
+  const double most = largest(load.normal);
+  if (!(most > 0.0)) return {};
+  const auto x = [&](std::size_t i) { return frame.at(position(scene.sensor, i)); };
+  std::string area = "M0 " + px(frame.surface);
+  for (std::size_t i = 0; i < load.normal.size(); ++i)
+    area += 'L' + px(x(i)) + ' ' + px(frame.surface - 85.0 * load.normal[i] / most);
+  std::string arrows;
+  const double drag = largest(load.tangential);
+  const std::size_t every = (load.tangential.size() + 40) / 41;
+  for (std::size_t i = 0; i < load.tangential.size() && drag > 0.0; i += every) {
+    const double length = 36.0 * load.tangential[i] / drag;
+    const double head = std::copysign(std::min(6.0, std::abs(length)), length);
+    if (std::abs(length) < 1.5) continue;
+    arrows += 'M' + px(x(i)) + ' ' + px(frame.surface - 5.0) + 'h' + px(length) + 'm' + px(-head) +
+              " -4l" + px(head) + " 4l" + px(-head) + " 4";
+  }
+  return "<path class=\"pressure\" d=\"" + area + "L1000 " + px(frame.surface) + "Z\"/>" +
+         (arrows.empty() ? "" : "<path class=\"drag\" d=\"" + arrows + "\"/>") + '\n';
 }
 
 }  // namespace tactile_net::pages

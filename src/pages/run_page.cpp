@@ -4,8 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "pages/axis.hpp"
+#include "pages/parts.hpp"
+#include "pages/time_picture.hpp"
 #include "tactile_net/drawing/html.hpp"
+#include "tactile_net/lab/agreement.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
+#include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -20,15 +26,13 @@ using drawing::element;
 using drawing::Figure;
 using drawing::Figures;
 using drawing::html_list;
-using drawing::html_page;
-using drawing::html_table;
 using drawing::Page;
 using drawing::Plot;
+using report::answers;
 using report::comparison_cells;
-using report::contacts_in_words;
-using report::effects_in_words;
 using report::elements_in_words;
 using report::failure_in_words;
+using report::in_unit;
 using report::in_words;
 using report::material_in_words;
 using report::other_conditions_in_words;
@@ -37,51 +41,92 @@ using report::resultant_in_words;
 using report::rule_cells;
 using report::rule_used;
 using report::sensor_in_words;
-using report::time_in_words;
 
 constexpr std::string_view answer = "answer";
 constexpr std::string_view choice = "choice";
 constexpr std::string_view readings = "readings";
 constexpr std::string_view over_time = "over time";
 
-/// One component of every answer, with bands of two standard deviations, under the truth.
+/// The pad as the scene loads it.
+Figure pad_figure(const lab::Experiment& experiment) {
+  const Scene& scene = experiment.scene;
+  const PadLoad load{experiment.frame.truth.normal, experiment.frame.truth.tangential};
+  const std::string on_top = draw_load(scene, load);
+  return {.name = "pad",
+          .section = std::string(answer),
+          .caption = on_top.empty()
+                         ? "The pad in section, to scale: the taxels lie at their depth, and "
+                           "nothing presses."
+                         : "The pad in section, to scale. On top the contacts' pressure" +
+                               std::string(load.tangential.empty() ? "" : " and drag") +
+                               "; inside, the stress across the surface that they cause, which is "
+                               "what smooths: blue presses, red pulls.",
+          .plot = {},
+          .picture = draw_pad(scene, draw_stress(scene, load), on_top),
+          .data = "truth.csv"};
+}
+
+/// The methods that found the same, as one label: "tikhonov = closed_form".
+std::string label_of(const lab::Experiment& experiment, const lab::Agreement& group) {
+  std::vector<std::string> names;
+  for (const std::size_t i : group.results) names.emplace_back(name(experiment.results[i].method));
+  return join(names, " = ");
+}
+
+/// One component of every answer under the truth, equal ones once, with the first's band of two
+/// standard deviations.
 void add_component(std::vector<Figure>& figures, const lab::Experiment& experiment,
                    lab::Component lab::MethodResult::*which, const std::string& file,
                    const std::string& title, const std::vector<double>& truth) {
-  const std::vector<double> y = positions(experiment.scene.sensor);
-  Plot tractions{title + " traction", "y [unit of the pitch]", "traction [unit of E]", y, {}};
-  Plot errors{
-      title + " traction: error", "y [unit of the pitch]", "answer - truth [unit of E]", y, {}};
-  bool bands = false;
+  const Scene& scene = experiment.scene;
+  const std::vector<double> places = positions(scene.sensor);
+  const Axis along = axis(scene, "y", Dimension::length, {&places});
+  std::vector<double> all = truth;
+  std::vector<double> apart;
+  for (const lab::MethodResult& result : experiment.results)
+    for (std::size_t i = 0; i < (result.*which).traction.size(); ++i) {
+      all.push_back((result.*which).traction[i]);
+      apart.push_back(all.back() - truth[i]);
+    }
+  const Axis traction = axis(scene, "traction", Dimension::stress, {&all});
+  const Axis off = axis(scene, "answer - truth", Dimension::stress, {&apart});
+  Plot found{title + " traction", along.label, traction.label, along(places), {}};
+  Plot error{title + " traction: error", along.label, off.label, along(places), {}};
   std::size_t colour = 0;
-  for (const lab::MethodResult& result : experiment.results) {
-    const lab::Component& component = result.*which;
-    ++colour;
+  bool band = false;
+  for (const lab::Agreement& group : lab::agreements(experiment.results)) {
+    const lab::Component& component = experiment.results[group.results.front()].*which;
     if (component.traction.empty()) continue;
-    const std::string label(name(result.method));
-    Curve curve{label, component.traction, colour};
-    std::vector<double> error = component.traction;
-    for (std::size_t i = 0; i < error.size(); ++i) error[i] -= truth[i];
-    Curve difference{label, std::move(error), colour};
-    for (const double deviation : component.deviation) curve.half_width.push_back(2.0 * deviation);
-    bands = bands || !curve.half_width.empty();
-    tractions.curves.push_back(std::move(curve));
-    errors.curves.push_back(std::move(difference));
+    Curve curve{label_of(experiment, group), traction(component.traction), ++colour};
+    std::vector<double> difference = component.traction;
+    for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= truth[i];
+    error.curves.push_back({curve.label, off(std::move(difference)), colour});
+    if (!band && !component.deviation.empty()) {
+      curve.half_width = traction(component.deviation);
+      for (double& width : curve.half_width) width *= 2.0;
+      band = true;
+    }
+    found.curves.push_back(std::move(curve));
   }
-  tractions.curves.push_back({"truth", truth, 0, true});  // last: on top
-  figures.push_back({file, std::string(answer),
-                     "The truth at the taxels (dots) and every method's answer. Where answers are "
-                     "equal the thinner line lies on the thicker." +
-                         std::string(bands ? " Bands are two standard deviations, of noise and of "
-                                             "what alpha smooths away together: look for dots "
-                                             "outside them, at a contact's steep edges first."
-                                           : ""),
-                     std::move(tractions)});
+  if (band) found.band_label = "two deviations";
+  found.curves.push_back({"truth", traction(truth), 0, true});  // last: on top
+  figures.push_back(
+      {file,
+       std::string(answer),
+       "The truth at the taxels (dots) and the answers; methods that found the same are one line." +
+           std::string(band ? " The band is two standard deviations, of noise and of what alpha "
+                              "smooths away together: look for dots outside it, at a contact's "
+                              "steep edges first."
+                            : ""),
+       std::move(found),
+       {},
+       {},
+       "tall"});
   figures.push_back({file + "-error", std::string(answer),
                      "Each answer minus the truth. Swings at a contact's edge that die away from "
                      "it are smoothing, and a smaller alpha narrows them; a ripple of one size all "
                      "along the array is noise, and a larger alpha lowers it.",
-                     std::move(errors)});
+                     std::move(error)});
 }
 
 /// What each rule minimises over alpha, each between 0 and 1.
@@ -115,23 +160,74 @@ Figure rules_figure(const AlphaSweep& sweep, std::optional<AlphaRule> used) {
           std::move(plot)};
 }
 
+/// Every frame's traction as the method finds it: y over time.
+Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
+  const std::size_t n = scene.sensor.count;
+  const std::size_t frames = course.time.size();
+  const std::size_t stride = course.tractions.size() / frames;
+  const auto at = [&](std::size_t frame, std::size_t taxel) {
+    return course.tractions[frame * stride + taxel];
+  };
+  const std::vector<double> places = positions(scene.sensor);
+  const Axis along = axis(scene, "y", Dimension::length, {&places});
+  const Axis traction = axis(scene, "traction", Dimension::stress, {&course.tractions});
+  Plot plot{"Normal traction", "time [s]", traction.label, course.time, {}};
+  std::vector<double> peaks(frames);
+  for (std::size_t i = 0; i < n; ++i) {
+    Curve row{"y = " + brief(places[i] * along.factor, 6), {}};
+    for (std::size_t k = 0; k < frames; ++k) {
+      row.y.push_back(at(k, i) * traction.factor);
+      if (std::isfinite(at(k, i))) peaks[k] = std::max(peaks[k], std::abs(at(k, i)));
+    }
+    plot.curves.push_back(std::move(row));
+  }
+  // The size that all but one frame in twenty stay below: a wild answer must not pale the others.
+  const auto most = peaks.begin() + static_cast<std::ptrdiff_t>(frames * 19 / 20);
+  std::nth_element(peaks.begin(), most, peaks.end());
+  const double largest = *most;
+  const double half = 0.5 * scene.sensor.pitch * static_cast<double>(n);
+  const ScaledUnit unit =
+      scene.units ? report::axis_unit(scene, Dimension::length, half) : ScaledUnit{};
+  const auto clock = [&](std::size_t frame) { return brief(course.time[frame], 4) + " s"; };
+  return {.name = "traction-over-time",
+          .section = std::string(over_time),
+          .caption = "The normal traction that " + std::string(name(course.method)) +
+                     " finds, y over time: full blue presses with " +
+                     in_unit(scene, Dimension::stress, largest) + " or more" +
+                     ", red would pull, nothing is the page's own colour.",
+          .plot = std::move(plot),
+          .picture = !(largest > 0.0)
+                         ? ""
+                         : stretched_picture(frames, {-half, half}, unit,
+                                             "Heat map of the normal traction over time", "",
+                                             heat_map(frames, n, Traction::normal,
+                                                      [&](std::size_t k, std::size_t i) {
+                                                        return at(k, i) / largest;
+                                                      }),
+                                             {clock(0), clock(frames / 2), clock(frames - 1)}),
+          .type = "whole-row"};
+}
+
 /// Force and centre over the scene's time.
-void add_course(std::vector<Figure>& figures, const lab::TimeCourse& course, double pitch) {
+void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::TimeCourse& course) {
   const std::string method(name(course.method));
   const auto of = [](const std::vector<Resultant>& resultants, double Resultant::*which) {
     std::vector<double> values;
     for (const Resultant& one : resultants) values.push_back(one.*which);
     return values;
   };
-  Plot forces{"Force over time", "time [s]", "force [unit of E x pitch]", course.time, {}};
-  forces.curves.push_back({method + ", normal", of(course.found, &Resultant::normal), 1});
-  if (course.tangential)
-    forces.curves.push_back({method + ", tangential", of(course.found, &Resultant::tangential), 2});
+  const std::vector<double> found = of(course.found, &Resultant::normal);
   const std::vector<double> pressed = of(course.truth, &Resultant::normal);
-  forces.curves.push_back({"truth, normal", pressed, 0});
+  const std::vector<double> found_drag = of(course.found, &Resultant::tangential);
+  const std::vector<double> drag = of(course.truth, &Resultant::tangential);
+  const Axis force = axis(scene, "force", Dimension::force, {&found, &pressed});
+  Plot forces{"Force over time", "time [s]", force.label, course.time, {}};
+  forces.curves.push_back({method + ", normal", force(found), 1});
+  if (course.tangential) forces.curves.push_back({method + ", tangential", force(found_drag), 2});
+  forces.curves.push_back({"truth, normal", force(pressed), 0});
   forces.curves.back().dashed = true;
   if (course.tangential) {
-    forces.curves.push_back({"truth, tangential", of(course.truth, &Resultant::tangential), 3});
+    forces.curves.push_back({"truth, tangential", force(drag), 3});
     forces.curves.back().dashed = true;
   }
   figures.push_back({"force-over-time", std::string(over_time),
@@ -143,6 +239,7 @@ void add_course(std::vector<Figure>& figures, const lab::TimeCourse& course, dou
 
   // A force that is small beside the readings' noise has its centre anywhere.
   const double least = 0.05 * *std::max_element(pressed.begin(), pressed.end());
+  if (!(least > 0.0)) return;
   const auto centres = [&](const std::vector<Resultant>& resultants) {
     std::vector<double> values;
     for (std::size_t k = 0; k < resultants.size(); ++k)
@@ -151,11 +248,12 @@ void add_course(std::vector<Figure>& figures, const lab::TimeCourse& course, dou
                                           : std::numeric_limits<double>::quiet_NaN());
     return values;
   };
-  if (!(least > 0.0)) return;
-  Plot centre{"Centre of pressure over time", "time [s]", "y [unit of the pitch]", course.time, {}};
-  centre.y_at_least = pitch;
-  centre.curves.push_back({method, centres(course.found), 1});
-  centre.curves.push_back({"truth", centres(course.truth), 0});
+  const std::vector<double> places = positions(scene.sensor);
+  const Axis along = axis(scene, "y", Dimension::length, {&places});
+  Plot centre{"Centre of pressure over time", "time [s]", along.label, course.time, {}};
+  centre.y_at_least = scene.sensor.pitch * along.factor;
+  centre.curves.push_back({method, along(centres(course.found)), 1});
+  centre.curves.push_back({"truth", along(centres(course.truth)), 0});
   centre.curves.back().dashed = true;
   figures.push_back(
       {"centre-over-time", std::string(over_time),
@@ -164,39 +262,54 @@ void add_course(std::vector<Figure>& figures, const lab::TimeCourse& course, dou
        std::move(centre)});
 }
 
+/// What the taxels read, channel by channel.
+void add_readings(std::vector<Figure>& figures, const lab::Experiment& experiment) {
+  const Scene& scene = experiment.scene;
+  const std::vector<double> places = positions(scene.sensor);
+  const Axis along = axis(scene, "y", Dimension::length, {&places});
+  auto begin = experiment.frame.readings.begin();
+  for (const Channel& channel : channels(scene.sensor)) {
+    const auto end = begin + static_cast<std::ptrdiff_t>(places.size());
+    const std::vector<double> values(begin, end);
+    const std::string quantity(name(channel.quantity));
+    const bool strain = quantity.starts_with("strain");
+    const Axis reading =
+        axis(scene, quantity, strain ? Dimension::none : Dimension::stress, {&values});
+    figures.push_back(
+        {"readings-" + channel.name,
+         std::string(readings),
+         "What the taxels read: all that the methods are given. Where it has not "
+         "died away at the array's ends, a part of the load's trace is missed.",
+         {channel.name + " at depth " + in_unit(scene, Dimension::length, channel.depth),
+          along.label,
+          reading.label + (strain ? " [1]" : ""),
+          along(places),
+          {{channel.name, reading(values), 0, true}}}});
+    begin = end;
+  }
+}
+
 std::vector<Figure> figures_of(const lab::Experiment& experiment) {
   const Scene& scene = experiment.scene;
-  const std::vector<double> y = positions(scene.sensor);
   const TractionField& truth = experiment.frame.truth;
-  std::vector<Figure> figures;
+  std::vector<Figure> figures = {pad_figure(experiment)};
   add_component(figures, experiment, &lab::MethodResult::normal, "normal", "Normal", truth.normal);
   const bool tangential = std::any_of(
       experiment.results.begin(), experiment.results.end(),
       [](const lab::MethodResult& result) { return !result.tangential.traction.empty(); });
   if (tangential)
-    add_component(figures, experiment, &lab::MethodResult::tangential, "tangential", "Tangential",
-                  truth.tangential.empty() ? std::vector<double>(y.size()) : truth.tangential);
+    add_component(
+        figures, experiment, &lab::MethodResult::tangential, "tangential", "Tangential",
+        truth.tangential.empty() ? std::vector<double>(scene.sensor.count) : truth.tangential);
   if (experiment.sweep)
     figures.push_back(rules_figure(
         *experiment.sweep,
         scene.reconstruct.alpha ? std::nullopt : std::optional(scene.reconstruct.alpha_rule)));
-  if (experiment.course) add_course(figures, *experiment.course, scene.sensor.pitch);
-  auto begin = experiment.frame.readings.begin();
-  for (const Channel& channel : channels(scene.sensor)) {
-    const auto end = begin + static_cast<std::ptrdiff_t>(y.size());
-    const std::string quantity(name(channel.quantity));
-    figures.push_back(
-        {"readings-" + channel.name,
-         std::string(readings),
-         "What the taxels read: all that the methods are given. Where it has not died away at the "
-         "array's ends, a part of the load's trace is missed.",
-         {channel.name + " at depth " + brief(channel.depth),
-          "y [unit of the pitch]",
-          quantity + (quantity.starts_with("strain") ? " [1]" : " [unit of E]"),
-          y,
-          {{channel.name, {begin, end}, 0, true}}}});
-    begin = end;
+  if (experiment.course) {
+    figures.push_back(map_figure(scene, *experiment.course));
+    add_course(figures, scene, *experiment.course);
   }
+  add_readings(figures, experiment);
   return figures;
 }
 
@@ -211,42 +324,18 @@ std::string network_section(const lab::Relaxation& relaxation) {
          (disagreement ? element("p", in_words(*disagreement), "bad") : "");
 }
 
-}  // namespace
-
-Page report_html(const lab::Experiment& experiment) {
+std::string methods_section(const lab::Experiment& experiment) {
   const Scene& scene = experiment.scene;
-  const Figures figures(figures_of(experiment));
-  Page report{.missing = figures.missing(), .files = figures.data()};
-
-  std::string& html = report.html;
-  html += element("h1", scene.title.empty() ? scene.file : scene.title);
-  if (!scene.title.empty()) html += element("p", scene.file);
-
-  html += element("h2", "The scene");
-  html +=
-      element("p", "Sensor: " + sensor_in_words(scene) + ". Material: " + material_in_words(scene) +
-                       ". Forward model: " + std::string(name(scene.forward)) + ".");
-  if (scene.time)
-    html += element("p", "This is " + time_in_words(scene) + "; --frame takes another.");
-  const std::vector<std::string> contacts = contacts_in_words(scene);
-  html += contacts.empty() ? element("p", "No contact: an unloaded sensor.") : html_list(contacts);
-  html += element("p", "Effects simulated: " + effects_in_words(scene, true) +
-                           ". Absent, and free of cost: " + effects_in_words(scene, false) + ".");
-  for (const std::string& warning : in_words(experiment.frame))
-    html += element("p", warning, "note");
-
-  if (!report.missing.empty()) html += element("p", report.missing, "note");
-  html += element("h2", "Methods compared");
-  html += html_table(comparison_cells(experiment));
+  std::string html =
+      element("h2", "Methods compared") + verdict_table(comparison_cells(experiment));
   if (const std::string others = other_conditions_in_words(experiment); !others.empty())
     html += element("p", "Condition of other matrices: " + others + ".");
   html += element(
-      "p",
-      "Force of the contacts: " + report::in_unit(scene, Dimension::force, experiment.frame.force) +
-          " exact, " + report::in_unit(scene, Dimension::force, experiment.sampled_force) +
-          " as pitch x sum of the truth at the taxels. Errors are against the "
-          "truth at the taxels; the network's time per "
-          "frame is a whole run of ngspice, not the circuit's settling time.");
+      "p", "Force of the contacts: " + in_unit(scene, Dimension::force, experiment.frame.force) +
+               " exact, " + in_unit(scene, Dimension::force, experiment.sampled_force) +
+               " as pitch x sum of the truth at the taxels. Errors are against the "
+               "truth at the taxels; the network's time per "
+               "frame is a whole run of ngspice, not the circuit's settling time.");
   for (const lab::MethodResult& result : experiment.results) {
     const std::string method = std::string(name(result.method)) + ": ";
     if (result.resultant)
@@ -254,23 +343,44 @@ Page report_html(const lab::Experiment& experiment) {
                                " (one standard deviation; bands in the plots are two).");
     for (const std::string& warning : remarks_in_words(experiment, result))
       html += element("p", method + warning, "note");
-    if (const std::string failure = failure_in_words(experiment, result); !failure.empty())
-      html += element("p", method + failure, "bad");
   }
+  return html;
+}
+
+/// A section, where it has a figure.
+std::string titled(const Figures& figures, const std::string& title, std::string_view section) {
+  const std::string drawn = figures.html(section);
+  return drawn.empty() ? drawn : element("h2", title) + drawn;
+}
+
+}  // namespace
+
+Page report_html(const lab::Experiment& experiment, const Made& made) {
+  const Scene& scene = experiment.scene;
+  const Figures figures(figures_of(experiment));
+  Page page{.missing = figures.missing(), .files = figures.data()};
+
+  std::string html =
+      heading(scene.title, scene.file, sensor_in_words(scene) + "; " + material_in_words(scene));
+  html += answer_box(answers(experiment));
+  for (const lab::MethodResult& result : experiment.results)
+    if (const std::string failure = failure_in_words(experiment, result); !failure.empty())
+      html += element("p", std::string(name(result.method)) + ": " + failure, "bad");
+  html += paragraphs(in_words(experiment.frame), "note");
+  if (!page.missing.empty()) html += element("p", page.missing, "note");
   html += figures.html(answer);
-  if (const std::string drawn = figures.html(over_time); !drawn.empty())
-    html += element("h2", "Over time") + drawn;
+  html += methods_section(experiment);
+  html += titled(figures, "Over time", over_time);
   if (experiment.sweep) {
     html += element("h2", "The choice of alpha");
     html += element("p", "Every rule on these readings; " + rule_used(scene) + ".");
-    html += html_table(rule_cells(*experiment.sweep));
-    html += figures.html(choice);
+    html += verdict_table(rule_cells(*experiment.sweep)) + figures.html(choice);
   }
-  if (const std::string drawn = figures.html(readings); !drawn.empty())
-    html += element("h2", "The readings") + drawn;
+  html += titled(figures, "The readings", readings);
   if (experiment.relaxation) html += network_section(*experiment.relaxation);
-  html = html_page(scene.file + " - tactile-net", html);
-  return report;
+  html += colophon("The scene, the files, the command", scene_html(scene), page.files, made);
+  page.html = page_html(scene.file + " - tactile-net", html);
+  return page;
 }
 
 }  // namespace tactile_net::pages

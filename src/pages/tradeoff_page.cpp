@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pages/parts.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -19,10 +20,10 @@ using drawing::element;
 using drawing::Figure;
 using drawing::Figures;
 using drawing::html_list;
-using drawing::html_page;
 using drawing::html_table;
 using drawing::Page;
 using drawing::Plot;
+using report::answers;
 using report::circuit_cells;
 using report::in_words;
 using report::material_in_words;
@@ -66,34 +67,38 @@ Curve& curve_of(std::vector<Curve>& curves, const std::string& label,
   return next;
 }
 
-/// Every measured curve of one kind of time, over one kind of error.
+/// Every measured curve of one kind of time, over one kind of error. @param quiet  grey
 std::vector<Curve> curves_of(const std::vector<study::WorkPoint>& points, study::ErrorOf error,
-                             study::TimeOf time_of) {
+                             study::TimeOf time_of, bool quiet = false) {
   std::vector<Curve> curves;
   for (const study::WorkPoint& point : points) {
     if (!point.measured() || point.time_of != time_of || !(point.*error)) continue;
     Curve& curve = curve_of(curves, in_words(point.curve), points, point);
     curve.x.push_back(drawn(*(point.*error)));
     curve.y.push_back(point.seconds);
+    curve.quiet = quiet;
   }
   return curves;
 }
 
-/// The points that nothing beats, as steps under all the others.
+/// The points that nothing beats, as steps, each with its name.
 Curve front_curve(const std::vector<study::WorkPoint>& points, study::ErrorOf error,
                   study::TimeOf time_of) {
   Curve curve;
   curve.label = "nothing beats these";
-  for (const std::size_t i : study::pareto_front(points, error, time_of)) {
-    const double x = drawn(*(points[i].*error));
-    if (!curve.x.empty()) {  // a corner: as slow as this one, as inaccurate as the one before
-      curve.x.push_back(curve.x.back());
-      curve.y.push_back(points[i].seconds);
-    }
+  curve.colour = 1;
+  curve.width = 3.0;
+  const auto add = [&](double x, double y, std::string words) {
     curve.x.push_back(x);
-    curve.y.push_back(points[i].seconds);
+    curve.y.push_back(y);
+    curve.names.push_back(std::move(words));
+  };
+  for (const std::size_t i : study::pareto_front(points, error, time_of)) {
+    const study::WorkPoint& point = points[i];
+    // A corner: as slow as this one, as inaccurate as the one before.
+    if (!curve.x.empty()) add(curve.x.back(), point.seconds, "");
+    add(drawn(*(point.*error)), point.seconds, in_words(point) + ", " + duration(point.seconds));
   }
-  curve.marks = curve.x.size() == 1;
   return curve;
 }
 
@@ -185,20 +190,69 @@ std::vector<Curve> crossover_curves(const study::Study& study,
   return curves;
 }
 
+/// How far from the truth each method ends, as bars: those of one problem are one bar.
+Figure truth_figure(const study::Study& study, const std::vector<study::WorkPoint>& points) {
+  struct Bar {
+    std::string label;
+    double error;
+  };
+  const double exact = study.input.solution_error;
+  std::vector<Bar> bars;
+  std::size_t same = 0;
+  std::vector<Curve> curves = curves_of(points, to_truth, study::TimeOf::frame);
+  for (const Curve& curve : curves) {
+    const double least = *std::min_element(curve.x.begin(), curve.x.end());
+    if (std::abs(least - exact) < 0.01 * exact)
+      ++same;
+    else
+      bars.push_back({curve.label, least});
+  }
+  if (same > 0) bars.push_back({std::to_string(same) + " that solve the same problem", exact});
+  std::stable_sort(bars.begin(), bars.end(),
+                   [](const Bar& a, const Bar& b) { return a.error < b.error; });
+  const double full = std::clamp(bars.empty() ? 1.0 : bars.back().error, 1e-16, 1.0);
+  std::string html = "<div class=\"bars valued\">\n";
+  for (const Bar& bar : bars) {
+    const double width = 1000.0 * std::min(1.0, bar.error / full);
+    html += element("span", bar.label) + element("span", percent(bar.error), "value");
+    html +=
+        "<svg viewBox=\"0 0 1000 100\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"" +
+        drawing::escaped(bar.label + ": " + percent(bar.error)) +
+        "\"><rect class=\"room\" width=\"1000\" height=\"100\"/><rect class=\"" +
+        (&bar == &bars.front() ? "least" : "dim") + "\" width=\"" + fixed(width, 1) +
+        "\" height=\"100\"/></svg>\n";
+  }
+  curves.push_back(border("the exact solution", exact, curves, 0));
+  return {.name = "error-to-truth",
+          .section = "",
+          .caption =
+              "What a user gets: the distance from the true tractions, of each method's best. "
+              "Methods of one problem end alike, however exact they are: regularisation, "
+              "sampling and noise set it. Fewer taxels and constraints are other problems.",
+          .plot = plot_of("Time over error against the truth", "|f - truth| / |truth|",
+                          "time of a frame [s]", std::move(curves)),
+          .picture = html + "</div>\n",
+          .type = "whole-row"};
+}
+
 std::vector<Figure> figures_of(const study::Study& study) {
   const study::StudyInput& input = study.input;
   const std::vector<study::WorkPoint> points = study.points();
   const std::string noise = input.noise_stated ? "the scene's noise" : "noise of 1 %";
   std::vector<Figure> figures;
-  const auto add = [&](std::string file, std::string caption, Plot plot) {
-    figures.push_back({std::move(file), "", std::move(caption), std::move(plot)});
+  const auto add = [&](std::string file, std::string caption, Plot plot, std::string section = "") {
+    figures.push_back({std::move(file), std::move(section), std::move(caption), std::move(plot)});
   };
 
-  std::vector<Curve> frames = curves_of(points, to_solution, study::TimeOf::frame);
+  std::vector<Curve> frames = curves_of(points, to_solution, study::TimeOf::frame, true);
   if (!frames.empty()) {
     frames.push_back(border(noise, input.noise_floor, frames, 0));
     frames.push_back(front_curve(points, to_solution, study::TimeOf::frame));
   }
+  Plot plot = plot_of("Time over error against the exact solution", "|f - f*| / |f*|",
+                      "time of a frame [s]", std::move(frames));
+  plot.wide = true;
+  plot.quiet_label = "all others, each in the file";
   add("error-to-solution",
       "What an algorithm adds: its distance from the exact solution of the same regularised "
       "problem, and what a frame costs on this machine. Left and down is better; the heavy line "
@@ -206,19 +260,8 @@ std::vector<Figure> figures_of(const study::Study& study) {
           std::string(input.noise_stated ? "the scene's noise"
                                          : "noise of 1 % of the largest reading") +
           " does.",
-      plot_of("Time over error against the exact solution", "|f - f*| / |f*|",
-              "time of a frame [s]", std::move(frames)));
-
-  std::vector<Curve> truths = curves_of(points, to_truth, study::TimeOf::frame);
-  if (!truths.empty() && std::isfinite(input.solution_error))
-    truths.push_back(border("the exact solution", input.solution_error, truths, 0));
-  add("error-to-truth",
-      "What a user gets: the distance from the true tractions. Methods of one problem stand on the "
-      "dashed line, however exact they are: regularisation, sampling and noise set it. Fewer "
-      "taxels "
-      "and constraints are other problems.",
-      plot_of("Time over error against the truth", "|f - truth| / |truth|", "time of a frame [s]",
-              std::move(truths)));
+      std::move(plot));
+  if (std::isfinite(input.solution_error)) figures.push_back(truth_figure(study, points));
 
   add("circuits",
       "From a step of all inputs until the voltages stay within an error of the exact solution, by "
@@ -226,20 +269,23 @@ std::vector<Figure> figures_of(const study::Study& study) {
       "machine: a circuit is faster where it lies below. Dashed: with parts of 1 % a circuit comes "
       "no closer (median).",
       plot_of("Circuits: settling time over error", "|f - f*| / |f*|", "time to settle [s]",
-              circuit_curves(study, points)));
+              circuit_curves(study, points)),
+      "circuits");
   add("crossover",
       "When is the circuit's answer immediate? Time to settle to 1 % over the op-amps' bandwidth, "
       "beside a frame's arithmetic on this machine, and on controllers of 400 and 100 MHz that "
       "need as many cycles. Right of a crossing the circuit is faster. Parts are exact here; what "
       "others leave is in the table below.",
       plot_of("Circuit against controller, to 1 %", "gain-bandwidth of the op-amps [Hz]",
-              "time [s]", crossover_curves(study, points)));
+              "time [s]", crossover_curves(study, points)),
+      "circuits");
 
   add("forward",
       "The way there: readings of the scene's contacts by the integral, with panels of more and "
       "more points, and by the thesis' discrete sum, against the integral itself.",
       plot_of("Forward model: error of the readings", "|g - g exact| / |g exact|", "time [s]",
-              curves_of(points, to_truth, study::TimeOf::forward)));
+              curves_of(points, to_truth, study::TimeOf::forward)),
+      "forward");
   return figures;
 }
 
@@ -277,26 +323,26 @@ std::vector<std::string> failures_in_words(const study::Study& study) {
   return text;
 }
 
-Page study_html(const study::Study& study) {
+Page study_html(const study::Study& study, const Made& made) {
   const Scene& scene = study.input.scene();
   const Figures figures(figures_of(study));
-  Page report{.missing = figures.missing(), .files = figures.data()};
-  for (auto& picture : figures.pictures()) report.files.push_back(std::move(picture));
+  Page page{.missing = figures.missing(), .files = figures.data()};
+  for (const auto& picture : figures.pictures()) page.files.push_back(picture);
 
-  std::string& html = report.html;
-  html += element("h1", "What accuracy costs in time");
-  html += element("p", (scene.title.empty() ? "" : scene.title + ". ") + scene.file + ": " +
-                           sensor_in_words(scene) + "; " + material_in_words(scene) + "; alpha " +
-                           brief(study.input.alpha) + "." +
-                           (scene.time ? " Studied is " + time_in_words(scene) + "." : ""));
+  std::string html = element("h1", "What accuracy costs in time");
+  html += element("p",
+                  (scene.title.empty() ? "" : scene.title + ". ") + scene.file + ": " +
+                      sensor_in_words(scene) + "; " + material_in_words(scene) + "; alpha " +
+                      brief(study.input.alpha) + "." +
+                      (scene.time ? " Studied is " + time_in_words(scene) + "." : ""),
+                  "quiet");
+  html += answer_box(answers(study));
   if (!study.complete)
     html += element("p", "The study was stopped: this is a part of it. --resume goes on.", "note");
-  std::vector<std::string> answers = in_words(study);
-  html += element("p", answers.front(), "answer");
-  answers.erase(answers.begin());
-  html += html_list(answers);
-  if (!report.missing.empty()) html += element("p", report.missing, "note");
+  if (!page.missing.empty()) html += element("p", page.missing, "note");
   html += figures.html("");
+  html += element("h2", "What nothing beats") + html_table(front_cells(study));
+  html += html_list(in_words(study));
   const auto circuits = circuit_cells(study);
   if (circuits.size() > 1) {
     html += element("h2", "When a circuit is faster");
@@ -305,7 +351,7 @@ Page study_html(const study::Study& study) {
                     "machine is slower than the circuit below the clock named; this machine is, if "
                     "the op-amps have the bandwidth named. The last column is the error that parts "
                     "of 1 % leave, median: waiting longer does not lessen it.");
-    html += html_table(circuits);
+    html += html_table(circuits) + figures.html("circuits");
   }
   const auto simulated = simulator_cells(study);
   if (simulated.size() > 1) {
@@ -315,26 +361,23 @@ Page study_html(const study::Study& study) {
                     "circuit's, and how far its answer is from the exact solution.");
     html += html_table(simulated);
   }
-  html += element("h2", "What nothing beats");
-  html += html_table(front_cells(study));
+  if (const std::string forward = figures.html("forward"); !forward.empty())
+    html += element("h2", "The way there") + forward;
   const std::vector<std::string> failures = failures_in_words(study);
-  if (!failures.empty()) {
-    html += element("h2", "What did not work");
-    html += html_list(failures);
-  }
-  html += element("h2", "How it was measured");
-  html +=
-      element("p", "On " + (study.processor.empty() ? "this machine" : study.processor) +
+  if (!failures.empty()) html += element("h2", "What did not work") + html_list(failures);
+  const std::string measured =
+      element("p", "Measured on " + (study.processor.empty() ? "this machine" : study.processor) +
                        (study.clock > 0.0 ? " at " + brief(study.clock / 1e9) + " GHz" : "") +
                        ", pinned to one core, after a warm-up; medians of at least five batches, "
                        "with quartiles in the data. The exact solution is that of a QR; one by "
                        "singular values agrees to " +
                        brief(study.input.agreement) + ".");
-  html +=
-      "<p>Every point: <a href=\"tradeoff.csv\">tradeoff.csv</a>, "
-      "<a href=\"tradeoff.json\">tradeoff.json</a>.</p>\n";
-  html = html_page(scene.file + " - tactile-net tradeoff", html);
-  return report;
+  Made beside = made;
+  beside.files.insert(beside.files.end(), {"tradeoff.csv", "tradeoff.json"});
+  html += colophon("How it was measured, the scene, the files", measured + scene_html(scene),
+                   page.files, beside);
+  page.html = page_html(scene.file + " - tactile-net tradeoff", html);
+  return page;
 }
 
 }  // namespace tactile_net::pages

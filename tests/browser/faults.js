@@ -11,7 +11,11 @@
   if (document.documentElement.scrollWidth > width)
     faults.push(`overflow: the page is ${document.documentElement.scrollWidth} wide in ${width}`);
 
-  for (const svg of document.querySelectorAll("svg")) {
+  // A letter on a screen is 11 pixels high at least: on a telephone 12, and a little for rounding.
+  const least = matchMedia("print").matches ? 9 : 11;
+  for (const svg of [...document.querySelectorAll("svg")].filter(shown)) {
+    if (svg.getAttribute("role") !== "img" || !svg.getAttribute("aria-label"))
+      faults.push(`name: an <svg> does not say what it shows: ${svg.outerHTML.slice(0, 60)}`);
     const frame = svg.getBoundingClientRect();
     const texts = [...svg.querySelectorAll("text")].filter((t) => t.textContent.trim() && shown(t));
     const boxes = texts.map((t) => t.getBoundingClientRect());
@@ -22,7 +26,7 @@
         faults.push(`cut off: ${brief(text)}`);
       const scale = frame.width / svg.viewBox.baseVal.width;
       const size = scale * parseFloat(getComputedStyle(text).fontSize);
-      if (size < 9) faults.push(`small: ${brief(text)} is ${size.toFixed(1)} px high`);
+      if (size < least) faults.push(`small: ${brief(text)} is ${size.toFixed(1)} px high`);
       // Boxes are as high as a line, letters about two thirds of that.
       for (let j = 0; j < i; ++j) {
         const [across, down] = shared(box, boxes[j]);
@@ -31,6 +35,17 @@
           faults.push(`overlap: ${brief(texts[j])} and ${brief(text)}`);
       }
     });
+  }
+
+  // The answer is on the first screen of a desk, and no verdict is out of sight on a telephone.
+  const answers = document.querySelector(".answers");
+  if (!answers) faults.push("answer: there is none");
+  else if (width > 1000 && answers.getBoundingClientRect().bottom > 900)
+    faults.push(`answer: it ends ${answers.getBoundingClientRect().bottom} pixels down`);
+  for (const cell of document.querySelectorAll("td[data-label=verdict]")) {
+    const box = cell.getBoundingClientRect();
+    if (box.width === 0 || box.left < 0 || box.right > width + 1)
+      faults.push(`verdict: ${brief(cell)} cannot be seen`);
   }
 
   // Blocks of text and pictures, the innermost ones.
@@ -71,7 +86,7 @@
 
   for (const figure of document.querySelectorAll("figure")) {
     const caption = figure.querySelector("figcaption");
-    if (!figure.querySelector("svg")) faults.push(`figure: ${figure.id} has no picture`);
+    if (!figure.querySelector("svg, .bars")) faults.push(`figure: ${figure.id} has no picture`);
     if (!caption || caption.textContent.trim().length < 40)
       faults.push(`figure: ${figure.id} has no caption`);
     if (!caption?.querySelector("a[href]")) faults.push(`figure: ${figure.id} names no data`);

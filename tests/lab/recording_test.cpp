@@ -136,4 +136,45 @@ TEST_CASE("inside the pad a uniform pressure is a uniform stress", "[lab][interi
   }
 }
 
+TEST_CASE("the stress inside is linear in the load, and a loaded taxel's is its kernel",
+          "[lab][interior]") {
+  const Scene scene = pad().scene();
+  const std::size_t n = scene.sensor.count;
+  const InteriorKernels kernels = interior_kernels(scene, 4, true);
+  std::vector<double> press(n);
+  std::vector<double> drag(n);
+  press[3] = 1.0;
+  drag[15] = -2.0;
+  const std::vector<double> pressed = interior_stress(kernels, press, {});
+  const std::vector<double> both = interior_stress(kernels, press, drag);
+  REQUIRE(both.size() == 4 * n);
+  for (std::size_t row = 0; row < 4; ++row)
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t lag = row * kernels.lags + i + n - 1;
+      CHECK(pressed[row * n + i] == kernels.of_normal[lag - 3]);
+      CHECK_THAT(both[row * n + i] - pressed[row * n + i],
+                 WithinAbs(-2.0 * kernels.of_tangential[lag - 15], 1e-15));
+    }
+}
+
+TEST_CASE("a picture of the pad reaches the base, or twice the deepest taxel", "[lab][interior]") {
+  Scene scene = pad().scene();
+  scene.sensor.depths = {1.0, 0.5};
+  CHECK(interior_depth(scene) == 2.0);
+  scene.material.layer = Layer{.thickness = 3.0};
+  CHECK(interior_depth(scene) == 3.0);
+}
+
+TEST_CASE("a recording's components are cut out in one place", "[lab][recording]") {
+  RecordingOverview overview = recorded(5, 2).overview();
+  CHECK(overview.largest(Traction::normal) == 7.0);
+  CHECK(overview.largest(Traction::tangential) == 0.0);
+  CHECK_FALSE(overview.tangential());
+  std::vector<double> both(42, 1.0);
+  both[41] = -3.0;
+  CHECK(overview.component(both, Traction::normal).size() == 21);
+  CHECK(overview.component(both, Traction::tangential).back() == -3.0);
+  CHECK(overview.component(std::span(both).first(21), Traction::tangential).empty());
+}
+
 }  // namespace tactile_net::lab

@@ -53,7 +53,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST_CASE("a recording's page answers first, and needs no network", "[report][recording]") {
   const lab::RecordingOverview overview = press(60, lab::Verdict::unstable);
   const std::string page =
-      pages::recording_page(overview, "press.csv", {"a note"}, {"shown.csv"}).html;
+      pages::recording_page(overview, "press.csv", {"a note"}, {.files = {"shown.csv"}}).html;
   CHECK(page.find("largest normal force") < page.find("<svg"));
   CHECK_THAT(page, Contains("1 of 60 frames") && Contains("a note"));
   CHECK_THAT(page, Contains("<a href=\"shown.csv\">") && Contains("data:image/png;base64,"));
@@ -68,7 +68,7 @@ TEST_CASE("a recording's page answers first, and needs no network", "[report][re
 TEST_CASE("a title cannot leave its place in a recording's page", "[report][recording]") {
   const lab::RecordingOverview overview = press(3, lab::Verdict::ok, "</script><b onclick=1>&");
   const std::string page =
-      pages::recording_page(overview, "<x>.csv", {"<note>"}, {"\"><i>.csv"}).html;
+      pages::recording_page(overview, "<x>.csv", {"<note>"}, {.files = {"\"><i>.csv"}}).html;
   CHECK_THAT(page, !Contains("<b onclick") && !Contains("<x>") && !Contains("<note>"));
   CHECK_THAT(page, !Contains("<i>"));
   CHECK(recording_json(overview).find('<') == std::string::npos);

@@ -15,6 +15,21 @@ namespace {
 
 enum ExitStatus { done = 0, failed = 1, wrong_usage = 2 };
 
+/// The command line, quoted where a shell would need it.
+std::string typed(std::span<const std::string> arguments) {
+  std::string line = "tactile-net";
+  for (const std::string& argument : arguments) {
+    const bool plain =
+        !argument.empty() && argument.find_first_not_of(
+                                 "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                 "-_./=,:+@%") == argument.npos;
+    std::string quoted = "'";
+    for (const char c : argument) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += ' ' + (plain ? argument : quoted + '\'');
+  }
+  return line;
+}
+
 }  // namespace
 
 int run_command(std::span<const std::string> arguments, const Streams& given) {
@@ -24,7 +39,8 @@ int run_command(std::span<const std::string> arguments, const Streams& given) {
                         .out = given.out,
                         .err = err,
                         .terminal = given.terminal,
-                        .screen = &given.err};
+                        .screen = &given.err,
+                        .command = typed(arguments)};
   const auto tell = [&](const std::exception& error) -> std::ostream& {
     return streams.err << "tactile-net: error: " << error.what() << '\n';
   };

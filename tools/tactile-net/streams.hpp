@@ -3,6 +3,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 
 namespace tactile_net::tool {
 
@@ -14,6 +15,7 @@ struct Streams {
   /// The same as `err` without the care that is taken of it, for the progress line's own control
   /// characters; null: `err`.
   std::ostream* screen = nullptr;
+  std::string command{};  ///< the line that was typed, for pages to say what made them
 };
 
 }  // namespace tactile_net::tool

@@ -18,6 +18,9 @@ struct Curve {
   bool marks = false;                ///< points on the line, of a shape of their own
   bool dashed = false;
   double width = 0.0;  ///< of the line; 0: as the others'
+  bool quiet = false;  ///< grey, for comparison; see `Plot::quiet_label`
+  /// Words beside its points, one per x; empty ones: none. Where both axes are logarithmic.
+  std::vector<std::string> names{};
 };
 
 struct Plot {
@@ -33,6 +36,9 @@ struct Plot {
   double y_at_least = 0.0;     ///< > 0: the y axis reaches from minus this to this, or further
   /// > 0: both axes are linear up to about this, and logarithmic beyond it on both sides of zero.
   double linear_within = 0.0;
+  std::string band_label{};   ///< what the bands are; empty: they are not in the key
+  std::string quiet_label{};  ///< of all quiet curves together; empty: they are not in the key
+  bool wide = false;          ///< twice as wide as others
 };
 
 /// SVG of every plot, in order, from one run of gnuplot.

@@ -59,6 +59,11 @@ struct RecordingOverview {
   /// The groups whose answer has the verdict ok, or all where none has: what sets a picture's
   /// scale.
   [[nodiscard]] std::vector<const FrameGroup*> trusted() const;
+  /// That component's part of values of all tractions, which are normal, then tangential.
+  [[nodiscard]] std::span<const double> component(std::span<const double> values,
+                                                  Traction traction) const;
+  /// The largest |f| of that component in a trusted group [Pa]; 0: there is none.
+  [[nodiscard]] double largest(Traction traction) const;
   /// Whether more than noise presses: F_v is above three deviations, or without bands above a
   /// twentieth of the largest.
   [[nodiscard]] bool loaded(const FrameGroup& group) const;

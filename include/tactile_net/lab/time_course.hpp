@@ -17,6 +17,8 @@ struct TimeCourse {
   std::vector<Resultant>
       truth{};  ///< the contacts' exact forces; the place as sampled at the taxels
   std::vector<Resultant> found{};  ///< NaN where a frame has no answer
+  /// Normal, then tangential, of every frame, one frame after another [Pa]; NaN as above.
+  std::vector<double> tractions{};
 };
 
 /// Every frame by itself, as `solve` does; of more than 400 frames every second, third, ...

@@ -2,6 +2,7 @@
 /// Whether an answer is to be trusted, in one word.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "tactile_net/inverse/alpha.hpp"
@@ -38,6 +39,9 @@ enum class Verdict {
 
 /// The spelling in JSON and tables: "ok", "rules_disagree".
 [[nodiscard]] std::string_view name(Verdict verdict) noexcept;
+
+/// Nothing for any other text.
+[[nodiscard]] std::optional<Verdict> verdict_named(std::string_view name) noexcept;
 
 [[nodiscard]] Verdict verdict_of(AlphaVerdict verdict) noexcept;
 [[nodiscard]] Verdict verdict_of(DftVerdict verdict) noexcept;

@@ -8,11 +8,8 @@
 
 namespace tactile_net::pages {
 
-/// Links, joints, pads, contacts, friction cones, forces and the load. Colours are the classes of
-/// `drawing_style`.
+/// Links, joints with their numbers, pads, contacts, friction cones, forces, the load, and the
+/// hand's axes. Colours are classes for the pages' style.
 [[nodiscard]] std::string draw_hand(const lab::GraspResult& grasp);
-
-/// CSS for the drawing and the words that explain it, for light and dark.
-[[nodiscard]] std::string drawing_style();
 
 }  // namespace tactile_net::pages

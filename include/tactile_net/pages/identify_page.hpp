@@ -7,6 +7,7 @@
 
 #include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/lab/identify.hpp"
+#include "tactile_net/pages/made.hpp"
 
 namespace tactile_net::pages {
 
@@ -21,6 +22,7 @@ namespace tactile_net::pages {
 [[nodiscard]] std::vector<std::string> singular_values_in_words(
     const Identifiability& result, const std::optional<Units>& units = {});
 
-[[nodiscard]] drawing::Page survey_html(const Scene& scene, const lab::Survey& survey);
+[[nodiscard]] drawing::Page survey_html(const Scene& scene, const lab::Survey& survey,
+                                        const Made& made = {});
 
 }  // namespace tactile_net::pages

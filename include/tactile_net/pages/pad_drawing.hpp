@@ -1,7 +1,9 @@
 /// @file
-/// The pad in section, to scale, as SVG text: surface, taxels at their depths, base, axes.
+/// The pad in section, to scale, as HTML: surface, taxels at their depths, base, axes; the stress
+/// inside and the load on top.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,6 +17,7 @@ struct PadFrame {
   double surface = 110.0;  ///< y of the pad's surface in the picture: above it loads are drawn
   double scale = 1.0;      ///< pixels per unit of length
   double bottom = 0.0;     ///< depth that is drawn, in the scene's unit of length
+  double thickness = 0.0;  ///< of the pad as it is drawn
   double height = 0.0;     ///< of the whole picture
 
   /// The picture's x of a place y along the surface.
@@ -25,12 +28,25 @@ struct PadFrame {
 /// width is left for the pad, so that a long thin array is drawn deeper than it is.
 [[nodiscard]] PadFrame pad_frame(const Scene& scene);
 
+/// An <svg> with its words below it. Without loads no room is left for them.
+///
 /// @param inside  SVG that lies on the pad and under the taxels: the field of stress
 /// @param above   SVG that stands on the surface: loads
 [[nodiscard]] std::string draw_pad(const Scene& scene, std::string_view inside,
                                    std::string_view above);
 
-/// CSS for the drawing, for light and dark.
-[[nodiscard]] std::string_view pad_style() noexcept;
+/// Tractions on a pad, one value per taxel [Pa].
+struct PadLoad {
+  std::span<const double> normal{};
+  std::span<const double> tangential{};  ///< empty: none
+};
+
+/// The stress across the surface that a load causes inside, as an <image>: blue presses, red pulls,
+/// full colour at the largest |normal| of the load. Empty where nothing presses, and for more than
+/// 1024 taxels, which would take seconds.
+[[nodiscard]] std::string draw_stress(const Scene& scene, const PadLoad& load);
+
+/// A load on the surface, pressure as an area and drag as arrows.
+[[nodiscard]] std::string draw_load(const Scene& scene, const PadLoad& load);
 
 }  // namespace tactile_net::pages

@@ -7,6 +7,7 @@
 
 #include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/lab/recording.hpp"
+#include "tactile_net/pages/made.hpp"
 
 namespace tactile_net::pages {
 
@@ -14,10 +15,8 @@ namespace tactile_net::pages {
 /// without frames is a page that says so.
 ///
 /// @param notes  what else is to be said: remarks of the method, columns that were not read
-/// @param files  names of the files beside it, to link
 [[nodiscard]] drawing::Page recording_page(const lab::RecordingOverview& overview,
                                            const std::string& readings,
-                                           const std::vector<std::string>& notes,
-                                           const std::vector<std::string>& files);
+                                           const std::vector<std::string>& notes, const Made& made);
 
 }  // namespace tactile_net::pages

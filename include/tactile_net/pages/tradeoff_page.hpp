@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tactile_net/drawing/figure.hpp"
+#include "tactile_net/pages/made.hpp"
 #include "tactile_net/study/study.hpp"
 
 namespace tactile_net::pages {
@@ -17,6 +18,6 @@ namespace tactile_net::pages {
 [[nodiscard]] std::vector<std::string> failures_in_words(const study::Study& study);
 
 /// Its files are the pictures (SVG) and their data (CSV).
-[[nodiscard]] drawing::Page study_html(const study::Study& study);
+[[nodiscard]] drawing::Page study_html(const study::Study& study, const Made& made = {});
 
 }  // namespace tactile_net::pages

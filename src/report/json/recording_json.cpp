@@ -7,6 +7,7 @@
 #include <span>
 
 #include "report/json/values.hpp"
+#include "tactile_net/drawing/html.hpp"
 #include "tactile_net/drawing/png.hpp"
 #include "tactile_net/lab/interior.hpp"
 #include "tactile_net/report/words/recording_words.hpp"
@@ -68,16 +69,14 @@ TractionRange traction_range(const lab::RecordingOverview& overview) {
 }
 
 std::string recording_json(const lab::RecordingOverview& overview) {
-  const SensorArray& sensor = overview.scene.sensor;
-  const std::size_t n = sensor.count;
-  const auto component = [&](std::size_t which) {
-    return [=](const lab::FrameGroup& group) {
-      return std::span(group.tractions).subspan(which * n, n);
+  const auto component = [&](Traction traction) {
+    return [&overview, traction](const lab::FrameGroup& group) {
+      return overview.component(group.tractions, traction);
     };
   };
-  const auto deviation = [&](std::size_t which) {
-    return [=](const lab::FrameGroup& group) {
-      return std::span(group.bands->deviation).subspan(which * n, n);
+  const auto deviation = [&](Traction traction) {
+    return [&overview, traction](const lab::FrameGroup& group) {
+      return overview.component(group.bands->deviation, traction);
     };
   };
   const bool bands = !overview.groups.empty() &&
@@ -85,28 +84,27 @@ std::string recording_json(const lab::RecordingOverview& overview) {
                                  [](const lab::FrameGroup& group) { return !!group.bands; });
   const bool tangential = overview.tangential();
   const TractionRange range = traction_range(overview);
-  Json json = {{"count", n},
+  Json json = {{"count", overview.scene.sensor.count},
                {"groups", overview.groups.size()},
                {"start", &overview.peak() - overview.groups.data()},
                {"low", range.low},
                {"high", range.high},
                {"largest", std::max(range.high, -range.low)},
-               {"normal", packed(overview, component(0))}};
+               {"normal", packed(overview, component(Traction::normal))}};
   if (tangential) {
-    double drag = 0.0;
-    for (const lab::FrameGroup* group : overview.trusted())
-      for (const double value : component(1)(*group)) drag = std::max(drag, std::abs(value));
+    const double drag = overview.largest(Traction::tangential);
     json["drag"] = drag > 0.0 ? drag : 1.0;
-    json["tangential"] = packed(overview, component(1));
+    json["tangential"] = packed(overview, component(Traction::tangential));
   }
-  if (bands) json["normal_deviation"] = packed(overview, deviation(0));
-  if (bands && tangential) json["tangential_deviation"] = packed(overview, deviation(1));
+  if (bands) json["normal_deviation"] = packed(overview, deviation(Traction::normal));
+  if (bands && tangential)
+    json["tangential_deviation"] = packed(overview, deviation(Traction::tangential));
   Json said = Json::array();
   for (const lab::FrameGroup& group : overview.groups) {
     const bool trusted = group.verdict == lab::Verdict::ok;
     said.push_back({{"time", group_place(overview, group)},
                     {"clock", group_clock(group)},
-                    {"answer", group_answer(overview, group)},
+                    {"answer", drawing::typeset(group_answer(overview, group))},
                     {"trust", trusted ? "" : group_distrust(group)}});
   }
   json["said"] = std::move(said);

@@ -19,7 +19,11 @@ void run(const CertifyOptions& options, const Streams& streams) {
   const lab::Certification c = lab::certify(scene, progress);
   results.write({.print = [&](std::ostream& out) { report::print_certificate(out, c); },
                  .json = [&] { return report::certificate_json(c); },
-                 .page = [&] { return pages::certificate_html(c); },
+                 .page =
+                     [&] {
+                       return pages::certificate_html(
+                           c, {.by = streams.command, .files = {"certificate.json"}});
+                     },
                  .json_name = "certificate.json"},
                 progress);
   if (c.certificate().stability == Stability::unstable ||

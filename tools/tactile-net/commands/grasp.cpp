@@ -18,10 +18,15 @@ void run(const GraspOptions& options, const Streams& streams) {
   };
   const lab::GraspResult grasp =
       lab::hold(hand, {.readings = readings, .tractions = frames::tractions_of_frame}, progress);
-  results.write({.print = [&](std::ostream& out) { report::print_grasp(out, grasp); },
-                 .json = [&] { return report::grasp_json(grasp); },
-                 .page = [&] { return drawing::Page{.html = pages::grasp_report_html(grasp)}; }},
-                progress);
+  results.write(
+      {.print = [&](std::ostream& out) { report::print_grasp(out, grasp); },
+       .json = [&] { return report::grasp_json(grasp); },
+       .page =
+           [&] {
+             return drawing::Page{.html = pages::grasp_report_html(
+                                      grasp, {.by = streams.command, .files = {"result.json"}})};
+           }},
+      progress);
   if (!grasp.failures.empty()) throw CheckFailed(report::failures_in_words(grasp).front());
 }
 

@@ -68,7 +68,11 @@ void run(const IdentifyOptions& options, const Streams& streams) {
   const lab::Survey survey = lab::identify(scene, survey_options, progress);
   results.write({.print = [&](std::ostream& out) { print(out, scene, survey); },
                  .json = [&] { return report::survey_json(scene, survey); },
-                 .page = [&] { return pages::survey_html(scene, survey); }},
+                 .page =
+                     [&] {
+                       return pages::survey_html(scene, survey,
+                                                 {.by = streams.command, .files = {"result.json"}});
+                     }},
                 progress);
 }
 

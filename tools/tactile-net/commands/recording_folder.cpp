@@ -30,7 +30,9 @@ void RecordingFolder::commit(const std::string& readings, const std::string& jso
   const lab::RecordingOverview overview = recording_.overview(progress);
   std::vector<std::string> files = {"result.json", "shown.csv"};
   if (std::filesystem::exists(folder_.place("tractions.csv"))) files.emplace_back("tractions.csv");
-  folder_.write("report.html", pages::recording_page(overview, readings, notes, files).html);
+  folder_.write("report.html", pages::recording_page(overview, readings, notes,
+                                                     {.by = streams.command, .files = files})
+                                   .html);
   folder_.write("result.json", json);
   folder_.write("shown.csv", report::recording_csv(overview));
   const std::vector<std::string> others = folder_.commit();

@@ -1,6 +1,7 @@
 #include "commands/run.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "failure.hpp"
 #include "tactile_net/lab/run.hpp"
@@ -38,9 +39,12 @@ void explain(const Scene& scene, const RunOptions& options, const Streams& strea
                 progress);
 }
 
-drawing::Page page_of(const lab::Experiment& experiment) {
-  drawing::Page page = pages::report_html(experiment);
-  for (auto& file : report::run_files(experiment)) page.files.push_back(std::move(file));
+drawing::Page page_of(const lab::Experiment& experiment, const Streams& streams) {
+  drawing::Files files = report::run_files(experiment);
+  pages::Made made{.by = streams.command, .files = {"result.json"}};
+  for (const auto& [name, content] : files) made.files.push_back(name);
+  drawing::Page page = pages::report_html(experiment, made);
+  std::move(files.begin(), files.end(), std::back_inserter(page.files));
   return page;
 }
 
@@ -59,7 +63,7 @@ void run(const RunOptions& options, const Streams& streams) {
                                               progress);
   results.write({.print = [&](std::ostream& out) { report::print_experiment(out, experiment); },
                  .json = [&] { return report::experiment_json(experiment); },
-                 .page = [&] { return page_of(experiment); }},
+                 .page = [&] { return page_of(experiment, streams); }},
                 progress);
   if (!experiment.succeeded()) throw CheckFailed("not every method has an answer that holds");
 }

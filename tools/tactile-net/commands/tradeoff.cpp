@@ -41,8 +41,8 @@ struct Written {
 
 /// Everything that a folder holds of a study, whole or a part.
 Written write_all(const std::filesystem::path& folder, const study::Study& study,
-                  const std::string& scene_text) {
-  drawing::Page report = pages::study_html(study);
+                  const std::string& scene_text, const std::string& command) {
+  drawing::Page report = pages::study_html(study, {.by = command});
   report.files.emplace_back("tradeoff.csv", report::study_csv(study));
   report.files.emplace_back("tradeoff.json", report::study_json(study, scene_text));
   report.files.emplace_back("report.html", report.html);
@@ -84,14 +84,17 @@ std::vector<study::StudySection> earlier(const TradeoffOptions& options,
 class Watcher final : public study::StudyObserver {
  public:
   Watcher(std::filesystem::path folder, const std::string& scene_text, const Streams& streams)
-      : line_(streams), folder_(std::move(folder)), scene_text_(scene_text) {}
+      : line_(streams),
+        folder_(std::move(folder)),
+        scene_text_(scene_text),
+        command_(streams.command) {}
 
   void progress(const study::StudyProgress& progress) override {
     if (line_.due()) line_.say(report::in_words(progress));
   }
   [[nodiscard]] bool stop() const override { return InterruptionAsWish::came(); }
   void save(const study::Study& study) override {
-    if (!folder_.empty()) written_ = write_all(folder_, study, scene_text_);
+    if (!folder_.empty()) written_ = write_all(folder_, study, scene_text_, command_);
   }
 
   [[nodiscard]] const Written& written() const noexcept { return written_; }
@@ -102,6 +105,7 @@ class Watcher final : public study::StudyObserver {
   Progress line_;
   std::filesystem::path folder_;
   const std::string& scene_text_;
+  std::string command_;
   Written written_;
 };
 

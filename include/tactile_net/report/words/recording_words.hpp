@@ -6,15 +6,9 @@
 #include <vector>
 
 #include "tactile_net/lab/recording.hpp"
+#include "tactile_net/report/words/answers.hpp"
 
 namespace tactile_net::report {
-
-/// One of the boxes that a page begins with.
-struct Answer {
-  std::string value{};  ///< "20.2 ± 0.2"
-  std::string meaning{};
-  bool doubtful = false;
-};
 
 /// How hard, how it was dragged, where, and what not to trust. @pre  there is a frame
 [[nodiscard]] std::vector<Answer> answers(const lab::RecordingOverview& overview);
