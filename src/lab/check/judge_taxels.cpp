@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "lab/check/judgement.hpp"
+#include "lab/check/robust.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+constexpr double noisy_times = 4.0;  // its channel's noise: what no sound taxel of 4096 reaches
+
+/// The taxels of which one reading is so.
+std::vector<std::size_t> taxels_where(const Evidence& evidence,
+                                      const std::function<bool(std::size_t)>& is_so) {
+  std::vector<std::size_t> taxels;
+  for (std::size_t taxel = 0; taxel < evidence.count(); ++taxel)
+    for (std::size_t i = taxel; i < evidence.living.size(); i += evidence.count())
+      if (evidence.living[i] && is_so(i)) {
+        taxels.push_back(taxel);
+        break;
+      }
+  return taxels;
+}
+
+/// How far a reading went, and its channel's others did in the middle.
+double range(const ReadingTrack& track) {
+  return track.present() == 0 ? 0.0 : track.largest() - track.least();
+}
+
+/// A reading that never changes, though those beside it do.
+class Constants {
+ public:
+  explicit Constants(const Evidence& evidence) : evidence_(evidence) {
+    for (std::size_t channel = 0; channel < evidence.channels(); ++channel) {
+      std::vector<double> ranges;
+      for (std::size_t i = channel * evidence.count(); i < (channel + 1) * evidence.count(); ++i)
+        if (evidence.living[i]) ranges.push_back(range(evidence.tracks[i]));
+      most_change_.push_back(median(std::move(ranges)) > 0.0);
+    }
+  }
+
+  [[nodiscard]] bool at(std::size_t i) const {
+    const ReadingTrack& track = evidence_.tracks[i];
+    if (track.present() < 3 || !track.is_constant()) return false;
+    return most_change_[i / evidence_.count()] || (changes(i, -1) && changes(i, +1));
+  }
+
+ private:
+  [[nodiscard]] bool changes(std::size_t i, int side) const {
+    const std::size_t count = evidence_.count();
+    const std::size_t taxel = i % count;
+    if ((side < 0 && taxel == 0) || (side > 0 && taxel + 1 == count)) return true;
+    const std::size_t beside = side < 0 ? i - 1 : i + 1;
+    return !evidence_.living[beside] || !evidence_.tracks[beside].is_constant();
+  }
+
+  const Evidence& evidence_;
+  std::vector<bool> most_change_;  // per channel
+};
+
+/// How often both neighbours feel a load clearly, and how often the reading between them does not.
+bool feels_nothing(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
+  const std::size_t count = evidence.count();
+  const std::size_t taxel = i % count;
+  if (taxel == 0 || taxel + 1 == count || !evidence.living[i - 1] || !evidence.living[i + 1])
+    return false;
+  // Between taxels far apart a load's readings may have a valley.
+  const std::vector<double>& depths = evidence.scene.sensor.depths;
+  if (evidence.scene.sensor.pitch > *std::min_element(depths.begin(), depths.end())) return false;
+  const double sigma = noise.of_channel[i / count];
+  const auto rest = [&](std::size_t k) {
+    std::vector<double> values;
+    for (const FrameTriple& triple : evidence.triples)
+      if (std::isfinite(triple.middle()[k])) values.push_back(triple.middle()[k]);
+    return median(std::move(values));
+  };
+  const double rests[] = {rest(i - 1), rest(i), rest(i + 1)};
+  std::size_t felt = 0;
+  std::size_t silent = 0;
+  for (const FrameTriple& triple : evidence.triples) {
+    const double left = triple.middle()[i - 1] - rests[0];
+    const double right = triple.middle()[i + 1] - rests[2];
+    if (!(left * right > 0.0) || !(std::min(std::abs(left), std::abs(right)) > 20.0 * sigma))
+      continue;
+    ++felt;
+    if (std::abs(triple.middle()[i] - rests[1]) < 5.0 * sigma) ++silent;
+  }
+  return felt >= 3 && 5 * silent >= 4 * felt;
+}
+
+/// Runs of equal values that chance does not make.
+bool sticks(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
+  const std::size_t channel = i / evidence.count();
+  if (noise.of_channel[channel] == 0.0) return false;
+  std::vector<double> shares;
+  for (std::size_t k = channel * evidence.count(); k < (channel + 1) * evidence.count(); ++k)
+    if (evidence.living[k]) shares.push_back(evidence.tracks[k].repeating());
+  const double usual = std::max(median(std::move(shares)), 1e-3);
+  if (usual > 0.5) return false;  // quantised so coarsely that all of them stick
+  const double chances =
+      static_cast<double>(evidence.frames) * static_cast<double>(evidence.tracks.size());
+  const double longest = 10.0 + 1.5 * std::log(chances) / -std::log(usual);
+  return static_cast<double>(evidence.tracks[i].longest_run()) > longest;
+}
+
+/// Where the values of a reading pile up, far from where they lie when nothing happens.
+const RangeEnd* saturated_end(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
+  const ReadingTrack& track = evidence.tracks[i];
+  const double sigma = noise.of_channel[i / evidence.count()];
+  if (sigma == 0.0 || range(track) < 10.0 * sigma) return nullptr;
+  for (const RangeEnd* end : {&track.high(), &track.low()})
+    if (end->piles_up()) return end;
+  return nullptr;
+}
+
+}  // namespace
+
+void Evidence::bury(std::span<const std::size_t> taxels) {
+  for (const std::size_t taxel : taxels)
+    for (std::size_t i = taxel; i < living.size(); i += count()) living[i] = false;
+}
+
+StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
+  const Constants constants(evidence);
+  const auto is_zero = [&](std::size_t i) {
+    return constants.at(i) && evidence.tracks[i].largest() == 0.0;
+  };
+  std::vector<std::size_t> dead = taxels_where(evidence, is_zero);
+  const std::vector<std::size_t> constant =
+      taxels_where(evidence, [&](std::size_t i) { return constants.at(i) && !is_zero(i); });
+  evidence.bury(dead);
+  evidence.bury(constant);
+
+  StillNoise noise = still_noise(evidence.triples, evidence.living, evidence.channels());
+  std::vector<std::size_t> stuck = constant;
+  if (noise.known()) {
+    const auto silent =
+        taxels_where(evidence, [&](std::size_t i) { return feels_nothing(evidence, noise, i); });
+    evidence.bury(silent);
+    dead.insert(dead.end(), silent.begin(), silent.end());
+
+    finding::SaturatedTaxels saturated;
+    saturated.taxels = taxels_where(evidence, [&](std::size_t i) {
+      const RangeEnd* end = saturated_end(evidence, noise, i);
+      if (end != nullptr && end->count() > saturated.frames) {
+        saturated.limit = end == &evidence.tracks[i].high() ? end->outermost() : -end->outermost();
+        saturated.frames = end->count();
+      }
+      return end != nullptr;
+    });
+    if (!saturated.taxels.empty()) findings.emplace_back(saturated);
+
+    const auto sticking = taxels_where(evidence, [&](std::size_t i) {
+      return saturated_end(evidence, noise, i) == nullptr && sticks(evidence, noise, i);
+    });
+    evidence.bury(sticking);
+    stuck.insert(stuck.end(), sticking.begin(), sticking.end());
+
+    finding::NoisyTaxels noisy;
+    noisy.taxels = taxels_where(evidence, [&](std::size_t i) {
+      const double usual = noise.of_channel[i / evidence.count()];
+      const double times = usual > 0.0 ? noise.of_reading[i] / usual : 0.0;
+      if (times > std::max(noisy.times, noisy_times)) {
+        noisy.times = times;
+        noisy.worst = i % evidence.count();
+      }
+      return times > noisy_times;
+    });
+    evidence.bury(noisy.taxels);
+    if (!noisy.taxels.empty()) {
+      findings.emplace_back(noisy);
+      noise = still_noise(evidence.triples, evidence.living, evidence.channels());
+    }
+  }
+  std::sort(dead.begin(), dead.end());
+  std::sort(stuck.begin(), stuck.end());
+  if (!dead.empty()) findings.emplace_back(finding::DeadTaxels{dead});
+  if (!stuck.empty()) {
+    finding::StuckTaxels found{.taxels = stuck};
+    for (const std::size_t taxel : stuck)
+      for (std::size_t i = taxel; i < evidence.tracks.size(); i += evidence.count())
+        if (const ReadingTrack& track = evidence.tracks[i]; track.longest_run() > found.frames) {
+          found.worst = taxel;
+          found.first = track.run_begins();
+          found.frames = track.longest_run();
+        }
+    findings.emplace_back(std::move(found));
+  }
+  return noise;
+}
+
+}  // namespace tactile_net::lab

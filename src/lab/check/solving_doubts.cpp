@@ -1,0 +1,41 @@
+#include <utility>
+
+#include "lab/check/judgement.hpp"
+#include "lab/check/robust.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+/// The first frames, then ever rarer ones.
+bool is_taken(std::size_t frame) { return frame < 16 || (frame & (frame - 1)) == 0; }
+
+}  // namespace
+
+SolvingDoubts::SolvingDoubts(SceneProblem problem) : problem_(std::move(problem)) {}
+
+void SolvingDoubts::add(const SceneProblem& problem, std::span<const double> readings,
+                        std::span<const double> tractions, double alpha) {
+  const Pull pull = pull_of(tractions, problem.scene().sensor.count);
+  if (pull.load > 5.0 * largest_load_) loaded_ = pulled_ = 0;  // those before were hardly loaded
+  largest_load_ = std::max(largest_load_, pull.load);
+  if (pull.load > 0.2 * largest_load_) {
+    ++loaded_;
+    if (pull.pulled) ++pulled_;
+  }
+  if (const auto stated = problem_.stated_noise(); stated && is_taken(frames_))
+    if (const double residual = residual_rms(problem, readings, tractions, alpha); residual > 0.0)
+      residuals_.push_back(residual / *stated);
+  ++frames_;
+}
+
+Findings SolvingDoubts::findings() const {
+  Findings findings = scene_findings(problem_.scene());
+  if (loaded_ > 0 && pulled_ == loaded_)
+    findings.emplace_back(finding::WholePadPulled{pulled_, loaded_});
+  if (!residuals_.empty())
+    if (const double times = median(residuals_); is_thousandfold(times))
+      findings.emplace_back(finding::ScaleBy1000{times});
+  return findings;
+}
+
+}  // namespace tactile_net::lab
