@@ -41,6 +41,28 @@ Eigen::VectorXd channel_weights(const InverseProblem& problem) {
   return weights;
 }
 
+/// Whether all readings of each channel have one gain.
+bool is_constant_in_channels(const std::vector<double>& gain, std::size_t count) {
+  for (std::size_t i = 0; i < gain.size(); ++i)
+    if (gain[i] != gain[i - i % count]) return false;
+  return true;
+}
+
+/// In raw numbers r = g / gain + ... the rows of K are K / gain and their weights W gain: W K, and
+/// so the tractions, stay as they are.
+void take_raw(ProductTask& task, const Calibration& calibration, std::size_t count) {
+  task.column_factors.array() *= as_eigen(std::span(calibration.gain)).array();
+  task.symmetric = task.symmetric && is_constant_in_channels(calibration.gain, count);
+}
+
+/// gain (raw - baseline) + offset = gain (raw - result).
+std::vector<double> raw_baseline(const Calibration& calibration) {
+  std::vector<double> result = calibration.baseline;
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] -= calibration.offset[i] / calibration.gain[i];
+  return result;
+}
+
 /// M W^-1: from weighted readings to tractions.
 ProductTask reconstruction_task(const InverseProblem& problem, const Reconstruction& inverse,
                                 const PlannerOptions& options) {
@@ -80,7 +102,7 @@ ProductTask prediction_task(const ProductTask& reconstruction) {
 std::string why_no_fft(const ProductTask& task, const PlannedProduct& planned) {
   if (!task.allow_fft)
     return "it needs an FFT in the controller (tactile_net::spectral): allow_fft";
-  if (!planned.symmetric) return "the array is not mirror symmetric (dead taxels?)";
+  if (!planned.symmetric) return "the array is not mirror symmetric (dead taxels, gains?)";
   if (task.structure.value_or(Structure::fft) != Structure::fft ||
       task.precision == Precision::float32)
     return "another structure or precision is asked for";
@@ -93,8 +115,10 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
                                 const PlannerOptions& options) {
   if (!(options.accuracy > 0.0) || !std::isfinite(options.accuracy))
     throw std::invalid_argument("accuracy must be > 0 and finite");
+  if (options.calibration) check(*options.calibration, problem.weights.size());
 
-  const ProductTask task = reconstruction_task(problem, tikhonov(problem, alpha), options);
+  ProductTask task = reconstruction_task(problem, tikhonov(problem, alpha), options);
+  if (options.calibration) take_raw(task, *options.calibration, problem.count);
   PlannedProduct reconstruction = plan_product(task);
   PlannedEstimator planned{.candidates = std::move(reconstruction.candidates),
                            .asymmetry = reconstruction.asymmetry,
@@ -111,6 +135,11 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
   for (const Candidate& candidate : planned.candidates)
     if (candidate.chosen) plan.error_bound = candidate.error_bound;
   plan.weights = problem.weights;
+  if (options.calibration) {
+    for (std::size_t i = 0; i < plan.weights.size(); ++i)
+      plan.weights[i] *= std::abs(options.calibration->gain[i]);
+    plan.baseline = raw_baseline(*options.calibration);
+  }
   plan.noise_rms = options.noise_rms;
   plan.friction_coefficient = options.friction_coefficient;
   plan.ranges = options.ranges;

@@ -121,7 +121,7 @@ class Planner {
 
   PlannedProduct plan() {
     if (task_.structure && has_parity(*task_.structure) && classes_.empty())
-      throw std::invalid_argument("the array is not mirror symmetric (dead taxels?): " +
+      throw std::invalid_argument("the array is not mirror symmetric (dead taxels, gains?): " +
                                   std::string(name(*task_.structure)) + " cannot be used");
     if (task_.structure == Structure::fft && task_.precision == Precision::float32)
       throw std::invalid_argument("fft has precision float64 only");

@@ -5,6 +5,7 @@
 #include <istream>
 #include <utility>
 
+#include "frames/calibrated_frames.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/npy.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
@@ -55,6 +56,15 @@ ReadingsFile::ReadingsFile(const std::string& path, const Scene& scene,
     source_ = std::make_unique<NpyFrames>(in, name_, std::move(wanted));
   else
     source_ = std::make_unique<CsvFrames>(in, name_, std::move(wanted));
+  if (!scene.calibration) return;
+  auto calibrated = std::make_unique<CalibratedFrames>(std::move(source_), name_,
+                                                       *scene.calibration, unread_columns(scene));
+  calibrated_ = calibrated.get();
+  source_ = std::move(calibrated);
+}
+
+const Calibration* ReadingsFile::calibration() const noexcept {
+  return calibrated_ != nullptr ? &calibrated_->calibration() : nullptr;
 }
 
 std::optional<double> ReadingsFile::share_read() const noexcept {

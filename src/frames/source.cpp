@@ -2,13 +2,7 @@
 
 namespace tactile_net::frames {
 
-std::vector<std::string> reading_columns(const SensorArray& array) {
-  std::vector<std::string> columns;
-  for (const Channel& channel : channels(array))
-    for (std::size_t taxel = 0; taxel < array.count; ++taxel)
-      columns.push_back(channel.name + "_" + std::to_string(taxel));
-  return columns;
-}
+std::vector<std::string> reading_columns(const SensorArray& array) { return reading_names(array); }
 
 std::vector<std::string> traction_columns(std::size_t count, bool with_tangential) {
   std::vector<std::string> columns;

@@ -1,6 +1,8 @@
 #include "tactile_net/lab/planned_controller.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "tactile_net/lab/simulated_frame.hpp"
@@ -26,6 +28,35 @@ std::optional<PlanAlpha> median_alpha(const SceneProblem& problem, const NextFra
                    .frames = alphas.size()};
 }
 
+/// The converter's range in what the controller reads. Where readings of a channel differ in their
+/// gain or baseline, that which none of them leaves without being at its own end, less rounding;
+/// none where they have nothing in common.
+std::vector<ReadingRange> ranges_of(const Scene& scene,
+                                    const std::optional<Calibration>& calibration) {
+  const auto& [bits, low, high] = *scene.quantization;
+  std::vector<ReadingRange> ranges(channel_count(scene.sensor), {low, high});
+  if (!calibration) return ranges;
+  const std::size_t readings = reading_count(scene.sensor);
+  std::vector<double> lowest(readings, low);
+  std::vector<double> highest(readings, high);
+  uncalibrate(*calibration, lowest);
+  uncalibrate(*calibration, highest);
+  for (std::size_t c = 0; c < ranges.size(); ++c) {
+    ReadingRange& range = ranges[c];
+    range = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    for (std::size_t i = c * scene.sensor.count; i < (c + 1) * scene.sensor.count; ++i) {
+      const auto [first, second] = std::minmax(lowest[i], highest[i]);
+      const double rounding =
+          4.0 * std::numeric_limits<double>::epsilon() *
+          (std::abs(first) + std::abs(second) + std::abs(calibration->baseline[i]));
+      range = {std::max(range.lowest, first + rounding),
+               std::min(range.highest, second - rounding)};
+    }
+    if (!(range.lowest < range.highest)) return {};
+  }
+  return ranges;
+}
+
 }  // namespace
 
 std::optional<PlanAlpha> plan_alpha(const SceneProblem& problem, const NextFrame& next,
@@ -45,11 +76,12 @@ PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& 
   options.noise_rms = problem.stated_noise().value_or(0.0);
   if (!options.friction_coefficient)
     options.friction_coefficient = scene.reconstruct.friction_limit;
-  if (scene.quantization)
-    options.ranges.assign(channels(scene.sensor).size(),
-                          {scene.quantization->low, scene.quantization->high});
+  if (!options.calibration) options.calibration = scene.calibration;
+  if (scene.quantization) options.ranges = ranges_of(scene, options.calibration);
   options.label = scene.title.empty() ? scene.file : scene.title;
-  return {.alpha = alpha, .estimator = plan_estimator(problem.problem(), alpha.value, options)};
+  return {.alpha = alpha,
+          .estimator = plan_estimator(problem.problem(), alpha.value, options),
+          .needs_baseline = options.calibration && options.calibration->baseline_frames};
 }
 
 }  // namespace tactile_net::lab

@@ -54,6 +54,7 @@ ContactEstimator::ContactEstimator(const EstimatorPlan& plan, const ConvolutionM
   scratch_ = std::make_unique<Scratch>(*ready_);
   scratch_->convolution = made(make, plan.reconstruction);
   if (plan.prediction) scratch_->prediction_convolution = made(make, *plan.prediction);
+  std::copy(plan.baseline.begin(), plan.baseline.end(), scratch_->baseline.data());
 }
 
 ContactEstimator::ContactEstimator(const ContactEstimator& other)

@@ -57,6 +57,10 @@ void check(const EstimatorPlan& plan) {
     require(
         std::isfinite(range.lowest) && std::isfinite(range.highest) && range.lowest < range.highest,
         "a range needs lowest < highest");
+  require(plan.baseline.empty() || (plan.baseline.size() == plan.readings() &&
+                                    std::all_of(plan.baseline.begin(), plan.baseline.end(),
+                                                [](double value) { return std::isfinite(value); })),
+          "a baseline needs one finite value per reading");
 }
 
 }  // namespace tactile_net

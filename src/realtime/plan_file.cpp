@@ -162,7 +162,10 @@ class Reader {
   std::span<const std::byte> rest_;
 };
 
-EstimatorPlan read_payload(std::span<const std::byte> payload) {
+/// The version of plans that have a baseline, after everything else.
+constexpr std::uint32_t with_baseline = plan_version + 1;
+
+EstimatorPlan read_payload(std::span<const std::byte> payload, std::uint32_t version) {
   Reader in(payload);
   EstimatorPlan plan;
   plan.label = in.text();
@@ -184,6 +187,10 @@ EstimatorPlan read_payload(std::span<const std::byte> payload) {
   for (ReadingRange& range : plan.ranges) {
     range.lowest = in.number();
     range.highest = in.number();
+  }
+  if (version == with_baseline) {
+    plan.baseline = in.numbers();
+    if (plan.baseline.empty()) throw std::runtime_error("the plan's baseline is empty");
   }
   if (!in.at_end()) throw std::runtime_error("the plan goes on after its end");
   check(plan);
@@ -219,9 +226,11 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
     payload.number(range.highest);
   }
 
+  if (!plan.baseline.empty()) payload.numbers(plan.baseline);
+
   Writer file;
   file.text(magic);
-  file.integer(plan_version);
+  file.integer(plan.baseline.empty() ? plan_version : with_baseline);
   file.size(payload.bytes().size());
   std::vector<std::byte>& bytes = file.bytes();
   bytes.insert(bytes.end(), payload.bytes().begin(), payload.bytes().end());
@@ -237,10 +246,10 @@ EstimatorPlan decode_plan(std::span<const std::byte> bytes) {
     throw std::runtime_error("the plan is truncated: " + std::to_string(bytes.size()) + " bytes");
   Reader header(bytes.subspan(magic.size()));
   const auto version = header.integer<std::uint32_t>();
-  if (version != plan_version)
+  if (version != plan_version && version != with_baseline)
     throw std::runtime_error("the plan has version " + std::to_string(version) +
-                             ", this library reads version " + std::to_string(plan_version) +
-                             ": make it anew");
+                             ", this library reads versions " + std::to_string(plan_version) +
+                             " and " + std::to_string(with_baseline) + ": make it anew");
   const auto length = header.integer<std::uint64_t>();
   const std::size_t held = bytes.size() - header_size - checksum_size;
   if (length != held)
@@ -251,7 +260,7 @@ EstimatorPlan decode_plan(std::span<const std::byte> bytes) {
   if (Reader(bytes.last(checksum_size)).integer<std::uint64_t>() != checksum(content))
     throw std::runtime_error("the plan is corrupted: its checksum does not match");
   try {
-    return read_payload(content.subspan(header_size));
+    return read_payload(content.subspan(header_size), version);
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(error.what());
   }

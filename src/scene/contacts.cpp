@@ -69,8 +69,9 @@ std::vector<KnotValues> read_knots(const Value& trajectory) {
   return knots;
 }
 
-double number_or(const std::optional<Value>& value, const Rule& rule, double otherwise) {
-  return value ? value->number(rule).value_or(otherwise) : otherwise;
+double number_or(const std::optional<Value>& value, const Rule& rule, double otherwise,
+                 const Unit& unit = {}) {
+  return value ? value->number(rule, unit).value_or(otherwise) : otherwise;
 }
 
 /// What is wrong counts as harmless: a half width of 0.
@@ -88,14 +89,16 @@ void check_place(const RigidContact& contact, const SensorArray& array,
   }
 }
 
-RigidContact read_rigid(Table& table, Shape shape, const SensorArray& array, bool timed,
+RigidContact read_rigid(Table& table, Shape shape, const SensorArray& array, const Read& read,
                         ContactTrajectory& trajectory) {
+  const Unit& length = read.units.length;
+  const Unit& load = read.units.force;
   RigidContact contact;
   contact.shape = shape;
   std::vector<KnotValues> knots;
   for (const std::string_view key : rigid_keys) (void)table.value(key);  // their order in hints
   if (const auto value = table.value("trajectory")) {
-    if (!timed)
+    if (!read.timed)
       value->problem("moves the contact over time, and this scene has none",
                      "add [time], duration = 1.0, rate = 100.0");
     knots = read_knots(*value);
@@ -118,14 +121,14 @@ RigidContact read_rigid(Table& table, Shape shape, const SensorArray& array, boo
   const auto friction = own("friction", &KnotValues::friction, "");
 
   // What is wrong counts as harmless below: a centre of 0, a half width of 0.
-  contact.center = number_or(center, any_number, 0.0);
-  contact.half_width = number_or(half_width, positive, 0.0);
-  contact.force = number_or(force, not_negative, contact.force);
+  contact.center = number_or(center, any_number, 0.0, length);
+  contact.half_width = number_or(half_width, positive, 0.0, length);
+  contact.force = number_or(force, not_negative, contact.force, load);
   contact.friction = number_or(friction, any_number, contact.friction);
 
   if (shape == Shape::punch) {
     if (const auto edge = table.value("edge"))
-      contact.edge = edge->number(not_negative).value_or(contact.edge);
+      contact.edge = edge->number(not_negative, length).value_or(contact.edge);
   } else {
     table.not_here("edge", "applies to the shape \"punch\" only", "remove it");
   }
@@ -136,9 +139,9 @@ RigidContact read_rigid(Table& table, Shape shape, const SensorArray& array, boo
   if (knots.empty()) check_place(contact, array, center, half_width);
   for (const KnotValues& knot : knots) {
     RigidContact then = contact;
-    then.center = number_or(knot.center, any_number, contact.center);
-    then.half_width = number_or(knot.half_width, positive, contact.half_width);
-    then.force = number_or(knot.force, not_negative, contact.force);
+    then.center = number_or(knot.center, any_number, contact.center, length);
+    then.half_width = number_or(knot.half_width, positive, contact.half_width, length);
+    then.force = number_or(knot.force, not_negative, contact.force, load);
     then.friction = number_or(knot.friction, any_number, contact.friction);
     check_place(then, array, knot.center ? knot.center : center,
                 knot.half_width ? knot.half_width : half_width);
@@ -154,7 +157,7 @@ void check_size(const std::optional<Value>& value, const std::vector<double>& nu
                  std::to_string(numbers.size()) + ')');
 }
 
-SampledTractions read_tractions(Table& table, const SensorArray& array) {
+SampledTractions read_tractions(Table& table, const SensorArray& array, const Unit& stress) {
   SampledTractions contact;
   contact.pitch = array.pitch;
   if (array.count > 0) contact.first = position(array, 0);
@@ -162,13 +165,13 @@ SampledTractions read_tractions(Table& table, const SensorArray& array) {
       "normal", "the normal traction at every taxel, from the lowest y: normal = [0.0, 0.5, 0.0]");
   const auto tangential = table.value("tangential");
   if (normal) {
-    if (auto numbers = normal->numbers(any_number)) {
+    if (auto numbers = normal->numbers(any_number, stress)) {
       check_size(normal, *numbers, array);
       contact.normal = std::move(*numbers);
     }
   }
   if (tangential) {
-    if (auto numbers = tangential->numbers(any_number)) {
+    if (auto numbers = tangential->numbers(any_number, stress)) {
       check_size(tangential, *numbers, array);
       contact.tangential = std::move(*numbers);
     }
@@ -189,7 +192,7 @@ void pass_over(Table& table) {
 
 }  // namespace
 
-void read_contacts(std::vector<Table> tables, bool timed, Scene& scene) {
+void read_contacts(std::vector<Table> tables, const Read& read, Scene& scene) {
   for (Table& table : tables) {
     const auto shape = table.required(
         "shape", "how the load is spread: \"cylinder\", \"punch\", \"wedge\" or \"tractions\"");
@@ -198,10 +201,10 @@ void read_contacts(std::vector<Table> tables, bool timed, Scene& scene) {
     if (!index)
       pass_over(table);
     else if (*index == tractions)
-      scene.contacts.emplace_back(read_tractions(table, scene.sensor));
+      scene.contacts.emplace_back(read_tractions(table, scene.sensor, read.units.stress));
     else
       scene.contacts.emplace_back(
-          read_rigid(table, static_cast<Shape>(*index), scene.sensor, timed, trajectory));
+          read_rigid(table, static_cast<Shape>(*index), scene.sensor, read, trajectory));
     table.finish();
     scene.trajectories.resize(scene.contacts.size());
     if (!trajectory.empty()) scene.trajectories.back() = std::move(trajectory);

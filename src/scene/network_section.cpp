@@ -61,7 +61,7 @@ void read_parasitic(Table table, RealizationOptions& parts) {
 
 }  // namespace
 
-NetworkOptions read_network(Table table) {
+NetworkOptions read_network(Table table, const Units& units, const Scene& scene) {
   constexpr std::array curves = {Curve::cubic, Curve::tunnel_diode};
   constexpr std::array<std::string_view, 2> curve_names = {"cubic", "tunnel_diode"};
   NetworkOptions options;
@@ -69,11 +69,13 @@ NetworkOptions read_network(Table table) {
   if (const auto realization = table.value("realization"))
     if (const auto index = realization->one_of("realization", names_of(realizations)))
       options.realization = realizations[*index];
-  const auto number = [&](std::string_view key, double& target) {
-    if (const auto value = table.value(key)) target = value->number(positive).value_or(target);
+  const auto number = [&](std::string_view key, double& target, const Unit& unit = {}) {
+    if (const auto value = table.value(key))
+      target = value->number(positive, unit).value_or(target);
   };
-  number("siemens", parts.scale.siemens);
-  number("volts", parts.scale.volts);
+  // Per unit of P and of a traction.
+  number("siemens", parts.scale.siemens, inverse(alpha_unit(units, scene)));
+  number("volts", parts.scale.volts, inverse(units.stress));
   number("residual_gain", parts.residual_gain);
   number("divider", parts.divider);
   number("frequency", parts.frequency);

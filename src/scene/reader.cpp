@@ -1,7 +1,5 @@
 #include "tactile_net/scene/reader.hpp"
 
-#include <utility>
-
 #include "scene/document.hpp"
 #include "scene/sections.hpp"
 #include "scene/source_text.hpp"
@@ -11,15 +9,16 @@ namespace tactile_net {
 
 namespace {
 
-Scene parse_named(std::string_view text, const std::string& file, std::string name) {
+Scene parse_named(std::string_view text, const std::string& file) {
+  const std::filesystem::path path{file};
   text = without_byte_order_mark(text);
   Problems problems{file, text};
   const toml::table toml = parse_document(text, file, problems);
 
   Scene scene;
-  scene.file = std::move(name);
+  scene.file = path.filename().string();
   Table root{toml, "", problems};
-  read_sections(root, scene);
+  read_sections(root, path.parent_path(), scene);
   problems.throw_if_any();
   return scene;
 }
@@ -27,11 +26,11 @@ Scene parse_named(std::string_view text, const std::string& file, std::string na
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& path) {
-  return parse_named(source_text(path), path.string(), path.filename().string());
+  return parse_named(source_text(path), path.string());
 }
 
 Scene parse_scene(std::string_view toml, const std::string& file) {
-  return parse_named(toml, file, std::filesystem::path{file}.filename().string());
+  return parse_named(toml, file);
 }
 
 }  // namespace tactile_net

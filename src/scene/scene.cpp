@@ -65,6 +65,12 @@ std::size_t unknowns(const Scene& scene) {
   return scene.contacts.empty() || any_friction(scene) ? 2 : 1;
 }
 
+std::vector<double> raw_numbers(const Scene& scene, std::span<const double> readings) {
+  std::vector<double> raw(readings.begin(), readings.end());
+  if (scene.calibration) uncalibrate(*scene.calibration, raw);
+  return raw;
+}
+
 std::vector<Contact> contacts_at(const Scene& scene, double t) {
   std::vector<Contact> contacts = scene.contacts;
   for (std::size_t i = 0; i < scene.trajectories.size(); ++i)

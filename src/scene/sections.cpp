@@ -48,10 +48,10 @@ void read_depths(const std::optional<Value>& one, const std::optional<Value>& se
     return;
   }
   if (one) {
-    if (const auto depth = one->number(positive)) array.depths = {*depth};
+    if (const auto depth = one->number(positive, read.units.length)) array.depths = {*depth};
   } else if (several) {
     const auto items = several->list("numbers");
-    const auto depths = several->numbers(positive);
+    const auto depths = several->numbers(positive, read.units.length);
     if (!items || !depths) return;
     if (depths->size() > most_depths) {
       several->problem("must hold at most 64 depths (got " + std::to_string(depths->size()) + ')');
@@ -69,8 +69,7 @@ void read_depths(const std::optional<Value>& one, const std::optional<Value>& se
   read.depths_complete = !array.depths.empty();
 }
 
-Read read_sensor(Table table, SensorArray& array) {
-  Read read;
+void read_sensor(Table table, SensorArray& array, Read& read) {
   if (const auto count =
           table.required("count", "the number of taxels along the surface: count = 81")) {
     const auto taxels = count->integer(
@@ -78,24 +77,23 @@ Read read_sensor(Table table, SensorArray& array) {
     array.count = static_cast<std::size_t>(taxels.value_or(0));
   }
   if (const auto pitch = table.required("pitch", "the distance from taxel to taxel: pitch = 0.25"))
-    array.pitch = pitch->number(positive).value_or(0.0);
+    array.pitch = pitch->number(positive, read.units.length).value_or(0.0);
   const auto depth =
       table.required("depth", "how far below the surface the taxels are: depth = 1.5", {"depths"});
   read_depths(depth, table.value("depths"), array, read);
   read.reads = table.required("reads", "what each taxel reads: reads = [\"strain_x\"]");
   if (read.reads) read_quantities(*read.reads, array, read);
   table.finish();
-  return read;
 }
 
 // --- [material] ---------------------------------------------------------------------------------
 
-Layer read_layer(Table table, const SensorArray& array) {
+Layer read_layer(Table table, const SensorArray& array, const Unit& length) {
   constexpr std::array bases = {Base::bonded, Base::frictionless};
   Layer layer;
   if (const auto thickness =
           table.required("thickness", "from the surface to the rigid base: thickness = 3.0")) {
-    if (const auto h = thickness->number(positive)) {
+    if (const auto h = thickness->number(positive, length)) {
       layer.thickness = *h;
       if (std::any_of(array.depths.begin(), array.depths.end(),
                       [=](double depth) { return depth > *h; }))
@@ -110,15 +108,17 @@ Layer read_layer(Table table, const SensorArray& array) {
   return layer;
 }
 
-Material read_material(Table table, const SensorArray& array) {
+Material read_material(Table table, const SensorArray& array, const Units& units) {
   Material material;
   if (const auto modulus = table.required(
           "youngs_modulus", "the pad's stiffness, in the unit of stress: youngs_modulus = 1.0"))
-    material.youngs_modulus = modulus->number(positive).value_or(material.youngs_modulus);
+    material.youngs_modulus =
+        modulus->number(positive, units.modulus).value_or(material.youngs_modulus);
   if (const auto ratio = table.required(
           "poisson_ratio", "from 0 to 0.5, which is incompressible: poisson_ratio = 0.45"))
     material.poisson_ratio = ratio->number(poisson_range).value_or(material.poisson_ratio);
-  if (const auto layer = table_of(table.value("layer"))) material.layer = read_layer(*layer, array);
+  if (const auto layer = table_of(table.value("layer")))
+    material.layer = read_layer(*layer, array, units.length);
   table.finish();
   return material;
 }
@@ -189,9 +189,10 @@ std::vector<NamedMethod> read_methods(const Value& value) {
   return result;
 }
 
-void read_alpha(const Value& alpha, const Scene& scene, ReconstructOptions& options) {
+void read_alpha(const Value& alpha, const Scene& scene, const Units& units,
+                ReconstructOptions& options) {
   if (!alpha.is_text()) {
-    options.alpha = alpha.number(positive);
+    options.alpha = alpha.number(positive, alpha_unit(units, scene));
     return;
   }
   const auto index = alpha.one_of("rule", names_of(alpha_rules));
@@ -266,9 +267,9 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
     options.methods.clear();
     for (const NamedMethod& named : methods) options.methods.push_back(named.method);
   }
-  if (const auto alpha = table.value("alpha")) read_alpha(*alpha, scene, options);
+  if (const auto alpha = table.value("alpha")) read_alpha(*alpha, scene, read.units, options);
   if (const auto length = table.value("smoothing_length"))
-    options.smoothing_length = length->number(not_negative).value_or(0.0);
+    options.smoothing_length = length->number(not_negative, read.units.length).value_or(0.0);
   else if (!scene.sensor.depths.empty())
     options.smoothing_length = scene.sensor.depths.front();
   if (const auto limit = table.value("noise_gain_limit"))
@@ -281,7 +282,7 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
 
 }  // namespace
 
-void read_sections(Table& root, Scene& scene) {
+void read_sections(Table& root, const std::filesystem::path& folder, Scene& scene) {
   if (const auto title = root.value("title")) {
     scene.title = title->text().value_or("");
     if (scene.title.find_first_of("\r\n") != std::string::npos)
@@ -289,25 +290,31 @@ void read_sections(Table& root, Scene& scene) {
   }
 
   Read read;
+  if (const auto table = table_of(root.value("units"))) {
+    scene.units = read_units(*table);
+    read.units = *scene.units;
+  }
   if (const auto table = table_of(root.required(
           "sensor", "it says where the taxels are and what they read: count, pitch, depth, reads")))
-    read = read_sensor(*table, scene.sensor);
+    read_sensor(*table, scene.sensor, read);
   if (const auto table = table_of(root.required(
           "material", "it says what the pad is made of: youngs_modulus, poisson_ratio")))
-    scene.material = read_material(*table, scene.sensor);
+    scene.material = read_material(*table, scene.sensor, read.units);
   const auto time = root.value("time");
   read.timed = time.has_value();
   if (const auto table = table_of(time)) scene.time = read_time(*table);
   if (const auto contacts = root.value("contact"))
-    if (auto tables = contacts->tables()) read_contacts(std::move(*tables), read.timed, scene);
+    if (auto tables = contacts->tables()) read_contacts(std::move(*tables), read, scene);
   read_sensor_effects(root, read, scene);
+  read_calibration(table_of(root.value("calibration")), folder, read, scene);
   if (const auto table = table_of(root.value("forward"))) scene.forward = read_forward(*table);
 
   if (!scene.sensor.depths.empty())
     scene.reconstruct.smoothing_length = scene.sensor.depths.front();
   if (const auto table = table_of(root.value("reconstruct")))
     scene.reconstruct = read_reconstruct(*table, scene, read);
-  if (const auto table = table_of(root.value("network"))) scene.network = read_network(*table);
+  if (const auto table = table_of(root.value("network")))
+    scene.network = read_network(*table, read.units, scene);
   root.finish();
   scene = at_frame(std::move(scene), scene.time ? scene.time->frames - 1 : 0);
 }

@@ -27,7 +27,8 @@ class Reader {
 
   // --- shared ---
 
-  /// A table that names every quantity that is read and no other; `one` reads each value.
+  /// A table that names every quantity that is read and no other; `one` reads each value, given the
+  /// unit of that quantity's readings.
   template <typename T>
   PerQuantity<T> of_each(Table table, auto one) const {
     PerQuantity<T> result;
@@ -42,7 +43,7 @@ class Reader {
       if (!value) continue;
       if (!is_read && read_.reads_complete)
         value->problem("is of a quantity that sensor.reads does not name", "remove it");
-      else if (auto got = one(*value))
+      else if (auto got = one(*value, reading_unit(read_.units, quantity)))
         result[quantity] = std::move(*got);
     }
     table.finish();
@@ -54,13 +55,16 @@ class Reader {
   PerQuantity<T> per_quantity(const Value& value, auto one) const {
     if (value.is_table()) return of_each<T>(*value.table(), one);
     PerQuantity<T> result;
-    if (const auto got = one(value))
-      for (const Quantity quantity : array_.reads) result[quantity] = *got;
+    for (const Quantity quantity : array_.reads)
+      if (auto got = one(value, reading_unit(read_.units, quantity)))
+        result[quantity] = std::move(*got);
+    if (array_.reads.empty()) (void)one(value, Unit{});  // what is wrong with it is said anyway
     return result;
   }
 
   PerQuantity<double> numbers_per_quantity(const Value& value, const Rule& rule) const {
-    return per_quantity<double>(value, [&](const Value& one) { return one.number(rule); });
+    return per_quantity<double>(
+        value, [&](const Value& one, const Unit& unit) { return one.number(rule, unit); });
   }
 
   static std::uint64_t seed(Table& table) {
@@ -92,9 +96,9 @@ class Reader {
 
   /// A list of one value per taxel, or per index where there are some; `indices` are complete.
   std::optional<std::vector<double>> taxel_values(
-      const Value& value, const Rule& rule,
-      const std::optional<std::vector<std::size_t>>& indices) const {
-    auto numbers = value.numbers(rule);
+      const Value& value, const Rule& rule, const std::optional<std::vector<std::size_t>>& indices,
+      const Unit& unit = {}) const {
+    auto numbers = value.numbers(rule, unit);
     if (!numbers) return std::nullopt;
     const std::size_t expected = indices ? indices->size() : array_.count;
     if (expected > 0 && numbers->size() != expected) {
@@ -106,10 +110,10 @@ class Reader {
   }
 
   /// As `taxel_values`, spread over all taxels: 0 where no index is.
-  std::optional<std::vector<double>> spread(
-      const Value& value, const Rule& rule,
-      const std::optional<std::vector<std::size_t>>& indices) const {
-    auto numbers = taxel_values(value, rule, indices);
+  std::optional<std::vector<double>> spread(const Value& value, const Rule& rule,
+                                            const std::optional<std::vector<std::size_t>>& indices,
+                                            const Unit& unit = {}) const {
+    auto numbers = taxel_values(value, rule, indices, unit);
     if (!numbers || !indices) return numbers;
     std::vector<double> all(array_.count);
     for (std::size_t i = 0; i < indices->size() && i < numbers->size(); ++i)
@@ -122,8 +126,8 @@ class Reader {
     return value ? std::optional(taxels(*value)) : std::nullopt;
   }
 
-  std::optional<Range> range(const Value& value) const {
-    const auto ends = value.numbers(any_number);
+  std::optional<Range> range(const Value& value, const Unit& unit) const {
+    const auto ends = value.numbers(any_number, unit);
     if (!ends) return std::nullopt;
     if (ends->size() != 2)
       value.problem("must be two numbers, the lowest and the highest reading",
@@ -135,6 +139,16 @@ class Reader {
     else
       return Range{(*ends)[0], (*ends)[1]};
     return std::nullopt;
+  }
+
+  /// The unit of a number that holds for every quantity at once.
+  Unit unit_of_all(const Value& value) const {
+    const bool strains = std::any_of(array_.reads.begin(), array_.reads.end(), is_strain);
+    const bool stresses = !std::all_of(array_.reads.begin(), array_.reads.end(), is_strain);
+    if (strains && stresses && !read_.units.stress.is_si())
+      value.problem("is of strains and of stresses, which have units here",
+                    "under [units], stress = \"Pa\", or leave it out");
+    return stresses ? read_.units.stress : Unit{};
   }
 
   // --- one function for each table, in the order of the signal path ---
@@ -177,16 +191,17 @@ class Reader {
             "thresholds",
             "how far each play lags behind, in the unit of the readings: thresholds = [0.01, "
             "0.02]"))
-      result.thresholds = per_quantity<std::vector<double>>(*thresholds, [&](const Value& one) {
-        auto numbers = one.numbers(not_negative);
-        if (numbers && !result.weights.empty() && numbers->size() != result.weights.size()) {
-          one.problem(
-              "must have one threshold per weight: " + std::to_string(result.weights.size()) +
-              " (got " + std::to_string(numbers->size()) + ')');
-          numbers.reset();
-        }
-        return numbers;
-      });
+      result.thresholds =
+          per_quantity<std::vector<double>>(*thresholds, [&](const Value& one, const Unit& unit) {
+            auto numbers = one.numbers(not_negative, unit);
+            if (numbers && !result.weights.empty() && numbers->size() != result.weights.size()) {
+              one.problem(
+                  "must have one threshold per weight: " + std::to_string(result.weights.size()) +
+                  " (got " + std::to_string(numbers->size()) + ')');
+              numbers.reset();
+            }
+            return numbers;
+          });
     table.finish();
     return result;
   }
@@ -221,8 +236,10 @@ class Reader {
     const auto values = table.value("values");
     const auto rms = table.required("rms", "in the unit of the readings: rms = 1e-3", {"values"});
     if (values)
-      result.values = per_quantity<std::vector<double>>(
-          *values, [&](const Value& one) { return spread(one, any_number, indices); });
+      result.values =
+          per_quantity<std::vector<double>>(*values, [&](const Value& one, const Unit& unit) {
+            return spread(one, any_number, indices, unit);
+          });
     if (rms) result.rms = numbers_per_quantity(*rms, not_negative);
     exclude(values, rms);
     table.finish();
@@ -294,8 +311,9 @@ class Reader {
     const auto indices = optional_indices(table);
     if (const auto rms = table.required(
             "rms", "of every taxel, or of those of indices: indices = [3, 17], rms = [0.01, 0.02]"))
-      result.rms = per_quantity<std::vector<double>>(
-          *rms, [&](const Value& one) { return spread(one, not_negative, indices); });
+      result.rms = per_quantity<std::vector<double>>(*rms, [&](const Value& one, const Unit& unit) {
+        return spread(one, not_negative, indices, unit);
+      });
     table.finish();
     return result;
   }
@@ -304,7 +322,8 @@ class Reader {
     Saturation result;
     if (const auto value =
             table.required("range", "the lowest and the highest reading: range = [-1.0, 1.0]"))
-      result.range = per_quantity<Range>(*value, [&](const Value& one) { return range(one); });
+      result.range = per_quantity<Range>(
+          *value, [&](const Value& one, const Unit& unit) { return range(one, unit); });
     table.finish();
     return result;
   }
@@ -315,7 +334,8 @@ class Reader {
       converter.bits = static_cast<int>(bits->integer(1, 32).value_or(converter.bits));
     if (const auto value = table.required(
             "range", "the lowest and the highest reading it can tell: range = [-1.0, 1.0]"))
-      if (const auto ends = range(*value)) converter = {converter.bits, ends->low, ends->high};
+      if (const auto ends = range(*value, unit_of_all(*value)))
+        converter = {converter.bits, ends->low, ends->high};
     table.finish();
     return converter;
   }
@@ -326,9 +346,10 @@ class Reader {
     if (indices) result.indices = taxels(*indices);
     if (const auto values = table.required(
             "values", "what each of them reads, in the unit of the readings: values = [0.1, 0.0]"))
-      result.values = per_quantity<std::vector<double>>(*values, [&](const Value& one) {
-        return taxel_values(one, any_number, std::optional(result.indices));
-      });
+      result.values =
+          per_quantity<std::vector<double>>(*values, [&](const Value& one, const Unit& unit) {
+            return taxel_values(one, any_number, std::optional(result.indices), unit);
+          });
     table.finish();
     return result;
   }

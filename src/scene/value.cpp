@@ -32,7 +32,7 @@ void Value::misfit(std::string_view message, std::string hint) const {
   problem(std::string{message} + (got.empty() ? "" : " (got " + got + ')'), std::move(hint));
 }
 
-std::optional<double> Value::number(const Rule& rule) const {
+std::optional<double> Value::number(const Rule& rule, const Unit& unit) const {
   std::optional<double> number;
   if (const auto* whole = node_->as_integer()) number = static_cast<double>(whole->get());
   if (const auto* real = node_->as_floating_point()) number = real->get();
@@ -46,6 +46,11 @@ std::optional<double> Value::number(const Rule& rule) const {
   }
   if (!rule.holds(*number)) {
     misfit(rule.text);
+    return std::nullopt;
+  }
+  number = unit.to_si(*number);
+  if (!std::isfinite(*number) || !rule.holds(*number)) {
+    misfit("is beyond what a double holds in SI, and is in " + std::string{unit.name});
     return std::nullopt;
   }
   return number;
@@ -109,14 +114,14 @@ std::optional<std::vector<Value>> Value::list(std::string_view kind) const {
   return values;
 }
 
-std::optional<std::vector<double>> Value::numbers(const Rule& rule) const {
+std::optional<std::vector<double>> Value::numbers(const Rule& rule, const Unit& unit) const {
   const auto values = list("numbers");
   if (!values) return std::nullopt;
   std::vector<double> numbers;
   numbers.reserve(values->size());
   std::size_t misfits = 0;
   for (const Value& value : *values) {
-    if (const auto number = value.number(rule))
+    if (const auto number = value.number(rule, unit))
       numbers.push_back(*number);
     else if (++misfits == most_misfits)
       return std::nullopt;

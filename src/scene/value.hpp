@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "scene/problems.hpp"
+#include "tactile_net/scene/units.hpp"
 
 namespace tactile_net {
 
@@ -38,7 +39,9 @@ class Value {
   Value(const toml::node& node, std::string path, Problems& problems);
 
   /// A finite number that keeps the rule; whole numbers are numbers, booleans are not.
-  [[nodiscard]] std::optional<double> number(const Rule& rule) const;
+  ///
+  /// @param unit  of the number in the file; the answer is in SI
+  [[nodiscard]] std::optional<double> number(const Rule& rule, const Unit& unit = {}) const;
 
   /// A whole number from `low` to `high`; 81.0 is none. `reason` is the hint when out of range.
   [[nodiscard]] std::optional<std::int64_t> integer(std::int64_t low, std::int64_t high,
@@ -56,7 +59,8 @@ class Value {
   [[nodiscard]] std::optional<std::vector<Value>> list(std::string_view kind) const;
 
   /// Every value of a list of numbers; at most `most_misfits` are reported.
-  [[nodiscard]] std::optional<std::vector<double>> numbers(const Rule& rule) const;
+  [[nodiscard]] std::optional<std::vector<double>> numbers(const Rule& rule,
+                                                           const Unit& unit = {}) const;
 
   [[nodiscard]] std::optional<Table> table() const;
 
@@ -65,6 +69,7 @@ class Value {
 
   [[nodiscard]] bool is_text() const noexcept { return node_->is_string(); }
   [[nodiscard]] bool is_table() const noexcept { return node_->is_table(); }
+  [[nodiscard]] bool is_list() const noexcept { return node_->is_array(); }
 
   /// "<path> <message>", at the value.
   void problem(std::string_view message, std::string hint = {}) const;

@@ -50,4 +50,13 @@ std::vector<Channel> channels(const SensorArray& array) {
   return result;
 }
 
+std::vector<std::string> reading_names(const SensorArray& array) {
+  std::vector<std::string> names;
+  names.reserve(reading_count(array));
+  for (const Channel& channel : channels(array))
+    for (std::size_t taxel = 0; taxel < array.count; ++taxel)
+      names.push_back(channel.name + "_" + std::to_string(taxel));
+  return names;
+}
+
 }  // namespace tactile_net

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/numeric/unit_text.hpp"
 #include "tests/catch.hpp"
 
 namespace tactile_net {
@@ -73,14 +74,16 @@ TEST_CASE("a program's locale changes no number", "[number_text]") {
     if (std::setlocale(LC_ALL, name) != nullptr) break;
   std::ostringstream stream;
   stream << 1234.5;
-  const std::vector<std::string> texts = {brief(0.05),       fixed(0.5, 2), shortest(1.5),
-                                          shortest(1234567), percent(0.5),  duration(2.5e-6)};
+  const std::vector<std::string> texts = {
+      brief(0.05),  fixed(0.5, 2),    shortest(1.5),          shortest(1234567),
+      percent(0.5), duration(2.5e-6), with_unit(1500.0, "Pa")};
   double number = 0.0;
   const bool read = read_number("1.5", number) && !read_number("1,5", number);
   std::locale::global(before);
   std::setlocale(LC_ALL, "C");
   CHECK(stream.str() == "1.234,5");  // the locale was in force
-  CHECK(texts == std::vector<std::string>{"0.05", "0.50", "1.5", "1234567", "50 %", "2.5 us"});
+  CHECK(texts ==
+        std::vector<std::string>{"0.05", "0.50", "1.5", "1234567", "50 %", "2.5 us", "1.5 kPa"});
   CHECK(read);
 }
 

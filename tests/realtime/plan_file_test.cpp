@@ -155,7 +155,7 @@ TEST_CASE("other versions, other files and bytes that follow are refused", "[pla
   CHECK_THAT(refusal({}), ContainsSubstring("this is no plan"));
   bytes[8] = std::byte{2};
   sign(bytes);
-  CHECK_THAT(refusal(bytes), ContainsSubstring("has version 2, this library reads version 1"));
+  CHECK_THAT(refusal(bytes), ContainsSubstring("has version 3, this library reads versions 1 and 2"));
   bytes[8] = std::byte{1};
   sign(bytes);
   CHECK(refusal(bytes) == "accepted");

@@ -23,6 +23,7 @@
 
 #include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/realtime/estimator_plan.hpp"
+#include "tactile_net/sensing/calibration.hpp"
 
 namespace tactile_net {
 
@@ -43,7 +44,11 @@ struct PlannerOptions {
   bool all_candidates = false;  ///< try also what cannot be the cheapest
   double noise_rms = 0.0;       ///< of a weighted reading, as far as known
   std::optional<double> friction_coefficient{};
-  std::vector<ReadingRange> ranges{};  ///< one per channel, or none
+  std::vector<ReadingRange> ranges{};  ///< one per channel, or none; of what the controller reads
+  /// What the controller reads, if not readings: the plan is then one for raw numbers. Gains go
+  /// into its matrices, baseline and offset into its baseline. Gains that differ within a channel
+  /// leave an array that is not mirror symmetric: `parity` and `fft` cannot be used.
+  std::optional<Calibration> calibration{};
   std::string label{};
 };
 
@@ -83,7 +88,7 @@ struct PlannedEstimator {
 ///
 /// @throw std::invalid_argument  alpha or accuracy is not > 0 and finite; parity or fft is asked
 ///                               for, and the array is not symmetric (dead taxels); fft in float32;
-///                               `check(plan)` does
+///                               the calibration is not one of these readings; `check(plan)` does
 /// @throw std::domain_error      as `tikhonov`
 [[nodiscard]] PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
                                               const PlannerOptions& options = {});

@@ -16,6 +16,8 @@
 
 namespace tactile_net::frames {
 
+class CalibratedFrames;
+
 /// @throw InputError  a folder, or it cannot be opened
 [[nodiscard]] std::ifstream open_frames(const std::string& path);
 
@@ -26,7 +28,8 @@ struct ReadingsOptions {
 };
 
 /// Recorded readings of a scene's sensor: CSV or .npy by what the file begins with, standard input
-/// for "-". Values of dead taxels are not read.
+/// for "-". Values of dead taxels are not read. What the scene has as [calibration] and [units] is
+/// applied here: `source` gives readings in SI.
 class ReadingsFile {
  public:
   /// @param standard_input  must live as long as this; null: the path is a file's whatever it is
@@ -43,6 +46,9 @@ class ReadingsFile {
   /// How much of the file was read so far, 0 to 1; nothing where its length is not known: of CSV
   /// from a pipe.
   [[nodiscard]] std::optional<double> share_read() const noexcept;
+  /// The scene's calibration; from the first frame on with its baseline, where that is the mean of
+  /// frames. Null: the file's numbers are the readings.
+  [[nodiscard]] const Calibration* calibration() const noexcept;
 
  private:
   bool live_;
@@ -50,6 +56,7 @@ class ReadingsFile {
   std::ifstream file_;
   std::size_t bytes_ = 0;  // of a regular file
   std::unique_ptr<FrameSource> source_;
+  const CalibratedFrames* calibrated_ = nullptr;  // the source, if it is one
 };
 
 /// @param path  as given to `file`: ending in .npy makes one, without a column of times

@@ -44,12 +44,16 @@ using NextFrame = std::function<bool(std::span<double> readings)>;
 struct PlannedController {
   PlanAlpha alpha{};
   PlannedEstimator estimator{};
+  /// The scene's baseline is the mean of frames that were not there: the controller is to call
+  /// `set_baseline` with an unloaded frame before its first update.
+  bool needs_baseline = false;
 };
 
 /// A plan is linear: the scene's constraints do not bind it.
 ///
-/// @param options  what they leave open is the scene's: noise, ranges and label always, the
-///                 friction coefficient where it is absent
+/// @param options  what they leave open is the scene's: noise, ranges and label always, friction
+///                 coefficient and calibration where they are absent. A calibration with a baseline
+///                 yet to be recorded makes a plan with a baseline of 0: see `needs_baseline`
 /// @throw std::invalid_argument, std::domain_error  as `plan_estimator`
 [[nodiscard]] PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,
                                                 PlannerOptions options = {});

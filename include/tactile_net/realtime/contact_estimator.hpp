@@ -82,7 +82,8 @@ class ContactEstimator {
   /// plan has one. Equal frames give equal bits on one instruction set; sums are taken in a fixed
   /// order.
   ///
-  /// @param readings  g, channels x count; those of dead taxels may be anything
+  /// @param readings  g, channels x count, or the raw numbers that the plan is for; those of dead
+  ///                  taxels may be anything
   /// @param estimate  untouched unless the status is `ok`; its tractions may be the same memory as
   ///                  the readings
   /// @param time      passed through
@@ -98,8 +99,10 @@ class ContactEstimator {
   FrameStatus update_batch(std::span<const double> readings,
                            std::span<ContactEstimate> estimates) noexcept;
 
-  /// What the sensors read without contact; subtracted from every frame from now on. Zero at first.
-  /// What a dead taxel reads is taken if it is finite, for the day it lives again.
+  /// What the sensors read without contact; subtracted from every frame from now on, in place of
+  /// the plan's own baseline, which is zero unless the plan is for raw numbers: such a frame is one
+  /// of no load then, whatever offset the calibration had. What a dead taxel reads is taken if it
+  /// is finite, for the day it lives again.
   /// @return not `ok`: the old baseline stays
   FrameStatus set_baseline(std::span<const double> readings) noexcept;
 

@@ -39,6 +39,9 @@ struct EstimatorPlan {
 
   std::optional<double> friction_coefficient{};  ///< of pad and object; absent: no friction margin
   std::vector<ReadingRange> ranges{};            ///< one per channel; empty: none saturates
+  /// What is subtracted from the readings, one value each, until `set_baseline` says otherwise;
+  /// empty: nothing.
+  std::vector<double> baseline{};
 
   [[nodiscard]] std::size_t readings() const noexcept { return channels * count; }
   [[nodiscard]] std::size_t tractions() const noexcept { return unknowns * count; }

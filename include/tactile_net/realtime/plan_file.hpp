@@ -16,6 +16,7 @@
 
 namespace tactile_net {
 
+/// What a plan without a baseline is written as; one with a baseline has the next version.
 inline constexpr std::uint32_t plan_version = 1;
 
 /// @throw std::invalid_argument  `check(plan)` does

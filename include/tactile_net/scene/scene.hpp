@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,7 +15,9 @@
 #include "tactile_net/network/circuit.hpp"
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/network/tolerance.hpp"
+#include "tactile_net/scene/units.hpp"
 #include "tactile_net/sensing/array.hpp"
+#include "tactile_net/sensing/calibration.hpp"
 #include "tactile_net/sensing/effects/broken_taxels.hpp"
 #include "tactile_net/sensing/effects/crosstalk.hpp"
 #include "tactile_net/sensing/effects/gain_error.hpp"
@@ -72,7 +75,13 @@ struct Timing {
 struct Scene {
   std::string file;   ///< name of the file, without its folder
   std::string title;  ///< optional `title` at the top of the file
+  /// Present: every number below is in SI, whatever the file has. Absent: any consistent set, as
+  /// the file has it.
+  std::optional<Units> units;
   SensorArray sensor;
+  /// What the numbers in a file of readings mean: [calibration] and [units] in one. Absent: they
+  /// are the readings.
+  std::optional<Calibration> calibration;
   Material material;
   std::optional<Timing> time;  ///< absent: one frame, of loads that have always been there
   std::size_t frame = 0;  ///< that `run` reconstructs: the reader sets the last, `at_frame` another
@@ -102,6 +111,10 @@ struct Scene {
 /// one channel and the scene calls for it: by `tangential`, by a friction limit, by a contact with
 /// friction at any time, or by having no contact, as scenes for recorded readings.
 [[nodiscard]] std::size_t unknowns(const Scene& scene);
+
+/// Readings as a file of this scene has them: in its units, before its calibration. What
+/// `frames::ReadingsFile` makes of them is the readings again.
+[[nodiscard]] std::vector<double> raw_numbers(const Scene& scene, std::span<const double> readings);
 
 /// Every contact at time t [s], those that stand still as they are.
 [[nodiscard]] std::vector<Contact> contacts_at(const Scene& scene, double t);

@@ -51,4 +51,7 @@ void check(const SensorArray& array);
 /// Every channel, in the order of the readings.
 [[nodiscard]] std::vector<Channel> channels(const SensorArray& array);
 
+/// "strain_x_0" ... for every channel, in the order of the readings.
+[[nodiscard]] std::vector<std::string> reading_names(const SensorArray& array);
+
 }  // namespace tactile_net

@@ -31,7 +31,7 @@ drawing::Files run_files(const lab::Experiment& experiment) {
   const TractionField& truth = experiment.frame.truth;
   drawing::Files files;
   files.emplace_back("readings.csv", csv(frames::reading_columns(experiment.scene.sensor),
-                                         experiment.frame.readings));
+                                         raw_numbers(experiment.scene, experiment.frame.readings)));
   files.emplace_back("truth.csv", tractions_csv(truth.normal, truth.tangential));
   for (const lab::MethodResult& result : experiment.results)
     if (result.has_answer())

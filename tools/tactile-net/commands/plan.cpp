@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <optional>
 #include <ostream>
+#include <vector>
 
 #include "commands/deadline.hpp"
 #include "commands/recording.hpp"
@@ -49,16 +50,27 @@ PlannerOptions planner_options(const PlanOptions& options) {
   return planner;
 }
 
+/// @param calibration  filled with what the recording says of it
 lab::PlanAlpha alpha_of(const lab::SceneProblem& problem, const PlanOptions& options,
-                        const Streams& streams) {
+                        std::optional<Calibration>& calibration, const Streams& streams) {
   Progress progress(streams);
-  if (!options.readings.empty() && !problem.scene().reconstruct.alpha) {
-    frames::ReadingsFile file(options.readings, problem.scene(), &streams.in,
-                              {.columns = options.columns});
+  const Scene& scene = problem.scene();
+  const bool has_baseline = scene.calibration && scene.calibration->baseline_frames;
+  if (!options.readings.empty() && (!scene.reconstruct.alpha || has_baseline)) {
+    frames::ReadingsFile file(options.readings, scene, &streams.in, {.columns = options.columns});
     say_opening(streams.err, file.name(), file.source());
-    const auto next = [&](std::span<double> readings) { return file.source().next(readings); };
-    if (const auto alpha = lab::plan_alpha(problem, next, progress)) return *alpha;
-    throw InputError({{.file = options.readings, .message = "holds no frame"}});
+    bool any = false;
+    const auto next = [&](std::span<double> readings) {
+      const bool more = file.source().next(readings);
+      any = any || more;
+      return more;
+    };
+    std::vector<double> first(problem.readings());
+    if (scene.reconstruct.alpha) (void)next(first);
+    const auto alpha = lab::plan_alpha(problem, next, progress);
+    if (!any) throw InputError({{.file = options.readings, .message = "holds no frame"}});
+    if (file.calibration() != nullptr) calibration = *file.calibration();
+    return *alpha;
   }
   if (const auto alpha = lab::plan_alpha(problem)) return *alpha;
   throw InputError({{.file = options.scene,
@@ -85,14 +97,14 @@ void run(const PlanOptions& options, const Streams& streams) {
   std::optional<double> deadline;
   if (options.deadline) deadline = deadline_of(*options.deadline);
   const lab::SceneProblem problem(read_scene(options.scene));
-  const PlannerOptions planner = planner_options(options);
+  PlannerOptions planner = planner_options(options);
   if (problem.constraints())
     streams.err << "warning: a plan is linear: nonnegative and friction_limit do not bind it\n";
   const auto output = output_if(options.output, streams);
   const auto summary = output_if(options.json, streams);
 
-  const lab::PlannedController planned =
-      lab::plan_controller(problem, alpha_of(problem, options, streams), planner);
+  const lab::PlanAlpha alpha = alpha_of(problem, options, planner.calibration, streams);
+  const lab::PlannedController planned = lab::plan_controller(problem, alpha, planner);
   const EstimatorPlan& plan = planned.estimator.plan;
   const double frame = seconds_of_frame(plan);
   std::ostream& out = options.output == "-" || options.json == "-" ? streams.err : streams.out;

@@ -64,7 +64,7 @@ void run(const SimulateOptions& options, const Streams& streams) {
   lab::RecordedFrames recorded;
   while (recording.next()) {
     const std::string time = shortest(recording.time());
-    sink->add(time, recording.readings());
+    sink->add(time, raw_numbers(scene, recording.readings()));
     if (truth) truth->add(time, recording.truth());
     recorded.add(recording);
     if (progress.due()) progress.say(std::to_string(recorded.frames) + " frames ...");

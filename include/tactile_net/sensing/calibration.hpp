@@ -1,0 +1,40 @@
+/// @file
+/// What the numbers of a recording mean: from counts to readings, and back.
+///
+///     calibrate(*scene.calibration, frame);  // raw numbers before, readings in SI after
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tactile_net {
+
+/// Frames of a recording, from 0, both included: `first` <= `last`.
+struct FrameRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// reading = gain (raw - baseline) + offset, for each reading, channel after channel.
+struct Calibration {
+  std::vector<double> gain{};      ///< unit of the reading per unit of the raw number, not 0
+  std::vector<double> baseline{};  ///< raw number without contact
+  std::vector<double> offset{};    ///< [unit of the reading]
+  /// Whose mean is the baseline, reading by reading; until they are read `baseline` is 0.
+  std::optional<FrameRange> baseline_frames{};
+};
+
+/// @throw std::invalid_argument  not so many values of each kind, one is not finite, a gain is 0
+void check(const Calibration& calibration, std::size_t readings);
+
+/// Raw numbers to readings, in place; NaN stays NaN.
+///
+/// @pre  the calibration has one value of each kind per number
+void calibrate(const Calibration& calibration, std::span<double> numbers) noexcept;
+
+/// Readings to raw numbers, in place: undoes `calibrate` but for rounding.
+void uncalibrate(const Calibration& calibration, std::span<double> numbers) noexcept;
+
+}  // namespace tactile_net

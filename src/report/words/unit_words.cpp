@@ -1,0 +1,41 @@
+#include "tactile_net/report/words/unit_words.hpp"
+
+#include <string_view>
+
+#include "tactile_net/numeric/number_text.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+/// What a number is a multiple of where any consistent set of units will do.
+std::string_view own_unit(Dimension dimension) noexcept {
+  switch (dimension) {
+    case Dimension::none:
+      return "";
+    case Dimension::length:
+      return "unit of the pitch";
+    case Dimension::stress:
+      return "unit of E";
+    case Dimension::force:
+      return "unit of E x pitch";
+  }
+  return "";
+}
+
+}  // namespace
+
+ScaledUnit axis_unit(const Scene& scene, Dimension dimension, double largest) {
+  if (!scene.units) return {.label = std::string(own_unit(dimension))};
+  return scaled_unit(largest, si_unit(dimension));
+}
+
+std::string in_unit(const Scene& scene, Dimension dimension, double number) {
+  return scene.units ? with_unit(number, si_unit(dimension)) : brief(number);
+}
+
+std::string in_unit(const Scene& scene, Dimension dimension, double value, double deviation) {
+  return scene.units ? with_unit(value, deviation, si_unit(dimension))
+                     : plus_minus(value, deviation);
+}
+
+}  // namespace tactile_net::report

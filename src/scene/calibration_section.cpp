@@ -1,0 +1,206 @@
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "scene/calibration_file.hpp"
+#include "scene/references.hpp"
+#include "scene/sections.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr Rule not_zero{"must not be 0", [](double x) noexcept { return x != 0.0; }};
+/// Numbers of the frames that are kept until their mean, the baseline, is known: 64 MiB.
+constexpr std::size_t most_kept = std::size_t{1} << 23;
+
+/// What the sensor's calibration says of every reading, and how it is written.
+struct Column {
+  std::string_view name;
+  std::vector<double> Calibration::*member;
+  Rule rule;
+  bool has_unit;  // that of the readings; else of the raw numbers
+  double absent;  // what it is where nothing says it
+};
+
+constexpr std::array columns = {Column{"gain", &Calibration::gain, not_zero, true, 1.0},
+                                Column{"baseline", &Calibration::baseline, any_number, false, 0.0},
+                                Column{"offset", &Calibration::offset, any_number, true, 0.0}};
+
+class Reader {
+ public:
+  Reader(const Read& read, const SensorArray& array)
+      : array_(array), known_(read.reads_complete && read.depths_complete && array.count > 0) {
+    for (const Channel& channel : channels(array))
+      units_.insert(units_.end(), array.count, reading_unit(read.units, channel.quantity));
+  }
+
+  /// Whether the sensor is understood: how many readings there are.
+  [[nodiscard]] bool known() const noexcept { return known_; }
+  [[nodiscard]] bool any_unit() const {
+    return std::any_of(units_.begin(), units_.end(),
+                       [](const Unit& unit) { return !unit.is_si(); });
+  }
+  [[nodiscard]] Unit unit(const Column& column, std::size_t reading) const {
+    return column.has_unit ? units_[reading] : Unit{};
+  }
+
+  [[nodiscard]] Calibration without_table() const {
+    Calibration calibration;
+    for (const Column& column : columns)
+      for (std::size_t i = 0; i < units_.size(); ++i)
+        (calibration.*column.member).push_back(unit(column, i).to_si(column.absent));
+    return calibration;
+  }
+
+  /// One number for all readings, one for each quantity, or one for each reading.
+  void read(const Value& value, const Column& column, std::vector<double>& numbers) const {
+    if (value.is_table())
+      read_quantities(*value.table(), column, numbers);
+    else if (value.is_list())
+      read_list(value, column, numbers);
+    else
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const auto number = value.number(column.rule, unit(column, i));
+        if (!number) return;
+        numbers[i] = *number;
+      }
+  }
+
+  void read(const CalibrationColumns& from, const Value& file, Calibration& calibration) const {
+    for (const Column& column : columns) {
+      const auto found = from.find(column.name);
+      if (found == from.end()) continue;
+      for (std::size_t i = 0; i < found->second.size(); ++i) {
+        const double number = unit(column, i).to_si(found->second[i]);
+        if (!column.rule.holds(number) || !std::isfinite(number)) {
+          file.problem("names a file whose " + std::string(column.name) + " of reading " +
+                       std::to_string(i) + ' ' +
+                       std::string(column.rule.holds(number) ? "is too large" : column.rule.text));
+          return;
+        }
+        (calibration.*column.member)[i] = number;
+      }
+    }
+  }
+
+  [[nodiscard]] std::optional<FrameRange> frames(const Value& value) const {
+    const auto list = value.list("two frame numbers");
+    if (!list) return std::nullopt;
+    if (list->size() != 2) {
+      value.problem("must be two frame numbers, the first and the last",
+                    "baseline_frames = [0, 99]");
+      return std::nullopt;
+    }
+    const std::size_t most = most_kept / std::max<std::size_t>(units_.size(), 1);
+    const auto at = [&](std::size_t i) {
+      return (*list)[i].integer(0, static_cast<std::int64_t>(most) - 1,
+                                "these frames are kept until their mean is known; the first frame "
+                                "is frame 0");
+    };
+    const auto first = at(0);
+    const auto last = at(1);
+    if (!first || !last) return std::nullopt;
+    if (*first > *last)
+      value.problem("must begin with the earlier frame", "baseline_frames = [0, 99]");
+    return FrameRange{static_cast<std::size_t>(*first), static_cast<std::size_t>(*last)};
+  }
+
+ private:
+  void read_list(const Value& value, const Column& column, std::vector<double>& numbers) const {
+    const auto list = value.list("numbers");
+    if (list->size() != numbers.size()) {
+      value.problem("must have one value per reading, channel after channel: " +
+                        std::to_string(numbers.size()) + " (got " + std::to_string(list->size()) +
+                        ')',
+                    "one number for all, or one for each quantity: { stress_x = 0.25 }");
+      return;
+    }
+    std::size_t misfits = 0;
+    for (std::size_t i = 0; i < numbers.size() && misfits < most_misfits; ++i)
+      if (const auto number = (*list)[i].number(column.rule, unit(column, i)))
+        numbers[i] = *number;
+      else
+        ++misfits;
+  }
+
+  void read_quantities(Table table, const Column& column, std::vector<double>& numbers) const {
+    const std::size_t of_quantity = array_.depths.size() * array_.count;
+    for (std::size_t q = 0; q < array_.reads.size(); ++q) {
+      const auto value = table.required(name(array_.reads[q]),
+                                        "the table names every quantity that sensor.reads does");
+      if (!value) continue;
+      const auto number = value->number(column.rule, unit(column, q * of_quantity));
+      std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(q * of_quantity), of_quantity,
+                  number.value_or(1.0));
+    }
+    table.finish();
+  }
+
+  const SensorArray& array_;
+  bool known_;
+  std::vector<Unit> units_;  // of each reading
+};
+
+/// The columns of a file beside the scene.
+CalibrationColumns columns_of(const Value& value, const std::filesystem::path& folder,
+                              const SensorArray& array) {
+  const References references{folder.empty() ? "." : folder};
+  const std::string file = value.text().value_or("");
+  if (file.empty()) {
+    if (value.is_text()) value.problem("must name a file", "file = \"pad-calibration.csv\"");
+    return {};
+  }
+  if (!references.allow(file)) {
+    value.misfit("must name a file beside the scene's or below its folder",
+                 "a scene from somewhere else could have any file read");
+    return {};
+  }
+  std::array<std::string_view, columns.size()> names;
+  std::transform(columns.begin(), columns.end(), names.begin(),
+                 [](const Column& column) { return column.name; });
+  try {
+    return read_calibration_file(references.folder / file, names, reading_names(array));
+  } catch (const std::runtime_error& error) {
+    value.problem("names a file that is not in order: " + std::string(error.what()),
+                  "a header with gain, baseline, offset, or some of them, then a row per reading");
+    return {};
+  }
+}
+
+}  // namespace
+
+void read_calibration(const std::optional<Table>& given, const std::filesystem::path& folder,
+                      const Read& read, Scene& scene) {
+  const Reader reader(read, scene.sensor);
+  if (!given) {
+    if (reader.known() && reader.any_unit()) scene.calibration = reader.without_table();
+    return;
+  }
+  Table table = *given;
+  Calibration calibration = reader.without_table();
+  const auto file = table.value("file");
+  CalibrationColumns from;
+  if (file && reader.known()) {
+    from = columns_of(*file, folder, scene.sensor);
+    reader.read(from, *file, calibration);
+  }
+  for (const Column& column : columns) {
+    const auto value = table.value(column.name);
+    if (!value) continue;
+    if (from.contains(column.name))
+      value->problem("stands in calibration.file too", "keep one of the two");
+    else if (reader.known())
+      reader.read(*value, column, calibration.*column.member);
+  }
+  if (const auto frames = table.value("baseline_frames")) {
+    if (table.value("baseline") || from.contains("baseline"))
+      frames->problem("and a given baseline exclude each other", "keep one of the two");
+    else
+      calibration.baseline_frames = reader.frames(*frames);
+  }
+  table.finish();
+  if (reader.known()) scene.calibration = std::move(calibration);
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,64 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/sections.hpp"
+#include "tactile_net/scene/nearest.hpp"
+
+namespace tactile_net {
+namespace {
+
+struct Key {
+  std::string_view name;
+  Unit Units::*member;
+  Dimension dimension;
+  std::string_view what;
+};
+
+constexpr Key keys[] = {
+    {"length", &Units::length, Dimension::length, "unit of length"},
+    {"modulus", &Units::modulus, Dimension::stress, "unit of stress"},
+    {"stress", &Units::stress, Dimension::stress, "unit of stress"},
+    {"force", &Units::force, Dimension::force, "unit of force per unit of depth"},
+};
+
+std::optional<Unit> read_unit(const Value& value, const Key& key) {
+  const auto units = units_of(key.dimension);
+  std::vector<std::string_view> names;
+  for (const Unit& unit : units) names.push_back(unit.name);
+  const auto text = value.text();
+  if (!text) return std::nullopt;
+  const auto found = std::find(names.begin(), names.end(), *text);
+  if (found != names.end()) return units[static_cast<std::size_t>(found - names.begin())];
+  const std::string_view near = nearest(*text, names);
+  value.problem(
+      "names an unknown " + std::string{key.what} + ' ' + in_quotes(*text),
+      (near.empty() ? "" : "did you mean " + in_quotes(near) + "? ") + "one of " + listed(names));
+  return std::nullopt;
+}
+
+}  // namespace
+
+Units read_units(Table table) {
+  Units units;
+  for (const Key& key : keys)
+    if (const auto value = table.value(key.name))
+      if (const auto unit = read_unit(*value, key)) units.*key.member = *unit;
+  table.finish();
+  return units;
+}
+
+Unit reading_unit(const Units& units, Quantity quantity) noexcept {
+  return is_strain(quantity) ? Unit{} : units.stress;
+}
+
+Unit alpha_unit(const Units& units, const Scene& scene) noexcept {
+  const auto& reads = scene.sensor.reads;
+  const bool weighted = scene.noise && scene.noise->weights_rows;
+  if (!weighted && std::none_of(reads.begin(), reads.end(), is_strain)) return {};
+  const auto [name, multiplier, divisor] = inverse(units.stress);
+  return {name, multiplier * multiplier, divisor * divisor};
+}
+
+}  // namespace tactile_net
