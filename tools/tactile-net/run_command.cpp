@@ -24,6 +24,7 @@ int run_command(std::span<const std::string> arguments, const Streams& given) {
                         .out = given.out,
                         .err = err,
                         .terminal = given.terminal,
+                        .somebody = given.somebody,
                         .screen = &given.err};
   const auto tell = [&](const std::exception& error) -> std::ostream& {
     return streams.err << "tactile-net: error: " << error.what() << '\n';

@@ -25,10 +25,10 @@ Scene unconstrained(Scene scene) {
 
 double residual_rms(const SceneProblem& problem, std::span<const double> readings,
                     std::span<const double> tractions, double alpha) {
+  if (problem.is_large()) return 0.0;
   double used = 0.0;
-  if (!problem.is_large())
-    for (const double gamma : problem.family().singular_values())
-      used += gamma * gamma / (gamma * gamma + alpha);
+  for (const double gamma : problem.family().singular_values())
+    used += gamma * gamma / (gamma * gamma + alpha);
   return estimate_noise(problem.problem(), readings, tractions, used).residual_rms;
 }
 

@@ -11,8 +11,8 @@
 
 namespace tactile_net::lab {
 
-/// |W (K f - g)| / sqrt(rows - tr H): what one weighted reading is off the tractions found for it.
-/// Of a large array, whose tr H is not known, with tr H = 0: smaller than it should be.
+/// |W (K f - g)| / sqrt(rows - tr H): what one weighted reading is off the tractions found for it;
+/// 0 of a large array, which is solved without a matrix.
 [[nodiscard]] double residual_rms(const SceneProblem& problem, std::span<const double> readings,
                                   std::span<const double> tractions, double alpha);
 
