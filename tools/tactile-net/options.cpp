@@ -184,6 +184,7 @@ void add_identify(Parser& parser) {
                       "Amplitude of the ripple to be told (default: the contacts' peak)");
   command->add_option("--readings", options->readings,
                       "Recorded readings: ripples as strong as these are to be told");
+  add_columns(*command, options->columns);
   command->add_option("--noise", options->survey.relative_noise,
                       "Noise of every reading, over the largest that such a ripple causes "
                       "(default: the scene's rms, or 0.01)");

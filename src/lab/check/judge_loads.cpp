@@ -136,8 +136,11 @@ void judge_scale(ReadingsCheck& check) {
     check.findings.emplace_back(finding::NoiseDiffers{.channel = channel,
                                                       .estimated = *check.channels[channel].noise,
                                                       .stated = *check.channels[channel].stated});
-  const double explained = std::max(worst, 1.0);
-  if (residual > 5.0 * explained || residual < 0.2 * std::min(worst, 1.0))
+  // What drifts is unexplained too, and has been said.
+  if (std::any_of(check.findings.begin(), check.findings.end(),
+                  [](const Finding& one) { return std::holds_alternative<finding::Drift>(one); }))
+    return;
+  if (residual > 5.0 * std::max(worst, 1.0) || residual < 0.2 * std::min(worst, 1.0))
     check.findings.emplace_back(finding::ResidualDiffers{residual});
 }
 

@@ -214,7 +214,7 @@ RestState judge_rest(const Evidence& evidence, const StillNoise& noise, PatternS
   Spread spread = spread_of(evidence, noise.still, rest);
   constexpr std::size_t enough = 300;  // values that a correlation is told by
   if (!drift && rest.triples.size() * evidence.tracks.size() >= enough && spread.in_time > 0.3 &&
-      spread.in_space < 0.3) {
+      spread.in_space < 0.4 * spread.in_time) {
     findings.emplace_back(finding::NoiseColoured{spread.in_time});
     state.noise = std::move(spread.of_channel);
   }

@@ -38,12 +38,17 @@ class Constants {
         if (evidence.living[i]) ranges.push_back(range(evidence.tracks[i]));
       most_change_.push_back(median(std::move(ranges)) > 0.0);
     }
+    for (std::size_t i = 0; i < evidence.living.size(); ++i)
+      if (evidence.living[i] &&
+          (range(evidence.tracks[i]) > 0.0 || evidence.tracks[i].largest() != 0.0))
+        nothing_at_all_ = false;
   }
 
   [[nodiscard]] bool at(std::size_t i) const {
     const ReadingTrack& track = evidence_.tracks[i];
     if (track.present() < 3 || !track.is_constant()) return false;
-    return most_change_[i / evidence_.count()] || (changes(i, -1) && changes(i, +1));
+    return nothing_at_all_ || most_change_[i / evidence_.count()] ||
+           (changes(i, -1) && changes(i, +1));
   }
 
  private:
@@ -57,6 +62,7 @@ class Constants {
 
   const Evidence& evidence_;
   std::vector<bool> most_change_;  // per channel
+  bool nothing_at_all_ = true;     // every reading is zero
 };
 
 /// How often both neighbours feel a load clearly, and how often the reading between them does not.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "lab/check/robust.hpp"
@@ -90,7 +91,10 @@ StillNoise still_noise(std::span<const FrameTriple> triples, const std::vector<b
                        std::size_t channels) {
   StillNoise noise;
   const std::vector<double> roughness = roughness_of(triples, living, channels);
-  const double calm = quantile(roughness, 0.1);
+  std::vector<double> rough;  // readings that are cut off have no noise at all
+  std::copy_if(roughness.begin(), roughness.end(), std::back_inserter(rough),
+               [](double one) { return one > 0.0; });
+  const double calm = quantile(rough, 0.1);
   // Where all is noise the wildest triples are hardly rougher than the calmest.
   const double limit =
       quantile(roughness, 0.9) > 3.0 * calm ? 2.0 * calm : std::numeric_limits<double>::infinity();
