@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -115,10 +116,12 @@ class SolvingDoubts {
 
  private:
   SceneProblem problem_;
+  struct Count {
+    std::size_t loaded = 0;
+    std::size_t pulled = 0;
+  };
   std::size_t frames_ = 0;
-  std::size_t pulled_ = 0;
-  std::size_t loaded_ = 0;
-  double largest_load_ = 0.0;
+  std::map<int, Count> by_load_;   // by the power of two of sum |f_v|
   std::vector<double> residuals_;  // over the noise stated
 };
 

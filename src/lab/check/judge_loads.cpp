@@ -28,6 +28,12 @@ std::optional<double> stated_noise(const Scene& scene) {
   return SceneProblem(scene).stated_noise();
 }
 
+template <class Kind>
+bool holds(const ReadingsCheck& check) {
+  return std::any_of(check.findings.begin(), check.findings.end(),
+                     [](const Finding& one) { return std::holds_alternative<Kind>(one); });
+}
+
 PeakFrame peak_of(std::span<const double> readings, const SolvedPattern& solved,
                   const Evidence& evidence, std::size_t frame) {
   PeakFrame peak{.frame = frame};
@@ -132,14 +138,13 @@ void judge_scale(ReadingsCheck& check) {
       check.findings.emplace_back(finding::ScaleBy1000{times});
       return;
     }
-  if (worst > 2.0 || worst < 0.5)
+  // What is cut off has no noise.
+  if (worst > 2.0 || (worst < 0.5 && !holds<finding::SaturatedTaxels>(check)))
     check.findings.emplace_back(finding::NoiseDiffers{.channel = channel,
                                                       .estimated = *check.channels[channel].noise,
                                                       .stated = *check.channels[channel].stated});
   // What drifts is unexplained too, and has been said.
-  if (std::any_of(check.findings.begin(), check.findings.end(),
-                  [](const Finding& one) { return std::holds_alternative<finding::Drift>(one); }))
-    return;
+  if (holds<finding::Drift>(check)) return;
   if (residual > 5.0 * std::max(worst, 1.0) || residual < 0.2 * std::min(worst, 1.0))
     check.findings.emplace_back(finding::ResidualDiffers{residual});
 }

@@ -126,6 +126,15 @@ struct Spread {
 Spread spread_of(const Evidence& evidence, Still still, const Rest& rest) {
   Spread spread;
   const std::size_t count = evidence.count();
+  const auto raw = [&](std::size_t k, std::size_t frame, std::size_t i) {
+    const double d = still[k]->frames[frame][i] - rest.values[i];
+    return std::isfinite(d) ? d : 0.0;
+  };
+  std::vector<double> mean(rest.values.size());  // of what is quantised it is not the median
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    for (const std::size_t k : rest.triples) mean[i] += raw(k, 0, i) + raw(k, 1, i) + raw(k, 2, i);
+    mean[i] /= 3.0 * static_cast<double>(rest.triples.size());
+  }
   for (std::size_t channel = 0; channel < evidence.channels(); ++channel) {
     std::vector<double> values;
     double squares = 0.0;
@@ -136,8 +145,7 @@ Spread spread_of(const Evidence& evidence, Still still, const Rest& rest) {
       const bool has_neighbour = i + 1 < (channel + 1) * count && evidence.living[i + 1];
       for (const std::size_t k : rest.triples) {
         const auto at = [&](std::size_t frame, std::size_t reading) {
-          const double d = still[k]->frames[frame][reading] - rest.values[reading];
-          return std::isfinite(d) ? d : 0.0;
+          return raw(k, frame, reading) - mean[reading];
         };
         values.push_back(at(1, i));
         squares += at(1, i) * at(1, i);

@@ -23,46 +23,48 @@ std::vector<std::size_t> taxels_where(const Evidence& evidence,
   return taxels;
 }
 
-/// How far a reading went, and its channel's others did in the middle.
+/// How far a reading went.
 double range(const ReadingTrack& track) {
   return track.present() == 0 ? 0.0 : track.largest() - track.least();
 }
 
-/// A reading that never changes, though those beside it do.
+/// Readings that never change, though those beside them do by more than a converter's steps.
 class Constants {
  public:
   explicit Constants(const Evidence& evidence) : evidence_(evidence) {
-    for (std::size_t channel = 0; channel < evidence.channels(); ++channel) {
-      std::vector<double> ranges;
-      for (std::size_t i = channel * evidence.count(); i < (channel + 1) * evidence.count(); ++i)
-        if (evidence.living[i]) ranges.push_back(range(evidence.tracks[i]));
-      most_change_.push_back(median(std::move(ranges)) > 0.0);
-    }
     for (std::size_t i = 0; i < evidence.living.size(); ++i)
-      if (evidence.living[i] &&
-          (range(evidence.tracks[i]) > 0.0 || evidence.tracks[i].largest() != 0.0))
+      if (evidence.living[i] && (!evidence.tracks[i].is_constant() || !is_zero(i)))
         nothing_at_all_ = false;
   }
 
   [[nodiscard]] bool at(std::size_t i) const {
     const ReadingTrack& track = evidence_.tracks[i];
     if (track.present() < 3 || !track.is_constant()) return false;
-    return nothing_at_all_ || most_change_[i / evidence_.count()] ||
-           (changes(i, -1) && changes(i, +1));
+    const Side left = beside(i, -1);
+    const Side right = beside(i, +1);
+    return nothing_at_all_ || (left != Side::idle && right != Side::idle &&
+                               (left == Side::changes || right == Side::changes));
   }
+  [[nodiscard]] bool is_zero(std::size_t i) const { return evidence_.tracks[i].largest() == 0.0; }
 
  private:
-  [[nodiscard]] bool changes(std::size_t i, int side) const {
-    const std::size_t count = evidence_.count();
-    const std::size_t taxel = i % count;
-    if ((side < 0 && taxel == 0) || (side > 0 && taxel + 1 == count)) return true;
-    const std::size_t beside = side < 0 ? i - 1 : i + 1;
-    return !evidence_.living[beside] || !evidence_.tracks[beside].is_constant();
+  enum class Side { none, idle, changes };
+
+  /// What the nearest reading does that is not constant.
+  [[nodiscard]] Side beside(std::size_t i, int step) const {
+    const auto count = static_cast<std::ptrdiff_t>(evidence_.count());
+    const auto first = static_cast<std::ptrdiff_t>(i) / count * count;
+    for (auto k = static_cast<std::ptrdiff_t>(i) + step; k >= first && k < first + count;
+         k += step) {
+      const ReadingTrack& track = evidence_.tracks[static_cast<std::size_t>(k)];
+      if (!evidence_.living[static_cast<std::size_t>(k)] || track.is_constant()) continue;
+      return range(track) > 4.0 * track.least_step() ? Side::changes : Side::idle;
+    }
+    return Side::none;
   }
 
   const Evidence& evidence_;
-  std::vector<bool> most_change_;  // per channel
-  bool nothing_at_all_ = true;     // every reading is zero
+  bool nothing_at_all_ = true;  // every reading is zero
 };
 
 /// How often both neighbours feel a load clearly, and how often the reading between them does not.
@@ -95,15 +97,22 @@ bool feels_nothing(const Evidence& evidence, const StillNoise& noise, std::size_
   return felt >= 3 && 5 * silent >= 4 * felt;
 }
 
+/// The share of a channel's values that equal the one before; above a half they are quantised so
+/// coarsely that all of its readings seem to stick.
+double usual_repeating(const Evidence& evidence, std::size_t channel) {
+  std::vector<double> shares;
+  for (std::size_t k = channel * evidence.count(); k < (channel + 1) * evidence.count(); ++k)
+    if (evidence.living[k]) shares.push_back(evidence.tracks[k].repeating());
+  return median(std::move(shares));
+}
+constexpr double coarse = 0.5;
+
 /// Runs of equal values that chance does not make.
 bool sticks(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
   const std::size_t channel = i / evidence.count();
   if (noise.of_channel[channel] == 0.0) return false;
-  std::vector<double> shares;
-  for (std::size_t k = channel * evidence.count(); k < (channel + 1) * evidence.count(); ++k)
-    if (evidence.living[k]) shares.push_back(evidence.tracks[k].repeating());
-  const double usual = std::max(median(std::move(shares)), 1e-3);
-  if (usual > 0.5) return false;  // quantised so coarsely that all of them stick
+  const double usual = std::max(usual_repeating(evidence, channel), 1e-3);
+  if (usual > coarse) return false;
   const double chances =
       static_cast<double>(evidence.frames) * static_cast<double>(evidence.tracks.size());
   const double longest = 10.0 + 1.5 * std::log(chances) / -std::log(usual);
@@ -114,7 +123,9 @@ bool sticks(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
 const RangeEnd* saturated_end(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
   const ReadingTrack& track = evidence.tracks[i];
   const double sigma = noise.of_channel[i / evidence.count()];
-  if (sigma == 0.0 || range(track) < 10.0 * sigma) return nullptr;
+  if (sigma == 0.0 || range(track) < 10.0 * sigma ||
+      usual_repeating(evidence, i / evidence.count()) > coarse)
+    return nullptr;
   for (const RangeEnd* end : {&track.high(), &track.low()})
     if (end->piles_up()) return end;
   return nullptr;
@@ -129,9 +140,7 @@ void Evidence::bury(std::span<const std::size_t> taxels) {
 
 StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
   const Constants constants(evidence);
-  const auto is_zero = [&](std::size_t i) {
-    return constants.at(i) && evidence.tracks[i].largest() == 0.0;
-  };
+  const auto is_zero = [&](std::size_t i) { return constants.at(i) && constants.is_zero(i); };
   std::vector<std::size_t> dead = taxels_where(evidence, is_zero);
   const std::vector<std::size_t> constant =
       taxels_where(evidence, [&](std::size_t i) { return constants.at(i) && !is_zero(i); });

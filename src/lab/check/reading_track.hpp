@@ -56,6 +56,7 @@ class ReadingTrack {
     if (value == last_) {
       ++repeats_;
     } else {
+      if (const double step = std::abs(value - last_); step < least_step_) least_step_ = step;
       run_ = 0;
       run_first_ = frame;
     }
@@ -77,6 +78,9 @@ class ReadingTrack {
   [[nodiscard]] double repeating() const noexcept {
     return present_ < 2 ? 0.0 : static_cast<double>(repeats_) / static_cast<double>(present_ - 1);
   }
+  /// The least change from one value to the next that is not zero: a converter's step, if it has
+  /// one that can be seen; infinite: there is no change.
+  [[nodiscard]] double least_step() const noexcept { return least_step_; }
   /// The longest run of equal values, and the frame that it begins with.
   [[nodiscard]] std::size_t longest_run() const noexcept { return longest_run_; }
   [[nodiscard]] std::size_t run_begins() const noexcept { return longest_first_; }
@@ -88,6 +92,7 @@ class ReadingTrack {
   RangeEnd high_;
   RangeEnd low_;
   double last_ = std::numeric_limits<double>::quiet_NaN();
+  double least_step_ = std::numeric_limits<double>::infinity();
   std::size_t run_ = 0;
   std::size_t run_first_ = 0;
   std::size_t longest_run_ = 0;

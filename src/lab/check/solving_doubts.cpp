@@ -1,3 +1,4 @@
+#include <cmath>
 #include <utility>
 
 #include "lab/check/judgement.hpp"
@@ -17,11 +18,10 @@ SolvingDoubts::SolvingDoubts(SceneProblem problem) : problem_(std::move(problem)
 void SolvingDoubts::add(const SceneProblem& problem, std::span<const double> readings,
                         std::span<const double> tractions, double alpha) {
   const Pull pull = pull_of(tractions, problem.scene().sensor.count);
-  if (pull.load > 5.0 * largest_load_) loaded_ = pulled_ = 0;  // those before were hardly loaded
-  largest_load_ = std::max(largest_load_, pull.load);
-  if (pull.load > 0.2 * largest_load_) {
-    ++loaded_;
-    if (pull.pulled) ++pulled_;
+  if (pull.load > 0.0) {
+    Count& count = by_load_[std::ilogb(pull.load)];
+    ++count.loaded;
+    if (pull.pulled) ++count.pulled;
   }
   const auto stated = problem_.stated_noise();
   if (!is_taken(frames_++) || !stated || problem.is_large()) return;
@@ -34,8 +34,13 @@ void SolvingDoubts::add(const SceneProblem& problem, std::span<const double> rea
 
 Findings SolvingDoubts::findings() const {
   Findings findings = scene_findings(problem_.scene());
-  if (loaded_ > 0 && pulled_ == loaded_)
-    findings.emplace_back(finding::WholePadPulled{pulled_, loaded_});
+  finding::WholePadPulled sign;  // of the frames that hold at least a quarter of the largest load
+  for (auto at = by_load_.rbegin(); at != by_load_.rend(); ++at) {
+    if (at->first + 1 < by_load_.rbegin()->first) break;
+    sign.loaded += at->second.loaded;
+    sign.pulled += at->second.pulled;
+  }
+  if (sign.loaded > 0 && sign.pulled == sign.loaded) findings.emplace_back(sign);
   if (!residuals_.empty())
     if (const double times = median(residuals_); is_thousandfold(times))
       findings.emplace_back(finding::ScaleBy1000{times});
