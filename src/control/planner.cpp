@@ -55,11 +55,13 @@ void take_raw(ProductTask& task, const Calibration& calibration, std::size_t cou
   task.symmetric = task.symmetric && is_constant_in_channels(calibration.gain, count);
 }
 
-/// gain (raw - baseline) + offset = gain (raw - result).
+/// gain (raw - baseline) + offset = gain (raw - result); empty: all 0.
 std::vector<double> raw_baseline(const Calibration& calibration) {
   std::vector<double> result = calibration.baseline;
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] -= calibration.offset[i] / calibration.gain[i];
+  const auto is_zero = [](double value) { return value == 0.0; };
+  if (std::all_of(result.begin(), result.end(), is_zero)) result.clear();
   return result;
 }
 

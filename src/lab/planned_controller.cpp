@@ -81,6 +81,7 @@ PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& 
   options.label = scene.title.empty() ? scene.file : scene.title;
   return {.alpha = alpha,
           .estimator = plan_estimator(problem.problem(), alpha.value, options),
+          .for_raw_numbers = options.calibration.has_value(),
           .needs_baseline = options.calibration && options.calibration->baseline_frames};
 }
 

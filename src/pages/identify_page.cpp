@@ -10,6 +10,7 @@
 #include "tactile_net/report/words/identify_words.hpp"
 #include "tactile_net/report/words/mode_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::pages {
 namespace {
@@ -120,20 +121,21 @@ std::vector<Figure> figures_of(const lab::Survey& survey) {
 
 }  // namespace
 
-std::vector<std::vector<std::string>> survey_cells(const lab::Survey& survey) {
+std::vector<std::vector<std::string>> survey_cells(const lab::Survey& survey,
+                                                   const std::optional<Units>& units) {
   std::vector<std::vector<std::string>> rows = {{"reads", "unknowns", "condition", "hidden",
                                                  "hidden mean", "normal from", "tangential from"}};
-  const auto wavelength = [](const std::optional<double>& value) {
-    return value ? brief(*value) : std::string("none");
+  const auto wavelength = [&](const std::optional<double>& value) {
+    return value ? report::in_unit(units, Dimension::length, *value) : std::string("none");
   };
   const auto add = [&](const lab::SensorChoice& choice, const std::string& mark) {
     const bool two = choice.unknowns == 2;
     std::vector<std::string> means;
     if (lab::hides_mean(choice, Traction::normal)) means.emplace_back("normal");
     if (two && lab::hides_mean(choice, Traction::tangential)) means.emplace_back("tangential");
-    rows.push_back({in_words(choice) + mark, std::to_string(choice.unknowns),
+    rows.push_back({in_words(choice, units) + mark, std::to_string(choice.unknowns),
                     condition_in_words(choice.identifiability),
-                    in_short(choice.identifiability.null_space),
+                    in_short(choice.identifiability.null_space, units),
                     means.empty() ? "-" : join(means, ", "), wavelength(choice.normal),
                     two ? wavelength(choice.tangential) : "-"});
   };
@@ -146,7 +148,7 @@ std::string cells_in_words(const Scene& scene, const lab::Survey& survey) {
   std::string text =
       "normal from, tangential from: the shortest wavelength from which on every ripple of "
       "amplitude " +
-      brief(survey.traction) +
+      report::in_unit(scene, Dimension::stress, survey.traction) +
       " stands out of the noise, by its standard deviation in one frame; hidden mean: shows only "
       "at "
       "the array's ends. Noise: " +
@@ -157,7 +159,8 @@ std::string cells_in_words(const Scene& scene, const lab::Survey& survey) {
   return text;
 }
 
-std::vector<std::string> singular_values_in_words(const Identifiability& result) {
+std::vector<std::string> singular_values_in_words(const Identifiability& result,
+                                                  const std::optional<Units>& units) {
   std::vector<std::string> text;
   text.push_back("singular values: " + std::to_string(result.singular_values.size()) + ", from " +
                  brief(result.singular_values.front()) + " to " +
@@ -166,18 +169,19 @@ std::vector<std::string> singular_values_in_words(const Identifiability& result)
   text.push_back(result.null_space.dimension > 0
                      ? "noise gain: unbounded without smoothing"
                      : "noise gain: noise of the assumed size may become a traction of " +
-                           brief(result.noise_gain) + " without smoothing");
+                           report::in_unit(units, Dimension::stress, result.noise_gain) +
+                           " without smoothing");
   for (const ModeSpace* space : {&result.null_space, &result.nearly_null}) {
     const bool null = space == &result.null_space;
     const std::size_t shown = std::min<std::size_t>(space->modes.size(), 3);
     const std::string kind = null ? "hidden: " : "nearly hidden: ";
     for (std::size_t i = 0; i < shown; ++i)
       text.push_back(
-          kind + in_words(space->modes[i]) +
+          kind + in_words(space->modes[i], units) +
           (null ? "" : " (singular value " + brief(space->modes[i].singular_value) + ")"));
     if (space->dimension > shown)
       text.push_back(kind + std::to_string(space->dimension - shown) + " more" +
-                     wavelengths_in_short(*space));
+                     wavelengths_in_short(*space, units));
   }
   return text;
 }
@@ -190,16 +194,16 @@ Page survey_html(const Scene& scene, const lab::Survey& survey) {
   body += element(
       "p", scene.file + ": " + sensor_in_words(scene) + "; " + material_in_words(scene) + ".");
   body += element("h2", "What these sensors can tell");
-  const std::vector<std::string> verdict = verdict_in_words(survey);
+  const std::vector<std::string> verdict = verdict_in_words(survey, scene.units);
   const bool hidden = survey.own.identifiability.null_space.dimension > 0;
   body += element("p", verdict.front(), hidden ? "bad" : "");
   for (std::size_t i = 1; i < verdict.size(); ++i) body += element("p", verdict[i]);
-  body += html_list(singular_values_in_words(survey.own.identifiability));
+  body += html_list(singular_values_in_words(survey.own.identifiability, scene.units));
   if (!result.missing.empty()) body += element("p", result.missing, "note");
   body += figures.html("scene");
   body += element("h2", "Which quantities, at which depth");
   body += element("p", cells_in_words(scene, survey));
-  body += html_table(survey_cells(survey));
+  body += html_table(survey_cells(survey, scene.units));
   body += figures.html("others");
   body += "<p>All numbers: <a href=\"result.json\">result.json</a>.</p>\n";
   result.html = html_page(scene.file + " - tactile-net identify", body);

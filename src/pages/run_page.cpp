@@ -10,6 +10,7 @@
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/table.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::pages {
 namespace {
@@ -236,15 +237,17 @@ Page report_html(const lab::Experiment& experiment) {
   if (!report.missing.empty()) html += element("p", report.missing, "note");
   html += element("h2", "Methods compared");
   html += html_table(comparison_cells(experiment));
-  html += element("p", "Force of the contacts: " + brief(experiment.frame.force) + " exact, " +
-                           brief(experiment.sampled_force) +
-                           " as pitch x sum of the truth at the taxels. Errors are against the "
-                           "truth at the taxels; the network's time per "
-                           "frame is a whole run of ngspice, not the circuit's settling time.");
+  html += element(
+      "p",
+      "Force of the contacts: " + report::in_unit(scene, Dimension::force, experiment.frame.force) +
+          " exact, " + report::in_unit(scene, Dimension::force, experiment.sampled_force) +
+          " as pitch x sum of the truth at the taxels. Errors are against the "
+          "truth at the taxels; the network's time per "
+          "frame is a whole run of ngspice, not the circuit's settling time.");
   for (const lab::MethodResult& result : experiment.results) {
     const std::string method = std::string(name(result.method)) + ": ";
     if (result.resultant)
-      html += element("p", method + resultant_in_words(*result.resultant) +
+      html += element("p", method + resultant_in_words(scene, *result.resultant) +
                                " (one standard deviation; bands in the plots are two).");
     for (const std::string& warning : remarks_in_words(experiment, result))
       html += element("p", method + warning, "note");

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/unit_text.hpp"
 
 namespace tactile_net {
 namespace {
@@ -36,14 +37,28 @@ std::string taxels(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " taxel" : " taxels");
 }
 
+/// With its unit, if the scene has units.
+std::string in_unit(const Scene& scene, Dimension dimension, double number) {
+  return scene.units ? with_unit(number, si_unit(dimension)) : brief(number);
+}
+
+std::string seconds(const Scene& scene, double number) {
+  return scene.units ? duration(number) : brief(number);
+}
+
 /// "1e-4" or "strain_x 1e-4, stress_x 20".
-std::string each(const PerQuantity<double>& values) {
-  const auto differs = [&](const auto& one) { return one.second != values.begin()->second; };
-  if (std::none_of(values.begin(), values.end(), differs))
-    return values.empty() ? "0" : brief(values.begin()->second);
+std::string each(const Scene& scene, const PerQuantity<double>& values) {
+  if (values.empty()) return "0";
+  const auto number = [&](const auto& one) {
+    return in_unit(scene, is_strain(one.first) ? Dimension::none : Dimension::stress, one.second);
+  };
+  const auto differs = [&](const auto& one) {
+    return one.second != values.begin()->second || number(one) != number(*values.begin());
+  };
+  if (std::none_of(values.begin(), values.end(), differs)) return number(*values.begin());
   std::string text;
-  for (const auto& [quantity, value] : values)
-    text += (text.empty() ? "" : ", ") + std::string(name(quantity)) + ' ' + brief(value);
+  for (const auto& one : values)
+    text += (text.empty() ? "" : ", ") + std::string(name(one.first)) + ' ' + number(one);
   return text;
 }
 
@@ -65,8 +80,9 @@ const std::array table = {
     SceneEffect{
         "layer", [](const Scene& scene) { return scene.material.layer.has_value(); }, nullptr,
         [](const Scene& scene) {
-          return "pad " + brief(scene.material.layer->thickness) + " thick on a " +
-                 std::string(name(scene.material.layer->base)) + " base: its kernels are integrals";
+          return "pad " + in_unit(scene, Dimension::length, scene.material.layer->thickness) +
+                 " thick on a " + std::string(name(scene.material.layer->base)) +
+                 " base: its kernels are integrals";
         },
         operations<0>, "half plane: kernels are closed formulas"},
     stage<&Scene::viscoelasticity>(
@@ -107,7 +123,7 @@ const std::array table = {
         "offset_error",
         [](const Scene& scene) {
           return scene.offset_error->values.empty()
-                     ? "drawn once, rms " + each(scene.offset_error->rms)
+                     ? "drawn once, rms " + each(scene, scene.offset_error->rms)
                      : std::string("as listed");
         },
         operations<1000>),
@@ -115,19 +131,21 @@ const std::array table = {
         "temperature",
         [](const Scene& scene) {
           return "gain " + brief(scene.temperature->gain) + " and offset " +
-                 each(scene.temperature->offset) + " per kelvin";
+                 each(scene, scene.temperature->offset) + " per kelvin";
         },
         operations<4000>),
     stage<&Scene::low_pass>(
         "low_pass",
-        [](const Scene& scene) { return "time constant " + brief(scene.low_pass->time_constant); },
+        [](const Scene& scene) {
+          return "time constant " + seconds(scene, scene.low_pass->time_constant);
+        },
         operations<5000>),
     stage<&Scene::sampling>(
         "sampling",
-        [](const Scene& scene) { return "mean over " + brief(scene.sampling->aperture); },
+        [](const Scene& scene) { return "mean over " + seconds(scene, scene.sampling->aperture); },
         operations<5000>),
     stage<&Scene::noise>(
-        "noise", [](const Scene& scene) { return "rms " + each(scene.noise->rms); },
+        "noise", [](const Scene& scene) { return "rms " + each(scene, scene.noise->rms); },
         [](const Scene&) { return draw + 2.0; }),
     stage<&Scene::taxel_noise>(
         "taxel_noise", [](const Scene&) { return std::string("an rms for each taxel"); },

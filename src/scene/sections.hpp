@@ -44,6 +44,10 @@ struct Read {
 /// The unit of a quantity's readings.
 [[nodiscard]] Unit reading_unit(const Units& units, Quantity quantity) noexcept;
 
+/// The unit of a number that is of every quantity's readings at once; a problem at `value` if they
+/// differ.
+[[nodiscard]] Unit reading_unit(const Units& units, const SensorArray& array, const Value& value);
+
 /// The unit of alpha and of the matrix P: that of weighted readings over tractions, squared.
 [[nodiscard]] Unit alpha_unit(const Units& units, const Scene& scene) noexcept;
 

@@ -20,6 +20,9 @@ constexpr Rule share{"must be >= 0 and < 1", [](double x) noexcept { return x >=
 constexpr Rule weight_range{"must be > 0 and at most 1",
                             [](double x) noexcept { return x > 0.0 && x <= 1.0; }};
 
+using Numbers = std::vector<double>;
+using Indices = std::optional<std::vector<std::size_t>>;  // absent: all taxels
+
 /// Reads the tables of one scene's sensor effects.
 class Reader {
  public:
@@ -95,9 +98,8 @@ class Reader {
   }
 
   /// A list of one value per taxel, or per index where there are some; `indices` are complete.
-  std::optional<std::vector<double>> taxel_values(
-      const Value& value, const Rule& rule, const std::optional<std::vector<std::size_t>>& indices,
-      const Unit& unit = {}) const {
+  std::optional<Numbers> taxel_values(const Value& value, const Rule& rule, const Indices& indices,
+                                      const Unit& unit = {}) const {
     auto numbers = value.numbers(rule, unit);
     if (!numbers) return std::nullopt;
     const std::size_t expected = indices ? indices->size() : array_.count;
@@ -110,18 +112,17 @@ class Reader {
   }
 
   /// As `taxel_values`, spread over all taxels: 0 where no index is.
-  std::optional<std::vector<double>> spread(const Value& value, const Rule& rule,
-                                            const std::optional<std::vector<std::size_t>>& indices,
-                                            const Unit& unit = {}) const {
+  std::optional<Numbers> spread(const Value& value, const Rule& rule, const Indices& indices,
+                                const Unit& unit = {}) const {
     auto numbers = taxel_values(value, rule, indices, unit);
     if (!numbers || !indices) return numbers;
-    std::vector<double> all(array_.count);
+    Numbers all(array_.count);
     for (std::size_t i = 0; i < indices->size() && i < numbers->size(); ++i)
       if ((*indices)[i] < all.size()) all[(*indices)[i]] = (*numbers)[i];
     return all;
   }
 
-  std::optional<std::vector<std::size_t>> optional_indices(Table& table) const {
+  Indices optional_indices(Table& table) const {
     const auto value = table.value("indices");
     return value ? std::optional(taxels(*value)) : std::nullopt;
   }
@@ -139,16 +140,6 @@ class Reader {
     else
       return Range{(*ends)[0], (*ends)[1]};
     return std::nullopt;
-  }
-
-  /// The unit of a number that holds for every quantity at once.
-  Unit unit_of_all(const Value& value) const {
-    const bool strains = std::any_of(array_.reads.begin(), array_.reads.end(), is_strain);
-    const bool stresses = !std::all_of(array_.reads.begin(), array_.reads.end(), is_strain);
-    if (strains && stresses && !read_.units.stress.is_si())
-      value.problem("is of strains and of stresses, which have units here",
-                    "under [units], stress = \"Pa\", or leave it out");
-    return stresses ? read_.units.stress : Unit{};
   }
 
   // --- one function for each table, in the order of the signal path ---
@@ -183,7 +174,7 @@ class Reader {
     const auto weights = table.required(
         "weights", "the share of the reading that goes through each play: weights = [0.1, 0.1]");
     if (weights) {
-      result.weights = weights->numbers(weight_range).value_or(std::vector<double>{});
+      result.weights = weights->numbers(weight_range).value_or(Numbers{});
       if (std::accumulate(result.weights.begin(), result.weights.end(), 0.0) > 1.0 + 1e-12)
         weights->problem("must add up to 1 at most");
     }
@@ -192,7 +183,7 @@ class Reader {
             "how far each play lags behind, in the unit of the readings: thresholds = [0.01, "
             "0.02]"))
       result.thresholds =
-          per_quantity<std::vector<double>>(*thresholds, [&](const Value& one, const Unit& unit) {
+          per_quantity<Numbers>(*thresholds, [&](const Value& one, const Unit& unit) {
             auto numbers = one.numbers(not_negative, unit);
             if (numbers && !result.weights.empty() && numbers->size() != result.weights.size()) {
               one.problem(
@@ -221,8 +212,7 @@ class Reader {
     const auto indices = optional_indices(table);
     const auto values = table.value("values");
     const auto rms = table.required("rms", "of the relative error: rms = 0.01", {"values"});
-    if (values)
-      result.values = spread(*values, any_number, indices).value_or(std::vector<double>{});
+    if (values) result.values = spread(*values, any_number, indices).value_or(Numbers{});
     if (rms) result.rms = rms->number(not_negative).value_or(0.0);
     exclude(values, rms);
     table.finish();
@@ -236,10 +226,9 @@ class Reader {
     const auto values = table.value("values");
     const auto rms = table.required("rms", "in the unit of the readings: rms = 1e-3", {"values"});
     if (values)
-      result.values =
-          per_quantity<std::vector<double>>(*values, [&](const Value& one, const Unit& unit) {
-            return spread(one, any_number, indices, unit);
-          });
+      result.values = per_quantity<Numbers>(*values, [&](const Value& one, const Unit& unit) {
+        return spread(one, any_number, indices, unit);
+      });
     if (rms) result.rms = numbers_per_quantity(*rms, not_negative);
     exclude(values, rms);
     table.finish();
@@ -311,7 +300,7 @@ class Reader {
     const auto indices = optional_indices(table);
     if (const auto rms = table.required(
             "rms", "of every taxel, or of those of indices: indices = [3, 17], rms = [0.01, 0.02]"))
-      result.rms = per_quantity<std::vector<double>>(*rms, [&](const Value& one, const Unit& unit) {
+      result.rms = per_quantity<Numbers>(*rms, [&](const Value& one, const Unit& unit) {
         return spread(one, not_negative, indices, unit);
       });
     table.finish();
@@ -334,7 +323,7 @@ class Reader {
       converter.bits = static_cast<int>(bits->integer(1, 32).value_or(converter.bits));
     if (const auto value = table.required(
             "range", "the lowest and the highest reading it can tell: range = [-1.0, 1.0]"))
-      if (const auto ends = range(*value, unit_of_all(*value)))
+      if (const auto ends = range(*value, reading_unit(read_.units, array_, *value)))
         converter = {converter.bits, ends->low, ends->high};
     table.finish();
     return converter;
@@ -346,10 +335,9 @@ class Reader {
     if (indices) result.indices = taxels(*indices);
     if (const auto values = table.required(
             "values", "what each of them reads, in the unit of the readings: values = [0.1, 0.0]"))
-      result.values =
-          per_quantity<std::vector<double>>(*values, [&](const Value& one, const Unit& unit) {
-            return taxel_values(one, any_number, std::optional(result.indices), unit);
-          });
+      result.values = per_quantity<Numbers>(*values, [&](const Value& one, const Unit& unit) {
+        return taxel_values(one, any_number, std::optional(result.indices), unit);
+      });
     table.finish();
     return result;
   }

@@ -70,6 +70,7 @@ void check_same(const EstimatorPlan& a, const EstimatorPlan& b) {
   if (a.prediction) check_same(*a.prediction, *b.prediction);
   check_same(a.weights, b.weights);
   check_same(a.leverages, b.leverages);
+  check_same(a.baseline, b.baseline);
   CHECK(a.friction_coefficient == b.friction_coefficient);
   REQUIRE(a.ranges.size() == b.ranges.size());
   for (std::size_t i = 0; i < a.ranges.size(); ++i)
@@ -86,6 +87,10 @@ TEST_CASE("a plan comes back bit by bit", "[plan_file]") {
       CAPTURE(name(structure), name(precision));
       EstimatorPlan plan = full_plan(structure, precision);
       check_same(decode_plan(encode_plan(plan)), plan);
+      plan.baseline.assign(plan.readings(), 512.5);
+      plan.baseline.back() = -0.0;
+      check_same(decode_plan(encode_plan(plan)), plan);
+      plan.baseline.clear();
       plan.prediction.reset();
       plan.leverages.clear();
       plan.friction_coefficient.reset();
@@ -141,10 +146,12 @@ TEST_CASE("a plan with any byte changed is refused", "[plan_file]") {
     for (int change = 1; change < 256; change = 2 * change + (change == 64 ? 127 : 0)) {
       CAPTURE(i, change);
       bytes[i] ^= static_cast<std::byte>(change);
-      REQUIRE_THAT(refusal(bytes), ContainsSubstring(i < 8    ? "this is no plan"
-                                                     : i < 12 ? "has version"
-                                                     : i < 20 ? "bytes announced"
-                                                              : "corrupted: its checksum"));
+      const bool other_version = i < 12 && !(i == 8 && change == 3);  // 2: with a baseline
+      REQUIRE_THAT(refusal(bytes),
+                   ContainsSubstring(i < 8               ? "this is no plan"
+                                     : other_version     ? "has version"
+                                     : i >= 12 && i < 20 ? "bytes announced"
+                                                         : "corrupted: its checksum"));
       bytes[i] ^= static_cast<std::byte>(change);
     }
   CHECK(refusal(bytes) == "accepted");
@@ -153,9 +160,10 @@ TEST_CASE("a plan with any byte changed is refused", "[plan_file]") {
 TEST_CASE("other versions, other files and bytes that follow are refused", "[plan_file]") {
   std::vector<std::byte> bytes = encode_plan(made_plan({}));
   CHECK_THAT(refusal({}), ContainsSubstring("this is no plan"));
-  bytes[8] = std::byte{2};
+  bytes[8] = std::byte{3};
   sign(bytes);
-  CHECK_THAT(refusal(bytes), ContainsSubstring("has version 3, this library reads versions 1 and 2"));
+  CHECK_THAT(refusal(bytes),
+             ContainsSubstring("has version 3, this library reads versions 1 and 2"));
   bytes[8] = std::byte{1};
   sign(bytes);
   CHECK(refusal(bytes) == "accepted");
@@ -165,6 +173,28 @@ TEST_CASE("other versions, other files and bytes that follow are refused", "[pla
   CHECK_THAT(refusal(longer), ContainsSubstring("too long"));
   sign(longer);  // now part of the payload
   CHECK_THAT(refusal(longer), ContainsSubstring("goes on after its end"));
+}
+
+TEST_CASE("a plan with a baseline has a version of its own, and needs one", "[plan_file]") {
+  EstimatorPlan plan = made_plan({});
+  const std::vector<std::byte> without = encode_plan(plan);
+  plan.baseline.assign(plan.readings(), 1.0);
+  std::vector<std::byte> bytes = encode_plan(plan);
+  CHECK(bytes[8] == std::byte{2});
+  CHECK(bytes.size() == without.size() + 8 + 8 * plan.readings());
+
+  bytes = without;
+  bytes[8] = std::byte{2};  // the baseline's length is not there
+  sign(bytes);
+  CHECK_THAT(refusal(bytes), ContainsSubstring("contradict its length"));
+  bytes.insert(bytes.end() - 8, 8, std::byte{0});  // none
+  sign(bytes);
+  CHECK_THAT(refusal(bytes), ContainsSubstring("baseline is empty"));
+
+  plan.baseline.pop_back();
+  CHECK_THROWS_AS(encode_plan(plan), std::invalid_argument);
+  plan.baseline.push_back(std::numeric_limits<double>::quiet_NaN());
+  CHECK_THROWS_AS(encode_plan(plan), std::invalid_argument);
 }
 
 TEST_CASE("a signed plan that breaks a rule is refused with the rule", "[plan_file]") {

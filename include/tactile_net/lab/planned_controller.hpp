@@ -44,6 +44,7 @@ using NextFrame = std::function<bool(std::span<double> readings)>;
 struct PlannedController {
   PlanAlpha alpha{};
   PlannedEstimator estimator{};
+  bool for_raw_numbers = false;  ///< the calibration is in the plan
   /// The scene's baseline is the mean of frames that were not there: the controller is to call
   /// `set_baseline` with an unloaded frame before its first update.
   bool needs_baseline = false;

@@ -54,7 +54,7 @@ Json choice_json(const lab::SensorChoice& choice) {
 
 std::string survey_json(const Scene& scene, const lab::Survey& survey) {
   Json json = scene_json(scene);
-  json["verdict"] = verdict_in_words(survey);
+  json["verdict"] = verdict_in_words(survey, scene.units);
   json["traction"] = survey.traction;
   json["noise"] = in_words(survey.noise);
   json.update(choice_json(survey.own));

@@ -28,6 +28,14 @@ void print_controller(std::ostream& out, const lab::PlannedController& planned,
   if (plan.prediction)
     out << "  residual, outliers, dead taxels: " << streamed_bytes(*plan.prediction)
         << " bytes a frame more (--no-diagnostics leaves them out)\n";
+  if (planned.for_raw_numbers)
+    out << "  for raw numbers, as files of readings have them: the scene's units and calibration "
+           "are "
+           "in the plan"
+        << (planned.needs_baseline ? "; the baseline is not: call set_baseline with an unloaded "
+                                     "frame first, or plan with --readings"
+                                   : "")
+        << '\n';
   out << "  a frame takes " << duration(frame_seconds) << " here";
   if (deadline) out << ": " << brief(*deadline / frame_seconds) << " times inside the deadline";
   out << '\n';

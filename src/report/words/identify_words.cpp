@@ -6,6 +6,7 @@
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/mode_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -16,46 +17,50 @@ std::string word(Traction traction) {
   return traction == Traction::normal ? "normal" : "tangential";
 }
 
+std::string length(double number, const std::optional<Units>& units) {
+  return in_unit(units, Dimension::length, number);
+}
+
 std::string uniform(Traction component) {
   return "a uniform " + word(component) + " traction (k = 0)";
 }
 
-std::string say(const reason::OneStrain&) {
+std::string say(const reason::OneStrain&, const std::optional<Units>&) {
   return "Because strain_y is -strain_x at nu = 0.5: two strains at one depth are one quantity.";
 }
-std::string say(const reason::Proportional&) {
+std::string say(const reason::Proportional&, const std::optional<Units>&) {
   return "Because the quantities read answer to both tractions in the same proportion.";
 }
-std::string say(const reason::OddKernels& r) {
+std::string say(const reason::OddKernels& r, const std::optional<Units>&) {
   return "Because every kernel of a " + word(r.component) +
          " traction read here is odd, what acts left and right of a taxel cancels: for " +
          uniform(r.component) +
          ", which shows only where it stops, and for one that alternates from taxel to taxel "
          "(Nyquist).";
 }
-std::string say(const reason::MeanUnread& r) {
+std::string say(const reason::MeanUnread& r, const std::optional<Units>&) {
   return "Because none of the quantities read answers to " + uniform(r.component) +
          ", it shows only where it stops.";
 }
-std::string say(const reason::Symmetry& r) {
+std::string say(const reason::Symmetry& r, const std::optional<Units>&) {
   return "With " + std::to_string(r.taxels) + " taxels, an odd count, " +
          (r.lost == 1 ? "one combination is" : "some are") +
          " lost exactly: of the readings that are even or odd about the centre, those that it "
          "could show in are one fewer than their unknowns.";
 }
-std::string say(const reason::DeadTaxels&) {
+std::string say(const reason::DeadTaxels&, const std::optional<Units>&) {
   return "Dead taxels read nothing: what only they would show is lost.";
 }
-std::string say(const reason::Smoothing& r) {
-  return "Because the pad smooths: of a ripple of wavelength " + brief(r.wavelength) +
+std::string say(const reason::Smoothing& r, const std::optional<Units>& units) {
+  return "Because the pad smooths: of a ripple of wavelength " + length(r.wavelength, units) +
          ", about exp(-2 pi depth / wavelength) = " + brief(r.left) + " arrives at depth " +
-         brief(r.depth) + ".";
+         length(r.depth, units) + ".";
 }
 
 /// "normal ripples down to wavelength 2, no tangential ripple"
-std::string told(const lab::SensorChoice& choice) {
-  const auto down_to = [](Traction traction, const std::optional<double>& wavelength) {
-    return wavelength ? word(traction) + " ripples down to wavelength " + brief(*wavelength)
+std::string told(const lab::SensorChoice& choice, const std::optional<Units>& units) {
+  const auto down_to = [&](Traction traction, const std::optional<double>& wavelength) {
+    return wavelength ? word(traction) + " ripples down to wavelength " + length(*wavelength, units)
                       : "no " + word(traction) + " ripple";
   };
   std::string text = down_to(Traction::normal, choice.normal);
@@ -72,7 +77,8 @@ std::string difference(const lab::SensorChoice& from, const lab::SensorChoice& w
   return join(names, " and ");
 }
 
-std::vector<std::string> advice_in_words(const lab::Survey& survey) {
+std::vector<std::string> advice_in_words(const lab::Survey& survey,
+                                         const std::optional<Units>& units) {
   const lab::SensorChoice& own = survey.own;
   const auto& [exchange, pair_here, best] = survey.advice;
   std::vector<std::string> text;
@@ -80,7 +86,7 @@ std::vector<std::string> advice_in_words(const lab::Survey& survey) {
     const lab::SensorChoice& other = survey.alternatives[*exchange];
     const bool reveals = lab::hides_anything(own) && !lab::hides_anything(other);
     text.push_back("Read " + difference(other, own) + " instead of " + difference(own, other) +
-                   ": " + (reveals ? "nothing is hidden then; " : "") + told(other) + ".");
+                   ": " + (reveals ? "nothing is hidden then; " : "") + told(other, units) + ".");
   }
   if (own.unknowns == 1)
     text.emplace_back(
@@ -88,8 +94,8 @@ std::vector<std::string> advice_in_words(const lab::Survey& survey) {
         "for it.");
   const auto add = [&](const std::string& what, std::size_t index) {
     const lab::SensorChoice& other = survey.alternatives[index];
-    text.push_back(what + (own.unknowns == 1 ? " for both tractions: " : ": ") + in_words(other) +
-                   "; " + told(other) + ".");
+    text.push_back(what + (own.unknowns == 1 ? " for both tractions: " : ": ") +
+                   in_words(other, units) + "; " + told(other, units) + ".");
   };
   if (pair_here) add("Best of the pairs compared at this depth", *pair_here);
   if (best) add("Best of all compared", *best);
@@ -99,11 +105,11 @@ std::vector<std::string> advice_in_words(const lab::Survey& survey) {
 
 }  // namespace
 
-std::string in_words(const lab::SensorChoice& choice) {
+std::string in_words(const lab::SensorChoice& choice, const std::optional<Units>& units) {
   std::vector<std::string> reads;
   std::vector<std::string> depths;
   for (const Quantity quantity : choice.reads) reads.emplace_back(name(quantity));
-  for (const double depth : choice.depths) depths.push_back(brief(depth));
+  for (const double depth : choice.depths) depths.push_back(length(depth, units));
   return join(reads, ", ") + " at " + join(depths, " and ");
 }
 
@@ -115,23 +121,25 @@ std::string in_words(const lab::AssumedNoise& noise) {
          " % of the largest reading that a ripple of that normal traction causes";
 }
 
-std::string in_words(const lab::HiddenReason& reason) {
-  return std::visit([](const auto& one) { return say(one); }, reason);
+std::string in_words(const lab::HiddenReason& reason, const std::optional<Units>& units) {
+  return std::visit([&](const auto& one) { return say(one, units); }, reason);
 }
 
-std::vector<std::string> verdict_in_words(const lab::Survey& survey) {
+std::vector<std::string> verdict_in_words(const lab::Survey& survey,
+                                          const std::optional<Units>& units) {
   const Identifiability& own = survey.own.identifiability;
   std::vector<std::string> text;
   if (own.null_space.dimension > 0)
-    text.push_back("Cannot tell: " + in_words(own.null_space) + ".");
+    text.push_back("Cannot tell: " + in_words(own.null_space, units) + ".");
   else
     text.push_back("Every combination of tractions shows in the readings; the weakest, " +
                    brief(own.condition) +
-                   " times less than the strongest: " + in_words(own.weakest) + ".");
-  for (const lab::HiddenReason& reason : survey.reasons) text.push_back(in_words(reason));
-  text.push_back("Of ripples with an amplitude of " + brief(survey.traction) + ", under noise of " +
-                 in_words(survey.noise) + ", these sensors tell " + told(survey.own) + ".");
-  for (std::string& sentence : advice_in_words(survey)) text.push_back(std::move(sentence));
+                   " times less than the strongest: " + in_words(own.weakest, units) + ".");
+  for (const lab::HiddenReason& reason : survey.reasons) text.push_back(in_words(reason, units));
+  text.push_back("Of ripples with an amplitude of " +
+                 in_unit(units, Dimension::stress, survey.traction) + ", under noise of " +
+                 in_words(survey.noise) + ", these sensors tell " + told(survey.own, units) + ".");
+  for (std::string& sentence : advice_in_words(survey, units)) text.push_back(std::move(sentence));
   return text;
 }
 

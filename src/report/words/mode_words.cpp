@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -13,13 +14,17 @@ std::string word(Traction component) {
   return component == Traction::normal ? "normal" : "tangential";
 }
 
+std::string length(double number, const std::optional<Units>& units) {
+  return in_unit(units, Dimension::length, number);
+}
+
 std::string whole_percent(double share) {
   return std::to_string(std::lround(100.0 * share)) + " %";
 }
 
 }  // namespace
 
-std::string in_words(const TractionMode& mode) {
+std::string in_words(const TractionMode& mode, const std::optional<Units>& units) {
   std::string text = mode.unknown ? word(*mode.unknown) + " traction"
                                   : "normal (" + whole_percent(mode.normal_share) +
                                         ") with tangential traction (" +
@@ -32,41 +37,42 @@ std::string in_words(const TractionMode& mode) {
   else if (mode.alternating)
     text += "alternating from taxel to taxel (Nyquist)";
   else
-    text += "wavelength " + brief(*mode.wavelength);
+    text += "wavelength " + length(*mode.wavelength, units);
   if (mode.unknown && mode.parity != Parity::neither)
     text +=
         std::string(", ") + (mode.parity == Parity::even ? "even" : "odd") + " about the centre";
   return text;
 }
 
-std::string in_words(const ModeSpace& space) {
+std::string in_words(const ModeSpace& space, const std::optional<Units>& units) {
   if (space.dimension == 0) return {};
-  std::string text = in_words(space.modes.front());
+  std::string text = in_words(space.modes.front(), units);
   if (space.dimension == 1) return text;
   text += "; and " + std::to_string(space.dimension - 1) + " combination" +
           (space.dimension > 2 ? "s" : "") + " more";
   if (std::isinf(space.longest))
-    text += ", from constant ones to wavelength " + brief(space.shortest);
+    text += ", from constant ones to wavelength " + length(space.shortest, units);
   else if (space.longest > 0.0)
-    text += ", of wavelengths " + brief(space.longest) + " to " + brief(space.shortest);
+    text +=
+        ", of wavelengths " + length(space.longest, units) + " to " + length(space.shortest, units);
   return text;
 }
 
-std::string in_short(const ModeSpace& space) {
+std::string in_short(const ModeSpace& space, const std::optional<Units>& units) {
   if (space.dimension == 0) return "-";
   if (space.dimension > 1)
-    return std::to_string(space.dimension) + " modes" + wavelengths_in_short(space);
+    return std::to_string(space.dimension) + " modes" + wavelengths_in_short(space, units);
   const TractionMode& mode = space.modes.front();
   return word(mode.normal_share >= 0.5 ? Traction::normal : Traction::tangential) + ", " +
          (!mode.wavelength   ? "k = 0"
           : mode.alternating ? "alternating"
-                             : "wavelength " + brief(*mode.wavelength));
+                             : "wavelength " + length(*mode.wavelength, units));
 }
 
-std::string wavelengths_in_short(const ModeSpace& space) {
+std::string wavelengths_in_short(const ModeSpace& space, const std::optional<Units>& units) {
   if (space.longest == 0.0) return {};
-  return ", wavelengths " + brief(space.shortest) + " to " +
-         (std::isinf(space.longest) ? "k = 0" : brief(space.longest));
+  return ", wavelengths " + length(space.shortest, units) + " to " +
+         (std::isinf(space.longest) ? "k = 0" : length(space.longest, units));
 }
 
 std::string in_words(const DftNullMode& mode) {

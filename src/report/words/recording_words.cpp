@@ -5,6 +5,7 @@
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/report/words/verdict_words.hpp"
 
 namespace tactile_net::report {
@@ -14,27 +15,38 @@ using lab::FrameGroup;
 using lab::RecordingOverview;
 using lab::Verdict;
 
-std::string normal_of(const FrameGroup& group) {
-  return group.bands ? plus_minus(group.bands->resultant.normal.value,
-                                  group.bands->resultant.normal.deviation)
-                     : brief(group.resultant.normal);
+std::string force_of(const Scene& scene, double force) {
+  return in_unit(scene, Dimension::force, force);
 }
 
-std::string tangential_of(const FrameGroup& group) {
+std::string force_of(const Scene& scene, const Uncertain& force) {
+  return in_unit(scene, Dimension::force, force.value, force.deviation);
+}
+
+std::string length_of(const Scene& scene, double length) {
+  return in_unit(scene, Dimension::length, length);
+}
+
+std::string normal_of(const Scene& scene, const FrameGroup& group) {
+  return group.bands ? force_of(scene, group.bands->resultant.normal)
+                     : force_of(scene, group.resultant.normal);
+}
+
+std::string tangential_of(const Scene& scene, const FrameGroup& group) {
   if (group.bands && group.bands->resultant.tangential)
-    return plus_minus(group.bands->resultant.tangential->value,
-                      group.bands->resultant.tangential->deviation);
-  return brief(group.resultant.tangential);
+    return force_of(scene, *group.bands->resultant.tangential);
+  return force_of(scene, group.resultant.tangential);
 }
 
 /// Empty where nothing presses.
-std::string centre_of(const FrameGroup& group) {
+std::string centre_of(const Scene& scene, const FrameGroup& group) {
   if (group.bands)
-    return group.bands->resultant.centre ? plus_minus(group.bands->resultant.centre->value,
-                                                      group.bands->resultant.centre->deviation)
-                                         : std::string{};
+    return group.bands->resultant.centre
+               ? in_unit(scene, Dimension::length, group.bands->resultant.centre->value,
+                         group.bands->resultant.centre->deviation)
+               : std::string{};
   const auto centre = group.resultant.centre();
-  return centre ? brief(*centre) : std::string{};
+  return centre ? length_of(scene, *centre) : std::string{};
 }
 
 std::string place(const FrameGroup& group) {
@@ -66,10 +78,11 @@ Answer path(const RecordingOverview& overview, const FrameGroup& peak) {
                                ? peak.bands->resultant.centre->deviation
                                : 0.1 * overview.scene.sensor.pitch;
   if (high - low < 4.0 * deviation)
-    return {centre_of(peak), "centre of pressure, at " + place(peak)};
-  return {brief(*first->resultant.centre()) + " → " + brief(*last->resultant.centre()),
-          "way of the centre of pressure while it presses; from " + brief(low) + " to " +
-              brief(high) + " in all"};
+    return {centre_of(overview.scene, peak), "centre of pressure, at " + place(peak)};
+  const auto at = [&](double y) { return length_of(overview.scene, y); };
+  return {at(*first->resultant.centre()) + " → " + at(*last->resultant.centre()),
+          "way of the centre of pressure while it presses; from " + at(low) + " to " + at(high) +
+              " in all"};
 }
 
 Answer trust(const RecordingOverview& overview) {
@@ -92,7 +105,7 @@ std::vector<Answer> answers(const RecordingOverview& overview) {
   const FrameGroup& peak = overview.peak();
   const bool pressed = overview.loaded(peak);
   std::vector<Answer> all;
-  all.push_back({normal_of(peak),
+  all.push_back({normal_of(overview.scene, peak),
                  pressed ? "largest normal force, at " + place(peak)
                          : "largest normal force: no more than the noise. Nothing presses",
                  !pressed || peak.verdict != Verdict::ok});
@@ -146,11 +159,14 @@ std::string group_clock(const FrameGroup& group) {
 }
 
 std::string group_answer(const RecordingOverview& overview, const FrameGroup& group) {
-  std::string text = "normal force " + normal_of(group);
-  if (overview.tangential()) text += ", tangential " + tangential_of(group);
-  if (const std::string centre = centre_of(group); !centre.empty()) text += ", centre " + centre;
+  std::string text = "normal force " + normal_of(overview.scene, group);
+  if (overview.tangential()) text += ", tangential " + tangential_of(overview.scene, group);
+  if (const std::string centre = centre_of(overview.scene, group); !centre.empty())
+    text += ", centre " + centre;
   if (group.alpha) text += "; alpha " + brief(group.alpha->value);
-  if (group.bands) text += "; residual " + brief(group.bands->noise.residual_rms);
+  if (group.bands)
+    text += "; residual " + in_unit(overview.scene, residual_dimension(overview.scene),
+                                    group.bands->noise.residual_rms);
   return text;
 }
 

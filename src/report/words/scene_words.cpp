@@ -2,6 +2,7 @@
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -18,16 +19,17 @@ std::string_view shape_name(Shape shape) {
   return "";
 }
 
-std::string in_words(const RigidContact& contact) {
+std::string in_words(const RigidContact& contact, const Scene& scene) {
+  const auto length = [&](double number) { return in_unit(scene, Dimension::length, number); };
   std::string text(shape_name(contact.shape));
-  text += " at " + brief(contact.center) + ", half width " + brief(contact.half_width) +
-          ", force " + brief(contact.force);
-  if (contact.edge > 0.0) text += ", edge " + brief(contact.edge);
+  text += " at " + length(contact.center) + ", half width " + length(contact.half_width) +
+          ", force " + in_unit(scene, Dimension::force, contact.force);
+  if (contact.edge > 0.0) text += ", edge " + length(contact.edge);
   if (contact.friction != 0.0) text += ", friction " + brief(contact.friction);
   return text;
 }
 
-std::string in_words(const SampledTractions& contact) {
+std::string in_words(const SampledTractions& contact, const Scene&) {
   return "sampled tractions at the " + std::to_string(contact.normal.size()) + " taxels" +
          (contact.tangential.empty() ? "" : ", normal and tangential");
 }
@@ -38,9 +40,11 @@ std::string sensor_in_words(const Scene& scene) {
   std::vector<std::string> reads;
   std::vector<std::string> depths;
   for (const Quantity quantity : scene.sensor.reads) reads.emplace_back(name(quantity));
-  for (const double depth : scene.sensor.depths) depths.push_back(brief(depth));
-  return std::to_string(scene.sensor.count) + " taxels, pitch " + brief(scene.sensor.pitch) +
-         ", reading " + join(reads, ", ") + " at depth " + join(depths, " and ");
+  for (const double depth : scene.sensor.depths)
+    depths.push_back(in_unit(scene, Dimension::length, depth));
+  return std::to_string(scene.sensor.count) + " taxels, pitch " +
+         in_unit(scene, Dimension::length, scene.sensor.pitch) + ", reading " + join(reads, ", ") +
+         " at depth " + join(depths, " and ");
 }
 
 std::string time_in_words(const Scene& scene) {
@@ -48,22 +52,22 @@ std::string time_in_words(const Scene& scene) {
   const bool last = scene.frame + 1 == timing.frames;
   return std::string(last ? "the last" : "one") + " of " + std::to_string(timing.frames) +
          " frames: frame " + std::to_string(scene.frame) +
-         " at t = " + brief(timing.time(scene.frame));
+         " at t = " + brief(timing.time(scene.frame)) + (scene.units ? " s" : "");
 }
 
 std::string material_in_words(const Scene& scene) {
   std::string body = "half plane";
   if (const auto& layer = scene.material.layer)
-    body = "layer " + brief(layer->thickness) + " thick on a " + std::string(name(layer->base)) +
-           " base";
-  return body + ", E = " + brief(scene.material.youngs_modulus) +
+    body = "layer " + in_unit(scene, Dimension::length, layer->thickness) + " thick on a " +
+           std::string(name(layer->base)) + " base";
+  return body + ", E = " + in_unit(scene, Dimension::stress, scene.material.youngs_modulus) +
          ", nu = " + shortest(scene.material.poisson_ratio);
 }
 
 std::vector<std::string> contacts_in_words(const Scene& scene) {
   std::vector<std::string> texts;
   for (const Contact& contact : scene.contacts)
-    texts.push_back(std::visit([](const auto& shape) { return in_words(shape); }, contact));
+    texts.push_back(std::visit([&](const auto& shape) { return in_words(shape, scene); }, contact));
   return texts;
 }
 

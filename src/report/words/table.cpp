@@ -8,16 +8,27 @@
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::report {
+namespace {
+
+/// Code points of UTF-8: "±" and "µ" are one column wide.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
 void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
   for (const auto& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i)
-      line += row[i] + std::string(widths[i] - row[i].size() + 2, ' ');
+      line += row[i] + std::string(widths[i] - width(row[i]) + 2, ' ');
     line.erase(line.find_last_not_of(' ') + 1);
     out << line << '\n';
   }
@@ -43,12 +54,12 @@ std::vector<std::vector<std::string>> comparison_cells(const lab::Experiment& ex
       row.push_back(!result.alpha        ? "-"
                     : result.alpha->rule ? brief(result.alpha->value)
                                          : shortest(result.alpha->value));
-      row.push_back(brief(result.normal.mean_abs));
+      row.push_back(in_unit(experiment.scene, Dimension::stress, result.normal.mean_abs));
       row.push_back(brief(result.normal.relative_l2));
       if (two)
         row.push_back(result.tangential.traction.empty() ? "-"
                                                          : brief(result.tangential.relative_l2));
-      row.push_back(brief(result.force));
+      row.push_back(in_unit(experiment.scene, Dimension::force, result.force));
       row.push_back(!result.condition
                         ? "-"
                         : (result.condition->kind == lab::Condition::Kind::bound ? "<= " : "") +
@@ -92,14 +103,16 @@ std::string rule_used(const Scene& scene) {
                                  : std::string(name(scene.reconstruct.alpha_rule)) + " was used";
 }
 
-std::string resultant_in_words(const UncertainResultant& resultant) {
-  const auto number = [](const Uncertain& value) {
-    return brief(value.value) + " +- " + brief(value.deviation);
+std::string resultant_in_words(const Scene& scene, const UncertainResultant& resultant) {
+  const auto number = [&](Dimension dimension, const Uncertain& value) {
+    return scene.units ? in_unit(scene, dimension, value.value, value.deviation)
+                       : brief(value.value) + " +- " + brief(value.deviation);
   };
-  std::string text = "normal force " + number(resultant.normal);
-  if (resultant.tangential) text += ", tangential " + number(*resultant.tangential);
-  if (resultant.centre) text += ", centre " + number(*resultant.centre);
-  if (resultant.angle) text += ", angle " + number(*resultant.angle) + " rad";
+  std::string text = "normal force " + number(Dimension::force, resultant.normal);
+  if (resultant.tangential)
+    text += ", tangential " + number(Dimension::force, *resultant.tangential);
+  if (resultant.centre) text += ", centre " + number(Dimension::length, *resultant.centre);
+  if (resultant.angle) text += ", angle " + number(Dimension::none, *resultant.angle) + " rad";
   return text;
 }
 
@@ -155,11 +168,12 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
     out << "  warning: " << warning << '\n';
   out << '\n';
   print_cells(out, comparison_cells(experiment));
-  out << "force of the contacts: " << brief(experiment.frame.force) << " exact, "
-      << brief(experiment.sampled_force) << " as pitch x sum of the truth at the taxels\n";
+  out << "force of the contacts: " << in_unit(scene, Dimension::force, experiment.frame.force)
+      << " exact, " << in_unit(scene, Dimension::force, experiment.sampled_force)
+      << " as pitch x sum of the truth at the taxels\n";
   for (const lab::MethodResult& result : experiment.results) {
     if (result.resultant)
-      out << name(result.method) << ": " << resultant_in_words(*result.resultant) << '\n';
+      out << name(result.method) << ": " << resultant_in_words(scene, *result.resultant) << '\n';
     for (const std::string& warning : remarks_in_words(experiment, result))
       out << name(result.method) << ": warning: " << warning << '\n';
     if (const std::string failure = failure_in_words(experiment, result); !failure.empty())

@@ -1,5 +1,6 @@
 #include "tactile_net/report/words/unit_words.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 #include "tactile_net/numeric/number_text.hpp"
@@ -29,13 +30,24 @@ ScaledUnit axis_unit(const Scene& scene, Dimension dimension, double largest) {
   return scaled_unit(largest, si_unit(dimension));
 }
 
+std::string in_unit(const std::optional<Units>& units, Dimension dimension, double number) {
+  return units ? with_unit(number, si_unit(dimension)) : brief(number);
+}
+
 std::string in_unit(const Scene& scene, Dimension dimension, double number) {
-  return scene.units ? with_unit(number, si_unit(dimension)) : brief(number);
+  return in_unit(scene.units, dimension, number);
 }
 
 std::string in_unit(const Scene& scene, Dimension dimension, double value, double deviation) {
   return scene.units ? with_unit(value, deviation, si_unit(dimension))
                      : plus_minus(value, deviation);
+}
+
+Dimension residual_dimension(const Scene& scene) noexcept {
+  const auto& reads = scene.sensor.reads;
+  const bool weighted = scene.noise && scene.noise->weights_rows;
+  return weighted || std::any_of(reads.begin(), reads.end(), is_strain) ? Dimension::none
+                                                                        : Dimension::stress;
 }
 
 }  // namespace tactile_net::report

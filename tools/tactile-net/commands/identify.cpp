@@ -39,12 +39,14 @@ double traction_of(const IdentifyOptions& options, const Scene& scene, const Str
 void print(std::ostream& out, const Scene& scene, const lab::Survey& survey) {
   out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n  ")
       << report::sensor_in_words(scene) << "; " << report::material_in_words(scene) << "\n\n";
-  for (const std::string& sentence : report::verdict_in_words(survey)) out << sentence << '\n';
+  for (const std::string& sentence : report::verdict_in_words(survey, scene.units))
+    out << sentence << '\n';
   out << '\n';
-  for (const std::string& line : pages::singular_values_in_words(survey.own.identifiability))
+  for (const std::string& line :
+       pages::singular_values_in_words(survey.own.identifiability, scene.units))
     out << line << '\n';
   out << '\n';
-  report::print_cells(out, pages::survey_cells(survey));
+  report::print_cells(out, pages::survey_cells(survey, scene.units));
   out << pages::cells_in_words(scene, survey) << '\n';
 }
 

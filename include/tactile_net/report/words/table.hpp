@@ -34,7 +34,8 @@ void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>&
 [[nodiscard]] std::string rule_used(const Scene& scene);
 
 /// "normal force 1.02 +- 0.003, centre 0.1 +- 0.01": one standard deviation.
-[[nodiscard]] std::string resultant_in_words(const UncertainResultant& resultant);
+[[nodiscard]] std::string resultant_in_words(const Scene& scene,
+                                             const UncertainResultant& resultant);
 
 void print_experiment(std::ostream& out, const lab::Experiment& experiment);
 void print_relaxation(std::ostream& out, const lab::Relaxation& relaxation);

@@ -6,6 +6,7 @@
 ///     axis_unit(scene, Dimension::length, 0.01)     {"mm", 1000}, or {"unit of the pitch", 1}
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "tactile_net/numeric/unit_text.hpp"
@@ -23,9 +24,15 @@ namespace tactile_net::report {
 
 /// "4.81 kPa"; without [units] as `brief`.
 [[nodiscard]] std::string in_unit(const Scene& scene, Dimension dimension, double number);
+[[nodiscard]] std::string in_unit(const std::optional<Units>& units, Dimension dimension,
+                                  double number);
 
 /// "4.81 ± 0.02 kPa"; without [units] as `plus_minus`.
 [[nodiscard]] std::string in_unit(const Scene& scene, Dimension dimension, double value,
                                   double deviation);
+
+/// Of a residual, and of noise beside it: that of the readings, none where they are divided by
+/// their noise.
+[[nodiscard]] Dimension residual_dimension(const Scene& scene) noexcept;
 
 }  // namespace tactile_net::report

@@ -1,0 +1,130 @@
+// The door: a file's numbers become readings in SI.
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tactile_net/frames/open.hpp"
+#include "tactile_net/scene/diagnostic.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+using namespace tactile_net::frames;
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+Scene scene_with(const std::string& more) {
+  return parse_scene(
+      "[sensor]\ncount = 2\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\"]\n"
+      "[material]\nyoungs_modulus = 1\npoisson_ratio = 0.4\n" +
+          more,
+      "scene.toml");
+}
+
+struct Read {
+  std::vector<Numbers> frames{};
+  std::vector<std::string> times{};
+  std::string error{};
+  std::optional<Calibration> calibration{};
+};
+
+/// All frames of a text on standard input.
+Read read(const Scene& scene, const std::string& text, bool accept_missing = false) {
+  std::istringstream in(text);
+  ReadingsFile file("-", scene, &in, {.accept_missing = accept_missing});
+  Read result;
+  try {
+    for (Numbers frame(2); file.source().next(frame);) {
+      result.frames.push_back(frame);
+      result.times.emplace_back(file.source().time());
+    }
+  } catch (const InputError& error) {
+    result.error = error.what();
+  }
+  if (file.calibration() != nullptr) result.calibration = *file.calibration();
+  return result;
+}
+
+const std::string four_frames = "t,stress_x_0,stress_x_1\n0,1,2\n1,3,6\n2,10,20\n3,11,22\n";
+
+}  // namespace
+
+TEST_CASE("without [calibration] and [units] the numbers are the readings",
+          "[frames][calibration]") {
+  const Read all = read(scene_with(""), four_frames);
+  CHECK(all.frames == std::vector<Numbers>{{1, 2}, {3, 6}, {10, 20}, {11, 22}});
+  CHECK_FALSE(all.calibration);
+}
+
+TEST_CASE("units and calibration are applied to every frame", "[frames][calibration]") {
+  CHECK(read(scene_with("[units]\nstress = \"kPa\"\n"), four_frames).frames.at(1) ==
+        Numbers{3000, 6000});
+  const Read all = read(
+      scene_with("[units]\nstress = \"kPa\"\n[calibration]\ngain = [0.5, -0.5]\nbaseline = 1\n"),
+      four_frames);
+  CHECK(all.frames.at(0) == Numbers{0, -500});
+  CHECK(all.frames.at(3) == Numbers{5000, -10500});
+  CHECK(all.times == std::vector<std::string>{"0", "1", "2", "3"});
+}
+
+TEST_CASE("the mean of frames is the baseline of all, theirs too", "[frames][calibration]") {
+  const Scene scene = scene_with("[calibration]\ngain = 2\nbaseline_frames = [0, 1]\n");
+  const Read all = read(scene, four_frames);
+  CHECK(all.error.empty());
+  CHECK(all.frames == std::vector<Numbers>{{-2, -4}, {2, 4}, {16, 32}, {18, 36}});
+  CHECK(all.times == std::vector<std::string>{"0", "1", "2", "3"});
+  REQUIRE(all.calibration);
+  CHECK(all.calibration->baseline == Numbers{2, 4});
+  CHECK_FALSE(all.calibration->baseline_frames);
+
+  const Scene later = scene_with("[calibration]\nbaseline_frames = [1, 1]\n");
+  CHECK(read(later, four_frames).frames ==
+        std::vector<Numbers>{{-2, -4}, {0, 0}, {7, 14}, {8, 16}});
+}
+
+TEST_CASE("frames that cannot tell the baseline are refused", "[frames][calibration]") {
+  const Scene scene = scene_with("[calibration]\nbaseline_frames = [0, 4]\n");
+  CHECK_THAT(read(scene, four_frames).error, ContainsSubstring("ends after 4 frames"));
+  const Scene one = scene_with("[calibration]\nbaseline_frames = [0, 1]\n");
+  const Read missing = read(one, "stress_x_0,stress_x_1\n1,NaN\n3,NaN\n5,6\n", true);
+  CHECK_THAT(missing.error, ContainsSubstring("has no 'stress_x_1' in any frame"));
+}
+
+TEST_CASE("what is missing stays missing, and is no part of the baseline",
+          "[frames][calibration]") {
+  const Scene scene = scene_with("[calibration]\nbaseline_frames = [0, 1]\n");
+  const Read all = read(scene, "stress_x_0,stress_x_1\n1,NaN\n3,6\n5,7\n", true);
+  REQUIRE(all.frames.size() == 3);
+  CHECK(std::isnan(all.frames[0][1]));
+  CHECK(all.frames[0][0] == -1.0);
+  CHECK(all.frames[2] == Numbers{3, 1});
+}
+
+TEST_CASE("a dead taxel reads zero, whatever its calibration", "[frames][calibration]") {
+  const Scene scene =
+      scene_with("[calibration]\nbaseline = 7\noffset = 3\n[dead_taxels]\nindices = [1]\n");
+  CHECK(read(scene, "stress_x_0,stress_x_1\n9,broken\n").frames == std::vector<Numbers>{{5, 0}});
+}
+
+TEST_CASE("a frame that was kept for the baseline is named by its number",
+          "[frames][calibration]") {
+  const Scene scene = scene_with("[calibration]\nbaseline_frames = [0, 1]\n");
+  std::istringstream in(four_frames);
+  ReadingsFile file("-", scene, &in);
+  Numbers frame(2);
+  const auto refusal = [&] {
+    try {
+      file.source().refuse("is odd", "");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  REQUIRE(file.source().next(frame));
+  REQUIRE(file.source().next(frame));
+  CHECK_THAT(refusal(), ContainsSubstring("frame 1: is odd"));
+  REQUIRE(file.source().next(frame));
+  CHECK_THAT(refusal(), ContainsSubstring("<stdin>:4"));
+}

@@ -1,0 +1,118 @@
+// A scene's units and calibration do not change what is found.
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tactile_net/frames/frame_of.hpp"
+#include "tactile_net/lab/method.hpp"
+#include "tactile_net/lab/planned_controller.hpp"
+#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+using namespace tactile_net::lab;
+
+namespace {
+
+std::string pad(const std::string& units, const std::string& pitch, const std::string& depth,
+                const std::string& modulus, const std::string& half_width, const std::string& force,
+                const std::string& more) {
+  return units + "[sensor]\ncount = 21\npitch = " + pitch + "\ndepth = " + depth +
+         "\nreads = [\"stress_x\", \"shear_xy\"]\n[material]\nyoungs_modulus = " + modulus +
+         "\npoisson_ratio = 0.45\nlayer = { thickness = " + depth +
+         ", base = \"bonded\" }\n[[contact]]\nshape = \"cylinder\"\nhalf_width = " + half_width +
+         "\nforce = " + force + "\nfriction = 0.3\n" + more;
+}
+
+std::vector<double> solved(const Scene& scene, const std::vector<double>& readings) {
+  const auto solver = make_solver(scene, Method::tikhonov);
+  std::vector<double> f(solver->tractions());
+  REQUIRE(solver->solve(readings, f).status == FrameStatus::ok);
+  return f;
+}
+
+const std::string counts = SCENES "/recorded/thin-pad-counts";
+
+}  // namespace
+
+TEST_CASE("a scene in mm, MPa and kPa has the very tractions of the same scene in SI",
+          "[lab][units][property]") {
+  const std::string alpha = GENERATE("", "[reconstruct]\nalpha = 0.00048828125\n");
+  const Scene si = parse_scene(
+      pad("", "0.5e-3", "1.5e-3", "0.25e6", "2e-3", "1500", "[noise]\nrms = 31.25\n" + alpha),
+      "si.toml");
+  const Scene mm = parse_scene(
+      pad("[units]\nlength = \"mm\"\nmodulus = \"MPa\"\nstress = \"kPa\"\nforce = \"N/mm\"\n",
+          "0.5", "1.5", "0.25", "2", "1.5", "[noise]\nrms = 0.03125\n" + alpha),
+      "mm.toml");
+  const std::vector<double> readings = simulate(si).readings;
+  CHECK(simulate(mm).readings == readings);
+  CHECK(solved(mm, readings) == solved(si, readings));
+}
+
+TEST_CASE("counts give the tractions of the readings that they were made of",
+          "[lab][units][property]") {
+  const Scene prepared = read_scene(SCENES "/recorded/thin-pad.toml");
+  const Scene raw = read_scene(counts + ".toml");
+  REQUIRE(raw.calibration);
+  const SceneProblem problem(prepared);
+  for (std::size_t frame = 0; frame < 7; ++frame) {
+    CAPTURE(frame);
+    const auto expected =
+        frames::readings_of_frame(SCENES "/recorded/thin-pad.csv", prepared, frame);
+    const auto readings = frames::readings_of_frame(counts + ".csv", raw, frame);
+    // The rule that made the counts: rounded to the nearest.
+    for (std::size_t i = 0; i < readings.size(); ++i)
+      CHECK(std::abs(readings[i] - expected[i]) <= 0.5 * std::abs(raw.calibration->gain[i]) + 1e-9);
+    // Counts that were not rounded: the same tractions, to rounding.
+    const std::vector<double> exact = raw_numbers(raw, expected);
+    std::vector<double> back = exact;
+    calibrate(*raw.calibration, back);
+    const std::vector<double> f = solved(prepared, expected);
+    CHECK(relative_l2_error(solved(raw, back), f) < 1e-9);
+  }
+}
+
+TEST_CASE("a controller finds in counts what solve finds in readings", "[lab][units]") {
+  Scene raw = read_scene(counts + ".toml");
+  raw.quantization = Converter{.bits = 12, .low = -20e3, .high = 30e3};
+  const SceneProblem problem(raw);
+  const PlannedController planned = plan_controller(problem, {.value = 1e-8}, {.accuracy = 1e-10});
+  CHECK_FALSE(planned.needs_baseline);
+  raw.reconstruct.alpha = 1e-8;
+  ContactEstimator estimator(planned.estimator.plan);
+  std::vector<double> f(estimator.tractions());
+  ContactEstimate estimate{.tractions = f};
+  std::ifstream file(counts + ".csv");
+  std::string line;
+  std::getline(file, line);
+  for (std::size_t frame = 0; std::getline(file, line); ++frame) {
+    std::vector<double> numbers;
+    std::istringstream row(line);
+    for (std::string field; std::getline(row, field, ',');) numbers.push_back(std::stod(field));
+    numbers.erase(numbers.begin());  // t
+    const auto readings = frames::readings_of_frame(counts + ".csv", raw, frame);
+    REQUIRE(estimator.update(numbers, estimate) == FrameStatus::ok);
+    CHECK_FALSE(estimate.saturated);
+    CHECK(relative_l2_error(f, solved(raw, readings)) < 1e-8);
+    // One count that stands for the converter's end.
+    std::vector<double> end(readings.size(), 0.0);
+    end[20] = 30e3;
+    const std::vector<double> saturated = raw_numbers(raw, end);
+    REQUIRE(estimator.update(saturated, estimate) == FrameStatus::ok);
+    CHECK(estimate.saturated);
+  }
+}
+
+TEST_CASE("a plan without the frames of its baseline asks for one", "[lab][units]") {
+  Scene scene = read_scene(counts + ".toml");
+  scene.calibration->baseline_frames = FrameRange{0, 9};
+  CHECK(plan_controller(SceneProblem(scene), {.value = 1e-8}).needs_baseline);
+  scene.calibration->baseline_frames.reset();
+  CHECK_FALSE(plan_controller(SceneProblem(scene), {.value = 1e-8}).needs_baseline);
+}
