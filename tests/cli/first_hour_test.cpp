@@ -227,6 +227,38 @@ TEST_CASE("init understands columns however they are named", "[cli]") {
   }
 }
 
+TEST_CASE("what check advises ends the suspicion", "[cli]") {
+  const Folder folder;
+  const std::string plain =
+      "[sensor]\ncount = 15\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\"]\n"
+      "[units]\nlength = \"mm\"\nstress = \"kPa\"\nmodulus = \"MPa\"\n"
+      "[material]\nyoungs_modulus = 0.2\npoisson_ratio = 0.45\n[noise]\nrms = 0.02\n";
+  const std::string counts = plain + "[calibration]\ngain = 0.25\n";
+  const std::string sensor = folder.write(
+      "sensor.toml",
+      counts +
+          "baseline = [2040, 2055, 1999, 2031, 2044, 2071, 2003, 2012, 2090, 2021, 2037, 2066, "
+          "2048, 2019, 2052]\n[time]\nrate = 100.0\nframes = 200\n"
+          "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.5\n"
+          "trajectory = [{ t = 0.6, force = 0.0 }, { t = 1.0, force = 30.0 }, "
+          "{ t = 1.4, force = 0.0 }]\n");
+  const std::string csv = folder / "counts.csv";
+  done({"simulate", sensor, "-o", csv});
+  const std::string path = folder.write("pad.toml", counts);
+  done({"check", path, "--readings", csv, "--json", folder / "check.json"});
+  const nlohmann::json before = json_of(folder / "check.json")["findings"];
+  REQUIRE(before.size() == 1);
+  CHECK(before[0]["kind"] == "baseline");
+  const std::string advice = before[0]["advice"];
+  const std::string start = "under [calibration], ";
+  REQUIRE(advice.starts_with(start + "baseline = ["));
+  folder.write("pad.toml", counts + advice.substr(start.size()) + '\n');
+  done({"check", path, "--readings", csv, "--json", folder / "check.json"});
+  const nlohmann::json after = json_of(folder / "check.json");
+  CHECK(after["findings"].empty());
+  CHECK_THAT(after["peak"]["force"].get<double>(), WithinRel(30.0, 0.05));
+}
+
 TEST_CASE("check fails on suspicions only where that is asked for", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);

@@ -1,5 +1,6 @@
 #include "tactile_net/report/json/check_json.hpp"
 
+#include "report/json/scene_json.hpp"
 #include "report/json/values.hpp"
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/report/words/check_words.hpp"
@@ -94,22 +95,23 @@ std::string check_json(const lab::ReadingsCheck& check, const std::string& readi
                         {"noise_stated", number_or_null(channel.stated)}});
   Json findings = Json::array();
   for (const lab::Finding& one : check.findings) findings.push_back(finding_json(one, check.scene));
-  return text_of(Json{{"tactile_net", version()},
-                      {"scene", check.scene.file},
-                      {"readings", readings},
-                      {"frames", check.frames},
-                      {"missing", check.missing},
-                      {"time", clock_json(check.clock)},
-                      {"channels", channels},
-                      {"peak", peak_json(check)},
-                      {"judged_by",
-                       {{"groups", check.sampled},
-                        {"still", check.still},
-                        {"quiet", check.quiet},
-                        {"solved", check.solved}}},
-                      {"residual", number_or_null(check.residual)},
-                      {"findings", findings}},
-                 2);
+  Json json{{"tactile_net", version()},
+            {"scene", check.scene.file},
+            {"readings", readings},
+            {"frames", check.frames},
+            {"missing", check.missing},
+            {"time", clock_json(check.clock)},
+            {"channels", channels},
+            {"peak", peak_json(check)},
+            {"judged_by",
+             {{"groups", check.sampled},
+              {"still", check.still},
+              {"quiet", check.quiet},
+              {"solved", check.solved}}},
+            {"residual", number_or_null(check.residual)},
+            {"findings", findings}};
+  if (check.scene.units) json["units"] = units_json(*check.scene.units);
+  return text_of(json, 2);
 }
 
 }  // namespace tactile_net::report
