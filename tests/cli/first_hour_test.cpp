@@ -239,7 +239,7 @@ TEST_CASE("what check advises ends the suspicion", "[cli]") {
       counts +
           "baseline = [2040, 2055, 1999, 2031, 2044, 2071, 2003, 2012, 2090, 2021, 2037, 2066, "
           "2048, 2019, 2052]\n[time]\nrate = 100.0\nframes = 200\n"
-          "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.5\n"
+          "[forward]\nmodel = \"exact\"\n[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.5\n"
           "trajectory = [{ t = 0.6, force = 0.0 }, { t = 1.0, force = 30.0 }, "
           "{ t = 1.4, force = 0.0 }]\n");
   const std::string csv = folder / "counts.csv";

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "lab/check/judgement.hpp"
-#include "lab/check/robust.hpp"
+#include "numeric/robust.hpp"
 #include "tactile_net/sensing/resultant.hpp"
 
 namespace tactile_net::lab {

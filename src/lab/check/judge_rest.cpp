@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "lab/check/judgement.hpp"
-#include "lab/check/robust.hpp"
+#include "numeric/robust.hpp"
 
 namespace tactile_net::lab {
 namespace {

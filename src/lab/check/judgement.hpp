@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "lab/check/frame_triples.hpp"
 #include "lab/check/pattern_solver.hpp"
-#include "lab/check/reading_track.hpp"
 #include "lab/check/rest.hpp"
+#include "sensing/frame_triples.hpp"
+#include "sensing/reading_track.hpp"
 #include "tactile_net/lab/readings_check.hpp"
 
 namespace tactile_net::lab {

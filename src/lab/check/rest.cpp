@@ -5,7 +5,7 @@
 #include <iterator>
 #include <limits>
 
-#include "lab/check/robust.hpp"
+#include "numeric/robust.hpp"
 
 namespace tactile_net::lab {
 namespace {

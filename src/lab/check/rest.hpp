@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "lab/check/frame_triples.hpp"
+#include "sensing/frame_triples.hpp"
 
 namespace tactile_net::lab {
 

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "lab/check/judgement.hpp"
-#include "lab/check/robust.hpp"
+#include "numeric/robust.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 
 namespace tactile_net::lab {

@@ -1,9 +1,9 @@
-#include "lab/check/frame_triples.hpp"
+#include "sensing/frame_triples.hpp"
 
 #include <cmath>
 #include <utility>
 
-namespace tactile_net::lab {
+namespace tactile_net {
 
 double FrameTriple::roughness(std::size_t i) const noexcept {
   static const double scale = 1.0 / std::sqrt(6.0);  // the variance of a - 2 b + c
@@ -23,4 +23,4 @@ void FrameTriples::add(std::span<const double> readings) {
   last_[0] = std::exchange(last_[1], std::move(frame));
 }
 
-}  // namespace tactile_net::lab
+}  // namespace tactile_net

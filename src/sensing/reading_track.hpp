@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace tactile_net::lab {
+namespace tactile_net {
 
 /// The values at one end of a reading's range: how many are the outermost, and how many lie next
 /// to it.
@@ -99,4 +99,4 @@ class ReadingTrack {
   std::size_t longest_first_ = 0;
 };
 
-}  // namespace tactile_net::lab
+}  // namespace tactile_net

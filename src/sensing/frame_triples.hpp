@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tactile_net::lab {
+namespace tactile_net {
 
 struct FrameTriple {
   std::size_t first = 0;  ///< number of its first frame
@@ -36,4 +36,4 @@ class FrameTriples {
   std::vector<FrameTriple> triples_;
 };
 
-}  // namespace tactile_net::lab
+}  // namespace tactile_net

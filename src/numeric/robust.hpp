@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tactile_net::lab {
+namespace tactile_net {
 
 /// The share `at` of the values lies below, 0 to 1; 0 without values. Takes its copy apart.
 [[nodiscard]] inline double quantile(std::vector<double> values, double at) {
@@ -35,4 +35,4 @@ namespace tactile_net::lab {
   return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
-}  // namespace tactile_net::lab
+}  // namespace tactile_net
