@@ -93,7 +93,7 @@ struct WholePadPulled {
 
 // Readings and stiffness.
 struct TractionExceedsModulus {
-  double times = 0.0;  ///< the largest traction over Young's modulus, > 1
+  double times = 0.0;  ///< the largest traction over Young's modulus, > 3
 };
 struct DeformationTiny {
   double times = 0.0;  ///< the same, far below what touch is

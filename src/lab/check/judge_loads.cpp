@@ -109,7 +109,7 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
   if (sign.loaded > 0 && 5 * sign.pulled >= 4 * sign.loaded) check.findings.emplace_back(sign);
   if (sign.loaded > 0) {
     const double times = std::abs(found->traction) / evidence.scene.material.youngs_modulus;
-    if (times > 1.0)
+    if (times > 3.0)
       check.findings.emplace_back(finding::TractionExceedsModulus{times});
     else if (times < 1e-4)
       check.findings.emplace_back(finding::DeformationTiny{times});

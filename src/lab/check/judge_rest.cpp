@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "lab/check/judgement.hpp"
 #include "numeric/robust.hpp"
@@ -115,6 +116,14 @@ double largest_size(std::span<const double> values) {
 
 using Still = std::span<const FrameTriple* const>;
 
+/// Frames that are in one of the triples at rest or in several.
+std::size_t frames_of(Still still, const Rest& rest) {
+  std::set<std::size_t> frames;
+  for (const std::size_t k : rest.triples)
+    for (const std::size_t offset : {0u, 1u, 2u}) frames.insert(still[k]->first + offset);
+  return frames.size();
+}
+
 /// How the frames at rest differ from it: the rms of each channel, and whether what is left
 /// remembers the frame before (noise does not), or resembles its neighbour (as loads do).
 struct Spread {
@@ -213,7 +222,7 @@ RestState judge_rest(const Evidence& evidence, const StillNoise& noise, PatternS
   // What drifts is off zero sooner or later: one finding for both.
   if (off_zero && (!drift || times > 2.0 * drift->times))
     findings.emplace_back(finding::Baseline{.values = rest.values,
-                                            .frames = 3 * rest.triples.size(),
+                                            .frames = frames_of(noise.still, rest),
                                             .largest = largest_size(rest.values),
                                             .times = times,
                                             .loaded = loaded});
