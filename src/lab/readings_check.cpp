@@ -14,6 +14,14 @@ std::size_t most_groups_of(std::size_t readings) {
                     ReadingsChecker::most_groups);
 }
 
+/// Whether the scene's array could see what presses at all.
+bool is_fathomable(const Findings& by_scene) {
+  return std::none_of(by_scene.begin(), by_scene.end(), [](const Finding& one) {
+    return std::holds_alternative<finding::DepthBeyondArray>(one) ||
+           std::holds_alternative<finding::PitchCoarse>(one);
+  });
+}
+
 /// Counts the times as they come.
 class ClockTrack {
  public:
@@ -160,13 +168,16 @@ ReadingsCheck ReadingsChecker::result(Observer& observer) const {
       evidence.bury(missing->taxels);
   p.say_channels(evidence, check);
   if (p.frames == 0) return check;
+  const Findings by_scene = scene_findings(p.scene);
 
   check.sampled = evidence.triples.size();
   const StillNoise noise = judge_taxels(evidence, check.findings);
   check.still = noise.known() ? noise.still.size() : 0;
   if (std::find(evidence.living.begin(), evidence.living.end(), true) != evidence.living.end()) {
     PatternSolver solver(p.scene);
-    const RestState rest = judge_rest(evidence, noise, solver, check.findings);
+    // With lengths that cannot be right no load explains anything.
+    const RestState rest =
+        is_fathomable(by_scene) ? judge_rest(evidence, noise, solver, check.findings) : RestState{};
     check.quiet = rest.quiet;
     if (noise.known())
       for (std::size_t c = 0; c < check.channels.size(); ++c)
@@ -175,7 +186,6 @@ ReadingsCheck ReadingsChecker::result(Observer& observer) const {
     judge_loads(evidence, rest.baseline, p.peak, solver, observer, check);
     judge_scale(check);
   }
-  const Findings by_scene = scene_findings(p.scene);
   check.findings.insert(check.findings.end(), by_scene.begin(), by_scene.end());
   return check;
 }

@@ -192,7 +192,9 @@ std::optional<finding::Drift> find_drift(const Evidence& evidence, const StillNo
   std::optional<finding::Drift> drift;
   for (std::size_t b = 1; b < found.size(); ++b) {
     const std::vector<double> change = difference(found[b].rest.values, found[0].rest.values);
-    const std::size_t frames = std::min(found[b].rest.triples.size(), found[0].rest.triples.size());
+    // The difference of two medians is surer by the root of a third of their frames.
+    const std::size_t frames =
+        std::min(found[b].rest.triples.size(), found[0].rest.triples.size()) / 3;
     const double times = no_contact.times(change);
     if (times < 2.0 || (drift && times < drift->times) || !no_contact(change, frames)) continue;
     drift = finding::Drift{.largest = largest_size(change),

@@ -67,32 +67,44 @@ class Constants {
   bool nothing_at_all_ = true;  // every reading is zero
 };
 
-/// How often both neighbours feel a load clearly, and how often the reading between them does not.
+/// Silent in most frames in which its neighbours clearly feel a load: the two beside it, and at
+/// least one of those behind them, all of one sign.
 bool feels_nothing(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
-  const std::size_t count = evidence.count();
-  const std::size_t taxel = i % count;
+  const auto count = static_cast<std::ptrdiff_t>(evidence.count());
+  const auto taxel = static_cast<std::ptrdiff_t>(i) % count;
   if (taxel == 0 || taxel + 1 == count || !evidence.living[i - 1] || !evidence.living[i + 1])
     return false;
   // Between taxels far apart a load's readings may have a valley.
   const std::vector<double>& depths = evidence.scene.sensor.depths;
   if (evidence.scene.sensor.pitch > *std::min_element(depths.begin(), depths.end())) return false;
-  const double sigma = noise.of_channel[i / count];
-  const auto rest = [&](std::size_t k) {
+  const double sigma = noise.of_channel[i / evidence.count()];
+  struct Place {
+    std::size_t reading;
+    double rest;
+  };
+  std::vector<Place> around;  // the two beside it first
+  const auto place = [&](std::ptrdiff_t offset) {
+    if (taxel + offset < 0 || taxel + offset >= count) return;
+    const auto reading = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + offset);
     std::vector<double> values;
     for (const FrameTriple& triple : evidence.triples)
-      if (std::isfinite(triple.middle()[k])) values.push_back(triple.middle()[k]);
-    return median(std::move(values));
+      if (std::isfinite(triple.middle()[reading])) values.push_back(triple.middle()[reading]);
+    around.push_back({reading, median(std::move(values))});
   };
-  const double rests[] = {rest(i - 1), rest(i), rest(i + 1)};
+  for (const std::ptrdiff_t offset : {-1, 1, -2, 2, 0}) place(offset);
+  const Place own = around.back();
+  around.pop_back();
   std::size_t felt = 0;
   std::size_t silent = 0;
   for (const FrameTriple& triple : evidence.triples) {
-    const double left = triple.middle()[i - 1] - rests[0];
-    const double right = triple.middle()[i + 1] - rests[2];
-    if (!(left * right > 0.0) || !(std::min(std::abs(left), std::abs(right)) > 20.0 * sigma))
+    const auto load = [&](const Place& at) { return triple.middle()[at.reading] - at.rest; };
+    const double sign = load(around[0]) > 0.0 ? 1.0 : -1.0;
+    const auto feels = [&](const Place& at) { return sign * load(at) > 20.0 * sigma; };
+    if (!feels(around[0]) || !feels(around[1]) ||
+        std::none_of(around.begin() + 2, around.end(), feels))
       continue;
     ++felt;
-    if (std::abs(triple.middle()[i] - rests[1]) < 5.0 * sigma) ++silent;
+    if (std::abs(load(own)) < 5.0 * sigma) ++silent;
   }
   return felt >= 3 && 5 * silent >= 4 * felt;
 }
