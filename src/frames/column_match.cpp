@@ -53,12 +53,14 @@ class Matching {
     for (const std::string& name : header) names_.push_back(column_name(name));
     for (const std::string& name : wanted_) index_.emplace(name, index_.size());
     taken_.resize(wanted_.size());
+    one_channel_ = wanted.taxels == wanted_.size() && wanted.taxels > 0;
+    count_from_zero(wanted.taxels);
   }
 
   void by_exact_name() {
     for (std::size_t field = 0; field < header_.size(); ++field) {
       const auto wanted = index_.find(header_[field]);
-      if (wanted == index_.end()) continue;
+      if (wanted == index_.end() || counted_from_one_[field]) continue;
       if (taken_[wanted->second])
         throw NoMatch("column '" + header_[field] + "' stands twice", {}, field);
       take(field, wanted->second);
@@ -102,6 +104,28 @@ class Matching {
                            quoted(header_[field_of.rbegin()->second]) + " are taken for " +
                            first_to_last(wanted_));
     say_unit(field_of.begin()->second);
+  }
+
+  /// "Druck_1", "Druck_2", ...: any name that as many columns share as there are taxels, if it is
+  /// the only such one and no other quantity's.
+  void by_common_name() {
+    if (!one_channel_ || std::find(taken_.begin(), taken_.end(), true) != taken_.end()) return;
+    const ColumnGroup* only = nullptr;
+    const std::vector<ColumnGroup> groups = column_groups(names_);
+    for (const ColumnGroup& group : groups) {
+      if (!group.is_complete() || group.field_of.size() != wanted_.size() ||
+          means_quantity(group.stem))
+        continue;
+      if (only != nullptr) return;
+      only = &group;
+    }
+    if (only == nullptr) return;
+    std::size_t next = 0;
+    for (const auto& [number, field] : only->field_of) take(field, next++);
+    match_.notes.push_back("columns " + quoted(header_[only->field_of.begin()->second]) + " to " +
+                           quoted(header_[only->field_of.rbegin()->second]) + " are taken for " +
+                           first_to_last(wanted_));
+    say_unit(only->field_of.begin()->second);
   }
 
   void by_places(const std::string& places) {
@@ -154,6 +178,20 @@ class Matching {
   }
 
  private:
+  /// A quantity whose taxels are numbered from 1 in the file is another spelling of it.
+  void count_from_zero(std::size_t taxels) {
+    counted_from_one_.resize(header_.size());
+    for (const ColumnGroup& group : column_groups(names_)) {
+      if (!means_quantity(group.stem) || !group.is_complete() ||
+          group.field_of.begin()->first != 1 || group.field_of.size() != taxels)
+        continue;
+      for (const auto& [number, field] : group.field_of) {
+        counted_from_one_[field] = true;
+        names_[field].number = number - 1;
+      }
+    }
+  }
+
   void take(std::size_t field, std::size_t wanted) {
     match_.target[field] = static_cast<std::ptrdiff_t>(wanted);
     taken_[wanted] = true;
@@ -173,6 +211,8 @@ class Matching {
   std::vector<ColumnName> names_;
   std::map<std::string_view, std::size_t, std::less<>> index_;
   std::vector<bool> taken_;
+  std::vector<bool> counted_from_one_;  // per field
+  bool one_channel_ = false;
   ColumnMatch match_;
 };
 
@@ -186,6 +226,7 @@ ColumnMatch match_columns(Names header, const WantedColumns& wanted) {
     matching.by_exact_name();
     matching.by_other_spelling();
     matching.by_number();
+    matching.by_common_name();
   }
   matching.find_time();
   return matching.finished();

@@ -31,8 +31,10 @@ struct NoMatch : std::runtime_error {
 };
 
 /// By the names in the header: as they are wanted; else in another spelling (case, zeros in front,
-/// brackets, a unit behind); else names that say nothing but a number ("taxel_0", "1"), if there
-/// are exactly as many as are wanted. Where `wanted.places` says where they stand, by that.
+/// brackets, a unit behind, taxels counted from 1); else names that say nothing but a number
+/// ("taxel_0", "1"), if there are exactly as many as are wanted; else, of one channel, the only
+/// name that so many columns share ("Druck_1"). Where `wanted.places` says where they stand, by
+/// that.
 ///
 /// @throw NoMatch                a column is missing, or it is not clear which one it is
 /// @throw std::invalid_argument  as `column_places`

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "frames/csv_layout.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 
 namespace tactile_net::frames {
 namespace {
@@ -14,8 +15,8 @@ constexpr std::array<std::string_view, 12> generic = {"",        "taxel",   "sen
                                                       "element", "reading", "value",  "taxel_nr"};
 constexpr std::array<std::string_view, 11> units_of_time = {
     "", "s", "sec", "seconds", "ms", "us", "\xc2\xb5s", "\xce\xbcs", "ns", "min", "h"};
-constexpr std::array<std::string_view, 6> names_of_time = {"t",      "time",    "t_s",
-                                                           "time_s", "time_ms", "t_ms"};
+constexpr std::array<std::string_view, 9> names_of_time = {
+    "t", "time", "t_s", "time_s", "time_ms", "t_ms", "timestamp", "zeit", "zeit_s"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -93,5 +94,27 @@ bool means_time(const ColumnName& name) {
 }
 
 bool is_generic(std::string_view stem) { return holds(generic, stem); }
+
+bool ColumnGroup::is_complete() const noexcept {
+  return !twice && field_of.begin()->first <= 1 &&
+         field_of.rbegin()->first == field_of.begin()->first + field_of.size() - 1;
+}
+
+std::vector<ColumnGroup> column_groups(std::span<const ColumnName> names) {
+  std::vector<ColumnGroup> groups;
+  for (std::size_t field = 0; field < names.size(); ++field) {
+    if (!names[field].number) continue;
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const ColumnGroup& one) {
+      return one.stem == names[field].stem;
+    });
+    if (group == groups.end()) group = groups.insert(group, {.stem = names[field].stem});
+    if (!group->field_of.emplace(*names[field].number, field).second) group->twice = true;
+  }
+  return groups;
+}
+
+bool means_quantity(std::string_view stem) {
+  return quantity_named(stem.substr(0, stem.find('@'))).has_value();
+}
 
 }  // namespace tactile_net::frames

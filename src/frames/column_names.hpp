@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tactile_net::frames {
 
@@ -20,6 +23,22 @@ struct ColumnName {
 };
 
 [[nodiscard]] ColumnName column_name(std::string_view text);
+
+/// Columns that share a stem and differ by a number.
+struct ColumnGroup {
+  std::string stem{};
+  std::map<std::size_t, std::size_t> field_of{};  ///< places of the columns, by number
+  bool twice = false;                             ///< a number stands twice
+
+  /// From 0 or 1, without a gap.
+  [[nodiscard]] bool is_complete() const noexcept;
+};
+
+/// In the order of their first columns; those without a number are in none.
+[[nodiscard]] std::vector<ColumnGroup> column_groups(std::span<const ColumnName> names);
+
+/// The stem of a quantity's channel: "stress_x", "stress_x@1".
+[[nodiscard]] bool means_quantity(std::string_view stem);
 
 /// "t", "time", "T", "t [s]", "time_s": a column of times, if its unit is one of time.
 [[nodiscard]] bool means_time(const ColumnName& name);

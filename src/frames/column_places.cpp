@@ -25,7 +25,7 @@ std::optional<std::size_t> whole_number(std::string_view text) {
 }  // namespace
 
 ColumnPlaces column_places(
-    std::string_view list, std::size_t row, std::size_t wanted,
+    std::string_view list, std::size_t row, std::optional<std::size_t> wanted,
     const std::function<std::optional<std::size_t>(std::string_view)>& place_of) {
   ColumnPlaces places;
   const auto place = [&](std::string_view item) {
@@ -64,9 +64,9 @@ ColumnPlaces column_places(
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end()) fail("column " + std::to_string(*twice + 1) + " stands twice");
-  if (places.readings.size() != wanted)
+  if (wanted && places.readings.size() != *wanted)
     fail("names " + std::to_string(places.readings.size()) + " columns of readings, and " +
-         std::to_string(wanted) + " are read");
+         std::to_string(*wanted) + " are read");
   return places;
 }
 

@@ -18,12 +18,12 @@ struct ColumnPlaces {
 
 /// @param list       "2-42", "t=1,4-44", "a,b,c"
 /// @param row        how many columns the file has
-/// @param wanted     how many readings there must be
+/// @param wanted     how many readings there must be; nothing: any number
 /// @param place_of   the place of a name, from 0; nothing: there is none
 /// @throw std::invalid_argument  the list is malformed, names a column that is not there or one
 ///                               twice, or not as many as are wanted
 [[nodiscard]] ColumnPlaces column_places(
-    std::string_view list, std::size_t row, std::size_t wanted,
+    std::string_view list, std::size_t row, std::optional<std::size_t> wanted,
     const std::function<std::optional<std::size_t>(std::string_view)>& place_of);
 
 /// The list that takes so many readings as the last columns of a row, after others: "2-42".

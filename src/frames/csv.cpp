@@ -55,6 +55,11 @@ class CsvFrames::Reader {
     }
   }
 
+  CsvColumns columns() {
+    read_names();
+    return {header_.names, header_.names.empty() ? header_.row_fields : header_.names.size()};
+  }
+
   bool next(std::span<double> values) {
     if (!std::exchange(header_.row_pending, false)) {
       if (!read_line()) return false;
@@ -213,6 +218,10 @@ class CsvFrames::Reader {
   std::size_t frames_ = 0;
   std::size_t backwards_ = 0, first_backwards_ = 0, line_backwards_ = 0;
 };
+
+CsvColumns csv_columns(std::istream& in, const std::string& file) {
+  return CsvFrames::Reader(in, file).columns();
+}
 
 CsvFrames::CsvFrames(std::istream& in, std::string file, WantedColumns wanted)
     : reader_(std::make_unique<Reader>(in, std::move(file))) {

@@ -293,8 +293,8 @@ TEST_CASE("a .npy comes by a pipe, unless its order needs the file", "[cli]") {
 TEST_CASE("plan and grasp take columns where they are told", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", by_rule);
-  std::string recording = "i";
-  for (int i = 0; i < taxels; ++i) recording += ",f" + std::to_string(i);
+  std::string recording = "nr";
+  for (int i = 0; i < taxels; ++i) recording += std::string(",") + static_cast<char>('a' + i);
   const std::string csv = folder.write("r.csv", recording + '\n' + row(0) + row(1));
   CHECK(tool({"plan", path, "--readings", csv}).code == 2);
   const ProcessResult planned = tool({"plan", path, "--readings", csv, "--columns", "2-12"});

@@ -184,6 +184,7 @@ void add_identify(Parser& parser) {
                       "Amplitude of the ripple to be told (default: the contacts' peak)");
   command->add_option("--readings", options->readings,
                       "Recorded readings: ripples as strong as these are to be told");
+  add_columns(*command, options->columns);
   command->add_option("--noise", options->survey.relative_noise,
                       "Noise of every reading, over the largest that such a ripple causes "
                       "(default: the scene's rms, or 0.01)");
@@ -257,6 +258,56 @@ void add_grasp(Parser& parser) {
   add_columns(*command, options->columns);
 }
 
+void add_init(Parser& parser) {
+  const auto [command, options] = parser.add<InitOptions>(
+      "init",
+      "Write a scene for recorded readings, with comments; asks on a terminal for what no option "
+      "says");
+  command->add_option("--from-csv", options->recording, "Recorded readings, CSV or .npy")
+      ->required();
+  command->add_option("-o,--output", options->output, "Scene file (default: standard output)");
+  command->add_flag("--force", options->force, "Replace a scene that is there");
+  command
+      ->add_option("--quantity", options->quantities,
+                   "What every taxel measures: stress_x, stress_y, shear_xy, strain_x, strain_y, "
+                   "or several with commas (default: as the columns are named)")
+      ->delimiter(',');
+  command->add_option("--pitch", options->pitch, "From one taxel to the next");
+  command->add_option("--depth", options->depths, "Of the taxels below the surface; 1.0,1.5: two")
+      ->delimiter(',');
+  command->add_option("--modulus", options->modulus, "Young's modulus of the pad");
+  command->add_option("--poisson", options->poisson, "Poisson's ratio (default: 0.45)");
+  command->add_option("--layer", options->layer,
+                      "Thickness of the pad on a rigid base (default: a half plane)");
+  command->add_option("--base", options->base, "What holds a layer: bonded or frictionless")
+      ->capture_default_str();
+  command
+      ->add_option("--noise", options->noise,
+                   "Rms of the readings' noise; with commas one for each quantity")
+      ->delimiter(',');
+  command->add_option("--length-unit", options->length_unit, "Of pitch, depth and layer: mm, ...");
+  command->add_option("--modulus-unit", options->modulus_unit, "Of Young's modulus: MPa, ...");
+  command->add_option("--unit", options->stress_unit,
+                      "Of the readings: kPa, ... (default: as the header says)");
+  command->add_option("--force-unit", options->force_unit, "Of loads in the scene: N/mm, ...");
+  add_columns(*command, options->columns);
+}
+
+void add_check(Parser& parser) {
+  const auto [command, options] = parser.add<CheckOptions>(
+      "check",
+      "Look at recorded readings before they are trusted: units, sign, dead and noisy taxels, "
+      "baseline, drift, noise; and say what to write in the scene");
+  add_scene(*command, options->scene);
+  command
+      ->add_option("--readings", options->readings,
+                   "Recorded readings, CSV or .npy; - reads standard input")
+      ->required();
+  add_columns(*command, options->columns);
+  command->add_option("--json", options->json, "Write the check as JSON (- = standard output)");
+  command->add_flag("--strict", options->strict, "Exit with status 1 if anything is suspicious");
+}
+
 /// CLI11 only says that a sub-command is required; says which one was meant.
 void check_command(const CLI::App& app, std::span<const std::string> arguments) {
   if (arguments.empty() || arguments.front().starts_with('-')) return;
@@ -278,7 +329,7 @@ std::optional<Command> parse(std::span<const std::string> arguments, std::ostrea
                                                report::in_words(confinement()));
   parser.app.require_subcommand(1);
   for (const auto add : {add_run, add_gen, add_relax, add_certify, add_simulate, add_solve,
-                         add_identify, add_plan, add_tradeoff, add_grasp})
+                         add_identify, add_plan, add_tradeoff, add_grasp, add_init, add_check})
     add(parser);
   check_command(parser.app, arguments);
   try {

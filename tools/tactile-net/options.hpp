@@ -9,9 +9,11 @@
 #include <variant>
 
 #include "commands/certify.hpp"
+#include "commands/check.hpp"
 #include "commands/gen.hpp"
 #include "commands/grasp.hpp"
 #include "commands/identify.hpp"
+#include "commands/init.hpp"
 #include "commands/plan.hpp"
 #include "commands/relax.hpp"
 #include "commands/run.hpp"
@@ -22,9 +24,9 @@
 namespace tactile_net::tool {
 
 /// What one command was asked for: `run` takes it.
-using Command =
-    std::variant<RunOptions, GenOptions, RelaxOptions, CertifyOptions, SimulateOptions,
-                 SolveOptions, IdentifyOptions, PlanOptions, TradeoffOptions, GraspOptions>;
+using Command = std::variant<RunOptions, GenOptions, RelaxOptions, CertifyOptions, SimulateOptions,
+                             SolveOptions, IdentifyOptions, PlanOptions, TradeoffOptions,
+                             GraspOptions, InitOptions, CheckOptions>;
 
 /// Checks presence and type of what was given; ranges are the business of whoever uses it.
 ///

@@ -39,6 +39,7 @@ int run_command(std::span<const std::string> arguments, const Streams& given) {
                         .out = given.out,
                         .err = err,
                         .terminal = given.terminal,
+                        .somebody = given.somebody,
                         .screen = &given.err,
                         .command = typed(arguments)};
   const auto tell = [&](const std::exception& error) -> std::ostream& {

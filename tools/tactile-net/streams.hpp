@@ -12,6 +12,7 @@ struct Streams {
   std::ostream& out;      ///< results
   std::ostream& err;      ///< messages
   bool terminal = false;  ///< somebody watches `err`: progress may be shown there
+  bool somebody = false;  ///< who watches `err` can answer on `in`
   /// The same as `err` without the care that is taken of it, for the progress line's own control
   /// characters; null: `err`.
   std::ostream* screen = nullptr;

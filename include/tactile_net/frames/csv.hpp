@@ -19,6 +19,8 @@
 
 namespace tactile_net::frames {
 
+struct CsvColumns;
+
 /// Reads CSV.
 class CsvFrames final : public FrameSource {
  public:
@@ -54,9 +56,19 @@ class CsvFrames final : public FrameSource {
   [[nodiscard]] std::size_t bytes_read() const noexcept override;
 
  private:
+  friend CsvColumns csv_columns(std::istream& in, const std::string& file);
   class Reader;
   std::unique_ptr<Reader> reader_;
 };
+
+/// What the header of a file says.
+struct CsvColumns {
+  std::vector<std::string> names{};  ///< none: there is no header
+  std::size_t count = 0;             ///< of a row
+};
+
+/// @throw InputError  as the constructor of `CsvFrames`
+[[nodiscard]] CsvColumns csv_columns(std::istream& in, const std::string& file);
 
 /// Writes CSV, `t` first if `with_time`; a block at a time.
 class CsvSink final : public FrameSink {

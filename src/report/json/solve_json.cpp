@@ -8,16 +8,6 @@
 #include "tactile_net/report/words/remark_words.hpp"
 
 namespace tactile_net::report {
-namespace {
-
-/// Frames as runs, each with its first and last number.
-Json runs(const lab::FrameRuns& frames) {
-  Json list = Json::array();
-  for (const lab::FrameRun& run : frames.runs()) list.push_back({run.first, run.last});
-  return {{"count", frames.count()}, {"runs", list}, {"not_listed", frames.not_listed()}};
-}
-
-}  // namespace
 
 std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
                        const SolveReport& report) {
@@ -25,7 +15,7 @@ std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
   for (const auto& [verdict, count] : solved.verdicts) verdicts.emplace(lab::name(verdict), count);
   Json distrusted = Json::object();
   for (const auto& [verdict, frames] : solved.distrusted)
-    distrusted[std::string(lab::name(verdict))] = runs(frames);
+    distrusted[std::string(lab::name(verdict))] = runs_json(frames);
   const std::string verdict = verdicts.size() == 1 ? verdicts.begin()->first : "mixed";
   const std::optional<lab::ChosenAlpha>& alpha = solved.last.alpha;
   const std::optional<lab::Condition>& condition = solved.last.condition;
@@ -44,8 +34,8 @@ std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
       {"distrusted", distrusted},
       {"missing",
        {{"policy", lab::name(report.missing)},
-        {"skipped", runs(solved.skipped)},
-        {"estimated", runs(solved.estimated)}}},
+        {"skipped", runs_json(solved.skipped)},
+        {"estimated", runs_json(solved.estimated)}}},
       {"condition", condition ? Json(condition->value) : Json(nullptr)},
       {"condition_kind", condition ? Json(name(condition->kind)) : Json(nullptr)},
       {"condition_of", condition ? Json(name(condition->matrix)) : Json(nullptr)},

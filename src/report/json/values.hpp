@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/lab/frame_runs.hpp"
 #include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::report {
@@ -31,6 +32,13 @@ inline Json finite_or_null(double number) {
 
 inline Json list_or_null(const std::vector<double>& values) {
   return values.empty() ? Json(nullptr) : Json(values);
+}
+
+/// Frames as runs, each with its first and last number.
+inline Json runs_json(const lab::FrameRuns& frames) {
+  Json list = Json::array();
+  for (const lab::FrameRun& run : frames.runs()) list.push_back({run.first, run.last});
+  return {{"count", frames.count()}, {"runs", list}, {"not_listed", frames.not_listed()}};
 }
 
 inline Json uncertain_json(const Uncertain& number) {

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <vector>
 
+#include "commands/recording.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/pages/identify_page.hpp"
@@ -21,9 +22,11 @@ void check_positive(const char* option, const std::optional<double>& value) {
     throw WrongUsage(option, "must be > 0 and finite");
 }
 
-/// How strong a ripple is to be told, by what was recorded.
-double traction_of(const std::string& path, const Scene& scene) {
-  frames::ReadingsFile file(path, scene);
+/// How strong a ripple is to be told, by what was recorded; values that are missing do not count.
+double traction_of(const IdentifyOptions& options, const Scene& scene, const Streams& streams) {
+  frames::ReadingsFile file(options.readings, scene, &streams.in,
+                            {.columns = options.columns, .accept_missing = true});
+  say_opening(streams.err, file.name(), file.source());
   std::vector<double> readings(file.source().columns().size());
   std::vector<double> largest(channel_count(scene.sensor));
   while (file.source().next(readings))
@@ -57,7 +60,7 @@ void run(const IdentifyOptions& options, const Streams& streams) {
   if (!options.readings.empty()) {
     if (survey_options.traction)
       throw WrongUsage("--readings", "and --traction exclude each other");
-    survey_options.traction = traction_of(options.readings, scene);
+    survey_options.traction = traction_of(options, scene, streams);
   }
   if (lab::needs_traction(scene, survey_options))
     throw WrongUsage("--traction",

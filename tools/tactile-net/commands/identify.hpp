@@ -13,6 +13,7 @@ namespace tactile_net::tool {
 struct IdentifyOptions {
   std::string scene{};
   std::string readings{};  ///< recorded ones, as strong as what is to be told; empty: none
+  std::string columns{};
   ResultOptions results{};
   lab::SurveyOptions survey{};
 };

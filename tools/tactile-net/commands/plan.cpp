@@ -1,5 +1,7 @@
 #include "commands/plan.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <optional>
 #include <ostream>
@@ -57,18 +59,27 @@ lab::PlanAlpha alpha_of(const lab::SceneProblem& problem, const PlanOptions& opt
   const Scene& scene = problem.scene();
   const bool has_baseline = scene.calibration && scene.calibration->baseline_frames;
   if (!options.readings.empty() && (!scene.reconstruct.alpha || has_baseline)) {
-    frames::ReadingsFile file(options.readings, scene, &streams.in, {.columns = options.columns});
+    frames::ReadingsFile file(options.readings, scene, &streams.in,
+                              {.columns = options.columns, .accept_missing = true});
     say_opening(streams.err, file.name(), file.source());
     bool any = false;
+    std::size_t left_out = 0;
+    const auto misses = [](double reading) { return std::isnan(reading); };
     const auto next = [&](std::span<double> readings) {
-      const bool more = file.source().next(readings);
-      any = any || more;
-      return more;
+      while (file.source().next(readings)) {
+        if (std::none_of(readings.begin(), readings.end(), misses)) return any = true;
+        ++left_out;
+      }
+      return false;
     };
     std::vector<double> first(problem.readings());
     if (scene.reconstruct.alpha) (void)next(first);
     const auto alpha = lab::plan_alpha(problem, next, progress);
-    if (!any) throw InputError({{.file = options.readings, .message = "holds no frame"}});
+    if (!any) throw InputError({{.file = options.readings, .message = "holds no whole frame"}});
+    if (left_out > 0)
+      streams.err << file.name() << ": note: " << left_out
+                  << (left_out == 1 ? " frame misses" : " frames miss")
+                  << " readings and is left out of the choice of alpha\n";
     if (file.calibration() != nullptr) calibration = *file.calibration();
     return *alpha;
   }

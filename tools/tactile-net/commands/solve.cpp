@@ -17,11 +17,13 @@
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/lab/missing.hpp"
+#include "tactile_net/lab/readings_check.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/lab/summary.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
 #include "tactile_net/report/json/solve_json.hpp"
+#include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
@@ -136,12 +138,16 @@ class Outputs {
 class Solving {
  public:
   Solving(const lab::SceneProblem& problem, Method method, lab::Missing missing)
-      : problem_(problem), missing_(missing), solver_(lab::make_solver(problem, method)) {
+      : problem_(problem),
+        missing_(missing),
+        solver_(lab::make_solver(problem, method)),
+        doubts_(problem) {
     if (missing == lab::Missing::estimate) incomplete_.emplace(problem, method);
   }
 
   [[nodiscard]] const lab::FrameSolver& solver() const noexcept { return *solver_; }
   [[nodiscard]] const lab::SolvedFrames& solved() const noexcept { return solved_; }
+  [[nodiscard]] lab::Findings doubts() const { return doubts_.findings(); }
 
   void solve(frames::ReadingsFile& file, Outputs& outputs, const Streams& streams) {
     Progress progress(streams);
@@ -167,6 +173,7 @@ class Solving {
       source.refuse("the frame's tractions overflow a double", "scale the readings");
     outputs.add(source.time(), problem, readings, tractions, result);
     solved_.add(result, incomplete);
+    if (result.alpha) doubts_.add(problem, readings, tractions, result.alpha->value);
   }
 
   void add_incomplete(const frames::FrameSource& source, Outputs& outputs,
@@ -186,6 +193,7 @@ class Solving {
   std::unique_ptr<lab::FrameSolver> solver_;
   std::optional<lab::IncompleteFrames> incomplete_;
   lab::SolvedFrames solved_;
+  lab::SolvingDoubts doubts_;
 };
 
 /// The same error, and where what came before it is to be found.
@@ -238,6 +246,10 @@ void run(const SolveOptions& options, const Streams& streams) {
   say_closing(streams.err, file.name(), file.source());
   for (const std::string& sentence : report::in_words(solved))
     streams.err << options.method << ": note: " << sentence << '\n';
+  for (const lab::Finding& doubt : solving.doubts())
+    streams.err << options.method << ": note: " << report::in_words(doubt, problem.scene())
+                << "\nhint: " << report::advice(doubt, problem.scene())
+                << "; tactile-net check says more\n";
   if (!summary && !folder) return;
   const bool any = solved.frames > solved.skipped.count();
   const std::string json =

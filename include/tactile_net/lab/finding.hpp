@@ -1,0 +1,131 @@
+/// @file
+/// What is suspicious about a recording, beside its scene: a type and its numbers each. The
+/// sentences, and what to do, are `report::in_words` and `report::advice`.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "tactile_net/lab/frame_runs.hpp"
+
+namespace tactile_net::lab {
+
+namespace finding {
+
+// The frames as they come.
+struct NoFrames {};
+struct TimeBackwards {
+  std::size_t count = 0;  ///< how often
+  std::size_t first = 0;  ///< the first frame whose time is before that of the frame before
+};
+struct TimeRepeats {
+  std::size_t count = 0;
+  std::size_t first = 0;  ///< the first frame with the time of the frame before
+};
+struct FramesRepeat {
+  FrameRuns frames{};  ///< equal to the frame before in every reading
+};
+struct ValuesMissing {
+  std::size_t values = 0;
+  FrameRuns frames{};
+  std::vector<std::size_t> taxels{};  ///< that miss values in more than half of the frames
+};
+
+// Single taxels, rising numbers.
+struct DeadTaxels {
+  std::vector<std::size_t> taxels{};  ///< always zero, or feel nothing where both neighbours do
+};
+struct StuckTaxels {
+  std::vector<std::size_t> taxels{};  ///< that hold one value though the others are noisy
+  std::size_t worst = 0;              ///< the one that holds longest
+  std::size_t first = 0;              ///< from this frame on
+  std::size_t frames = 0;             ///< for so many
+};
+struct NoisyTaxels {
+  std::vector<std::size_t> taxels{};
+  std::size_t worst = 0;
+  double times = 0.0;  ///< the worst one's noise over that of its channel
+};
+struct SaturatedTaxels {
+  std::vector<std::size_t> taxels{};  ///< whose largest or least values are many equal ones
+  double limit = 0.0;                 ///< that value, of the first of them
+  std::size_t frames = 0;             ///< how many of its frames lie there
+};
+
+// What the sensor reads when nothing happens.
+struct Baseline {
+  std::vector<double> values{};  ///< of every reading, channels x count; 0 for dead taxels
+  std::size_t frames = 0;        ///< quiet ones, whose median it is
+  double largest = 0.0;          ///< |value|
+  double times = 0.0;            ///< rms of the values over that of the noise
+  bool loaded = false;           ///< much of it looks like a contact: it is no unloaded frame
+};
+struct Drift {
+  double largest = 0.0;  ///< |change| of a reading between two quiet stretches
+  double times = 0.0;    ///< rms of the change over that of the noise
+  std::size_t from = 0;  ///< a frame of the one stretch
+  std::size_t to = 0;    ///< a frame of the other
+};
+
+// Noise and scale, where the scene states the noise.
+struct NoiseDiffers {
+  std::size_t channel = 0;
+  double estimated = 0.0;
+  double stated = 0.0;
+};
+struct NoiseColoured {
+  double correlation = 0.0;  ///< of a reading's noise with that of the frame before
+};
+struct ResidualDiffers {
+  double times = 0.0;  ///< the residual over the noise stated, median of the frames solved
+};
+struct ScaleBy1000 {
+  double times = 0.0;  ///< noise or residual over the noise stated: about 1000 or 1/1000
+};
+
+// The sign.
+struct WholePadPulled {
+  std::size_t pulled = 0;  ///< frames whose tractions nearly all pull
+  std::size_t loaded = 0;  ///< frames that were solved and hold more than noise
+};
+
+// Readings and stiffness.
+struct TractionExceedsModulus {
+  double times = 0.0;  ///< the largest traction over Young's modulus, > 3
+};
+struct DeformationTiny {
+  double times = 0.0;  ///< the same, far below what touch is
+};
+
+// The scene alone.
+struct MixedUnits {
+  double modulus = 0.0;  ///< E, as the scene has it [Pa]
+  double length = 0.0;   ///< of the array [m]
+};
+struct DepthBeyondArray {
+  double depth = 0.0;   ///< the largest
+  double length = 0.0;  ///< of the array
+};
+struct PitchCoarse {
+  double pitch = 0.0;
+  double depth = 0.0;  ///< the least
+};
+
+}  // namespace finding
+
+using Finding =
+    std::variant<finding::NoFrames, finding::TimeBackwards, finding::TimeRepeats,
+                 finding::FramesRepeat, finding::ValuesMissing, finding::DeadTaxels,
+                 finding::StuckTaxels, finding::NoisyTaxels, finding::SaturatedTaxels,
+                 finding::Baseline, finding::Drift, finding::NoiseDiffers, finding::NoiseColoured,
+                 finding::ResidualDiffers, finding::ScaleBy1000, finding::WholePadPulled,
+                 finding::TractionExceedsModulus, finding::DeformationTiny, finding::MixedUnits,
+                 finding::DepthBeyondArray, finding::PitchCoarse>;
+using Findings = std::vector<Finding>;
+
+/// The spelling in JSON: "dead_taxels".
+[[nodiscard]] std::string_view name(const Finding& finding) noexcept;
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,128 @@
+/// @file
+/// A recording looked at before it is trusted: does it fit its scene?
+///
+///     lab::ReadingsChecker checker(read_scene("pad.toml"));
+///     while (source.next(readings)) checker.add(time, readings);
+///     const lab::ReadingsCheck check = checker.result();
+///     for (const lab::Finding& one : check.findings) puts(report::in_words(one, check).c_str());
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tactile_net/lab/finding.hpp"
+#include "tactile_net/lab/observer.hpp"
+#include "tactile_net/lab/scene_problem.hpp"
+
+namespace tactile_net::lab {
+
+/// The times of a recording, as far as its frames have them.
+struct RecordingClock {
+  std::size_t timed = 0;            ///< frames with a time
+  double first = 0.0;               ///< of the first of them [s]
+  double last = 0.0;                ///< of the last of them [s]
+  double longest = 0.0;             ///< longest step forwards [s]
+  std::size_t backwards = 0;        ///< how often time runs backwards
+  std::size_t first_backwards = 0;  ///< frame
+  std::size_t repeats = 0;          ///< how often it stands still
+  std::size_t first_repeat = 0;     ///< frame
+
+  /// Frames per second on average; nothing without two different times.
+  [[nodiscard]] std::optional<double> rate() const noexcept;
+};
+
+/// What one channel holds.
+struct CheckedChannel {
+  std::string name{};
+  double least = 0.0;
+  double largest = 0.0;
+  std::optional<double> noise{};   ///< rms, estimated; absent: too few still frames
+  std::optional<double> stated{};  ///< by the scene
+};
+
+/// The frame with the largest reading, and what it means.
+struct PeakFrame {
+  std::size_t frame = 0;
+  double reading = 0.0;     ///< the largest |reading|
+  std::size_t channel = 0;  ///< of it
+  double traction = 0.0;    ///< the largest normal one, by its size [Pa]
+  double force = 0.0;       ///< normal [N/m]
+};
+
+struct ReadingsCheck {
+  Scene scene{};
+  std::size_t frames = 0;
+  std::size_t missing = 0;  ///< values
+  RecordingClock clock{};
+  std::vector<CheckedChannel> channels{};
+  std::size_t sampled = 0;  ///< groups of three frames that noise and rest are judged by
+  std::size_t still = 0;    ///< of them: nothing moves, so that what changes is noise
+  std::size_t quiet = 0;    ///< of these: alike, and the least loaded; 0: there is no rest
+  std::size_t solved = 0;   ///< frames that sign and residual are judged by
+  std::optional<PeakFrame> peak{};
+  std::optional<double> residual{};  ///< rms over the noise stated, median of those frames
+  Findings findings{};
+};
+
+/// Takes a recording of any length in constant memory: every frame is counted; noise, rest, sign
+/// and residual are judged by at most `most_groups` groups of three frames that follow each other,
+/// spread evenly over the recording. Not thread-safe.
+class ReadingsChecker {
+ public:
+  static constexpr std::size_t most_groups = 400;
+  static constexpr std::size_t most_values = 2'000'000;  ///< in all groups
+  static constexpr std::size_t most_solved = 32;
+
+  explicit ReadingsChecker(Scene scene);
+  ~ReadingsChecker();
+  ReadingsChecker(const ReadingsChecker&) = delete;
+  ReadingsChecker& operator=(const ReadingsChecker&) = delete;
+
+  /// @param time      [s], where the frame has one
+  /// @param readings  channels x count, in the unit of the scene; NaN: missing
+  void add(std::optional<double> time, std::span<const double> readings);
+
+  /// Solves up to `most_solved` frames by tikhonov with the rule rgcv, without constraints, which
+  /// would hide a wrong sign.
+  [[nodiscard]] ReadingsCheck result(Observer& observer = silent) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// What the numbers of a scene say by themselves: lengths and modulus that look like different
+/// units, taxels too deep or too far apart.
+[[nodiscard]] Findings scene_findings(const Scene& scene);
+
+/// What `solve` notices of frames as it goes: the whole pad pulled in every frame, a residual that
+/// cannot be with the noise stated. A few operations a frame; a residual for the first frames, then
+/// ever rarer ones.
+class SolvingDoubts {
+ public:
+  explicit SolvingDoubts(SceneProblem problem);
+
+  /// @param problem  that the frame was solved with
+  void add(const SceneProblem& problem, std::span<const double> readings,
+           std::span<const double> tractions, double alpha);
+
+  /// With `scene_findings`.
+  [[nodiscard]] Findings findings() const;
+
+ private:
+  SceneProblem problem_;
+  struct Count {
+    std::size_t loaded = 0;
+    std::size_t pulled = 0;
+  };
+  std::size_t frames_ = 0;
+  std::map<int, Count> by_load_;   // by the power of two of sum |f_v|
+  std::vector<double> residuals_;  // over the noise stated
+};
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,34 @@
+/// @file
+/// A scene for recorded readings, written with comments for a person to go on with.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
+
+namespace tactile_net {
+
+/// What is known of a pad and its sensors when somebody begins. Numbers are in the units that the
+/// file is to state.
+struct SceneSketch {
+  std::vector<std::string> remarks{};  ///< where it comes from, a line of comment each
+  std::string title{};                 ///< empty: none
+  std::string length_unit{}, modulus_unit{}, stress_unit{}, force_unit{};  ///< empty: not stated
+  std::size_t count = 0;
+  double pitch = 0.0;
+  std::vector<double> depths{};
+  std::vector<Quantity> reads{};
+  double youngs_modulus = 0.0;
+  std::optional<double> poisson_ratio{};  ///< absent: 0.45, and a comment that says so
+  std::optional<Layer> layer{};
+  std::vector<double> noise{};  ///< rms: one, or one for each of `reads`; none: not known
+};
+
+/// TOML that `parse_scene` takes, if the numbers are in their ranges. The forward model is the
+/// exact one. What is not given stands there as a comment, with what it would say.
+[[nodiscard]] std::string scene_text(const SceneSketch& sketch);
+
+}  // namespace tactile_net

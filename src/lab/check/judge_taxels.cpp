@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "lab/check/judgement.hpp"
+#include "numeric/robust.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+constexpr double noisy_times = 4.0;  // its channel's noise: what no sound taxel of 4096 reaches
+
+/// The taxels of which one reading is so.
+std::vector<std::size_t> taxels_where(const Evidence& evidence,
+                                      const std::function<bool(std::size_t)>& is_so) {
+  std::vector<std::size_t> taxels;
+  for (std::size_t taxel = 0; taxel < evidence.count(); ++taxel)
+    for (std::size_t i = taxel; i < evidence.living.size(); i += evidence.count())
+      if (evidence.living[i] && is_so(i)) {
+        taxels.push_back(taxel);
+        break;
+      }
+  return taxels;
+}
+
+/// How far a reading went.
+double range(const ReadingTrack& track) {
+  return track.present() == 0 ? 0.0 : track.largest() - track.least();
+}
+
+/// Readings that never change, though those beside them do by more than a converter's steps.
+class Constants {
+ public:
+  explicit Constants(const Evidence& evidence) : evidence_(evidence) {
+    for (std::size_t i = 0; i < evidence.living.size(); ++i)
+      if (evidence.living[i] && (!evidence.tracks[i].is_constant() || !is_zero(i)))
+        nothing_at_all_ = false;
+  }
+
+  [[nodiscard]] bool at(std::size_t i) const {
+    const ReadingTrack& track = evidence_.tracks[i];
+    if (track.present() < 3 || !track.is_constant()) return false;
+    const Side left = beside(i, -1);
+    const Side right = beside(i, +1);
+    return nothing_at_all_ || (left != Side::idle && right != Side::idle &&
+                               (left == Side::changes || right == Side::changes));
+  }
+  [[nodiscard]] bool is_zero(std::size_t i) const { return evidence_.tracks[i].largest() == 0.0; }
+
+ private:
+  enum class Side { none, idle, changes };
+
+  /// What the nearest reading does that is not constant.
+  [[nodiscard]] Side beside(std::size_t i, int step) const {
+    const auto count = static_cast<std::ptrdiff_t>(evidence_.count());
+    const auto first = static_cast<std::ptrdiff_t>(i) / count * count;
+    for (auto k = static_cast<std::ptrdiff_t>(i) + step; k >= first && k < first + count;
+         k += step) {
+      const ReadingTrack& track = evidence_.tracks[static_cast<std::size_t>(k)];
+      if (!evidence_.living[static_cast<std::size_t>(k)] || track.is_constant()) continue;
+      return range(track) > 4.0 * track.least_step() ? Side::changes : Side::idle;
+    }
+    return Side::none;
+  }
+
+  const Evidence& evidence_;
+  bool nothing_at_all_ = true;  // every reading is zero
+};
+
+/// Silent in most frames in which its neighbours clearly feel a load: the two beside it, and at
+/// least one of those behind them, all of one sign.
+bool feels_nothing(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
+  const auto count = static_cast<std::ptrdiff_t>(evidence.count());
+  const auto taxel = static_cast<std::ptrdiff_t>(i) % count;
+  if (taxel == 0 || taxel + 1 == count || !evidence.living[i - 1] || !evidence.living[i + 1])
+    return false;
+  // Between taxels far apart a load's readings may have a valley.
+  const std::vector<double>& depths = evidence.scene.sensor.depths;
+  if (evidence.scene.sensor.pitch > *std::min_element(depths.begin(), depths.end())) return false;
+  const double sigma = noise.of_channel[i / evidence.count()];
+  struct Place {
+    std::size_t reading;
+    double rest;
+  };
+  std::vector<Place> around;  // the two beside it first
+  const auto place = [&](std::ptrdiff_t offset) {
+    if (taxel + offset < 0 || taxel + offset >= count) return;
+    const auto reading = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + offset);
+    std::vector<double> values;
+    for (const FrameTriple& triple : evidence.triples)
+      if (std::isfinite(triple.middle()[reading])) values.push_back(triple.middle()[reading]);
+    around.push_back({reading, median(std::move(values))});
+  };
+  for (const std::ptrdiff_t offset : {-1, 1, -2, 2, 0}) place(offset);
+  const Place own = around.back();
+  around.pop_back();
+  std::size_t felt = 0;
+  std::size_t silent = 0;
+  for (const FrameTriple& triple : evidence.triples) {
+    const auto load = [&](const Place& at) { return triple.middle()[at.reading] - at.rest; };
+    const double sign = load(around[0]) > 0.0 ? 1.0 : -1.0;
+    const auto feels = [&](const Place& at) { return sign * load(at) > 20.0 * sigma; };
+    if (!feels(around[0]) || !feels(around[1]) ||
+        std::none_of(around.begin() + 2, around.end(), feels))
+      continue;
+    ++felt;
+    if (std::abs(load(own)) < 5.0 * sigma) ++silent;
+  }
+  return felt >= 3 && 5 * silent >= 4 * felt;
+}
+
+/// The share of a channel's values that equal the one before; above a half they are quantised so
+/// coarsely that all of its readings seem to stick.
+double usual_repeating(const Evidence& evidence, std::size_t channel) {
+  std::vector<double> shares;
+  for (std::size_t k = channel * evidence.count(); k < (channel + 1) * evidence.count(); ++k)
+    if (evidence.living[k]) shares.push_back(evidence.tracks[k].repeating());
+  return median(std::move(shares));
+}
+constexpr double coarse = 0.5;
+
+/// Runs of equal values that chance does not make.
+bool sticks(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
+  const std::size_t channel = i / evidence.count();
+  if (noise.of_channel[channel] == 0.0) return false;
+  const double usual = std::max(usual_repeating(evidence, channel), 1e-3);
+  if (usual > coarse) return false;
+  const double chances =
+      static_cast<double>(evidence.frames) * static_cast<double>(evidence.tracks.size());
+  const double longest = 10.0 + 1.5 * std::log(chances) / -std::log(usual);
+  return static_cast<double>(evidence.tracks[i].longest_run()) > longest;
+}
+
+/// Where the values of a reading pile up, far from where they lie when nothing happens.
+const RangeEnd* saturated_end(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
+  const ReadingTrack& track = evidence.tracks[i];
+  const double sigma = noise.of_channel[i / evidence.count()];
+  if (sigma == 0.0 || range(track) < 10.0 * sigma ||
+      usual_repeating(evidence, i / evidence.count()) > coarse)
+    return nullptr;
+  for (const RangeEnd* end : {&track.high(), &track.low()})
+    if (end->piles_up()) return end;
+  return nullptr;
+}
+
+}  // namespace
+
+void Evidence::bury(std::span<const std::size_t> taxels) {
+  for (const std::size_t taxel : taxels)
+    for (std::size_t i = taxel; i < living.size(); i += count()) living[i] = false;
+}
+
+StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
+  const Constants constants(evidence);
+  const auto is_zero = [&](std::size_t i) { return constants.at(i) && constants.is_zero(i); };
+  std::vector<std::size_t> dead = taxels_where(evidence, is_zero);
+  const std::vector<std::size_t> constant =
+      taxels_where(evidence, [&](std::size_t i) { return constants.at(i) && !is_zero(i); });
+  evidence.bury(dead);
+  evidence.bury(constant);
+
+  StillNoise noise = still_noise(evidence.triples, evidence.living, evidence.channels());
+  std::vector<std::size_t> stuck = constant;
+  if (noise.known()) {
+    const auto silent =
+        taxels_where(evidence, [&](std::size_t i) { return feels_nothing(evidence, noise, i); });
+    evidence.bury(silent);
+    dead.insert(dead.end(), silent.begin(), silent.end());
+
+    finding::SaturatedTaxels saturated;
+    saturated.taxels = taxels_where(evidence, [&](std::size_t i) {
+      const RangeEnd* end = saturated_end(evidence, noise, i);
+      if (end != nullptr && end->count() > saturated.frames) {
+        saturated.limit = end == &evidence.tracks[i].high() ? end->outermost() : -end->outermost();
+        saturated.frames = end->count();
+      }
+      return end != nullptr;
+    });
+    if (!saturated.taxels.empty()) findings.emplace_back(saturated);
+
+    const auto sticking = taxels_where(evidence, [&](std::size_t i) {
+      return saturated_end(evidence, noise, i) == nullptr && sticks(evidence, noise, i);
+    });
+    evidence.bury(sticking);
+    stuck.insert(stuck.end(), sticking.begin(), sticking.end());
+
+    finding::NoisyTaxels noisy;
+    noisy.taxels = taxels_where(evidence, [&](std::size_t i) {
+      const double usual = noise.of_channel[i / evidence.count()];
+      const double times = usual > 0.0 ? noise.of_reading[i] / usual : 0.0;
+      if (times > std::max(noisy.times, noisy_times)) {
+        noisy.times = times;
+        noisy.worst = i % evidence.count();
+      }
+      return times > noisy_times;
+    });
+    evidence.bury(noisy.taxels);
+    if (!noisy.taxels.empty()) {
+      findings.emplace_back(noisy);
+      noise = still_noise(evidence.triples, evidence.living, evidence.channels());
+    }
+  }
+  std::sort(dead.begin(), dead.end());
+  std::sort(stuck.begin(), stuck.end());
+  if (!dead.empty()) findings.emplace_back(finding::DeadTaxels{dead});
+  if (!stuck.empty()) {
+    finding::StuckTaxels found{.taxels = stuck};
+    for (const std::size_t taxel : stuck)
+      for (std::size_t i = taxel; i < evidence.tracks.size(); i += evidence.count())
+        if (const ReadingTrack& track = evidence.tracks[i]; track.longest_run() > found.frames) {
+          found.worst = taxel;
+          found.first = track.run_begins();
+          found.frames = track.longest_run();
+        }
+    findings.emplace_back(std::move(found));
+  }
+  return noise;
+}
+
+}  // namespace tactile_net::lab

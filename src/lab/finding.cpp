@@ -1,0 +1,36 @@
+#include "tactile_net/lab/finding.hpp"
+
+#include <array>
+
+namespace tactile_net::lab {
+namespace {
+
+/// In the order of the variant.
+constexpr std::array<std::string_view, std::variant_size_v<Finding>> names = {
+    "no_frames",
+    "time_backwards",
+    "time_repeats",
+    "frames_repeat",
+    "values_missing",
+    "dead_taxels",
+    "stuck_taxels",
+    "noisy_taxels",
+    "saturated_taxels",
+    "baseline",
+    "drift",
+    "noise_differs",
+    "noise_coloured",
+    "residual_differs",
+    "scale_by_1000",
+    "whole_pad_pulled",
+    "traction_exceeds_modulus",
+    "deformation_tiny",
+    "mixed_units",
+    "depth_beyond_array",
+    "pitch_coarse"};
+
+}  // namespace
+
+std::string_view name(const Finding& finding) noexcept { return names[finding.index()]; }
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,193 @@
+#include "tactile_net/lab/readings_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lab/check/judgement.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+std::size_t most_groups_of(std::size_t readings) {
+  return std::clamp(ReadingsChecker::most_values / (3 * readings), std::size_t{24},
+                    ReadingsChecker::most_groups);
+}
+
+/// Whether the scene's array could see what presses at all.
+bool is_fathomable(const Findings& by_scene) {
+  return std::none_of(by_scene.begin(), by_scene.end(), [](const Finding& one) {
+    return std::holds_alternative<finding::DepthBeyondArray>(one) ||
+           std::holds_alternative<finding::PitchCoarse>(one);
+  });
+}
+
+/// Counts the times as they come.
+class ClockTrack {
+ public:
+  void add(std::optional<double> time, std::size_t frame) {
+    if (!time) return;
+    if (clock_.timed++ == 0) {
+      clock_.first = *time;
+    } else if (*time < clock_.last) {
+      if (clock_.backwards++ == 0) clock_.first_backwards = frame;
+    } else if (*time == clock_.last) {
+      if (clock_.repeats++ == 0) clock_.first_repeat = frame;
+    } else {
+      clock_.longest = std::max(clock_.longest, *time - clock_.last);
+    }
+    clock_.last = *time;
+  }
+  [[nodiscard]] const RecordingClock& clock() const noexcept { return clock_; }
+
+ private:
+  RecordingClock clock_;
+};
+
+}  // namespace
+
+std::optional<double> RecordingClock::rate() const noexcept {
+  if (timed < 2 || !(last > first)) return std::nullopt;
+  return static_cast<double>(timed - 1) / (last - first);
+}
+
+struct ReadingsChecker::Parts {
+  explicit Parts(Scene given)
+      : scene(std::move(given)),
+        weights(channel_weights(scene)),
+        tracks(reading_count(scene.sensor)),
+        triples(most_groups_of(tracks.size())) {}
+
+  Scene scene;
+  std::vector<double> weights;  // per channel
+  std::vector<ReadingTrack> tracks;
+  FrameTriples triples;
+  ClockTrack clock;
+  std::size_t frames = 0;
+  FrameRuns repeating{};
+  FrameRuns missing{};
+  std::vector<double> last{};
+  std::vector<double> peak{};  // the frame with the largest weighted reading
+  double peak_size = 0.0;
+  std::size_t peak_frame = 0;
+
+  [[nodiscard]] std::vector<bool> living() const {
+    std::vector<bool> all(tracks.size(), true);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (const std::size_t taxel : scene.dead_taxels)
+        if (i % scene.sensor.count == taxel) all[i] = false;
+    return all;
+  }
+  void say_frames(ReadingsCheck& check) const;
+  void say_channels(const Evidence& evidence, ReadingsCheck& check) const;
+};
+
+ReadingsChecker::ReadingsChecker(Scene scene) : parts_(std::make_unique<Parts>(std::move(scene))) {}
+
+ReadingsChecker::~ReadingsChecker() = default;
+
+void ReadingsChecker::add(std::optional<double> time, std::span<const double> readings) {
+  Parts& p = *parts_;
+  p.clock.add(time, p.frames);
+  double size = 0.0;
+  bool any_missing = false;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    p.tracks[i].add(readings[i], p.frames);
+    if (std::isnan(readings[i]))
+      any_missing = true;
+    else
+      size = std::max(size, std::abs(readings[i]) * p.weights[i / p.scene.sensor.count]);
+  }
+  if (any_missing) p.missing.add(p.frames);
+  const bool repeats = std::equal(readings.begin(), readings.end(), p.last.begin(), p.last.end());
+  if (repeats) p.repeating.add(p.frames);
+  p.last.assign(readings.begin(), readings.end());
+  if (size > p.peak_size) {
+    p.peak_size = size;
+    p.peak = p.last;
+    p.peak_frame = p.frames;
+  }
+  p.triples.add(readings);
+  ++p.frames;
+}
+
+void ReadingsChecker::Parts::say_frames(ReadingsCheck& check) const {
+  Findings& findings = check.findings;
+  check.clock = clock.clock();
+  if (frames == 0) findings.emplace_back(finding::NoFrames{});
+  if (check.clock.backwards > 0)
+    findings.emplace_back(
+        finding::TimeBackwards{check.clock.backwards, check.clock.first_backwards});
+  if (check.clock.repeats > 0)
+    findings.emplace_back(finding::TimeRepeats{check.clock.repeats, check.clock.first_repeat});
+  // Readings that are quantised coarsely, or without noise, repeat for good.
+  if (repeating.count() > 0 && 5 * repeating.count() < frames)
+    findings.emplace_back(finding::FramesRepeat{repeating});
+  if (missing.count() > 0) {
+    finding::ValuesMissing found{.frames = missing};
+    const std::size_t count = scene.sensor.count;
+    for (std::size_t taxel = 0; taxel < count; ++taxel) {
+      std::size_t most = 0;
+      for (std::size_t i = taxel; i < tracks.size(); i += count)
+        most = std::max(most, tracks[i].missing());
+      if (2 * most > frames) found.taxels.push_back(taxel);
+    }
+    for (const ReadingTrack& track : tracks) found.values += track.missing();
+    check.missing = found.values;
+    findings.emplace_back(std::move(found));
+  }
+}
+
+void ReadingsChecker::Parts::say_channels(const Evidence& evidence, ReadingsCheck& check) const {
+  const std::vector<Channel> all = tactile_net::channels(scene.sensor);
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    CheckedChannel found{.name = all[c].name};
+    bool any = false;
+    for (std::size_t i = c * evidence.count(); i < (c + 1) * evidence.count(); ++i) {
+      if (tracks[i].present() == 0) continue;
+      found.least = any ? std::min(found.least, tracks[i].least()) : tracks[i].least();
+      found.largest = any ? std::max(found.largest, tracks[i].largest()) : tracks[i].largest();
+      any = true;
+    }
+    if (scene.noise) found.stated = scene.noise->rms.at(all[c].quantity);
+    check.channels.push_back(std::move(found));
+  }
+}
+
+ReadingsCheck ReadingsChecker::result(Observer& observer) const {
+  const Parts& p = *parts_;
+  ReadingsCheck check{.scene = p.scene, .frames = p.frames};
+  p.say_frames(check);
+  Evidence evidence{.scene = p.scene,
+                    .frames = p.frames,
+                    .tracks = p.tracks,
+                    .triples = p.triples.all(),
+                    .living = p.living()};
+  for (const Finding& one : check.findings)
+    if (const auto* missing = std::get_if<finding::ValuesMissing>(&one))
+      evidence.bury(missing->taxels);
+  p.say_channels(evidence, check);
+  if (p.frames == 0) return check;
+  const Findings by_scene = scene_findings(p.scene);
+
+  check.sampled = evidence.triples.size();
+  const StillNoise noise = judge_taxels(evidence, check.findings);
+  check.still = noise.known() ? noise.still.size() : 0;
+  if (std::find(evidence.living.begin(), evidence.living.end(), true) != evidence.living.end()) {
+    PatternSolver solver(p.scene);
+    // With lengths that cannot be right no load explains anything.
+    const RestState rest =
+        is_fathomable(by_scene) ? judge_rest(evidence, noise, solver, check.findings) : RestState{};
+    check.quiet = rest.quiet;
+    if (noise.known())
+      for (std::size_t c = 0; c < check.channels.size(); ++c)
+        check.channels[c].noise = rest.noise.empty() ? noise.of_channel[c] : rest.noise[c];
+    check.peak = PeakFrame{.frame = p.peak_frame};
+    judge_loads(evidence, rest.baseline, p.peak, solver, observer, check);
+    judge_scale(check);
+  }
+  check.findings.insert(check.findings.end(), by_scene.begin(), by_scene.end());
+  return check;
+}
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,379 @@
+// Recordings of known scenes, clean and with one defect planted: what check_readings finds, and
+// what it must not find.
+#include "tactile_net/lab/readings_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <set>
+
+#include "tactile_net/lab/method.hpp"
+#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+namespace finding = lab::finding;
+
+namespace {
+
+using Frames = std::vector<std::vector<double>>;
+
+constexpr double noise = 30.0;  // Pa, of readings up to some 10 kPa
+
+/// A silicone pad in SI; what touches it is somebody's `contact`.
+std::string pad(std::size_t count, const std::string& reads, const std::string& contact,
+                std::uint64_t seed) {
+  const bool strains = reads.find("strain") != reads.npos;
+  return "[sensor]\ncount = " + std::to_string(count) +
+         "\npitch = 0.5e-3\ndepth = 1.5e-3\nreads = [" + reads +
+         "]\n[material]\nyoungs_modulus = 0.2e6\npoisson_ratio = 0.45\n[noise]\nrms = " +
+         (strains ? "150e-6" : "30.0") + "\nseed = " + std::to_string(seed) +
+         "\n[time]\nrate = 100.0\nframes = 400\n" + contact;
+}
+
+const std::string cylinder = "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.5e-3\n";
+/// Two presses between idle times.
+const std::string presses =
+    cylinder +
+    "trajectory = [{ t = 0.5, force = 0.0 }, { t = 0.8, force = 40.0 }, { t = 1.2, force = 40.0 }, "
+    "{ t = 1.5, force = 0.0 }, { t = 2.4, force = 0.0 }, { t = 2.6, force = 25.0 }, "
+    "{ t = 2.8, force = 0.0 }]\n";
+/// Never let go, never at rest.
+const std::string slides =
+    cylinder +
+    "force = 30.0\ntrajectory = [{ t = 0.0, center = -0.8e-3 }, { t = 2.0, center = 0.8e-3 }, "
+    "{ t = 4.0, center = -0.8e-3 }]\n";
+const std::string holds = cylinder + "force = 30.0\n";
+const std::string idles;
+
+struct Recording {
+  Scene scene;
+  Frames frames{};
+};
+
+Recording record(const std::string& toml) {
+  Recording recording{parse_scene(toml, "pad.toml")};
+  lab::SensorRecording sensor(recording.scene);
+  while (sensor.next())
+    recording.frames.emplace_back(sensor.readings().begin(), sensor.readings().end());
+  // What a person knows who has the recording: no contact, one frame.
+  recording.scene.contacts.clear();
+  recording.scene.trajectories.clear();
+  recording.scene.time.reset();
+  return recording;
+}
+
+lab::ReadingsCheck check(const Recording& recording) {
+  lab::ReadingsChecker checker(recording.scene);
+  double time = 0.0;
+  for (const std::vector<double>& frame : recording.frames) checker.add(time += 0.01, frame);
+  return checker.result();
+}
+
+std::set<std::string> kinds(const lab::ReadingsCheck& check) {
+  std::set<std::string> names;
+  for (const lab::Finding& one : check.findings) names.emplace(lab::name(one));
+  return names;
+}
+
+template <class Kind>
+Kind found(const lab::ReadingsCheck& check) {
+  for (const lab::Finding& one : check.findings)
+    if (const Kind* kind = std::get_if<Kind>(&one)) return *kind;
+  FAIL("not found");
+  throw 0;
+}
+
+using Names = std::set<std::string>;
+
+std::size_t count_of(const Recording& recording) { return recording.scene.sensor.count; }
+
+void scale(Recording& recording, double factor) {
+  for (auto& frame : recording.frames)
+    for (double& value : frame) value *= factor;
+}
+
+}  // namespace
+
+TEST_CASE("nothing is suspicious about clean recordings", "[lab][check]") {
+  const std::size_t count = GENERATE(11u, 41u, 81u);
+  const std::string reads = GENERATE("\"stress_x\"", "\"strain_x\"", "\"stress_x\", \"shear_xy\"");
+  const std::string contact = GENERATE(presses, slides, holds, idles);
+  const std::uint64_t seed = GENERATE(1u, 2u);
+  if (count == 81 && (seed > 1 || reads.size() > 12)) return;  // enough, and slow
+  CAPTURE(count, reads, contact, seed);
+  const lab::ReadingsCheck result = check(record(pad(count, reads, contact, seed)));
+  CHECK(kinds(result) == Names{});
+  CHECK(result.frames == 400);
+  REQUIRE(result.channels[0].noise);
+  CHECK_THAT(*result.channels[0].noise / *result.channels[0].stated, WithinAbs(1.0, 0.15));
+  REQUIRE(result.residual);
+  CHECK_THAT(*result.residual, WithinAbs(1.0, 0.4));
+}
+
+namespace {
+
+struct Defect {
+  std::string name;
+  std::function<void(Recording&, std::mt19937&)> plant;
+  std::string expected;
+  std::set<std::string> also{};  ///< what it may be taken for besides
+};
+
+const std::vector<Defect>& defects() {
+  static const std::vector<Defect> all{
+      {"kPa for Pa", [](Recording& r, auto&) { scale(r, 1e-3); }, "scale_by_1000"},
+      {"mPa for Pa", [](Recording& r, auto&) { scale(r, 1e3); }, "scale_by_1000"},
+      {"sign", [](Recording& r, auto&) { scale(r, -1.0); }, "whole_pad_pulled"},
+      {"dead",
+       [](Recording& r, auto&) {
+         for (auto& frame : r.frames) frame[count_of(r) / 2] = 0.0;
+       },
+       "dead_taxels"},
+      {"cut wire: noise and no signal",
+       [](Recording& r, auto& random) {
+         std::normal_distribution<double> white(0.0, noise);
+         for (auto& frame : r.frames) frame[count_of(r) / 2 + 1] = white(random);
+       },
+       "dead_taxels"},
+      {"noisy",
+       [](Recording& r, auto& random) {
+         std::normal_distribution<double> white(0.0, 8.0 * noise);
+         for (auto& frame : r.frames) frame[3] += white(random);
+       },
+       "noisy_taxels"},
+      {"stuck from the start",
+       [](Recording& r, auto&) {
+         for (auto& frame : r.frames) frame[4] = 123.0;
+       },
+       "stuck_taxels"},
+      {"stuck from frame 200 on",
+       [](Recording& r, auto&) {
+         for (std::size_t k = 200; k < r.frames.size(); ++k) r.frames[k][4] = r.frames[200][4];
+       },
+       "stuck_taxels"},
+      {"saturated",
+       [](Recording& r, auto&) {
+         for (auto& frame : r.frames)
+           for (double& value : frame) value = std::min(value, 3000.0);
+       },
+       "saturated_taxels"},
+      {"baseline of each taxel",
+       [](Recording& r, auto& random) {
+         std::normal_distribution<double> white(0.0, 15.0 * noise);
+         std::vector<double> offset(r.frames[0].size());
+         for (double& value : offset) value = white(random);
+         for (auto& frame : r.frames)
+           for (std::size_t i = 0; i < frame.size(); ++i) frame[i] += offset[i];
+       },
+       "baseline"},
+      {"baseline of all taxels",
+       [](Recording& r, auto&) {
+         for (auto& frame : r.frames)
+           for (double& value : frame) value += 10.0 * noise;
+       },
+       "baseline"},
+      {"drift of each taxel",
+       [](Recording& r, auto& random) {
+         std::normal_distribution<double> white(0.0, 30.0 * noise);
+         std::vector<double> slope(r.frames[0].size());
+         for (double& value : slope) value = white(random) / 400.0;
+         for (std::size_t k = 0; k < r.frames.size(); ++k)
+           for (std::size_t i = 0; i < slope.size(); ++i)
+             r.frames[k][i] += slope[i] * static_cast<double>(k);
+       },
+       "drift"},
+      {"drift of all taxels",
+       [](Recording& r, auto&) {
+         for (std::size_t k = 0; k < r.frames.size(); ++k)
+           for (double& value : r.frames[k]) value += 30.0 * noise / 400.0 * static_cast<double>(k);
+       },
+       "drift"},
+      {"noise of 3 times",
+       [](Recording& r, auto& random) {
+         std::normal_distribution<double> white(0.0, std::sqrt(8.0) * noise);
+         for (auto& frame : r.frames)
+           for (double& value : frame) value += white(random);
+       },
+       "noise_differs"},
+      {"noise that remembers",
+       [](Recording& r, auto& random) {
+         std::normal_distribution<double> white(0.0, noise);
+         std::vector<double> state(r.frames[0].size());
+         for (auto& frame : r.frames)
+           for (std::size_t i = 0; i < frame.size(); ++i)
+             frame[i] += state[i] = 0.8 * state[i] + white(random);
+       },
+       "noise_coloured"},
+      {"missing",
+       [](Recording& r, auto&) {
+         r.frames[5][2] = r.frames[200][3] = std::numeric_limits<double>::quiet_NaN();
+       },
+       "values_missing"},
+      {"rows twice", [](Recording& r, auto&) { r.frames[17] = r.frames[16]; }, "frames_repeat"},
+      {"pitch in mm, E in Pa",
+       [](Recording& r, auto&) {
+         r.scene.sensor.pitch *= 1e3;
+         for (double& depth : r.scene.sensor.depths) depth *= 1e3;
+         r.scene.reconstruct.smoothing_length *= 1e3;
+       },
+       "mixed_units"},
+      {"E in MPa, readings in Pa",
+       [](Recording& r, auto&) { r.scene.material.youngs_modulus = 0.2; },
+       "mixed_units",
+       {"traction_exceeds_modulus"}},
+      {"depth in mm",
+       [](Recording& r, auto&) { r.scene.sensor.depths = {1.5}; },
+       "depth_beyond_array",
+       {"traction_exceeds_modulus"}},
+      {"pitch in mm",
+       [](Recording& r, auto&) { r.scene.sensor.pitch = 0.5; },
+       "pitch_coarse",
+       {"mixed_units"}},
+  };
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("each planted defect is found", "[lab][check]") {
+  const auto at = static_cast<std::size_t>(GENERATE(range(0, 21)));
+  const std::size_t count = GENERATE(11u, 41u);
+  const std::uint64_t seed = GENERATE(1u, 2u);
+  REQUIRE(defects().size() == 21);
+  const Defect& defect = defects()[at];
+  CAPTURE(defect.name, count, seed);
+  Recording recording = record(pad(count, "\"stress_x\"", presses, seed));
+  std::mt19937 random(static_cast<unsigned>(seed));
+  defect.plant(recording, random);
+  Names names = kinds(check(recording));
+  CHECK(names.contains(defect.expected));
+  for (const std::string& one : defect.also) names.erase(one);
+  CHECK(names == (defect.also.contains(defect.expected) ? Names{} : Names{defect.expected}));
+}
+
+TEST_CASE("a check says where, how much and what to write", "[lab][check]") {
+  const std::uint64_t seed = GENERATE(1u, 2u, 3u);
+  const Recording clean = record(pad(41, "\"stress_x\"", presses, seed));
+  std::mt19937 random(static_cast<unsigned>(seed));
+  std::normal_distribution<double> white(0.0, 1.0);
+  {
+    Recording broken = clean;
+    for (auto& frame : broken.frames) {
+      frame[20] = 0.0;
+      frame[7] += 10.0 * noise * white(random);
+    }
+    const auto result = check(broken);
+    CHECK(found<finding::DeadTaxels>(result).taxels == std::vector<std::size_t>{20});
+    CHECK(found<finding::NoisyTaxels>(result).taxels == std::vector<std::size_t>{7});
+    CHECK_THAT(found<finding::NoisyTaxels>(result).times, WithinRel(10.0, 0.2));
+  }
+  {
+    Recording shifted = clean;
+    std::vector<double> offset(41);
+    for (double& one : offset) one = 500.0 * white(random);
+    for (auto& frame : shifted.frames)
+      for (std::size_t i = 0; i < 41; ++i) frame[i] += offset[i];
+    const auto baseline = found<finding::Baseline>(check(shifted));
+    for (std::size_t i = 0; i < 41; ++i)
+      CHECK_THAT(baseline.values[i], WithinAbs(offset[i], noise));
+    CHECK_FALSE(baseline.loaded);
+  }
+  {
+    Recording stuck = clean;
+    for (std::size_t k = 100; k < 250; ++k) stuck.frames[k][30] = stuck.frames[100][30];
+    const auto run = found<finding::StuckTaxels>(check(stuck));
+    CHECK(run.worst == 30);
+    CHECK(run.first == 100);
+    CHECK(run.frames == 150);
+  }
+  {
+    Recording silent = clean;
+    silent.scene.noise.reset();
+    CHECK_THAT(*check(silent).channels[0].noise, WithinRel(noise, 0.15));
+  }
+}
+
+TEST_CASE("the peak is that of the contact", "[lab][check]") {
+  const auto result =
+      check(record(pad(41, "\"stress_x\"", presses, 1) + "[forward]\nmodel = \"exact\"\n"));
+  REQUIRE(result.peak);
+  CHECK_THAT(result.peak->force, WithinRel(40.0, 0.03));
+  CHECK(result.peak->frame >= 80);
+  CHECK(result.peak->frame <= 120);
+  CHECK_THAT(*result.clock.rate(), WithinRel(100.0, 1e-9));
+}
+
+TEST_CASE("coarse converters are no defect", "[lab][check]") {
+  const std::string bits = GENERATE("8", "10", "14");
+  const std::string contact = GENERATE(presses, slides, holds, idles);
+  CAPTURE(bits, contact);
+  const auto result =
+      check(record(pad(41, "\"stress_x\"", contact, 1) + "[quantization]\nbits = " + bits +
+                   "\nrange = [-20000.0, 20000.0]\n"));
+  Names names = kinds(result);
+  names.erase("noise_differs");  // it does: steps of 157 beside noise of 30
+  names.erase("frames_repeat");
+  CHECK(names == Names{});
+}
+
+TEST_CASE("a long recording is thinned, and says the same", "[lab][check]") {
+  std::string quiet = pad(11, "\"stress_x\"", presses, 1);
+  quiet.replace(quiet.find("rms = 30.0"), 10, "rms = 1e-9");
+  Recording once = record(quiet);
+  once.scene.noise->rms.begin()->second = noise;
+  for (auto& frame : once.frames) frame[5] = 0.0;
+  lab::ReadingsChecker checker(once.scene);
+  std::mt19937 random(1);
+  std::normal_distribution<double> white(0.0, noise);
+  constexpr std::size_t frames = 20'000;
+  for (std::size_t k = 0; k < frames; ++k) {
+    std::vector<double> frame = once.frames[k * once.frames.size() / frames];
+    for (double& value : frame)
+      if (value != 0.0) value += white(random);
+    checker.add(std::nullopt, frame);
+  }
+  const auto result = checker.result();
+  CHECK(result.frames == frames);
+  CHECK(result.sampled <= lab::ReadingsChecker::most_groups);
+  CHECK(result.sampled >= lab::ReadingsChecker::most_groups / 2);
+  CHECK(kinds(result) == Names{"dead_taxels"});
+}
+
+TEST_CASE("recordings of hardly anything are checked as far as they go", "[lab][check]") {
+  const Recording whole = record(pad(11, "\"stress_x\"", holds, 1));
+  const auto frames = static_cast<std::size_t>(GENERATE(0, 1, 2, 3, 8));
+  Recording few = whole;
+  few.frames.resize(frames);
+  const auto result = check(few);
+  CHECK(result.still == 0);
+  CHECK(kinds(result) == (frames == 0 ? Names{"no_frames"} : Names{}));
+  for (auto& frame : few.frames)
+    for (double& value : frame) value = std::numeric_limits<double>::quiet_NaN();
+  CHECK(kinds(check(few)) == (frames == 0 ? Names{"no_frames"} : Names{"values_missing"}));
+  for (auto& frame : few.frames)
+    for (double& value : frame) value = 0.0;
+  CHECK(kinds(check(few)).contains("dead_taxels") == (frames >= 3));
+}
+
+TEST_CASE("what solve notices comes from the same functions", "[lab][check]") {
+  const double factor = GENERATE(1.0, -1.0, 1e-3);
+  Recording recording = record(pad(11, "\"stress_x\"", presses, 1));
+  scale(recording, factor);
+  const lab::SceneProblem problem(recording.scene);
+  const auto solver = lab::make_solver(problem, Method::tikhonov);
+  lab::SolvingDoubts doubts(problem);
+  std::vector<double> tractions(11);
+  for (const auto& frame : recording.frames) {
+    const auto result = solver->solve(frame, tractions);
+    doubts.add(problem, frame, tractions, result.alpha->value);
+  }
+  Names names;
+  for (const lab::Finding& one : doubts.findings()) names.emplace(lab::name(one));
+  CHECK(names == (factor == 1.0    ? Names{}
+                  : factor == -1.0 ? Names{"whole_pad_pulled"}
+                                   : Names{"scale_by_1000"}));
+}

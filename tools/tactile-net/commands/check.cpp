@@ -1,0 +1,55 @@
+#include "commands/check.hpp"
+
+#include <optional>
+#include <ostream>
+#include <vector>
+
+#include "commands/recording.hpp"
+#include "commands/results.hpp"
+#include "failure.hpp"
+#include "tactile_net/frames/open.hpp"
+#include "tactile_net/lab/readings_check.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/json/check_json.hpp"
+#include "tactile_net/report/words/check_words.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "terminal/printable_stream.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+lab::ReadingsCheck check_of(const CheckOptions& options, const Streams& streams) {
+  const Scene scene = read_scene(options.scene);
+  frames::ReadingsFile file(options.readings, scene, &streams.in,
+                            {.columns = options.columns, .accept_missing = true});
+  frames::FrameSource& source = file.source();
+  say_opening(streams.err, file.name(), source);
+  lab::ReadingsChecker checker(scene);
+  Progress progress(streams);
+  std::vector<double> readings(source.columns().size());
+  for (std::size_t frames = 0; source.next(readings); ++frames) {
+    double seconds = 0.0;
+    const bool timed = read_number(source.time(), seconds);
+    checker.add(timed ? std::optional(seconds) : std::nullopt, readings);
+    if (progress.due()) progress.frames(frames, file.share_read());
+  }
+  return checker.result(progress);
+}
+
+}  // namespace
+
+void run(const CheckOptions& options, const Streams& streams) {
+  const auto json = output_if(options.json, streams);
+  const lab::ReadingsCheck check = check_of(options, streams);
+  if (options.json != "-") {
+    PrintableStream out(streams.out);
+    out << options.scene << ", " << options.readings << ": ";
+    report::print_check(out, check);
+  }
+  if (json) write(json.get(), report::check_json(check, options.readings));
+  if (options.strict && !check.findings.empty())
+    throw CheckFailed(std::to_string(check.findings.size()) +
+                      (check.findings.size() == 1 ? " suspicion" : " suspicions"));
+}
+
+}  // namespace tactile_net::tool
