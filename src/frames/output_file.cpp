@@ -67,7 +67,15 @@ void write_file(const fs::path& path, std::string_view content) {
   file.commit();
 }
 
-OutputFolder::OutputFolder(const fs::path& path) : path_(path) {
+void check_replaceable(const fs::path& path, Existing existing) {
+  if (existing == Existing::kept && fs::exists(fs::symlink_status(path)))
+    throw CannotCreate(path.string() +
+                       ": error: is there already, and not from an earlier run; nothing was "
+                       "written: name another folder, or --force");
+}
+
+OutputFolder::OutputFolder(const fs::path& path, Existing existing)
+    : path_(path), existing_(existing) {
   std::error_code error;
   if (fs::exists(path) && !fs::is_directory(path))
     throw CannotCreate(path.string() + ": error: is a file, not a folder");
@@ -111,6 +119,7 @@ std::vector<std::string> OutputFolder::commit() {
     const fs::path target = path_ / entry.path().filename();
     if (fs::is_directory(target))
       throw CannotCreate(target.string() + ": error: is a folder; nothing was written");
+    check_replaceable(target, existing_);
   }
   for (const std::string& name : names) fs::rename(staging_->path() / name, path_ / name);
   fs::remove(staging_->path());

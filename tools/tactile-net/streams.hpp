@@ -4,6 +4,8 @@
 
 #include <iosfwd>
 
+#include "terminal/text_style.hpp"
+
 namespace tactile_net::tool {
 
 struct Streams {
@@ -14,6 +16,7 @@ struct Streams {
   /// The same as `err` without the care that is taken of it, for the progress line's own control
   /// characters; null: `err`.
   std::ostream* screen = nullptr;
+  TextStyle style{};  ///< of what is written to `out` for people to read
 };
 
 }  // namespace tactile_net::tool

@@ -20,6 +20,9 @@ namespace tactile_net::drawing {
 /// The first row is the header.
 [[nodiscard]] std::string html_table(const std::vector<std::vector<std::string>>& rows);
 
+/// How a page says who has written it, in its first lines.
+inline constexpr std::string_view written_by = "<meta name=\"generator\" content=\"tactile-net";
+
 /// A whole page around `body`, which is HTML; `extra_style` is CSS.
 [[nodiscard]] std::string html_page(std::string_view title, std::string_view body,
                                     std::string_view extra_style = {});

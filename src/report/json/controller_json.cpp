@@ -1,7 +1,6 @@
 #include "tactile_net/report/json/controller_json.hpp"
 
-#include "report/json/values.hpp"
-#include "tactile_net/numeric/version.hpp"
+#include "report/json/document.hpp"
 #include "tactile_net/report/words/controller_words.hpp"
 
 namespace tactile_net::report {
@@ -19,18 +18,18 @@ std::string controller_json(const Scene& scene, const lab::PlannedController& pl
                           {"accurate", candidate.accurate},
                           {"chosen", candidate.chosen}});
   const EstimatorPlan& plan = planned.estimator.plan;
-  return text_of(Json{{"tactile_net", version()},
-                      {"scene", scene.file},
-                      {"readings", plan.readings()},
-                      {"tractions", plan.tractions()},
-                      {"alpha", plan.alpha},
-                      {"alpha_rule", in_words(planned.alpha)},
-                      {"accuracy", plan.accuracy},
-                      {"error_bound", plan.error_bound},
-                      {"asymmetry", planned.estimator.asymmetry},
-                      {"frame_seconds", frame_seconds},
-                      {"candidates", std::move(candidates)}},
-                 2);
+  Json json = document(kind::plan);
+  json.update(Json{{"scene", scene.file},
+                   {"readings", plan.readings()},
+                   {"tractions", plan.tractions()},
+                   {"alpha", plan.alpha},
+                   {"alpha_rule", in_words(planned.alpha)},
+                   {"accuracy", plan.accuracy},
+                   {"error_bound", plan.error_bound},
+                   {"asymmetry", planned.estimator.asymmetry},
+                   {"frame_seconds", frame_seconds},
+                   {"candidates", std::move(candidates)}});
+  return text_of(json, 2);
 }
 
 }  // namespace tactile_net::report

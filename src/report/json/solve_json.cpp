@@ -2,8 +2,7 @@
 
 #include <map>
 
-#include "report/json/values.hpp"
-#include "tactile_net/numeric/version.hpp"
+#include "report/json/document.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 
 namespace tactile_net::report {
@@ -27,30 +26,28 @@ std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
     distrusted[std::string(lab::name(verdict))] = runs(frames);
   const std::string verdict = verdicts.size() == 1 ? verdicts.begin()->first : "mixed";
   const std::optional<lab::ChosenAlpha>& alpha = solved.last.alpha;
-  return text_of(
-      Json{
-          {"tactile_net", version()},
-          {"scene", scene.file},
-          {"readings", report.readings},
-          {"frames", solved.frames},
-          {"method", name(report.method)},
-          {"alpha", alpha && !alpha->rule ? Json(alpha->value) : Json(nullptr)},
-          {"alpha_rule", alpha ? Json(source(*alpha)) : Json(nullptr)},
-          {"alpha_least", solved.least_alpha > 0.0 ? Json(solved.least_alpha) : Json(nullptr)},
-          {"alpha_largest",
-           solved.largest_alpha > 0.0 ? Json(solved.largest_alpha) : Json(nullptr)},
-          {"verdict", verdict},
-          {"verdicts", verdicts},
-          {"distrusted", distrusted},
-          {"missing",
-           {{"policy", lab::name(report.missing)},
-            {"skipped", runs(solved.skipped)},
-            {"estimated", runs(solved.estimated)}}},
-          {"condition", solved.last.condition ? Json(solved.last.condition->value) : Json(nullptr)},
-          {"warnings", in_words(report.remarks)},
-          {"columns_ignored", report.columns_ignored},
-          {"seconds", report.seconds}},
-      2);
+  Json json = document(kind::solve);
+  json.update(Json{
+      {"scene", scene.file},
+      {"readings", report.readings},
+      {"frames", solved.frames},
+      {"method", name(report.method)},
+      {"alpha", alpha && !alpha->rule ? Json(alpha->value) : Json(nullptr)},
+      {"alpha_rule", alpha ? Json(source(*alpha)) : Json(nullptr)},
+      {"alpha_least", solved.least_alpha > 0.0 ? Json(solved.least_alpha) : Json(nullptr)},
+      {"alpha_largest", solved.largest_alpha > 0.0 ? Json(solved.largest_alpha) : Json(nullptr)},
+      {"verdict", verdict},
+      {"verdicts", verdicts},
+      {"distrusted", distrusted},
+      {"missing",
+       {{"policy", lab::name(report.missing)},
+        {"skipped", runs(solved.skipped)},
+        {"estimated", runs(solved.estimated)}}},
+      {"condition", solved.last.condition ? Json(solved.last.condition->value) : Json(nullptr)},
+      {"warnings", in_words(report.remarks)},
+      {"columns_ignored", report.columns_ignored},
+      {"seconds", report.seconds}});
+  return text_of(json, 2);
 }
 
 }  // namespace tactile_net::report

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <vector>
 
+#include "commands/input.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/pages/identify_page.hpp"
@@ -11,7 +12,6 @@
 #include "tactile_net/report/words/identify_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/table.hpp"
-#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::tool {
 namespace {
@@ -50,7 +50,8 @@ void print(std::ostream& out, const Scene& scene, const lab::Survey& survey) {
 void run(const IdentifyOptions& options, const Streams& streams) {
   check_positive("--traction", options.survey.traction);
   check_positive("--noise", options.survey.relative_noise);
-  const Scene scene = read_scene(options.scene);
+  check_one_standard_input(options.scene, options.readings);
+  const Scene scene = read_scene(options.scene, streams.in);
   lab::SurveyOptions survey_options = options.survey;
   if (!options.readings.empty()) {
     if (survey_options.traction)
