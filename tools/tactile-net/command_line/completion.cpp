@@ -187,7 +187,7 @@ std::string zsh_arguments(const std::vector<const Argument*>& arguments) {
     const std::string excluded = "(" + join(argument->names, " ") + ")";
     for (const std::string& name : argument->names) {
       const std::string value =
-          argument->is_flag() ? "" : zsh_value(argument->value, argument->value.name);
+          argument->is_flag() ? "" : zsh_value(argument->value, argument->value.shown());
       const std::string glued = argument->is_flag() ? "" : name.starts_with("--") ? "=" : "+";
       rows += " \\\n        " +
               quoted(excluded + name + glued + "[" + in_zsh(argument->text) + "]" + value);

@@ -47,6 +47,12 @@ void add(CLI::App& app, const Argument& argument) {
       ->required(argument.required);
 }
 
+/// "-" is standard input, and "-5" a number.
+bool is_like_option(const std::string& typed) {
+  return typed.size() > 1 && typed[0] == '-' && typed[1] != '.' &&
+         !(typed[1] >= '0' && typed[1] <= '9');
+}
+
 bool is_named(const Argument& argument, std::string_view name) {
   return std::find(argument.names.begin(), argument.names.end(), name) != argument.names.end();
 }
@@ -60,19 +66,15 @@ void check_options(const CommandLine& line, const CommandTable* command,
   const std::vector<const Argument*> known = line.arguments(command);
   for (std::size_t i = 0; i < arguments.size() && arguments[i] != "--"; ++i) {
     const std::string& typed = arguments[i];
-    if (!typed.starts_with('-') || typed == "-") continue;
+    if (!is_like_option(typed)) continue;
     const std::size_t equals = typed.find('=');
-    const bool is_short = typed.size() > 1 && typed[1] != '-';
+    const bool is_short = typed[1] != '-';
     const auto match = [&](const Argument* argument) {
       return is_named(*argument, std::string_view(typed).substr(0, equals)) ||
              (is_short && is_named(*argument, std::string_view(typed).substr(0, 2)));
     };
     const auto found = std::find_if(known.begin(), known.end(), match);
-    if (found != known.end()) {
-      const bool whole = equals == std::string::npos && is_named(**found, typed);
-      if (whole && !(*found)->is_flag()) ++i;  // its value
-      continue;
-    }
+    if (found != known.end()) continue;
     const std::string name = typed.substr(0, equals);
     const std::string bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
     std::vector<std::string> names;
