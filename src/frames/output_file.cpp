@@ -68,7 +68,8 @@ void write_file(const fs::path& path, std::string_view content) {
 }
 
 void check_replaceable(const fs::path& path, Existing existing) {
-  if (existing == Existing::kept && fs::exists(fs::symlink_status(path)))
+  const fs::file_status status = fs::symlink_status(path);
+  if (existing == Existing::kept && fs::exists(status) && !fs::is_directory(status))
     throw CannotCreate(path.string() +
                        ": error: is there already, and not from an earlier run; nothing was "
                        "written: name another folder, or --force");

@@ -134,8 +134,7 @@ TEST_CASE("help names what values are, and what holds without them", "[cli]") {
         "(default: fail)", "[unit of E]", "-o, --output FILE", "docs/results.md"})
     CHECK_THAT(solve, ContainsSubstring(text));
   CHECK(solve.find("[Pa]") == std::string::npos);
-  CHECK_THAT(test::run_in_process({"help", "plan"}, "").output,
-             ContainsSubstring("(default: 1e-06)"));
+  CHECK_THAT(test::run_in_process({"help", "plan"}, "").output, ContainsSubstring("(default: 1e-"));
   CHECK(test::run_in_process({"solve", "--help"}, "").output == solve);
   CHECK(test::run_in_process({"solve", "-h", "--method", "dft"}, "").output == solve);
   CHECK(test::run_in_process({"help"}, "").output == test::run_in_process({"--help"}, "").output);
@@ -192,10 +191,10 @@ TEST_CASE("the manual page has every command and option, and no fault", "[cli]")
   const Folder folder;
   const std::string page = folder.write("tactile-net.1", made.output);
   if (is_installed("groff")) {
-    const ProcessResult set = run_process({"groff", "-man", "-ww", "-Tascii", page}, {});
+    const ProcessResult set = run_process({"groff", "-man", "-ww", "-Tascii", "-P-cbou", page}, {});
     CHECK(set.code == 0);
     CHECK(set.errors.empty());
-    CHECK_THAT(set.output, ContainsSubstring("EXIT STATUS"));
+    CHECK_THAT(set.output, ContainsSubstring("NO_COLOR"));
   }
   if (is_installed("mandoc"))
     CHECK(run_process({"mandoc", "-Tlint", "-W", "error", page}, {}).output.empty());

@@ -17,8 +17,8 @@ void add_completion(AllCommands& all) {
        .text = "Print the script by which a shell completes commands, options, their values and "
                "files; an installed tactile-net brings them along",
        .pages = {"building.md"},
-       .examples = {{"completion bash > ~/.local/share/bash-completion/completions/tactile-net",
-                     "for every bash from now on"},
+       .examples = {{"completion bash > ~/.tactile-net.bash",
+                     "for bash, with source ~/.tactile-net.bash in ~/.bashrc"},
                     {"completion zsh > ~/.zfunc/_tactile-net",
                      "for zsh, with fpath+=(~/.zfunc) before compinit in ~/.zshrc"}}});
   command.add_choice("SHELL", options.shell, shells, "Which shell").required = true;

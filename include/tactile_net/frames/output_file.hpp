@@ -66,7 +66,7 @@ enum class Existing {
   kept,      ///< they are somebody's own: nothing is written then
 };
 
-/// @throw CannotCreate  something stands there, and is to be kept
+/// @throw CannotCreate  a file stands there, and is to be kept
 void check_replaceable(const std::filesystem::path& path, Existing existing);
 
 /// A folder of result files that appear together.

@@ -46,7 +46,7 @@ void add_certify(AllCommands& all) {
        .text = "Say, without a simulator, whether the scene's circuit is stable, how fast it "
                "settles, which errors of components it bears, and which realisation to choose",
        .pages = {"circuits.md"},
-       .examples = {{"certify scenes/circuits/least-squares.toml --out out",
+       .examples = {{"certify scenes/circuits/crossbar.toml --out out",
                      "with poles, settling and builds as plots"},
                     {"certify scenes/nic.toml --realization crossbar --bandwidth 10e6",
                      "another circuit, of op-amps of 10 MHz"}}});

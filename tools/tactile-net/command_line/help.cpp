@@ -71,7 +71,9 @@ void add_entry(Writer& writer, const Argument& argument) {
 std::string sentence_of(const CommandTable& command) { return command.text + "."; }
 
 std::string sentence_of(const Argument& argument) {
-  return argument.text + (argument.standard.empty() ? "" : " (default: " + argument.standard + ")");
+  return argument.text + (argument.standard.empty() || argument.required
+                              ? ""
+                              : " (default: " + argument.standard + ")");
 }
 
 std::string help_text(const CommandLine& line, const CommandTable* command,
