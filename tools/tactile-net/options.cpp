@@ -16,7 +16,7 @@ void add_completion(AllCommands& all) {
       {.name = "completion",
        .text = "Print the script by which a shell completes commands, options, their values and "
                "files; an installed tactile-net brings them along",
-       .pages = {"building.md"},
+       .pages = {"terminal.md"},
        .examples = {{"completion bash > ~/.tactile-net.bash",
                      "for bash, with source ~/.tactile-net.bash in ~/.bashrc"},
                     {"completion zsh > ~/.zfunc/_tactile-net",
@@ -28,7 +28,7 @@ void add_help(AllCommands& all) {
   auto [command, options] = all.add<HelpOptions>(
       {.name = "help",
        .text = "Say what a command does, which options it takes, with examples",
-       .pages = {"building.md"},
+       .pages = {"terminal.md"},
        .examples = {{"help solve", "the same as solve --help"},
                     {"help --man > tactile-net.1", "the manual page; man -l tactile-net.1"}}});
   std::vector<std::string> names;
@@ -59,7 +59,7 @@ AllCommands::AllCommands() {
       {"environment",
        "NO_COLOR: nothing is bold. COLUMNS: how wide help is where it goes to no "
        "terminal. TMPDIR: where ngspice's private folders are made."},
-      {"more", "help COMMAND, with examples; docs/scene.md, docs/results.md"}};
+      {"more", "help COMMAND, with examples; docs/terminal.md, docs/scene.md, docs/results.md"}};
   for (const auto add_to :
        {add_run, add_gen, add_relax, add_certify, add_simulate, add_solve, add_identify, add_plan,
         add_tradeoff, add_grasp, add_completion, add_help})
