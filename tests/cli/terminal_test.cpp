@@ -1,6 +1,10 @@
 // The command and who sits before it: what a terminal shows, what comes by standard input, what
 // stands already where results go.
+#if __has_include(<pty.h>)
 #include <pty.h>
+#else
+#include <util.h>
+#endif
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>

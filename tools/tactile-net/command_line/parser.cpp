@@ -57,15 +57,13 @@ bool is_named(const Argument& argument, std::string_view name) {
   return std::find(argument.names.begin(), argument.names.end(), name) != argument.names.end();
 }
 
-/// The first option that there is not. The parser's own words are of what is left over when it
-/// has taken all it can, which may be an argument that is as it should be.
-///
-/// @param arguments  behind the command's name
+/// @param arguments  behind the command's name; null: those before it
+/// @throw WrongUsage  names the first option that there is not
 void check_options(const CommandLine& line, const CommandTable* command,
                    std::span<const std::string> arguments) {
   const std::vector<const Argument*> known = line.arguments(command);
-  for (std::size_t i = 0; i < arguments.size() && arguments[i] != "--"; ++i) {
-    const std::string& typed = arguments[i];
+  for (const std::string& typed : arguments) {
+    if (typed == "--") return;
     if (!is_like_option(typed)) continue;
     const std::size_t equals = typed.find('=');
     const bool is_short = typed[1] != '-';
@@ -123,6 +121,7 @@ Parsed parse(const CommandLine& line, std::span<const std::string> arguments) {
   } catch (const CLI::CallForHelp&) {
     return {.command = named(), .help = true};
   } catch (const CLI::ParseError& error) {
+    // The parser's own words may blame an argument that is as it should be.
     const auto of_command = static_cast<std::size_t>(first - arguments.begin());
     check_options(line, nullptr, arguments.first(of_command));
     if (first != arguments.end())

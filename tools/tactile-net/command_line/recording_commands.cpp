@@ -53,10 +53,11 @@ void add_plan(AllCommands& all) {
        .text = "Make the plan that a controller loads: how to solve a frame fastest for a stated "
                "accuracy, and why so",
        .pages = {"control.md"},
-       .examples = {{"plan scenes/fingertip.toml -o pad.plan", "the fastest with an error of at most 1e-7"},
-                    {"plan scenes/recorded/thin-pad.toml --readings scenes/recorded/thin-pad.csv "
-                     "--deadline 100us -o pad.plan",
-                     "alpha from recorded frames, and a failure where a frame takes longer"}}});
+       .examples = {
+           {"plan scenes/fingertip.toml -o pad.plan", "the fastest with an error of at most 1e-7"},
+           {"plan scenes/recorded/thin-pad.toml --readings scenes/recorded/thin-pad.csv "
+            "--deadline 100us -o pad.plan",
+            "alpha from recorded frames, and a failure where a frame takes longer"}}});
   add_scene(command, options.scene, "Scene file (TOML): sensor, material, alpha");
   command.add_option("-o,--output", options.output, file("FILE", {"plan"}),
                      "Plan file, to be read by load_plan (default: only say what it would be)");
