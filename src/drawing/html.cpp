@@ -153,6 +153,7 @@ std::string html_table(const std::vector<std::vector<std::string>>& rows, const 
 std::string html_page(std::string_view title, std::string_view body, std::string_view style) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width\">\n" +
+         std::string(written_by) + " " + std::string(version()) + "\">\n" +
          element("title", title) + "<style>" + std::string(style) + "</style></head>\n<body>\n" +
          std::string(body) +
          element("footer", "Written by tactile-net " + std::string(version()) +

@@ -67,7 +67,16 @@ void write_file(const fs::path& path, std::string_view content) {
   file.commit();
 }
 
-OutputFolder::OutputFolder(const fs::path& path) : path_(path) {
+void check_replaceable(const fs::path& path, Existing existing) {
+  const fs::file_status status = fs::symlink_status(path);
+  if (existing == Existing::kept && fs::exists(status) && !fs::is_directory(status))
+    throw CannotCreate(path.string() +
+                       ": error: is there already, and not from an earlier run; nothing was "
+                       "written: name another folder, or --force");
+}
+
+OutputFolder::OutputFolder(const fs::path& path, Existing existing)
+    : path_(path), existing_(existing) {
   std::error_code error;
   if (fs::exists(path) && !fs::is_directory(path))
     throw CannotCreate(path.string() + ": error: is a file, not a folder");
@@ -111,6 +120,7 @@ std::vector<std::string> OutputFolder::commit() {
     const fs::path target = path_ / entry.path().filename();
     if (fs::is_directory(target))
       throw CannotCreate(target.string() + ": error: is a folder; nothing was written");
+    check_replaceable(target, existing_);
   }
   for (const std::string& name : names) fs::rename(staging_->path() / name, path_ / name);
   fs::remove(staging_->path());

@@ -11,9 +11,9 @@
 
 #include "scene/document.hpp"
 #include "scene/references.hpp"
-#include "scene/source_text.hpp"
 #include "scene/table.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/scene/bounded_text.hpp"
 
 namespace tactile_net {
 
@@ -354,7 +354,7 @@ Hand parse_named(std::string_view text, const std::string& file, const std::file
 }  // namespace
 
 Hand read_hand(const std::filesystem::path& path, const HandOptions& options) {
-  return parse_named(source_text(path), path.string(), path, options);
+  return parse_named(input_text(path), path.string(), path, options);
 }
 
 Hand parse_hand(std::string_view toml, const std::string& file, const HandOptions& options) {

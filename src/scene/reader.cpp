@@ -2,8 +2,8 @@
 
 #include "scene/document.hpp"
 #include "scene/sections.hpp"
-#include "scene/source_text.hpp"
 #include "scene/table.hpp"
+#include "tactile_net/scene/bounded_text.hpp"
 
 namespace tactile_net {
 
@@ -26,7 +26,7 @@ Scene parse_named(std::string_view text, const std::string& file) {
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& path) {
-  return parse_named(source_text(path), path.string());
+  return parse_named(input_text(path), path.string());
 }
 
 Scene parse_scene(std::string_view toml, const std::string& file) {

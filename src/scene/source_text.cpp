@@ -1,15 +1,11 @@
 #include "scene/source_text.hpp"
 
-#include <cstdint>
-
 #include "scene/excerpt.hpp"
-#include "tactile_net/scene/bounded_text.hpp"
 
 namespace tactile_net {
 
 namespace {
 
-constexpr std::uintmax_t largest_file = std::uintmax_t{16} << 20;
 constexpr int most_key_parts = 8;  // toml++ allows 256 nested values: 2048 nested tables at most
 
 /// Walks through a text and keeps count of lines and columns.
@@ -114,10 +110,6 @@ bool check_not_empty(std::string_view text, Problems& problems) {
 }
 
 }  // namespace
-
-std::string source_text(const std::filesystem::path& path) {
-  return bounded_text(path, largest_file, "is this the right file? they have some hundred bytes");
-}
 
 void check_source_text(std::string_view text, Problems& problems) {
   if (check_characters(text, problems) && check_not_empty(text, problems))

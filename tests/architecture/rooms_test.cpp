@@ -68,7 +68,10 @@ struct Rule {
 const Names library{"include/", "src/"};
 
 const std::vector<Rule> rules{
-    {"the parser of the command line (CLI11)", {"CLI/"}, {}, {"tools/tactile-net/options.cpp"}},
+    {"the parser of the command line (CLI11)",
+     {"CLI/"},
+     {},
+     {"tools/tactile-net/command_line/parser.cpp"}},
     {"the writer of JSON (nlohmann)", {"nlohmann/"}, {}, {"src/report/json/"}},
     {"the program that plots", {}, {"\"gnuplot\""}, {"src/drawing/plot.cpp"}},
     {"the reader of TOML", {"toml++/"}, {}, {"src/scene/"}},

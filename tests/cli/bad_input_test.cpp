@@ -24,11 +24,11 @@ TEST_CASE("wrong usage is told with what was meant", "[cli]") {
   check({"gen", scene("nic.toml"), "--realization", "crossbars"}, 2,
         "'crossbars' is none of ideal, nic");
   check({"solve", scene("nic.toml"), "--readings", "-", "--method", "network"}, 2,
-        "does not solve frames");
+        "'network' is none of dft, tikhonov, closed_form");
   check({"solve", scene("nic.toml"), "--readings", "no-such.csv"}, 2, "cannot be opened");
   check({"solve", scene("nic.toml"), "--readings", "/"}, 2, "is a folder");
   check({"relax", scene("nic.toml"), "--time-limit", "0"}, 2, "must be > 0");
-  check({"relax", scene("nic.toml"), "--simulator", "paper"}, 2, "process or library");
+  check({"relax", scene("nic.toml"), "--simulator", "paper"}, 2, "none of process, library");
   check({"relax", scene("nic.toml"), "--simulator", "library", "--ngspice", "xyce"}, 2,
         "only for --simulator process");
 }

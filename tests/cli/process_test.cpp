@@ -65,6 +65,7 @@ class Piped {
 }  // namespace
 
 TEST_CASE("the program does what its function does", "[cli]") {
+  ::unsetenv("COLUMNS");  // help is as wide as it says
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);
   const std::vector<std::vector<std::string>> commands = {

@@ -14,5 +14,6 @@ int main(int argc, char** argv) {
                   .out = std::cout,
                   .err = std::cerr,
                   .terminal = ::isatty(STDERR_FILENO) == 1,
-                  .somebody = ::isatty(STDERR_FILENO) == 1 && ::isatty(STDIN_FILENO) == 1});
+                  .somebody = ::isatty(STDERR_FILENO) == 1 && ::isatty(STDIN_FILENO) == 1,
+                  .style = tactile_net::tool::style_of(STDOUT_FILENO)});
 }

@@ -2,16 +2,16 @@
 /// The command line, parsed.
 #pragma once
 
-#include <iosfwd>
-#include <optional>
 #include <span>
 #include <string>
 #include <variant>
 
+#include "command_line/table.hpp"
 #include "commands/certify.hpp"
 #include "commands/check.hpp"
 #include "commands/gen.hpp"
 #include "commands/grasp.hpp"
+#include "commands/help.hpp"
 #include "commands/identify.hpp"
 #include "commands/init.hpp"
 #include "commands/plan.hpp"
@@ -24,16 +24,23 @@
 namespace tactile_net::tool {
 
 /// What one command was asked for: `run` takes it.
-using Command = std::variant<RunOptions, GenOptions, RelaxOptions, CertifyOptions, SimulateOptions,
-                             SolveOptions, IdentifyOptions, PlanOptions, TradeoffOptions,
-                             GraspOptions, InitOptions, CheckOptions>;
+using Command =
+    std::variant<RunOptions, GenOptions, RelaxOptions, CertifyOptions, SimulateOptions,
+                 SolveOptions, IdentifyOptions, PlanOptions, TradeoffOptions, GraspOptions,
+                 InitOptions, CheckOptions, HelpOptions, CompletionOptions, ReleaseOptions>;
+
+struct Invocation {
+  Command command{};
+  bool quiet = false;  ///< errors are told, and nothing else
+};
 
 /// Checks presence and type of what was given; ranges are the business of whoever uses it.
 ///
 /// @param arguments  without the program's name
-/// @param out        gets the text of --help and --version, which are no command
 /// @throw WrongUsage
-[[nodiscard]] std::optional<Command> parse(std::span<const std::string> arguments,
-                                           std::ostream& out);
+[[nodiscard]] Invocation parse(std::span<const std::string> arguments);
+
+/// What `parse` takes, for help.
+[[nodiscard]] const CommandLine& command_line();
 
 }  // namespace tactile_net::tool

@@ -30,34 +30,43 @@ std::string typed(std::span<const std::string> arguments) {
   return line;
 }
 
+/// Which help would have told.
+std::string hint_of(std::span<const std::string> arguments) {
+  for (const std::string& one : arguments)
+    if (command_line().find(one) != nullptr) return "help " + one;
+  return "help";
+}
+
 }  // namespace
 
 int run_command(std::span<const std::string> arguments, const Streams& given) {
   const Interruption interruption;
   PrintableStream err(given.err);
-  const Streams streams{.in = given.in,
-                        .out = given.out,
-                        .err = err,
-                        .terminal = given.terminal,
-                        .somebody = given.somebody,
-                        .screen = &given.err,
-                        .command = typed(arguments)};
+  std::ostream nowhere(nullptr);
   const auto tell = [&](const std::exception& error) -> std::ostream& {
-    return streams.err << "tactile-net: error: " << error.what() << '\n';
+    return err << "tactile-net: error: " << error.what() << '\n';
   };
   try {
-    if (const auto command = parse(arguments, streams.out))
-      std::visit([&](const auto& options) { run(options, streams); }, *command);
-    if (!streams.out.flush()) throw std::runtime_error("standard output could not be written");
+    const Invocation invocation = parse(arguments);
+    const Streams streams{.in = given.in,
+                          .out = given.out,
+                          .err = invocation.quiet ? nowhere : err,
+                          .terminal = given.terminal && !invocation.quiet,
+                          .somebody = given.somebody && !invocation.quiet,
+                          .screen = &given.err,
+                          .command = typed(arguments),
+                          .style = given.style};
+    std::visit([&](const auto& options) { run(options, streams); }, invocation.command);
+    if (!given.out.flush()) throw std::runtime_error("standard output could not be written");
     return done;
   } catch (const WrongUsage& error) {
-    tell(error) << "hint: tactile-net --help, or tactile-net COMMAND --help\n";
+    tell(error) << "hint: tactile-net " << hint_of(arguments) << '\n';
     return wrong_usage;
   } catch (const InputError& error) {
-    streams.err << error.what();
+    err << error.what();
     return wrong_usage;
   } catch (const frames::CannotCreate& error) {
-    streams.err << error.what() << '\n';
+    err << error.what() << '\n';
     return wrong_usage;
   } catch (const std::invalid_argument& error) {
     tell(error);

@@ -5,6 +5,8 @@
 #include <iosfwd>
 #include <string>
 
+#include "terminal/text_style.hpp"
+
 namespace tactile_net::tool {
 
 struct Streams {
@@ -17,6 +19,7 @@ struct Streams {
   /// characters; null: `err`.
   std::ostream* screen = nullptr;
   std::string command{};  ///< the line that was typed, for pages to say what made them
+  TextStyle style{};      ///< of what is written to `out` for people to read
 };
 
 }  // namespace tactile_net::tool

@@ -32,6 +32,9 @@ using CellHtml = std::function<std::string(std::size_t column, const std::string
 [[nodiscard]] std::string html_table(const std::vector<std::vector<std::string>>& rows,
                                      const CellHtml& cell = {});
 
+/// How a page says who has written it, in its first lines.
+inline constexpr std::string_view written_by = "<meta name=\"generator\" content=\"tactile-net";
+
 /// A whole page around `body`, which is HTML, in `style`, which is CSS.
 [[nodiscard]] std::string html_page(std::string_view title, std::string_view body,
                                     std::string_view style);

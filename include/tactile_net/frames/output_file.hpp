@@ -59,12 +59,21 @@ class OutputFile {
 /// Writes a file as a whole. @throw CannotCreate, std::runtime_error  as `OutputFile`
 void write_file(const std::filesystem::path& path, std::string_view content);
 
+/// What becomes of files that stand where results go.
+enum class Existing {
+  replaced,  ///< as those of an earlier run
+  kept,      ///< they are somebody's own: nothing is written then
+};
+
+/// @throw CannotCreate  a file stands there, and is to be kept
+void check_replaceable(const std::filesystem::path& path, Existing existing);
+
 /// A folder of result files that appear together.
 class OutputFolder {
  public:
   /// Makes a staging folder beside (or in) `path`, so that a place that cannot be written to is
   /// known before anything is computed. @throw CannotCreate  also while another run writes there
-  explicit OutputFolder(const std::filesystem::path& path);
+  explicit OutputFolder(const std::filesystem::path& path, Existing existing = Existing::replaced);
   ~OutputFolder();  ///< removes what was not committed
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -75,14 +84,15 @@ class OutputFolder {
   /// Where a file that is too long for one text is to be written, before `commit`.
   [[nodiscard]] std::filesystem::path place(std::string_view name) const;
 
-  /// Moves every file into place, replacing those of an earlier run.
+  /// Moves every file into place.
   ///
   /// @return what else is there, as `other_results`
-  /// @throw CannotCreate  a folder stands where a file should
+  /// @throw CannotCreate  a folder stands where a file should, or a file that is to be kept
   [[nodiscard]] std::vector<std::string> commit();
 
  private:
   std::filesystem::path path_;
+  Existing existing_;
   std::unique_ptr<FolderLock> lock_;
   std::unique_ptr<Partial> staging_;  // after the lock: goes before it
 };

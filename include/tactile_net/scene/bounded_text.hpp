@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 
 namespace tactile_net {
@@ -16,5 +17,15 @@ namespace tactile_net {
 ///                    larger
 [[nodiscard]] std::string bounded_text(const std::filesystem::path& path, std::uintmax_t largest,
                                        const std::string& hint);
+
+/// The same of a stream, to its end. @param name  in messages
+[[nodiscard]] std::string bounded_text(std::istream& in, const std::string& name,
+                                       std::uintmax_t largest, const std::string& hint);
+
+/// The text of a scene or a hand, which has some hundred bytes.
+///
+/// @throw InputError  not a readable regular file, or larger than 16 MiB
+[[nodiscard]] std::string input_text(const std::filesystem::path& path);
+[[nodiscard]] std::string input_text(std::istream& in, const std::string& name);
 
 }  // namespace tactile_net

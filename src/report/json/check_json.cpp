@@ -1,8 +1,7 @@
 #include "tactile_net/report/json/check_json.hpp"
 
+#include "report/json/document.hpp"
 #include "report/json/scene_json.hpp"
-#include "report/json/values.hpp"
-#include "tactile_net/numeric/version.hpp"
 #include "tactile_net/report/words/check_words.hpp"
 
 namespace tactile_net::report {
@@ -95,21 +94,21 @@ std::string check_json(const lab::ReadingsCheck& check, const std::string& readi
                         {"noise_stated", number_or_null(channel.stated)}});
   Json findings = Json::array();
   for (const lab::Finding& one : check.findings) findings.push_back(finding_json(one, check.scene));
-  Json json{{"tactile_net", version()},
-            {"scene", check.scene.file},
-            {"readings", readings},
-            {"frames", check.frames},
-            {"missing", check.missing},
-            {"time", clock_json(check.clock)},
-            {"channels", channels},
-            {"peak", peak_json(check)},
-            {"judged_by",
-             {{"groups", check.sampled},
-              {"still", check.still},
-              {"quiet", check.quiet},
-              {"solved", check.solved}}},
-            {"residual", number_or_null(check.residual)},
-            {"findings", findings}};
+  Json json = document(kind::check);
+  json.update(Json{{"scene", check.scene.file},
+                   {"readings", readings},
+                   {"frames", check.frames},
+                   {"missing", check.missing},
+                   {"time", clock_json(check.clock)},
+                   {"channels", channels},
+                   {"peak", peak_json(check)},
+                   {"judged_by",
+                    {{"groups", check.sampled},
+                     {"still", check.still},
+                     {"quiet", check.quiet},
+                     {"solved", check.solved}}},
+                   {"residual", number_or_null(check.residual)},
+                   {"findings", findings}});
   if (check.scene.units) json["units"] = units_json(*check.scene.units);
   return text_of(json, 2);
 }

@@ -1,8 +1,7 @@
 #include "tactile_net/report/json/controller_json.hpp"
 
+#include "report/json/document.hpp"
 #include "report/json/scene_json.hpp"
-#include "report/json/values.hpp"
-#include "tactile_net/numeric/version.hpp"
 #include "tactile_net/report/words/controller_words.hpp"
 
 namespace tactile_net::report {
@@ -20,17 +19,17 @@ std::string controller_json(const Scene& scene, const lab::PlannedController& pl
                           {"accurate", candidate.accurate},
                           {"chosen", candidate.chosen}});
   const EstimatorPlan& plan = planned.estimator.plan;
-  Json json = {{"tactile_net", version()},
-               {"scene", scene.file},
-               {"readings", plan.readings()},
-               {"tractions", plan.tractions()},
-               {"alpha", plan.alpha},
-               {"alpha_rule", in_words(planned.alpha)},
-               {"accuracy", plan.accuracy},
-               {"error_bound", plan.error_bound},
-               {"asymmetry", planned.estimator.asymmetry},
-               {"frame_seconds", frame_seconds},
-               {"candidates", std::move(candidates)}};
+  Json json = document(kind::plan);
+  json.update(Json{{"scene", scene.file},
+                   {"readings", plan.readings()},
+                   {"tractions", plan.tractions()},
+                   {"alpha", plan.alpha},
+                   {"alpha_rule", in_words(planned.alpha)},
+                   {"accuracy", plan.accuracy},
+                   {"error_bound", plan.error_bound},
+                   {"asymmetry", planned.estimator.asymmetry},
+                   {"frame_seconds", frame_seconds},
+                   {"candidates", std::move(candidates)}});
   if (scene.units) json["units"] = units_json(*scene.units);
   if (planned.for_raw_numbers) json["baseline"] = plan.baseline;  // empty: 0
   return text_of(json, 2);

@@ -1,7 +1,6 @@
 #include "tactile_net/report/json/grasp_json.hpp"
 
-#include "report/json/scene_json.hpp"
-#include "tactile_net/numeric/version.hpp"
+#include "report/json/document.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
 
 namespace tactile_net::report {
@@ -101,7 +100,8 @@ Json held_json(const lab::HeldAnswer& answer) {
 }  // namespace
 
 std::string grasp_json(const lab::GraspResult& grasp) {
-  Json json = {{"tactile_net", version()}, {"hand", grasp.hand.file}};
+  Json json = document(kind::grasp);
+  json["hand"] = grasp.hand.file;
   json["fingers"] = Json::array();
   for (const lab::Fingertip& tip : grasp.tips) json["fingers"].push_back(finger_json(tip));
   json["load"] = nullptr;

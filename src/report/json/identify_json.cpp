@@ -53,7 +53,7 @@ Json choice_json(const lab::SensorChoice& choice) {
 }  // namespace
 
 std::string survey_json(const Scene& scene, const lab::Survey& survey) {
-  Json json = scene_json(scene);
+  Json json = scene_json(kind::identify, scene);
   json["verdict"] = verdict_in_words(survey, scene.units);
   json["traction"] = survey.traction;
   json["noise"] = in_words(survey.noise);

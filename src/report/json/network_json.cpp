@@ -2,7 +2,6 @@
 
 #include "report/json/network_values.hpp"
 #include "report/json/scene_json.hpp"
-#include "tactile_net/numeric/version.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 
 namespace tactile_net::report {
@@ -101,13 +100,13 @@ Json network_json(const lab::Relaxation& relaxation) {
 }
 
 std::string relaxation_json(const Scene& scene, const lab::Relaxation& relaxation) {
-  Json json = scene_json(scene);
+  Json json = scene_json(kind::relax, scene);
   json["network"] = network_json(relaxation);
   return text_of(json);
 }
 
 std::string certificate_json(const lab::Certification& c) {
-  Json json = scene_json(c.scene());
+  Json json = scene_json(kind::certify, c.scene());
   json["certificate"] = certificate(c.certificate());
   json["tolerance"] = c.tolerance ? tolerance_json(*c.tolerance) : Json(nullptr);
   Json candidates = Json::array();
@@ -125,9 +124,12 @@ std::string deck_answer_json(const std::string& file, const lab::DeckAnswer& ans
   Json nodes = Json::array();
   for (const lab::NodeAnswer& one : answer.nodes)
     nodes.push_back({{"node", one.node}, {"expected", one.expected}, {"found", one.found}});
-  const Json json = {{"tactile_net", version()}, {"deck", file},
-                     {"nodes", nodes},           {"difference", finite_or_null(answer.difference)},
-                     {"within", answer.within},  {"ngspice_seconds", answer.ngspice_seconds}};
+  Json json = document(kind::deck);
+  json.update(Json{{"deck", file},
+                   {"nodes", nodes},
+                   {"difference", finite_or_null(answer.difference)},
+                   {"within", answer.within},
+                   {"ngspice_seconds", answer.ngspice_seconds}});
   return text_of(json);
 }
 

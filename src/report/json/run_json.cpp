@@ -81,7 +81,7 @@ Json alpha_sweep(const AlphaSweep& sweep) {
 std::string experiment_json(const lab::Experiment& experiment) {
   const Scene& scene = experiment.scene;
   const TractionField& truth = experiment.frame.truth;
-  Json json = scene_json(scene);
+  Json json = scene_json(kind::run, scene);
   json["positions"] = positions(scene.sensor);
   json["truth"] = {{"normal", truth.normal},
                    {"tangential", list_or_null(truth.tangential)},

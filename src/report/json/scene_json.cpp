@@ -1,17 +1,15 @@
 #include "report/json/scene_json.hpp"
 
-#include "tactile_net/numeric/version.hpp"
-
 namespace tactile_net::report {
 
-Json scene_json(const Scene& scene) {
+Json scene_json(const DocumentKind& kind, const Scene& scene) {
   Json simulated = Json::array();
   Json absent = Json::array();
   for (const auto& [effect, present] : effects(scene))
     (present ? simulated : absent).push_back(effect);
-  Json json = {{"tactile_net", version()},
-               {"scene", scene.file},
-               {"effects", {{"simulated", simulated}, {"absent", absent}}}};
+  Json json = document(kind);
+  json["scene"] = scene.file;
+  json["effects"] = {{"simulated", simulated}, {"absent", absent}};
   if (scene.units) json["units"] = units_json(*scene.units);
   if (scene.time)
     json["frame"] = {

@@ -1,14 +1,15 @@
 /// @file
-/// How every JSON result begins.
+/// How the JSON documents of a scene begin.
 #pragma once
 
-#include "report/json/values.hpp"
+#include "report/json/document.hpp"
 #include "tactile_net/scene/scene.hpp"
 
 namespace tactile_net::report {
 
-/// {"tactile_net": version, "scene": file, "effects": {"simulated": [...], "absent": [...]}}
-[[nodiscard]] Json scene_json(const Scene& scene);
+/// As `document`, then {"scene": file, "effects": {"simulated": [...], "absent": [...]}}, and
+/// "frame" of a scene over time.
+[[nodiscard]] Json scene_json(const DocumentKind& kind, const Scene& scene);
 
 /// {"length": "m", "stress": "Pa", "force": "N/m", "stated": {"length": "mm", ...}}: those of the
 /// JSON, and those of the scene's file. @pre  the scene has units

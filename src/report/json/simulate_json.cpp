@@ -6,7 +6,7 @@ namespace tactile_net::report {
 
 std::string simulate_json(const Scene& scene, const lab::RecordedFrames& recorded,
                           std::span<const std::string> columns) {
-  Json json = scene_json(scene);
+  Json json = scene_json(kind::simulate, scene);
   json.erase("frame");
   json["frames"] = recorded.frames;
   json["rate"] = scene.time ? Json(scene.time->rate) : Json(nullptr);

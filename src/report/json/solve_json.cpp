@@ -2,9 +2,8 @@
 
 #include <map>
 
+#include "report/json/document.hpp"
 #include "report/json/scene_json.hpp"
-#include "report/json/values.hpp"
-#include "tactile_net/numeric/version.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 
 namespace tactile_net::report {
@@ -19,8 +18,8 @@ std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
   const std::string verdict = verdicts.size() == 1 ? verdicts.begin()->first : "mixed";
   const std::optional<lab::ChosenAlpha>& alpha = solved.last.alpha;
   const std::optional<lab::Condition>& condition = solved.last.condition;
-  Json json = {
-      {"tactile_net", version()},
+  Json json = document(kind::solve);
+  json.update(Json{
       {"scene", scene.file},
       {"readings", report.readings},
       {"frames", solved.frames},
@@ -41,7 +40,7 @@ std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
       {"condition_of", condition ? Json(name(condition->matrix)) : Json(nullptr)},
       {"warnings", in_words(report.remarks)},
       {"columns_ignored", report.columns_ignored},
-      {"seconds", report.seconds}};
+      {"seconds", report.seconds}});
   if (scene.units) json["units"] = units_json(*scene.units);
   return text_of(json, 2);
 }

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "report/json/values.hpp"
+#include "report/json/document.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/version.hpp"
@@ -86,23 +86,22 @@ std::string study_json(const study::Study& study, std::string_view scene_text) {
     jobs.push_back({{"job", in_words(section.job)}, {"points", std::move(points)}});
     if (!floors.empty()) jobs.back()["parts"] = std::move(floors);
   }
-  return text_of(Json{{"tactile_net", version()},
-                      {"scene", input.scene().file},
-                      {"complete", study.complete},
-                      {"processor", study.processor},
-                      {"clock", study.clock},
-                      {"alpha", input.alpha},
-                      {"reference_agreement", input.agreement},
-                      {"solution_error_to_truth", input.solution_error},
-                      {"noise",
-                       {{"rms", input.noise_rms},
-                        {"stated", input.noise_stated},
-                        {"floor", input.noise_floor}}},
-                      {"answers", in_words(study)},
-                      {"pareto", std::move(fronts)},
-                      {"jobs", std::move(jobs)},
-                      {"scene_text", scene_text}},
-                 2);
+  Json json = document(kind::tradeoff);
+  json.update(Json{
+      {"scene", input.scene().file},
+      {"complete", study.complete},
+      {"processor", study.processor},
+      {"clock", study.clock},
+      {"alpha", input.alpha},
+      {"reference_agreement", input.agreement},
+      {"solution_error_to_truth", input.solution_error},
+      {"noise",
+       {{"rms", input.noise_rms}, {"stated", input.noise_stated}, {"floor", input.noise_floor}}},
+      {"answers", in_words(study)},
+      {"pareto", std::move(fronts)},
+      {"jobs", std::move(jobs)},
+      {"scene_text", scene_text}});
+  return text_of(json, 2);
 }
 
 std::string study_csv(const study::Study& study) {

@@ -7,7 +7,7 @@
 namespace tactile_net::report {
 
 std::string workload_json(const Scene& scene, const lab::Workload& work) {
-  Json json = scene_json(scene);
+  Json json = scene_json(kind::explain, scene);
   Json effects = Json::array();
   for (const lab::Workload::Effect& effect : work.effects)
     effects.push_back({{"effect", effect.row->name},

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <vector>
 
+#include "commands/input.hpp"
 #include "commands/recording.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
@@ -12,14 +13,14 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/json/check_json.hpp"
 #include "tactile_net/report/words/check_words.hpp"
-#include "tactile_net/scene/reader.hpp"
 #include "terminal/printable_stream.hpp"
 
 namespace tactile_net::tool {
 namespace {
 
 lab::ReadingsCheck check_of(const CheckOptions& options, const Streams& streams) {
-  const Scene scene = read_scene(options.scene);
+  check_one_standard_input(options.scene, options.readings);
+  const Scene scene = read_scene(options.scene, streams.in);
   frames::ReadingsFile file(options.readings, scene, &streams.in,
                             {.columns = options.columns, .accept_missing = true});
   frames::FrameSource& source = file.source();

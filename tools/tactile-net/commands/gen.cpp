@@ -1,17 +1,17 @@
 #include "commands/gen.hpp"
 
+#include "commands/input.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/lab/deck_file.hpp"
 #include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/report/words/deck_words.hpp"
-#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::tool {
 
 void run(const GenOptions& options, const Streams& streams) {
   lab::refuse_deck(options.scene);
-  Scene scene = read_scene(options.scene);
+  Scene scene = read_scene(options.scene, streams.in);
   apply(options.network, scene, streams.err);
   frames::OutputFile output(options.output, &streams.out);
   output.stream() << report::deck_text(lab::simulated_circuit(scene), Answer::printed);

@@ -1,5 +1,6 @@
 #include "commands/grasp.hpp"
 
+#include "commands/input.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/frame_of.hpp"
 #include "tactile_net/pages/grasp_page.hpp"
@@ -9,7 +10,7 @@
 namespace tactile_net::tool {
 
 void run(const GraspOptions& options, const Streams& streams) {
-  const Hand hand = read_hand(options.hand, {.allow_outside = options.allow_outside});
+  const Hand hand = read_hand(options.hand, streams.in, {.allow_outside = options.allow_outside});
   Results results(options.results, streams);
   Progress progress(streams);
   const auto readings = [&](const std::filesystem::path& file, const Scene& scene,

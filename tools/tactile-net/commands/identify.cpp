@@ -4,6 +4,7 @@
 #include <ostream>
 #include <vector>
 
+#include "commands/input.hpp"
 #include "commands/recording.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/open.hpp"
@@ -12,7 +13,6 @@
 #include "tactile_net/report/words/identify_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/table.hpp"
-#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::tool {
 namespace {
@@ -55,7 +55,8 @@ void print(std::ostream& out, const Scene& scene, const lab::Survey& survey) {
 void run(const IdentifyOptions& options, const Streams& streams) {
   check_positive("--traction", options.survey.traction);
   check_positive("--noise", options.survey.relative_noise);
-  const Scene scene = read_scene(options.scene);
+  check_one_standard_input(options.scene, options.readings);
+  const Scene scene = read_scene(options.scene, streams.in);
   lab::SurveyOptions survey_options = options.survey;
   if (!options.readings.empty()) {
     if (survey_options.traction)

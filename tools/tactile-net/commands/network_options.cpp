@@ -8,16 +8,7 @@
 namespace tactile_net::tool {
 
 void apply(const NetworkOptions& network, Scene& scene, std::ostream& err) {
-  if (!network.realization.empty()) {
-    const auto realization = realization_named(network.realization);
-    if (!realization) {
-      std::string names;
-      for (const Realization one : realizations)
-        names += (names.empty() ? "" : ", ") + std::string(name(one));
-      throw WrongUsage("--realization", "'" + network.realization + "' is none of " + names);
-    }
-    scene.network.realization = *realization;
-  }
+  if (network.realization) scene.network.realization = *network.realization;
   if (!network.bandwidth) return;
   if (!(*network.bandwidth >= 1e-3 && *network.bandwidth <= 1e15))
     throw WrongUsage("--bandwidth", "must be from 1e-3 to 1e15 Hz");

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <optional>
 #include <ostream>
 #include <vector>
 
 #include "commands/deadline.hpp"
+#include "commands/input.hpp"
 #include "commands/recording.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
@@ -20,32 +20,16 @@
 #include "tactile_net/report/json/controller_json.hpp"
 #include "tactile_net/report/words/controller_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
-#include "tactile_net/scene/reader.hpp"
 #include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::tool {
 namespace {
 
-template <class Enum>
-std::optional<Enum> named(const std::string& text, const char* option,
-                          std::initializer_list<Enum> all) {
-  if (text.empty()) return std::nullopt;
-  std::string known;
-  for (const Enum one : all) {
-    if (name(one) == text) return one;
-    known += (known.empty() ? "" : ", ") + std::string(name(one));
-  }
-  throw WrongUsage(option, "'" + text + "' is none of " + known);
-}
-
 PlannerOptions planner_options(const PlanOptions& options) {
-  using enum Structure;
   PlannerOptions planner;
   planner.accuracy = options.accuracy;
-  planner.structure =
-      named(options.structure, "--structure", {dense, low_rank, parity, parity_low_rank, fft});
-  planner.precision =
-      named(options.precision, "--precision", {Precision::float64, Precision::float32});
+  planner.structure = options.structure;
+  planner.precision = options.precision;
   planner.diagnostics = !options.no_diagnostics;
   planner.allow_fft = options.allow_fft;
   planner.friction_coefficient = options.friction;
@@ -105,9 +89,10 @@ double seconds_of_frame(const EstimatorPlan& plan) {
 }  // namespace
 
 void run(const PlanOptions& options, const Streams& streams) {
+  check_one_standard_input(options.scene, options.readings);
   std::optional<double> deadline;
   if (options.deadline) deadline = deadline_of(*options.deadline);
-  const lab::SceneProblem problem(read_scene(options.scene));
+  const lab::SceneProblem problem(read_scene(options.scene, streams.in));
   PlannerOptions planner = planner_options(options);
   if (problem.constraints())
     streams.err << "warning: a plan is linear: nonnegative and friction_limit do not bind it\n";

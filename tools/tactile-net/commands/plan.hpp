@@ -14,8 +14,8 @@ struct PlanOptions {
   std::string scene{};
   std::string output{};
   std::string readings{};
-  std::string structure{};
-  std::string precision{};
+  std::optional<Structure> structure{};
+  std::optional<Precision> precision{};
   std::string json{};
   std::string columns{};
   std::optional<std::string> deadline{};

@@ -10,9 +10,9 @@
 
 namespace tactile_net::tool {
 
-RecordingFolder::RecordingFolder(const std::filesystem::path& folder,
+RecordingFolder::RecordingFolder(const std::filesystem::path& folder, bool force,
                                  const lab::SceneProblem& problem, Method method)
-    : path_(folder), folder_(folder), recording_(problem, method) {}
+    : path_(folder), folder_(folder, existing_in(folder, force)), recording_(problem, method) {}
 
 void RecordingFolder::add(std::string_view time, const lab::SceneProblem& problem,
                           std::span<const double> readings, std::span<const double> tractions,

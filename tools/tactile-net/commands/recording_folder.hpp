@@ -16,8 +16,8 @@ namespace tactile_net::tool {
 
 class RecordingFolder {
  public:
-  /// Before anything is computed. @throw CannotCreate
-  RecordingFolder(const std::filesystem::path& folder, const lab::SceneProblem& problem,
+  /// Before anything is computed. @throw CannotCreate  also as `existing_in`
+  RecordingFolder(const std::filesystem::path& folder, bool force, const lab::SceneProblem& problem,
                   Method method);
 
   /// Where the tractions of every frame go, if they are not wanted elsewhere.

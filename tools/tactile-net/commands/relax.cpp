@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "commands/input.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
 #include "tactile_net/lab/deck_file.hpp"
@@ -12,7 +13,6 @@
 #include "tactile_net/report/json/network_json.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/table.hpp"
-#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::tool {
 namespace {
@@ -40,7 +40,7 @@ void run_scene(const RelaxOptions& options, Simulator& simulator, const Streams&
   if (options.tolerance)
     throw WrongUsage("--tolerance",
                      "is for decks; a scene's circuit is judged by what its parts explain");
-  Scene scene = read_scene(options.scene);
+  Scene scene = read_scene(options.scene, streams.in);
   apply(options.network, scene, streams.err);
   Results results({.json = options.json}, streams);
   Progress progress(streams);

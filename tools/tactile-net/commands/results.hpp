@@ -18,6 +18,7 @@ namespace tactile_net::tool {
 
 struct ResultOptions {
   std::string folder{};  ///< of report.html and the files beside it; empty: none
+  bool force = false;    ///< the folder may hold files of others, which are replaced
   std::string json{};    ///< a file; "-": standard output, in place of the tables; empty: none
 };
 
@@ -45,6 +46,12 @@ class Results {
   std::unique_ptr<frames::OutputFolder> folder_;
   std::unique_ptr<frames::OutputFile> json_;
 };
+
+/// Whether the results in a folder are those of an earlier run, by their report.html. Without one,
+/// what stands there is somebody's own, and stays unless `force` says otherwise.
+///
+/// @throw CannotCreate  report.html is somebody's own
+[[nodiscard]] frames::Existing existing_in(const std::filesystem::path& folder, bool force);
 
 /// A file that may not have been asked for: null for an empty path. "-": standard output.
 [[nodiscard]] std::unique_ptr<frames::OutputFile> output_if(const std::string& path,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "commands/input.hpp"
 #include "failure.hpp"
 #include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
@@ -12,16 +13,15 @@
 #include "tactile_net/report/json/workload_json.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
-#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::tool {
 namespace {
 
 /// As the options say; who names a circuit wants to see it.
-Scene scene_of(const RunOptions& options, std::ostream& err) {
-  Scene scene = read_scene(options.scene);
+Scene scene_of(const RunOptions& options, const Streams& streams) {
+  Scene scene = read_scene(options.scene, streams.in);
   if (options.frame) scene = at_frame(std::move(scene), *options.frame);
-  apply(options.network, scene, err);
+  apply(options.network, scene, streams.err);
   auto& methods = scene.reconstruct.methods;
   if (options.network.any() &&
       std::find(methods.begin(), methods.end(), Method::network) == methods.end())
@@ -51,7 +51,7 @@ drawing::Page page_of(const lab::Experiment& experiment, const Streams& streams)
 }  // namespace
 
 void run(const RunOptions& options, const Streams& streams) {
-  const Scene scene = scene_of(options, streams.err);
+  const Scene scene = scene_of(options, streams);
   if (options.explain) return explain(scene, options, streams);
   const std::unique_ptr<Simulator> simulator = lab::make_simulator(options.simulator);
   Results results(options.results, streams);

@@ -4,13 +4,13 @@
 #include <optional>
 #include <ostream>
 
+#include "commands/input.hpp"
 #include "commands/results.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/lab/summary.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/json/simulate_json.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
-#include "tactile_net/scene/reader.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
 
 namespace tactile_net::tool {
@@ -50,7 +50,7 @@ class TruthFile {
 }  // namespace
 
 void run(const SimulateOptions& options, const Streams& streams) {
-  const Scene scene = read_scene(options.scene);
+  const Scene scene = read_scene(options.scene, streams.in);
   const std::vector<std::string> columns = frames::reading_columns(scene.sensor);
   frames::OutputFile output(options.output, &streams.out);
   const std::unique_ptr<frames::FrameSink> sink =

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "commands/input.hpp"
 #include "commands/recording.hpp"
 #include "commands/recording_folder.hpp"
 #include "commands/results.hpp"
@@ -27,23 +28,9 @@
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
-#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::tool {
 namespace {
-
-Method method_of(const SolveOptions& options) {
-  const std::optional<Method> method = method_named(options.method);
-  if (!method || !lab::traits(*method).solves_frames)
-    throw WrongUsage("--method", "'" + options.method +
-                                     "' does not solve frames: use dft, tikhonov or closed_form");
-  return *method;
-}
-
-lab::Missing missing_of(const SolveOptions& options) {
-  if (const auto missing = lab::missing_named(options.missing)) return *missing;
-  throw WrongUsage("--missing", "'" + options.missing + "' is none of fail, skip, estimate");
-}
 
 /// Writes how far each frame may be from the truth, one frame a row.
 class UncertaintyFile {
@@ -211,9 +198,10 @@ InputError with_frames_before(const InputError& error, std::size_t frames,
 }  // namespace
 
 void run(const SolveOptions& options, const Streams& streams) {
-  const lab::SceneProblem problem(read_scene(options.scene));
-  const Method method = method_of(options);
-  const lab::Missing missing = missing_of(options);
+  check_one_standard_input(options.scene, options.readings);
+  const lab::SceneProblem problem(read_scene(options.scene, streams.in));
+  const Method method = options.method;
+  const lab::Missing missing = options.missing;
   if (missing == lab::Missing::estimate && !lab::traits(method).has_bands)
     throw WrongUsage("--missing",
                      "estimate needs the method tikhonov or closed_form: dft takes a "
@@ -223,7 +211,7 @@ void run(const SolveOptions& options, const Streams& streams) {
     throw WrongUsage("--uncertainty", "needs the method tikhonov or closed_form, and fewer than " +
                                           std::to_string(lab::large) + " tractions");
   for (const std::string& warning : report::in_words(solving.solver().remarks()))
-    streams.err << options.method << ": warning: " << warning << '\n';
+    streams.err << name(options.method) << ": warning: " << warning << '\n';
 
   frames::ReadingsFile file(
       options.readings, problem.scene(), &streams.in,
@@ -231,7 +219,7 @@ void run(const SolveOptions& options, const Streams& streams) {
   say_opening(streams.err, file.name(), file.source());
 
   std::optional<RecordingFolder> folder;
-  if (!options.folder.empty()) folder.emplace(options.folder, problem, method);
+  if (!options.folder.empty()) folder.emplace(options.folder, options.force, problem, method);
   Outputs outputs(options, problem, solving.solver().tractions(), file.source().has_time(),
                   folder ? &*folder : nullptr, streams);
   const auto summary = output_if(options.json, streams);
@@ -245,9 +233,9 @@ void run(const SolveOptions& options, const Streams& streams) {
   outputs.commit();
   say_closing(streams.err, file.name(), file.source());
   for (const std::string& sentence : report::in_words(solved))
-    streams.err << options.method << ": note: " << sentence << '\n';
+    streams.err << name(options.method) << ": note: " << sentence << '\n';
   for (const lab::Finding& doubt : solving.doubts())
-    streams.err << options.method << ": note: " << report::in_words(doubt, problem.scene())
+    streams.err << name(options.method) << ": note: " << report::in_words(doubt, problem.scene())
                 << "\nhint: " << report::advice(doubt, problem.scene())
                 << "; tactile-net check says more\n";
   if (!summary && !folder) return;

@@ -5,19 +5,21 @@
 #include <string>
 
 #include "streams.hpp"
+#include "tactile_net/lab/missing.hpp"
 
 namespace tactile_net::tool {
 
 struct SolveOptions {
   std::string scene{};
   std::string readings{};
-  std::string method = "tikhonov";
+  Method method = Method::tikhonov;
   std::string output{};
   std::string uncertainty{};
   std::string json{};
   std::string folder{};  ///< of report.html and what is beside it; empty: none
+  bool force = false;    ///< that folder may hold files of others, which are replaced
   std::string columns{};
-  std::string missing = "fail";
+  lab::Missing missing = lab::Missing::fail;
 };
 
 /// @throw InputError  a frame is bad; the answers of those before it are in NAME.partial, which the

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "commands/deadline.hpp"
+#include "commands/input.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/folder_lock.hpp"
 #include "tactile_net/frames/output_file.hpp"
@@ -40,12 +41,15 @@ struct Written {
 };
 
 /// Everything that a folder holds of a study, whole or a part.
-Written write_all(const std::filesystem::path& folder, const study::Study& study,
-                  const std::string& scene_text, const std::string& command) {
+Written write_all(const std::filesystem::path& folder, frames::Existing existing,
+                  const study::Study& study, const std::string& scene_text,
+                  const std::string& command) {
   drawing::Page report = pages::study_html(study, {.by = command});
   report.files.emplace_back("tradeoff.csv", report::study_csv(study));
   report.files.emplace_back("tradeoff.json", report::study_json(study, scene_text));
   report.files.emplace_back("report.html", report.html);
+  for (const auto& [name, content] : report.files)
+    frames::check_replaceable(folder / name, existing);
   Written written{.files = {}, .missing = report.missing};
   for (const auto& [name, content] : report.files) {
     frames::write_file(folder / name, content);
@@ -83,9 +87,11 @@ std::vector<study::StudySection> earlier(const TradeoffOptions& options,
 /// Says how far the study is, ends it at Ctrl-C, and writes the folder anew after each job.
 class Watcher final : public study::StudyObserver {
  public:
-  Watcher(std::filesystem::path folder, const std::string& scene_text, const Streams& streams)
+  Watcher(std::filesystem::path folder, frames::Existing existing, const std::string& scene_text,
+          const Streams& streams)
       : line_(streams),
         folder_(std::move(folder)),
+        existing_(existing),
         scene_text_(scene_text),
         command_(streams.command) {}
 
@@ -94,7 +100,9 @@ class Watcher final : public study::StudyObserver {
   }
   [[nodiscard]] bool stop() const override { return InterruptionAsWish::came(); }
   void save(const study::Study& study) override {
-    if (!folder_.empty()) written_ = write_all(folder_, study, scene_text_, command_);
+    if (folder_.empty()) return;
+    written_ = write_all(folder_, existing_, study, scene_text_, command_);
+    existing_ = frames::Existing::replaced;  // they are ours now
   }
 
   [[nodiscard]] const Written& written() const noexcept { return written_; }
@@ -104,6 +112,7 @@ class Watcher final : public study::StudyObserver {
   const InterruptionAsWish interruption_;
   Progress line_;
   std::filesystem::path folder_;
+  frames::Existing existing_;
   const std::string& scene_text_;
   std::string command_;
   Written written_;
@@ -155,20 +164,23 @@ void run(const TradeoffOptions& options, const Streams& streams) {
   const std::filesystem::path folder = options.results.folder;
   if (options.resume && folder.empty())
     throw WrongUsage("--resume", "needs --out, the folder that holds the study's part");
-  const Scene scene = read_scene(options.scene);
-  const std::string scene_text = content_of(options.scene);
+  const InputText input = input_text(options.scene, streams.in);
+  const std::string& scene_text = input.text;
+  const Scene scene = parse_scene(scene_text, input.name);
   Results results({.json = options.results.json}, streams);  // the folder is written job by job
   study::TradeoffOptions study_options{.circuits = !options.digital,
                                        .simulator = options.simulator,
                                        .finished = earlier(options, scene_text)};
   study_options.simulator.ngspice.cancelled = InterruptionAsWish::came;
   std::optional<frames::FolderLock> lock;
+  auto existing = frames::Existing::replaced;
   if (!folder.empty()) {
+    existing = existing_in(folder, options.results.force || options.resume);
     lock.emplace(folder);
     make_folder(folder);
   }
 
-  Watcher watcher(folder, scene_text, streams);
+  Watcher watcher(folder, existing, scene_text, streams);
   const study::Study study = study_of(scene, study_options, watcher);
   watcher.line().clear();
   say_missing(streams.err, watcher.written().missing);

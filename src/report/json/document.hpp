@@ -1,0 +1,36 @@
+/// @file
+/// How every JSON document begins. Private.
+#pragma once
+
+#include <string_view>
+
+#include "report/json/values.hpp"
+
+namespace tactile_net::report {
+
+/// What a document is. `schema` grows by one when a key goes, or means something else: whoever
+/// reads one asks for both. docs/schemas/NAME.json is the JSON Schema.
+struct DocumentKind {
+  std::string_view name;
+  int schema = 1;
+};
+
+namespace kind {
+inline constexpr DocumentKind run{"run"};
+inline constexpr DocumentKind explain{"explain"};  ///< run --explain
+inline constexpr DocumentKind relax{"relax"};
+inline constexpr DocumentKind deck{"deck"};  ///< relax FILE.cir
+inline constexpr DocumentKind certify{"certify"};
+inline constexpr DocumentKind simulate{"simulate"};
+inline constexpr DocumentKind solve{"solve"};
+inline constexpr DocumentKind identify{"identify"};
+inline constexpr DocumentKind check{"check"};
+inline constexpr DocumentKind plan{"plan"};
+inline constexpr DocumentKind tradeoff{"tradeoff"};
+inline constexpr DocumentKind grasp{"grasp"};
+}  // namespace kind
+
+/// {"tactile_net": version, "kind": ..., "schema": ...}
+[[nodiscard]] Json document(const DocumentKind& kind);
+
+}  // namespace tactile_net::report

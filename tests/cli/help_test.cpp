@@ -1,0 +1,284 @@
+// What the command says of itself: help, the manual page, completion, suggestions.
+#include "tools/tactile-net/command_line/help.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "tactile_net/simulator/child_process.hpp"
+#include "tests/catch.hpp"
+#include "tests/cli/in_process.hpp"
+#include "tools/tactile-net/command_line/completion.hpp"
+#include "tools/tactile-net/command_line/man_page.hpp"
+#include "tools/tactile-net/options.hpp"
+
+using namespace tactile_net;
+namespace fs = std::filesystem;
+
+namespace {
+
+const tool::CommandLine& line() { return tool::command_line(); }
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string one; std::getline(in, one);) lines.push_back(one);
+  return lines;
+}
+
+void refused(const std::vector<std::string>& arguments, const std::string& message) {
+  const ProcessResult result = test::run_in_process(arguments, "");
+  CAPTURE(arguments, result.errors);
+  CHECK(result.code == 2);
+  CHECK(result.output.empty());
+  CHECK_THAT(result.errors, ContainsSubstring(message));
+}
+
+/// Of a program that may not be there.
+bool is_installed(const std::string& program) {
+  return run_process({"sh", "-c", "command -v " + program}, {}).code == 0;
+}
+
+struct Folder {
+  Folder() : path(fs::temp_directory_path() / ("tactile-net-help-" + std::to_string(::getpid()))) {
+    fs::create_directories(path);
+  }
+  ~Folder() { fs::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name) << text;
+    return (path / name).string();
+  }
+  fs::path path;
+};
+
+}  // namespace
+
+TEST_CASE("an option that there is not is named, with the one that was meant", "[cli]") {
+  refused({"run", "--jsno", "x", "S"}, "run has no option '--jsno'; did you mean '--json'?");
+  refused({"run", "--jsno=x", "S"}, "run has no option '--jsno'; did you mean '--json'?");
+  refused({"run", "-json", "-", "S"}, "run has no option '-json'; did you mean '--json'?");
+  refused({"solve", "S", "--reading", "x"},
+          "solve has no option '--reading'; did you mean '--readings'?");
+  refused({"--versoin"}, "tactile-net has no option '--versoin'; did you mean '--version'?");
+  refused({"gen", "S", "--quite"}, "did you mean '--quiet'?");
+  refused({"run", "S", "--zzzzzz"}, "run has no option '--zzzzzz'\nhint: tactile-net help run\n");
+  refused({"run", "S", "---"}, "run has no option '---'");
+  refused({"solve", "S", "--columns", "-3", "--jsno"}, "no option '--jsno'");  // -3 is a value
+  refused({"run", "S", "--", "--jsno"}, "not expected: --jsno");
+}
+
+TEST_CASE("a value that there is not is told with those that there are", "[cli]") {
+  refused({"gen", "S", "--realization", "crosbar"},
+          "--realization: 'crosbar' is none of ideal, nic, rail, crossbar, least_squares, lc, ndr; "
+          "did you mean 'crossbar'?");
+  refused({"plan", "S", "--precision", "float16"}, "'float16' is none of float64, float32");
+  refused({"run", "S", "--frame", "-1"}, "'-1' is no whole number");
+  refused({"relax", "S", "--tolerance", "1,5"}, "'1,5' is no number");
+  refused({"help", "slove"}, "did you mean 'solve'?");
+  refused({"help", "solve", "--man"}, "--man: is one page of all commands");
+}
+
+TEST_CASE("help keeps to the width, and to whole words", "[cli]") {
+  std::vector<const tool::CommandTable*> commands{nullptr};
+  for (const tool::CommandTable& command : line().commands) commands.push_back(&command);
+  for (const tool::CommandTable* command : commands) {
+    CAPTURE(command == nullptr ? "" : command->name);
+    std::string whole = help_text(line(), command, {.width = 10'000});
+    for (const std::size_t width : {40U, 41U, 59U, 60U, 80U, 100U}) {
+      CAPTURE(width);
+      std::string text = help_text(line(), command, {.width = width});
+      std::size_t longest = 0;
+      for (const std::string& one : lines_of(text)) longest = std::max(longest, one.size());
+      CHECK(longest <= width);
+      CHECK(longest > width - 15);
+      // The same words. A list in braces may go on in the next line, and an example behind "\".
+      std::string joined;
+      std::string last;
+      for (const std::string& word : words_of(text)) {
+        if (word == "\\") continue;
+        const bool in_list = last.rfind('{') != std::string::npos && last.ends_with(',');
+        if (!in_list) joined += last + ' ', last.clear();
+        last += word;
+      }
+      CHECK(words_of(joined + last) == words_of(whole));
+    }
+  }
+}
+
+TEST_CASE("bold is a matter of style alone", "[cli]") {
+  const tool::CommandTable* const run = line().find("run");
+  std::string bold = help_text(line(), run, {.bold = true});
+  CHECK_THAT(bold, ContainsSubstring("\033[1moptions\033[0m:\n  \033[1m--out\033[0m FOLDER"));
+  for (const std::string code : {"\033[1m", "\033[0m"})
+    for (std::size_t at = 0; (at = bold.find(code)) != std::string::npos;)
+      bold.erase(at, code.size());
+  CHECK(bold == help_text(line(), run, {}));
+}
+
+TEST_CASE("help names what values are, and what holds without them", "[cli]") {
+  const std::string solve = test::run_in_process({"help", "solve"}, "").output;
+  for (const char* text :
+       {"usage: tactile-net solve [OPTIONS] SCENE --readings FILE\n", "--out FOLDER",
+        "--columns LIST", "--method {dft,tikhonov,closed_form}", "(default: tikhonov)",
+        "(default: fail)", "[unit of E]", "-o, --output FILE", "docs/results.md"})
+    CHECK_THAT(solve, ContainsSubstring(text));
+  CHECK(solve.find("[Pa]") == std::string::npos);
+  CHECK_THAT(test::run_in_process({"help", "plan"}, "").output, ContainsSubstring("(default: 1e-"));
+  CHECK(test::run_in_process({"solve", "--help"}, "").output == solve);
+  CHECK(test::run_in_process({"solve", "-h", "--method", "dft"}, "").output == solve);
+  CHECK(test::run_in_process({"help"}, "").output == test::run_in_process({"--help"}, "").output);
+  CHECK(test::run_in_process({"-V"}, "").output == test::run_in_process({"--version"}, "").output);
+}
+
+TEST_CASE("every command has its pages and examples that it takes", "[cli]") {
+  for (const tool::CommandTable& command : line().commands) {
+    CAPTURE(command.name);
+    CHECK(command.examples.size() >= 2);
+    CHECK(command.examples.size() <= 3);
+    CHECK_FALSE(command.pages.empty());
+    for (const std::string& page : command.pages)
+      CHECK(fs::exists(fs::path(SCENES "/../docs") / page));
+    for (const tool::Example& example : command.examples) {
+      CAPTURE(example.line);
+      std::vector<std::string> words = words_of(example.line);
+      CHECK(words.front() == command.name);
+      for (const std::string& word : words)
+        if (word.starts_with("scenes/")) CHECK(fs::exists(fs::path(SCENES "/..") / word));
+      words.erase(std::find(words.begin(), words.end(), ">"), words.end());
+      CHECK_NOTHROW(tool::parse(words));
+    }
+  }
+}
+
+TEST_CASE("texts are what a page of ASCII can hold", "[cli]") {
+  const std::string page = man_page(line());
+  CHECK(std::all_of(page.begin(), page.end(),
+                    [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+}
+
+TEST_CASE("the manual page has every command and option, and no fault", "[cli]") {
+  const ProcessResult made = test::run_in_process({"help", "--man"}, "");
+  CHECK(made.code == 0);
+  for (const tool::CommandTable& command : line().commands) {
+    CHECK_THAT(made.output, ContainsSubstring(".SS \"" + command.name + " "));
+    for (const tool::Argument& argument : command.arguments) {
+      std::string name = argument.name();
+      for (std::size_t at = 0; (at = name.find('-', at)) != std::string::npos; at += 2)
+        name.insert(at, "\\");
+      CHECK_THAT(made.output, ContainsSubstring(name + "\\fR"));
+    }
+  }
+  const std::vector<const char*> requests = {".TH ", ".SH ", ".SS ", ".TP", ".PP",
+                                             ".nf",  ".fi",  ".RS",  ".RE", ".\\\""};
+  for (const std::string& one : lines_of(made.output)) {
+    CAPTURE(one);
+    const bool known = !one.starts_with('.') ||
+                       std::any_of(requests.begin(), requests.end(),
+                                   [&](const char* request) { return one.starts_with(request); });
+    CHECK(known);
+  }
+  const Folder folder;
+  const std::string page = folder.write("tactile-net.1", made.output);
+  if (is_installed("groff")) {
+    const ProcessResult set = run_process({"groff", "-man", "-ww", "-Tascii", "-P-cbou", page}, {});
+    CHECK(set.code == 0);
+    CHECK(set.errors.empty());
+    CHECK_THAT(set.output, ContainsSubstring("NO_COLOR"));
+  }
+  if (is_installed("mandoc"))
+    CHECK(run_process({"mandoc", "-Tlint", "-W", "error", page}, {}).output.empty());
+}
+
+TEST_CASE("bash completes what the parser takes", "[cli]") {
+  const Folder folder;
+  const std::string script =
+      folder.write("completion", test::run_in_process({"completion", "bash"}, "").output);
+  for (const char* name : {"pad.toml", "my pad.toml", "deck.cir", "frames.csv", "notes.txt"})
+    folder.write(name, "");
+  fs::create_directory(folder.path / "out");
+  const auto offered = [&](std::vector<std::string> words) {
+    std::vector<std::string> command = {
+        "bash",
+        "--norc",
+        "-c",
+        "cd '" + folder.path.string() + "' && exec bash '" TESTS "/drive_completion.bash' \"$@\"",
+        "drive",
+        script,
+        "tactile-net"};
+    command.insert(command.end(), words.begin(), words.end());
+    const ProcessResult result = run_process(command, {});
+    CAPTURE(words);
+    CHECK(result.errors.empty());
+    std::vector<std::string> lines = lines_of(result.output);
+    std::sort(lines.begin(), lines.end());
+    return lines;
+  };
+  using Lines = std::vector<std::string>;
+
+  std::vector<std::string> commands;
+  for (const tool::CommandTable& command : line().commands) commands.push_back(command.name);
+  std::sort(commands.begin(), commands.end());
+  CHECK(offered({""}) == commands);
+  CHECK(offered({"help", ""}) == commands);
+  for (const tool::CommandTable& command : line().commands) {
+    Lines options;
+    for (const tool::Argument* argument : line().arguments(&command))
+      if (argument->is_option())
+        options.insert(options.end(), argument->names.begin(), argument->names.end());
+    std::sort(options.begin(), options.end());
+    CHECK(offered({command.name, "-"}) == options);
+  }
+  CHECK(offered({"ru"}) == Lines{"run"});
+  CHECK(offered({"-q", "ru"}) == Lines{"run"});
+  CHECK(offered({"run", "--rea"}) == Lines{"--realization"});
+  CHECK(offered({"run", "--realization", "l"}) == Lines{"lc", "least_squares"});
+  CHECK(offered({"run", "--realization", "=", "cr"}) ==
+        Lines{"crossbar"});  // as bash takes it apart
+  CHECK(offered({"plan", "--precision", "="}) == Lines{"float32", "float64"});
+  CHECK(offered({"run", ""}) == Lines{"my pad.toml", "out", "pad.toml"});
+  CHECK(offered({"relax", "d"}) == Lines{"deck.cir"});
+  CHECK(offered({"solve", "pad.toml", "--readings", "f"}) == Lines{"frames.csv"});
+  CHECK(offered({"solve", "pad.toml", ""}).empty());  // it takes one scene
+  CHECK(offered({"solve", "--out", ""}) == Lines{"out"});
+  CHECK(offered({"run", "--frame", ""}).empty());
+  CHECK(offered({"completion", ""}) == Lines{"bash", "zsh"});
+}
+
+TEST_CASE("zsh understands its script", "[cli]") {
+  const std::string text = test::run_in_process({"completion", "zsh"}, "").output;
+  CHECK_THAT(text, StartsWith("#compdef tactile-net\n"));
+  for (const tool::CommandTable& command : line().commands)
+    for (const tool::Argument& argument : command.arguments)
+      for (const std::string& choice : argument.value.choices)
+        CHECK_THAT(text, ContainsSubstring(choice));
+  if (!is_installed("zsh")) {
+    WARN("zsh is not installed: tools/install-dependencies zsh");
+    return;
+  }
+  const Folder folder;
+  const std::string script = folder.write("_tactile-net", text);
+  CHECK(run_process({"zsh", "-f", "-n", script}, {}).errors.empty());
+  // What it hands to zsh's own functions, for a command that is being typed.
+  const std::string drive =
+      "_arguments() { print -rl -- \"$@\"; state=arguments; }; compdef() { :; }; source '" +
+      script + "'; words=(run ''); _tactile-net";
+  const ProcessResult result = run_process({"zsh", "-f", "-c", drive}, {});
+  CHECK(result.errors.empty());
+  CHECK_THAT(result.output,
+             ContainsSubstring("(--realization)--realization=[How to build the circuit") &&
+                 ContainsSubstring(":(ideal nic rail crossbar least_squares lc ndr)") &&
+                 ContainsSubstring("1:SCENE:_files -g \"*.(toml)(-.)\"") &&
+                 ContainsSubstring("(--out)--out=[Folder") &&
+                 ContainsSubstring(":FOLDER:_files -/"));
+}

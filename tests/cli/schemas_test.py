@@ -1,0 +1,166 @@
+"""What the command writes as JSON is what docs/schemas says, of every kind, and nothing near it is.
+
+usage: schemas_test.py TACTILE-NET SCENES SCHEMAS
+"""
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import warnings
+
+try:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # newer versions would have another resolver
+        from jsonschema import Draft202012Validator, RefResolver
+except ImportError:
+    print("skipped: tools/install-dependencies python3-jsonschema")
+    sys.exit(77)
+
+tool, scenes, folder = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+schemas = {path.name: json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))}
+shared = {"common.json", "circuit.json"}
+failures = []
+
+
+def validator(name):
+    Draft202012Validator.check_schema(schemas[name])
+    base = folder.as_uri() + "/"
+    store = {base + other: schema for other, schema in schemas.items()}
+    return Draft202012Validator(
+        schemas[name], resolver=RefResolver(base + name, schemas[name], store=store))
+
+
+validators = {name.removesuffix(".json"): validator(name) for name in schemas}
+
+
+def written(*arguments, status=0):
+    """The JSON that a command writes."""
+    run = subprocess.run([tool, *map(str, arguments), "--json", "-"], capture_output=True, text=True)
+    if run.returncode != status:
+        failures.append(f"{arguments}: exit status {run.returncode}: {run.stderr}")
+        return None
+    return run.stdout
+
+
+def objects(value):
+    """Every object of a document."""
+    if isinstance(value, dict):
+        yield value
+        value = list(value.values())
+    if isinstance(value, list):
+        for inner in value:
+            yield from objects(inner)
+
+
+def shortened(value):
+    """Lists of two elements show as much as long ones."""
+    if isinstance(value, dict):
+        return {key: shortened(inner) for key, inner in value.items()}
+    return [shortened(inner) for inner in value[:2]] if isinstance(value, list) else value
+
+
+# Names of what is measured or counted, as keys.
+maps = [lambda key: key.startswith(("stress_", "strain_", "shear_")), lambda key: key in verdicts]
+verdicts = set()
+# What is there only where it means something.
+optional = {"frame", "constraints", "failure", "parts", "tangential", "replayed", "replay_difference", "units", "baseline"}
+
+
+def check_strict(document, valid):
+    """A key that is missing or misspelt is found, wherever it stands."""
+    document = shortened(document)
+    if not valid(document):
+        return  # found already, in the document itself
+    for number in range(sum(1 for _ in objects(document))):
+        for key in list(list(objects(document))[number]):
+            if any(is_one(key) for is_one in maps):
+                continue
+            changed = copy.deepcopy(document)
+            place = list(objects(changed))[number]
+            place[key + "s"] = place.pop(key)
+            if valid(changed):
+                failures.append(f"{document['kind']}: '{key}s' passes for '{key}'")
+            del place[key + "s"]
+            if key not in optional and valid(changed):
+                failures.append(f"{document['kind']}: nobody misses '{key}'")
+
+
+def check(kind, text, what):
+    if text is None:
+        return
+    document = json.loads(text)
+    verdicts.update(document.get("verdicts", {}))
+    verdicts.update(document.get("distrusted", {}))
+    if list(document)[:3] != ["tactile_net", "kind", "schema"] or document["kind"] != kind:
+        failures.append(f"{what}: begins with {list(document.items())[:3]}, not as '{kind}'")
+        return
+    for error in validators[kind].iter_errors(document):
+        failures.append(f"{what}: {error.json_path}: {error.message[:300]}")
+    for other in validators.keys() - {kind} - {name.removesuffix('.json') for name in shared}:
+        if validators[other].is_valid(document):
+            failures.append(f"{what}: passes for '{other}' too")
+    if kind not in seen:
+        check_strict(document, validators[kind].is_valid)
+    seen.add(kind)
+
+
+seen = set()
+recorded = scenes / "recorded"
+with tempfile.TemporaryDirectory() as place:
+    place = pathlib.Path(place)
+    for scene in sorted(scenes.rglob("*.toml")):
+        if scene.parent.name not in ("recorded", "hands"):
+            check("explain", written("run", scene, "--explain"), scene)
+    # Of each: another circuit, other effects, two channels, a scene over time, a method without an answer.
+    for name in ("nic", "edge-of-array", "dragged", "two-strains", "effects/everything", "effects/sliding",
+                 "circuits/rail", "thesis/example-3.2"):
+        check("run", written("run", scenes / f"{name}.toml"), name)
+    for name in ("fingertip", "two-strains", "dragged-two-depths"):
+        check("identify", written("identify", scenes / f"{name}.toml"), name)
+    for name in ("nic", "circuits/crossbar", "circuits/least-squares"):
+        check("certify", written("certify", scenes / f"{name}.toml"), name)
+    for name in ("nic", "circuits/rail"):
+        check("relax", written("relax", scenes / f"{name}.toml"), name)
+    subprocess.run([tool, "gen", scenes / "nic.toml", "-o", place / "nic.cir"], check=True)
+    check("deck", written("relax", place / "nic.cir"), "a deck")
+    for name in ("fingertip", "effects/sliding"):
+        subprocess.run([tool, "simulate", scenes / f"{name}.toml", "-q", "-o", place / "g.csv", "--json", place / "s"],
+                       check=True)
+        check("simulate", (place / "s").read_text(), name)
+    pad = (recorded / "thin-pad.toml", "--readings", recorded / "thin-pad.csv")
+    for missing in ("fail", "estimate"):
+        subprocess.run([tool, "solve", *pad, "-q", "--missing", missing, "-o", place / "f.csv", "--json", place / "s"],
+                       check=True)
+        check("solve", (place / "s").read_text(), missing)
+    counts = (recorded / "thin-pad-counts.toml", "--readings", recorded / "thin-pad-counts.csv")  # with [units]
+    subprocess.run([tool, "solve", *counts, "-q", "-o", place / "f.csv", "--json", place / "s"], check=True)
+    check("solve", (place / "s").read_text(), "counts")
+    # Something wrong of several kinds: a dead taxel, a gap, times that run backwards.
+    rows = (recorded / "thin-pad.csv").read_text().splitlines()
+    for row, change in ((3, {1: "nan"}), (4, {0: "0"})):
+        cells = rows[row].split(",")
+        for column, value in change.items():
+            cells[column] = value
+        rows[row] = ",".join(cells)
+    rows[1:] = [",".join(["0" if column == 5 else cell for column, cell in enumerate(row.split(","))]) for row in rows[1:]]
+    (place / "bad.csv").write_text("\n".join(rows) + "\n")
+    check("check", written("check", pad[0], "--readings", place / "bad.csv", "-q"), "a recording with gaps")
+    check("check", written("check", *counts, "-q"), "counts")
+    check("plan", written("plan", *counts, "-q"), "a plan for counts")
+    check("identify", written("identify", *counts), "counts")
+    check("plan", written("plan", scenes / "fingertip.toml", "-q"), "a plan")
+    for hand in (scenes / "hands" / "two-fingers.toml", scenes / "hands" / "three-fingers.toml", recorded / "hand.toml"):
+        check("grasp", written("grasp", hand), hand)
+    small = place / "small.toml"
+    small.write_text('[sensor]\ncount = 5\npitch = 1.0\ndepth = 1.0\nreads = ["stress_x"]\n[material]\n'
+                     'youngs_modulus = 1.0\npoisson_ratio = 0.3\n[[contact]]\nshape = "cylinder"\n'
+                     'half_width = 1.0\nforce = 1.0\n[reconstruct]\nalpha = 1e-3\n')
+    check("tradeoff", written("tradeoff", small), "tradeoff")
+
+kinds = {name.removesuffix(".json") for name in schemas.keys() - shared}
+if kinds != seen:
+    failures.append(f"schemas of {kinds}, documents of {seen}")
+print("\n".join(failures) if failures else f"{len(seen)} kinds")
+sys.exit(1 if failures else 0)

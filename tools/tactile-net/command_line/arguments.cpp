@@ -1,0 +1,54 @@
+#include "command_line/arguments.hpp"
+
+#include <charconv>
+#include <sstream>
+#include <stdexcept>
+
+#include "tactile_net/numeric/number_text.hpp"
+
+namespace tactile_net::tool {
+
+Value text(std::string name) { return {.kind = Value::Kind::text, .name = std::move(name)}; }
+
+Value number() { return text("NUMBER"); }
+
+Value file(std::string name, std::vector<std::string> endings) {
+  return {.kind = Value::Kind::file, .name = std::move(name), .endings = std::move(endings)};
+}
+
+Value folder() { return {.kind = Value::Kind::folder, .name = "FOLDER"}; }
+
+Value choice(std::vector<std::string> choices) {
+  return {.kind = Value::Kind::choice, .choices = std::move(choices)};
+}
+
+void read(const std::string& text, std::string& value) { value = text; }
+
+void read(const std::string& text, double& value) {
+  if (!read_number(text, value)) throw std::invalid_argument("'" + text + "' is no number");
+}
+
+void read(const std::string& text, std::size_t& value) {
+  const char* const end = text.data() + text.size();
+  if (const auto [stop, error] = std::from_chars(text.data(), end, value);
+      error != std::errc{} || stop != end)
+    throw std::invalid_argument("'" + text + "' is no whole number from 0");
+}
+
+std::string standard(const std::string& value) { return value; }
+
+std::string standard(double value) { return shortest(value); }
+
+Argument& Arguments::add(const std::string& names, Value value, std::string text,
+                         std::string standard, std::function<void(const std::string&)> set) {
+  Argument argument{.value = std::move(value),
+                    .text = std::move(text),
+                    .standard = std::move(standard),
+                    .set = std::move(set)};
+  std::istringstream parts(names);
+  for (std::string one; std::getline(parts, one, ',');) argument.names.push_back(one);
+  command_.arguments.push_back(std::move(argument));
+  return command_.arguments.back();
+}
+
+}  // namespace tactile_net::tool

@@ -1,0 +1,60 @@
+// What the commands take that are about a circuit.
+#include "command_line/all_commands.hpp"
+
+namespace tactile_net::tool {
+
+void add_gen(AllCommands& all) {
+  auto [command, options] = all.add<GenOptions>(
+      {.name = "gen",
+       .text = "Write the scene's circuit as a SPICE deck; `ngspice -b FILE.cir` prints its "
+               "voltages",
+       .pages = {"circuits.md"},
+       .examples = {{"gen scenes/nic.toml -o nic.cir", "the circuit that the scene asks for"},
+                    {"gen scenes/nic.toml --realization crossbar",
+                     "another one, on standard "
+                     "output"}}});
+  add_scene(command, options.scene);
+  command.add_option("-o,--output", options.output, file("FILE", {"cir"}),
+                     "Deck (default: standard output)");
+  add_network(command, options.network);
+}
+
+void add_relax(AllCommands& all) {
+  auto [command, options] = all.add<RelaxOptions>(
+      {.name = "relax",
+       .text = "Run a circuit in ngspice: a scene's, compared with the direct solve of P f = b, "
+               "or a deck (FILE.cir), compared with the voltages that its header expects",
+       .pages = {"circuits.md", "strangers.md"},
+       .examples = {{"relax scenes/nic.toml", "the scene's circuit beside the direct solve"},
+                    {"relax scenes/circuits/crossbar.toml --simulator library",
+                     "by ngspice's library, without starting the program"},
+                    {"relax nic.cir --tolerance 1e-6",
+                     "a deck that gen wrote, perhaps edited "
+                     "since"}}});
+  add_scene(command, options.scene, "Scene file (TOML), or deck (.cir)", {"toml", "cir"});
+  add_json(command, options.json, "Write the result as JSON");
+  command.add_option("--tolerance", options.tolerance, number(),
+                     "For a deck: largest relative difference that counts as agreement (default: "
+                     "its `* within` line, or 1e-9)");
+  add_network(command, options.network);
+  add_simulator(command, options.simulator);
+}
+
+void add_certify(AllCommands& all) {
+  auto [command, options] = all.add<CertifyOptions>(
+      {.name = "certify",
+       .text = "Say, without a simulator, whether the scene's circuit is stable, how fast it "
+               "settles, which errors of components it bears, and which realisation to choose",
+       .pages = {"circuits.md"},
+       .examples = {{"certify scenes/circuits/crossbar.toml --out out",
+                     "with poles, settling and builds as plots"},
+                    {"certify scenes/nic.toml --realization crossbar --bandwidth 10e6",
+                     "another circuit, of op-amps of 10 MHz"}}});
+  add_scene(command, options.scene);
+  add_results(command, options.results,
+              "Folder for report.html, certificate.json and the plots' data (CSV)",
+              "Write the certificate as JSON");
+  add_network(command, options.network);
+}
+
+}  // namespace tactile_net::tool

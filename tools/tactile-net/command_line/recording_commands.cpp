@@ -1,0 +1,175 @@
+// What the commands take that begin with recorded readings.
+#include <array>
+#include <vector>
+
+#include "command_line/all_commands.hpp"
+#include "tactile_net/lab/method.hpp"
+
+namespace tactile_net::tool {
+
+void add_init(AllCommands& all) {
+  auto [command, options] = all.add<InitOptions>(
+      {.name = "init",
+       .text = "Write a scene for recorded readings, with comments; asks on a terminal for what no "
+               "option says",
+       .pages = {"check.md", "tutorial.md"},
+       .examples = {
+           {"init --from-csv mine.csv -o pad.toml", "asks for pitch, depth and modulus"},
+           {"init --from-csv scenes/recorded/thin-pad.csv --quantity stress_x,shear_xy --pitch "
+            "0.5e-3 --depth 3e-3 --modulus 0.2e6 --layer 3e-3 -o pad.toml",
+            "all is said, nothing is asked"}}});
+  command
+      .add_option("--from-csv", options.recording, file("FILE", {"csv", "npy"}),
+                  "Recorded readings, CSV or .npy")
+      .required = true;
+  command.add_option("-o,--output", options.output, file("FILE", {"toml"}),
+                     "Scene file (default: standard output)");
+  command.add_flag("--force", options.force, "Replace a scene that is there");
+  command.add_option("--quantity", options.quantities, text("LIST"),
+                     "What every taxel measures: stress_x, stress_y, shear_xy, strain_x, strain_y, "
+                     "or several with commas (default: as the columns are named)");
+  command.add_option("--pitch", options.pitch, number(), "From one taxel to the next");
+  command.add_option("--depth", options.depths, text("LIST"),
+                     "Of the taxels below the surface; 1.0,1.5: two");
+  command.add_option("--modulus", options.modulus, number(), "Young's modulus of the pad");
+  command.add_option("--poisson", options.poisson, number(), "Poisson's ratio (default: 0.45)");
+  command.add_option("--layer", options.layer, number(),
+                     "Thickness of the pad on a rigid base (default: a half plane)");
+  command.add_option("--base", options.base, choice({"bonded", "frictionless"}),
+                     "What holds a layer");
+  command.add_option("--noise", options.noise, text("LIST"),
+                     "Rms of the readings' noise; with commas one for each quantity");
+  command.add_option("--length-unit", options.length_unit, text("UNIT"),
+                     "Of pitch, depth and layer: mm, ...");
+  command.add_option("--modulus-unit", options.modulus_unit, text("UNIT"),
+                     "Of Young's modulus: MPa, ...");
+  command.add_option("--unit", options.stress_unit, text("UNIT"),
+                     "Of the readings: kPa, ... (default: as the header says)");
+  command.add_option("--force-unit", options.force_unit, text("UNIT"),
+                     "Of loads in the scene: N/mm, ...");
+  add_columns(command, options.columns);
+}
+
+void add_check(AllCommands& all) {
+  auto [command, options] = all.add<CheckOptions>(
+      {.name = "check",
+       .text = "Look at recorded readings before they are trusted: units, sign, dead and noisy "
+               "taxels, baseline, drift, noise; and say what to write in the scene",
+       .pages = {"check.md"},
+       .examples = {{"check scenes/recorded/thin-pad.toml --readings scenes/recorded/thin-pad.csv",
+                     "what was understood, and what looks wrong"},
+                    {"check pad.toml --readings mine.csv --strict",
+                     "for scripts: exit status 1 where anything is suspicious"}}});
+  add_scene(command, options.scene);
+  command
+      .add_option("--readings", options.readings, file("FILE", {"csv", "npy"}),
+                  "Recorded readings, CSV or .npy; - reads standard input")
+      .required = true;
+  add_columns(command, options.columns);
+  add_json(command, options.json, "Write the check as JSON");
+  command.add_flag("--strict", options.strict, "Exit with status 1 if anything is suspicious");
+}
+
+void add_solve(AllCommands& all) {
+  auto [command, options] = all.add<SolveOptions>(
+      {.name = "solve",
+       .text = "Turn recorded readings, one frame a row, into tractions, one frame a row",
+       .pages = {"results.md", "scene.md"},
+       .examples = {{"solve scenes/recorded/thin-pad.toml --readings scenes/recorded/thin-pad.csv "
+                     "--out out",
+                     "the page of a recording, out/report.html"},
+                    {"solve pad.toml --readings mine.csv --columns 2-42 --missing estimate -o "
+                     "tractions.csv",
+                     "columns by their place, and frames in which a reading is missing"},
+                    {"solve pad.toml --readings -", "frame by frame, as they come by a pipe"}}});
+  add_scene(command, options.scene, "Scene file (TOML): sensor, material, alpha");
+  command
+      .add_option("--readings", options.readings, file("FILE", {"csv", "npy"}),
+                  "CSV file with a header (columns such as stress_x_0), or .npy of shape (frames, "
+                  "readings); - reads standard input and writes each frame as it comes")
+      .required = true;
+  std::vector<Method> methods;
+  for (const lab::MethodTraits& traits : lab::methods())
+    if (traits.solves_frames) methods.push_back(traits.method);
+  command.add_choice("--method", options.method, methods, "How to solve a frame");
+  command.add_option("-o,--output", options.output, file("FILE", {"csv", "npy"}),
+                     "CSV or .npy file for the tractions [unit of E] (default: CSV on standard "
+                     "output)");
+  add_folder(command, options.folder, options.force,
+             "Folder for report.html, the page of the recording; result.json, shown.csv "
+             "(the frames in its pictures) and, without -o, tractions.csv");
+  command.add_option("--uncertainty", options.uncertainty, file("FILE", {"csv"}),
+                     "CSV file for each frame's forces, centre and angle with their standard "
+                     "deviations, the deviation of every traction, alpha and the verdict");
+  add_columns(command, options.columns);
+  constexpr std::array policies = {lab::Missing::fail, lab::Missing::skip, lab::Missing::estimate};
+  command.add_choice("--missing", options.missing, policies,
+                     "Where a reading is missing (empty, NaN, NA): fail; skip the frame, whose "
+                     "row is then empty; or estimate it from the other taxels, as if those "
+                     "without a reading were dead");
+  add_json(command, options.json, "Write a summary as JSON");
+}
+
+void add_plan(AllCommands& all) {
+  auto [command, options] = all.add<PlanOptions>(
+      {.name = "plan",
+       .text = "Make the plan that a controller loads: how to solve a frame fastest for a stated "
+               "accuracy, and why so",
+       .pages = {"control.md"},
+       .examples = {
+           {"plan scenes/fingertip.toml -o pad.plan", "the fastest with an error of at most 1e-7"},
+           {"plan scenes/recorded/thin-pad.toml --readings scenes/recorded/thin-pad.csv "
+            "--deadline 100us -o pad.plan",
+            "alpha from recorded frames, and a failure where a frame takes longer"}}});
+  add_scene(command, options.scene, "Scene file (TOML): sensor, material, alpha");
+  command.add_option("-o,--output", options.output, file("FILE", {"plan"}),
+                     "Plan file, to be read by load_plan (default: only say what it would be)");
+  command.add_option("--accuracy", options.accuracy, number(),
+                     "Largest error, relative to the tractions, of the planned against the dense "
+                     "product");
+  command.add_option("--deadline", options.deadline, text("TIME"),
+                     "A frame must be done within this on this machine: 100us, 1ms, ...");
+  command.add_option("--readings", options.readings, file("FILE", {"csv", "npy"}),
+                     "Recorded frames (CSV): the scene's rule for alpha is applied to each, and "
+                     "the median taken");
+  add_columns(command, options.columns);
+  command.add_option("--friction", options.friction, number(),
+                     "Friction coefficient for the friction margin (default: the scene's "
+                     "friction_limit)");
+  constexpr std::array structures = {Structure::dense, Structure::low_rank, Structure::parity,
+                                     Structure::parity_low_rank, Structure::fft};
+  command.add_choice("--structure", options.structure, structures,
+                     "Of the product (default: the cheapest)");
+  constexpr std::array precisions = {Precision::float64, Precision::float32};
+  command.add_choice("--precision", options.precision, precisions,
+                     "Of its numbers (default: the cheapest)");
+  command.add_flag("--allow-fft", options.allow_fft,
+                   "Offer fft too, for long arrays: the controller then links "
+                   "tactile_net::spectral (GPL where that was built with FFTW)");
+  command.add_flag("--no-diagnostics", options.no_diagnostics,
+                   "No residual, no outliers, no dead taxels at run time: faster");
+  add_json(command, options.json, "Write the choice as JSON");
+}
+
+void add_grasp(AllCommands& all) {
+  auto [command, options] = all.add<GraspOptions>(
+      {.name = "grasp",
+       .text = "Say which joint torques a hand's fingertip forces mean, whether they carry the "
+               "load, and which torques would",
+       .pages = {"hand.md", "results.md"},
+       .examples = {
+           {"grasp scenes/hands/two-fingers.toml --out out", "with a drawing of the hand"},
+           {"grasp scenes/recorded/hand.toml --json -", "from recorded readings, as JSON"}}});
+  command
+      .add_option("HAND", options.hand, file("HAND", {"toml"}),
+                  "Hand file (TOML): fingers, contacts, load; - reads it from standard input")
+      .required = true;
+  command.add_flag("--allow-outside", options.allow_outside,
+                   "Let the hand name files elsewhere than beside its own and below: only for a "
+                   "hand of your own");
+  add_results(command, options.results, "Folder for report.html and result.json",
+              "Write the result as JSON");
+  add_columns(command, options.columns);
+}
+
+}  // namespace tactile_net::tool
