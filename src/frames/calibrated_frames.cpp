@@ -22,11 +22,11 @@ void CalibratedFrames::find_baseline() {
   for (std::size_t frame = 0; frame <= last; ++frame) {
     Kept kept{{}, std::vector<double>(readings)};
     if (!source_->next(kept.values))
-      throw InputError({{.file = file_,
-                         .message = "ends after " + std::to_string(frame) +
-                                    " frames, and calibration.baseline_frames reach to frame " +
-                                    std::to_string(last),
-                         .hint = "the first frame is frame 0"}});
+      throw InputError(
+          {{.file = file_,
+            .message = "ends after " + std::to_string(frame) + (frame == 1 ? " frame" : " frames") +
+                       ", and calibration.baseline_frames reach to frame " + std::to_string(last),
+            .hint = "the first frame is frame 0"}});
     kept.time = source_->time();
     if (frame >= first)
       for (std::size_t i = 0; i < readings; ++i) {
