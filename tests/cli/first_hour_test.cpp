@@ -227,6 +227,25 @@ TEST_CASE("init understands columns however they are named", "[cli]") {
   }
 }
 
+TEST_CASE("a name that columns share is understood only where it is the only one", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_scene);
+  const auto solve = [&](const std::string& csv) {
+    return tool({"solve", path, "--readings", "-"}, csv);
+  };
+  const ProcessResult plain = solve("t,stress_x_0,stress_x_1,stress_x_2\n0,1,2,3\n");
+  for (const char* header :
+       {"t,p3,p1,p2\n0,3,1,2\n", "t,stress_x_3,stress_x_2,stress_x_1\n0,3,2,1\n",
+        "Zeit;Druck 0;Druck 1;Druck 2;T1;T2\n0;1;2;3;9;9\n"}) {
+    const ProcessResult other = solve(header);
+    CHECK(other.output == plain.output);
+    CHECK_THAT(other.errors, ContainsSubstring("note: "));
+  }
+  for (const char* header : {"p1,p2,p3,q1,q2,q3\n1,2,3,4,5,6\n", "p1,p2,p4\n1,2,3\n",
+                             "strain_x_0,strain_x_1,strain_x_2\n1,2,3\n"})
+    CHECK(solve(header).code == 2);
+}
+
 TEST_CASE("what check advises ends the suspicion", "[cli]") {
   const Folder folder;
   const std::string plain =

@@ -1,10 +1,11 @@
 /// @file
 /// A recording looked at before it is trusted: does it fit its scene?
 ///
-///     lab::ReadingsChecker checker(read_scene("pad.toml"));
+///     const Scene scene = read_scene("pad.toml");
+///     lab::ReadingsChecker checker(scene);
 ///     while (source.next(readings)) checker.add(time, readings);
 ///     const lab::ReadingsCheck check = checker.result();
-///     for (const lab::Finding& one : check.findings) puts(report::in_words(one, check).c_str());
+///     for (const lab::Finding& one : check.findings) puts(report::in_words(one, scene).c_str());
 #pragma once
 
 #include <cstddef>
