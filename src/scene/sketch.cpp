@@ -9,7 +9,7 @@ namespace tactile_net {
 namespace {
 
 /// As a TOML string of one line.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : printable(text)) {
     if (c == '"' || c == '\\') result += '\\';
@@ -39,7 +39,7 @@ std::string units_section(const SceneSketch& sketch) {
                                                             {"force", sketch.force_unit}};
   std::string text;
   for (const auto& [key, unit] : all)
-    if (!unit.empty()) text += std::string(key) + " = " + quoted(unit) + '\n';
+    if (!unit.empty()) text += std::string(key) + " = " + in_quotes(unit) + '\n';
   if (text.empty())
     return "# Without units, any consistent set will do: m with Pa makes N/m, mm with MPa N/mm.\n"
            "# [units]\n"
@@ -60,7 +60,7 @@ std::string sensor_section(const SceneSketch& sketch) {
       sketch.depths.size() == 1
           ? line("depth = " + shortest(sketch.depths.front()), "of the taxels below the surface")
           : line("depths = " + list(sketch.depths, number), "of the taxels below the surface");
-  text += line("reads = " + list(sketch.reads, [](Quantity one) { return quoted(name(one)); }),
+  text += line("reads = " + list(sketch.reads, [](Quantity one) { return in_quotes(name(one)); }),
                "what each measures: stress_x (normal to the surface), stress_y,");
   return text + line("", "shear_xy, strain_x, strain_y. Compression is positive");
 }
@@ -74,7 +74,7 @@ std::string material_section(const SceneSketch& sketch) {
                      "0 to 0.5, which is incompressible")
               : line("poisson_ratio = 0.45", "assumed: rubbers and silicones have 0.45 to 0.5");
   const auto layer = [](const std::string& thickness, Base base) {
-    return "layer = { thickness = " + thickness + ", base = " + quoted(name(base)) + " }\n";
+    return "layer = { thickness = " + thickness + ", base = " + in_quotes(name(base)) + " }\n";
   };
   if (sketch.layer)
     return text +
@@ -129,7 +129,7 @@ constexpr std::string_view rest =
 std::string scene_text(const SceneSketch& sketch) {
   std::string text;
   for (const std::string& remark : sketch.remarks) text += "# " + printable(remark) + '\n';
-  if (!sketch.title.empty()) text += "title = " + quoted(sketch.title) + '\n';
+  if (!sketch.title.empty()) text += "title = " + in_quotes(sketch.title) + '\n';
   for (const std::string& section : {units_section(sketch), sensor_section(sketch),
                                      material_section(sketch), noise_section(sketch)})
     text += '\n' + section;
