@@ -58,6 +58,8 @@ TEST_CASE("a study's JSON names each point in words, and its answers", "[tradeof
   const std::string json = report::study_json(measured(), "[sensor]");
   CHECK_THAT(json, StartsWith(R"text({
   "tactile_net": "0.1.0",
+  "kind": "tradeoff",
+  "schema": 1,
   "scene": "pressed.toml",
   "complete": true,
   "processor": "AMD EPYC",

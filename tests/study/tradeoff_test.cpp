@@ -235,7 +235,8 @@ TEST_CASE("what a method cannot do is a failure of its kind, and leaves the othe
         std::vector<Failure>{{.kind = Failure::Kind::no_stride, .count = 24}});
 
   const Study shallow = digital_study(replaced(replaced(pressed, "depth = 1.0", "depth = 1e-5"),
-                                               "\"strain_x\"", "\"shear_xy\", \"stress_x\""));
+                                               "\"strain_x\"", "\"shear_xy\", \"stress_x\"") +
+                                      "[forward]\nmodel = \"sampled\"\n");
   const auto whole_job =
       failures(shallow, {.family = Family::job, .job = Job{Kind::forward_model}});
   REQUIRE(whole_job.size() == 1);
