@@ -29,9 +29,9 @@ Answer force(const Experiment& experiment, const MethodResult& lead) {
     answer.value = in_unit(scene, Dimension::force, found);
     if (const auto& drag = lead.resultant->tangential)
       answer.meaning += ", tangential " + in_unit(scene, Dimension::force, *drag);
-    // Against what the taxels' places hold of the contacts, which is what readings can show.
-    answer.doubtful =
-        std::abs(found.value - experiment.sampled_force) > 4.0 * found.deviation + 0.02 * exact;
+    // Readings summed over the taxels hold what their places have of the contacts.
+    const double shown = scene.forward == ForwardModel::sampled ? experiment.sampled_force : exact;
+    answer.doubtful = std::abs(found.value - shown) > 4.0 * found.deviation + 0.02 * exact;
   } else {
     answer.value = report::in_unit(scene, Dimension::force, lead.force);
   }
