@@ -58,7 +58,10 @@ inline ProcessResult program(std::vector<std::string> arguments, const std::stri
   return run_process(arguments, {.input = input});
 }
 
-inline std::string scene(const std::string& name) { return std::string(SCENES "/") + name; }
+inline std::string scene(const std::string& name) {
+  std::string path = SCENES "/";
+  return path += name;
+}
 
 inline const std::string small_scene =
     "[sensor]\ncount = 3\npitch = 1.0\ndepth = 1.0\nreads = [\"stress_x\"]\n"

@@ -31,7 +31,10 @@ lab::MethodResult found(Method method, double height) {
 }
 
 lab::Experiment experiment(std::vector<lab::MethodResult> results) {
-  lab::Experiment one{.scene = pad(), .sampled_force = 1.0, .results = std::move(results)};
+  lab::Experiment one;
+  one.scene = pad();
+  one.sampled_force = 1.0;
+  one.results = std::move(results);
   one.frame.force = 1.0;
   return one;
 }

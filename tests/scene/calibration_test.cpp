@@ -190,7 +190,7 @@ TEST_CASE("a scene names a calibration beside it or below alone", "[calibration]
   folder.write("c.csv", "baseline\n1\n2\n3\n4\n5\n6\n");
   std::filesystem::create_symlink(folder.path / "c.csv", folder.path / "inner" / "link.csv");
   const std::string inner = (folder.path / "inner" / "scene.toml").string();
-  for (const std::string file :
+  for (const std::string& file :
        {std::string("../c.csv"), std::string("link.csv"), (folder.path / "c.csv").string(),
         std::string("/etc/passwd"), std::string("/dev/zero")}) {
     CAPTURE(file);

@@ -162,10 +162,10 @@ StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
   StillNoise noise = still_noise(evidence.triples, evidence.living, evidence.channels());
   std::vector<std::size_t> stuck = constant;
   if (noise.known()) {
-    const auto feels_nothing =
+    const auto silent_taxels =
         taxels_where(evidence, [&](std::size_t i) { return feels_nothing(evidence, noise, i); });
-    evidence.bury(feels_nothing);
-    dead.insert(dead.end(), feels_nothing.begin(), feels_nothing.end());
+    evidence.bury(silent_taxels);
+    dead.insert(dead.end(), silent_taxels.begin(), silent_taxels.end());
 
     finding::SaturatedTaxels saturated;
     saturated.taxels = taxels_where(evidence, [&](std::size_t i) {
