@@ -72,6 +72,8 @@ TEST_CASE("what speaks against a run's answer is told in its box", "[report][ans
   one = experiment({found(Method::tikhonov, 1.0)});
   CHECK_FALSE(doubtful(answers(one)));
   one.sampled_force = 0.9;
+  CHECK_FALSE(doubtful(answers(one)));  // readings are integrals: they hold the whole force
+  one.scene.forward = ForwardModel::sampled;
   CHECK(answers(one).front().doubtful);
 
   one = experiment({found(Method::tikhonov, 1.0)});

@@ -96,7 +96,10 @@ bool FrameReader::parse(Frame& frame) {
   bool good = !has_time_ || number(frame.time);
   for (double& reading : frame.readings) good = good && number(reading);
   if (!good)
-    error_ = ":" + std::to_string(line_number_) + ": is not " + std::to_string(readings_) +
-             " numbers" + (has_time_ ? " after the time" : "");
+    error_ = std::string(":")
+                 .append(std::to_string(line_number_))
+                 .append(": is not ")
+                 .append(std::to_string(readings_))
+                 .append(has_time_ ? " numbers after the time" : " numbers");
   return good;
 }
