@@ -144,7 +144,8 @@ TEST_CASE("devices and pipes are no files of a hand, and cost no memory", "[cli]
     const std::string hand =
         folder.write("hand.toml", finger + "{ tractions = \"" + path + "\", pitch = 1e-3 }");
     const ProcessResult result = run_process(
-        {"sh", "-c", "ulimit -v 2000000; exec " TOOL " grasp " + hand + " --allow-outside"},
+        {"sh", "-c",
+         "ulimit -v " MEMORY_LIMIT "; exec " TOOL " grasp " + hand + " --allow-outside"},
         {.time_limit = std::chrono::seconds(20)});
     CHECK(result.end == ProcessResult::End::exited);
     CHECK(result.code == 2);
@@ -158,7 +159,8 @@ TEST_CASE("a deck of expectations alone is refused before it fills the memory",
   std::string deck = "T\n";
   while (deck.size() < (std::size_t{48} << 20)) deck += "* expect a 1\n";
   const ProcessResult result = run_process(
-      {"sh", "-c", "ulimit -v 1000000; exec " TOOL " relax " + folder.write("x.cir", deck)});
+      {"sh", "-c",
+       "ulimit -v " MEMORY_LIMIT "; exec " TOOL " relax " + folder.write("x.cir", deck)});
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, ContainsSubstring("more than 65536 voltages are expected"));
 }
