@@ -24,12 +24,13 @@ OutputFile::OutputFile(const fs::path& path, std::ostream* standard_output)
   const bool direct = fs::exists(status) && !fs::is_regular_file(status);
   if (fs::is_directory(status)) throw CannotCreate(path.string() + ": error: is a folder");
   const fs::path opened = direct ? path_ : Partial::name_beside(path_);
+  partial_ = std::make_unique<Partial>();
+  if (!direct) partial_->will_be(opened);
   file_ = std::make_unique<CheckedFile>(opened, path_);
   if (!file_->opened())
     throw CannotCreate(path.string() +
                        ": error: cannot be created: " + std::generic_category().message(errno));
-  partial_ = std::make_unique<Partial>();
-  if (!direct) partial_->made(opened);
+  if (!direct) partial_->made();
 }
 
 OutputFile::~OutputFile() = default;
@@ -88,12 +89,13 @@ OutputFolder::OutputFolder(const fs::path& path, Existing existing)
     if (!path.has_filename()) path_ = path.parent_path();
     staging = Partial::name_beside(path_);
   }
+  staging_ = std::make_unique<Partial>();
+  staging_->will_be(staging);
   fs::create_directories(staging, error);
   if (error || ::access(staging.c_str(), W_OK) != 0)
     throw CannotCreate(path.string() + ": error: the folder cannot be written to: " +
                        (error ? error.message() : "permission denied"));
-  staging_ = std::make_unique<Partial>();
-  staging_->made(staging);
+  staging_->made();
 }
 
 OutputFolder::~OutputFolder() = default;

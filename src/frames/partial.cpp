@@ -54,10 +54,13 @@ fs::path Partial::name_beside(const fs::path& path) {
 
 fs::path Partial::name_in(const fs::path& folder) { return named(folder, std::string(mark)); }
 
-void Partial::made(const fs::path& path) {
+void Partial::will_be(const fs::path& path) {
   path_ = path;
   leftover_ = Leftover(path);
-  if (auto lock = FileLock::of(path)) lock_ = std::move(*lock);
+}
+
+void Partial::made() {
+  if (auto lock = FileLock::of(path_)) lock_ = std::move(*lock);
 }
 
 void Partial::moved() noexcept {

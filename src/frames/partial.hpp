@@ -24,8 +24,10 @@ class Partial {
   /// The same inside a folder.
   [[nodiscard]] static std::filesystem::path name_in(const std::filesystem::path& folder);
 
-  /// From now on it is there.
-  void made(const std::filesystem::path& path);
+  /// Its maker makes it next: what a signal in between finds goes too.
+  void will_be(const std::filesystem::path& path);
+  /// It is there, and this process works on it.
+  void made();
   /// It has been moved to where it belongs.
   void moved() noexcept;
 
