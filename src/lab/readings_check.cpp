@@ -71,13 +71,6 @@ struct ReadingsChecker::Parts {
   double peak_size = 0.0;
   std::size_t peak_frame = 0;
 
-  [[nodiscard]] std::vector<bool> living() const {
-    std::vector<bool> all(tracks.size(), true);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      for (const std::size_t taxel : scene.dead_taxels)
-        if (i % scene.sensor.count == taxel) all[i] = false;
-    return all;
-  }
   void say_frames(ReadingsCheck& check) const;
   void say_channels(const Evidence& evidence, ReadingsCheck& check) const;
 };
@@ -162,7 +155,8 @@ ReadingsCheck ReadingsChecker::result(Observer& observer) const {
                     .frames = p.frames,
                     .tracks = p.tracks,
                     .triples = p.triples.all(),
-                    .living = p.living()};
+                    .living = std::vector<bool>(p.tracks.size(), true)};
+  evidence.bury(p.scene.dead_taxels);
   for (const Finding& one : check.findings)
     if (const auto* missing = std::get_if<finding::ValuesMissing>(&one))
       evidence.bury(missing->taxels);

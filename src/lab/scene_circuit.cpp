@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <stdexcept>
-#include <utility>
 #include <variant>
 
 #include "tactile_net/inverse/reconstruction.hpp"
@@ -57,29 +55,19 @@ double bound_of_curves(const SceneCircuit& circuit) {
   return size > 0.0 ? 2.0 * l2_norm(moved) / size : 0.0;
 }
 
-/// The options with a scale that suits the answer: see `SceneCircuit::options`.
-NetworkOptions scaled(const Scene& scene,
-                      const std::function<const std::vector<double>&()>& direct) {
-  NetworkOptions options = scene.network;
-  if (!options.one_volt) return options;
-  double one_volt = 0.1 * scene.material.youngs_modulus;
-  if (!scene.contacts.empty()) {
-    one_volt = 0.0;
-    for (const double f : direct()) one_volt = std::max(one_volt, std::abs(f));
-  }
-  const double volts = 1.0 / one_volt;
-  if (volts > 0.0 && std::isfinite(volts)) options.parts.scale.volts = volts;
-  return options;
+/// Between what a circuit like this one gives at rest and the direct solve, from linear equations.
+double difference_at_rest(const SceneCircuit& scene_circuit, const FlatCircuit& circuit) {
+  std::vector<double> v = operating_voltages(circuit);
+  for (double& value : v) value /= scene_circuit.options().parts.scale.volts;
+  return l2_difference(v, scene_circuit.direct());
 }
 
-/// What finite gain and offset do to the answer, from the linear equations of the same parts.
+/// What finite gain and offset do to the answer.
 std::optional<double> predicted_difference(const SceneCircuit& circuit) {
   const RealizationOptions& parts = circuit.options().parts;
   if (parts.opamp.is_nullor() || !has_amplifiers(circuit.network().realization()))
     return std::nullopt;
-  std::vector<double> v = operating_voltages(circuit.network().flat());
-  for (double& value : v) value /= parts.scale.volts;
-  return l2_difference(v, circuit.direct());
+  return difference_at_rest(circuit, circuit.network().flat());
 }
 
 }  // namespace
@@ -89,11 +77,24 @@ SceneCircuit::SceneCircuit(const SceneFrame& frame) : SceneCircuit(frame, frame.
 SceneCircuit::SceneCircuit(const SceneFrame& frame, const ChosenAlpha& alpha)
     : frame_(frame),
       alpha_(alpha),
-      options_(scaled(scene(), [this]() -> const std::vector<double>& { return direct(); })),
+      options_(scaled()),
       network_(options().realization,
                std::make_shared<const NetworkProblem>(
                    network_problem(frame.problem().problem(), alpha.value, frame.readings())),
                options().parts) {}
+
+NetworkOptions SceneCircuit::scaled() const {
+  NetworkOptions options = scene().network;
+  if (!options.one_volt) return options;
+  double one_volt = 0.1 * scene().material.youngs_modulus;
+  if (!scene().contacts.empty()) {
+    one_volt = 0.0;
+    for (const double f : direct()) one_volt = std::max(one_volt, std::abs(f));
+  }
+  const double volts = 1.0 / one_volt;
+  if (volts > 0.0 && std::isfinite(volts)) options.parts.scale.volts = volts;
+  return options;
+}
 
 bool SceneCircuit::loaded() const noexcept {
   const std::vector<double>& b = network_.problem().right_side;
@@ -126,17 +127,13 @@ const ExplainedDifference& SceneCircuit::explained() const {
   });
 }
 
-const SceneCircuit::Ordered& SceneCircuit::ordered() const {
-  return ordered_.get([&] {
-    Ordered result{.circuit = network_.circuit()};
-    if (!options_.tolerance || !options_.tolerance->series) return result;
-    result.series = options_.tolerance->series;
-    result.circuit = with_parts_of(*result.series, std::move(result.circuit));
-    const bool at_rest = std::holds_alternative<DirectCurrent>(analysis());
-    if (!at_rest || !loaded()) return result;
-    std::vector<double> v = operating_voltages(FlatCircuit(result.circuit));
-    for (double& value : v) value /= options_.parts.scale.volts;
-    result.moved = l2_difference(v, direct());
+const std::optional<SceneCircuit::Ordered>& SceneCircuit::ordered() const {
+  return ordered_.get([&]() -> std::optional<Ordered> {
+    if (!options_.tolerance || !options_.tolerance->series) return std::nullopt;
+    const Series series = *options_.tolerance->series;
+    Ordered result{.series = series, .circuit = with_parts_of(series, network_.circuit())};
+    if (std::holds_alternative<DirectCurrent>(analysis()) && loaded())
+      result.moved = difference_at_rest(*this, FlatCircuit(result.circuit));
     return result;
   });
 }

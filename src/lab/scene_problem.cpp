@@ -151,9 +151,10 @@ const FilterFrame& SceneFrame::analysed() const {
 
 const AlphaSweep& SceneFrame::sweep() const {
   if (sweep_) return *sweep_;
-  const FilterFrame frame =
-      problem_.is_large() ? problem_.circular().analyse(readings_) : analysed();
-  sweep_ = sweep_alpha(frame, problem_.alpha_tables(frame), problem_.stated_noise());
+  const auto sweep = [&](const FilterFrame& frame) {
+    return sweep_alpha(frame, problem_.alpha_tables(frame), problem_.stated_noise());
+  };
+  sweep_ = problem_.is_large() ? sweep(problem_.circular().analyse(readings_)) : sweep(analysed());
   return *sweep_;
 }
 

@@ -31,14 +31,14 @@ for page in pages.values():
             fault(page.path, line, "commands stand in a block ```sh or ```console, so that a test runs them")
 
 # A page that is on no road is not found.
-reached, todo = set(), [(project / "README.md").resolve()]
-while todo:
-    page = pages.get(todo.pop())
+reached, ahead = set(), [(project / "README.md").resolve()]
+while ahead:
+    page = pages.get(ahead.pop())
     if page is None or page.path in reached:
         continue
     reached.add(page.path)
-    todo += [(page.path.parent / target.partition("#")[0]).resolve() for _, target in page.links()]
-    todo += [p / "README.md" for p in todo if p.is_dir()]
+    ahead += [(page.path.parent / target.partition("#")[0]).resolve() for _, target in page.links()]
+    ahead += [p / "README.md" for p in ahead if p.is_dir()]
 for page in pages.values():
     if page.path not in reached and page.path.name != "CHANGELOG.md":
         fault(page.path, 1, "no page links to this one")

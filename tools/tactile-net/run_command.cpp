@@ -6,6 +6,7 @@
 #include "failure.hpp"
 #include "options.hpp"
 #include "tactile_net/frames/output_file.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "terminal/interruption.hpp"
 #include "terminal/printable_stream.hpp"
@@ -23,9 +24,7 @@ std::string typed(std::span<const std::string> arguments) {
         !argument.empty() && argument.find_first_not_of(
                                  "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
                                  "-_./=,:+@%") == argument.npos;
-    std::string quoted = "'";
-    for (const char c : argument) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    line += ' ' + (plain ? argument : quoted + '\'');
+    line += ' ' + (plain ? argument : shell_quoted(argument));
   }
   return line;
 }

@@ -22,10 +22,12 @@ struct ExplainedDifference {
   double curves = 0.0;                ///< largest that the devices' curves explain
   std::optional<double> predicted{};  ///< the difference that the op-amps' gain and offset make
 
-  /// The largest that all of them explain, a fifth of the prediction on top.
+  /// The largest that all of them explain.
   [[nodiscard]] double total() const noexcept {
-    return limit + curves + 1.2 * predicted.value_or(0.0);
+    return limit + curves + allowed(predicted.value_or(0.0));
   }
+  /// For what was computed: a fifth of it on top.
+  [[nodiscard]] static double allowed(double prediction) noexcept { return 1.2 * prediction; }
 
   bool operator==(const ExplainedDifference&) const = default;
 };
@@ -63,13 +65,14 @@ class SceneCircuit {
 
   [[nodiscard]] const ExplainedDifference& explained() const;
 
-  /// The circuit as it is ordered: with resistors of the scene's series, where it names one.
+  /// The circuit as it is ordered: with resistors of the scene's series.
   struct Ordered {
+    Series series = Series::e96;
     Circuit circuit{};
-    std::optional<Series> series{};
     std::optional<double> moved{};  ///< by the series, of a circuit at rest under load: |dv| / |v|
   };
-  [[nodiscard]] const Ordered& ordered() const;
+  /// Absent: the scene names no series.
+  [[nodiscard]] const std::optional<Ordered>& ordered() const;
 
   /// With the scene's accuracy of settling; 1e-3 where it gives none.
   [[nodiscard]] const Certificate& certificate() const;
@@ -81,13 +84,16 @@ class SceneCircuit {
   [[nodiscard]] ToleranceOptions tolerance() const;
 
  private:
+  /// The scene's options with a scale that suits the answer.
+  [[nodiscard]] NetworkOptions scaled() const;
+
   SceneFrame frame_;
   ChosenAlpha alpha_;
   Once<std::vector<double>> direct_;
   NetworkOptions options_;  // after what its scale follows from
   NetworkCircuit network_;
   Once<ExplainedDifference> explained_;
-  Once<Ordered> ordered_;
+  Once<std::optional<Ordered>> ordered_;
   Once<Certificate> certificate_;
 };
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include "lab/check/judgement.hpp"
 #include "numeric/robust.hpp"
@@ -67,9 +68,22 @@ class Constants {
   bool nothing_at_all_ = true;  // every reading is zero
 };
 
+/// The median of every reading, which is its rest where loads are rare.
+std::vector<double> middles_of(const Evidence& evidence) {
+  std::vector<double> middles;
+  for (std::size_t i = 0; i < evidence.living.size(); ++i) {
+    std::vector<double> values;
+    for (const FrameTriple& triple : evidence.triples)
+      if (std::isfinite(triple.middle()[i])) values.push_back(triple.middle()[i]);
+    middles.push_back(median(std::move(values)));
+  }
+  return middles;
+}
+
 /// Silent in most frames in which its neighbours clearly feel a load: the two beside it, and at
 /// least one of those behind them, all of one sign.
-bool feels_nothing(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
+bool feels_nothing(const Evidence& evidence, const StillNoise& noise,
+                   std::span<const double> middles, std::size_t i) {
   const auto count = static_cast<std::ptrdiff_t>(evidence.count());
   const auto taxel = static_cast<std::ptrdiff_t>(i) % count;
   if (taxel == 0 || taxel + 1 == count || !evidence.living[i - 1] || !evidence.living[i + 1])
@@ -78,52 +92,44 @@ bool feels_nothing(const Evidence& evidence, const StillNoise& noise, std::size_
   const std::vector<double>& depths = evidence.scene.sensor.depths;
   if (evidence.scene.sensor.pitch > *std::min_element(depths.begin(), depths.end())) return false;
   const double sigma = noise.of_channel[i / evidence.count()];
-  struct Place {
-    std::size_t reading;
-    double rest;
-  };
-  std::vector<Place> around;  // the two beside it first
-  const auto place = [&](std::ptrdiff_t offset) {
-    if (taxel + offset < 0 || taxel + offset >= count) return;
-    const auto reading = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + offset);
-    std::vector<double> values;
-    for (const FrameTriple& triple : evidence.triples)
-      if (std::isfinite(triple.middle()[reading])) values.push_back(triple.middle()[reading]);
-    around.push_back({reading, median(std::move(values))});
-  };
-  for (const std::ptrdiff_t offset : {-1, 1, -2, 2, 0}) place(offset);
-  const Place own = around.back();
-  around.pop_back();
+  std::vector<std::size_t> around = {i - 1, i + 1};
+  if (taxel >= 2) around.push_back(i - 2);
+  if (taxel + 2 < count) around.push_back(i + 2);
   std::size_t felt = 0;
   std::size_t silent = 0;
   for (const FrameTriple& triple : evidence.triples) {
-    const auto load = [&](const Place& at) { return triple.middle()[at.reading] - at.rest; };
+    const auto load = [&](std::size_t at) { return triple.middle()[at] - middles[at]; };
     const double sign = load(around[0]) > 0.0 ? 1.0 : -1.0;
-    const auto feels = [&](const Place& at) { return sign * load(at) > 20.0 * sigma; };
+    const auto feels = [&](std::size_t at) { return sign * load(at) > 20.0 * sigma; };
     if (!feels(around[0]) || !feels(around[1]) ||
         std::none_of(around.begin() + 2, around.end(), feels))
       continue;
     ++felt;
-    if (std::abs(load(own)) < 5.0 * sigma) ++silent;
+    if (std::abs(load(i)) < 5.0 * sigma) ++silent;
   }
   return felt >= 3 && 5 * silent >= 4 * felt;
 }
 
-/// The share of a channel's values that equal the one before; above a half they are quantised so
+/// The share of each channel's values that equal the one before; above a half they are quantised so
 /// coarsely that all of its readings seem to stick.
-double usual_repeating(const Evidence& evidence, std::size_t channel) {
-  std::vector<double> shares;
-  for (std::size_t k = channel * evidence.count(); k < (channel + 1) * evidence.count(); ++k)
-    if (evidence.living[k]) shares.push_back(evidence.tracks[k].repeating());
-  return median(std::move(shares));
+std::vector<double> usual_repeating(const Evidence& evidence) {
+  std::vector<double> usual;
+  for (std::size_t channel = 0; channel < evidence.channels(); ++channel) {
+    std::vector<double> shares;
+    for (std::size_t k = channel * evidence.count(); k < (channel + 1) * evidence.count(); ++k)
+      if (evidence.living[k]) shares.push_back(evidence.tracks[k].repeating());
+    usual.push_back(median(std::move(shares)));
+  }
+  return usual;
 }
 constexpr double coarse = 0.5;
 
 /// Runs of equal values that chance does not make.
-bool sticks(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
+bool sticks(const Evidence& evidence, const StillNoise& noise, std::span<const double> repeating,
+            std::size_t i) {
   const std::size_t channel = i / evidence.count();
   if (noise.of_channel[channel] == 0.0) return false;
-  const double usual = std::max(usual_repeating(evidence, channel), 1e-3);
+  const double usual = std::max(repeating[channel], 1e-3);
   if (usual > coarse) return false;
   const double chances =
       static_cast<double>(evidence.frames) * static_cast<double>(evidence.tracks.size());
@@ -132,12 +138,12 @@ bool sticks(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
 }
 
 /// Where the values of a reading pile up, far from where they lie when nothing happens.
-const RangeEnd* saturated_end(const Evidence& evidence, const StillNoise& noise, std::size_t i) {
+const RangeEnd* saturated_end(const Evidence& evidence, const StillNoise& noise,
+                              std::span<const double> repeating, std::size_t i) {
   const ReadingTrack& track = evidence.tracks[i];
-  const double sigma = noise.of_channel[i / evidence.count()];
-  if (sigma == 0.0 || range(track) < 10.0 * sigma ||
-      usual_repeating(evidence, i / evidence.count()) > coarse)
-    return nullptr;
+  const std::size_t channel = i / evidence.count();
+  const double sigma = noise.of_channel[channel];
+  if (sigma == 0.0 || range(track) < 10.0 * sigma || repeating[channel] > coarse) return nullptr;
   for (const RangeEnd* end : {&track.high(), &track.low()})
     if (end->piles_up()) return end;
   return nullptr;
@@ -162,14 +168,16 @@ StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
   StillNoise noise = still_noise(evidence.triples, evidence.living, evidence.channels());
   std::vector<std::size_t> stuck = constant;
   if (noise.known()) {
-    const auto silent_taxels =
-        taxels_where(evidence, [&](std::size_t i) { return feels_nothing(evidence, noise, i); });
+    const std::vector<double> middles = middles_of(evidence);
+    const auto silent_taxels = taxels_where(
+        evidence, [&](std::size_t i) { return feels_nothing(evidence, noise, middles, i); });
     evidence.bury(silent_taxels);
     dead.insert(dead.end(), silent_taxels.begin(), silent_taxels.end());
 
+    const std::vector<double> repeating = usual_repeating(evidence);
     finding::SaturatedTaxels saturated;
     saturated.taxels = taxels_where(evidence, [&](std::size_t i) {
-      const RangeEnd* end = saturated_end(evidence, noise, i);
+      const RangeEnd* end = saturated_end(evidence, noise, repeating, i);
       if (end != nullptr && end->count() > saturated.frames) {
         saturated.limit = end == &evidence.tracks[i].high() ? end->outermost() : -end->outermost();
         saturated.frames = end->count();
@@ -179,7 +187,8 @@ StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
     if (!saturated.taxels.empty()) findings.emplace_back(saturated);
 
     const auto sticking = taxels_where(evidence, [&](std::size_t i) {
-      return saturated_end(evidence, noise, i) == nullptr && sticks(evidence, noise, i);
+      return saturated_end(evidence, noise, repeating, i) == nullptr &&
+             sticks(evidence, noise, repeating, i);
     });
     evidence.bury(sticking);
     stuck.insert(stuck.end(), sticking.begin(), sticking.end());

@@ -40,12 +40,11 @@ DeckHeader header_of(const lab::SceneCircuit& circuit) {
            "Expected below: the direct solve of P f = b, in volts."},
       .expected = circuit.direct()};
   for (double& value : header.expected) value *= scale.volts;
-  const lab::SceneCircuit::Ordered& ordered = circuit.ordered();
-  if (ordered.series)
+  if (const auto& ordered = circuit.ordered())
     header.comments.push_back(
         "Resistors: the nearest values of the series E" +
-        std::to_string(static_cast<int>(*ordered.series)) +
-        (ordered.moved ? ", which moves the answer by " + percent(*ordered.moved) + "." : "."));
+        std::to_string(static_cast<int>(ordered->series)) +
+        (ordered->moved ? ", which moves the answer by " + percent(*ordered->moved) + "." : "."));
   return header;
 }
 
@@ -53,15 +52,18 @@ DeckHeader header_of(const lab::SceneCircuit& circuit) {
 
 std::string deck_text(const lab::SceneCircuit& circuit, Answer answer) {
   DeckHeader header = header_of(circuit);
+  const auto& ordered = circuit.ordered();
   if (answer == Answer::printed) {
     // Without a load the difference is not relative, but in volts.
     const double unit = circuit.loaded() ? 1.0 : circuit.options().parts.scale.volts;
-    const double within =
-        (circuit.explained().total() + 1.2 * circuit.ordered().moved.value_or(0.0)) * unit;
+    double within = circuit.explained().total();
+    if (ordered) within += lab::ExplainedDifference::allowed(ordered->moved.value_or(0.0));
+    within *= unit;
     if (std::isfinite(within)) header.within = within;
   }
   std::ostringstream deck;
-  write_deck(deck, circuit.ordered().circuit, header, answer, circuit.analysis());
+  write_deck(deck, ordered ? ordered->circuit : circuit.network().circuit(), header, answer,
+             circuit.analysis());
   return std::move(deck).str();
 }
 

@@ -6,7 +6,6 @@
 ///     arguments.add_choice("--precision", options.precision, all_precisions, "Of the plan");
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "command_line/table.hpp"
+#include "tactile_net/numeric/text.hpp"
 
 namespace tactile_net::tool {
 
@@ -42,11 +42,8 @@ void read(const std::string& text, std::optional<T>& value) {
 template <class T>
 void read(const std::string& text, std::vector<T>& values) {
   values.clear();
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    read(text.substr(from, comma - from), values.emplace_back());
-    from = comma + 1;
-  }
+  for (const std::string_view item : split(text, ','))
+    read(std::string(item), values.emplace_back());
 }
 
 // What help says of a value that nobody gave; empty: nothing.

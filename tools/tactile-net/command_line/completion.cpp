@@ -9,13 +9,6 @@
 namespace tactile_net::tool {
 namespace {
 
-/// A text in single quotes, as every shell reads it.
-std::string in_quotes(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
-
 /// Where the texts of a script's tables come in.
 std::string filled(std::string text, const std::map<std::string, std::string>& parts) {
   for (const auto& [mark, part] : parts)
@@ -126,7 +119,7 @@ std::string bash_completion(const CommandLine& line, const std::string& function
   for (const CommandTable& command : line.commands) {
     commands.push_back(command.name);
     options += "      " + command.name +
-               ") value=" + in_quotes("choice " + option_names(line, &command)) + " ;;\n";
+               ") value=" + shell_quoted("choice " + option_names(line, &command)) + " ;;\n";
     for (const Argument& argument : command.arguments) {
       if (argument.is_flag()) continue;
       std::string& patterns = values[in_bash(argument.value)];
@@ -137,7 +130,7 @@ std::string bash_completion(const CommandLine& line, const std::string& function
   }
   std::string rows;
   for (const auto& [value, patterns] : values)
-    rows += "    " + patterns + ")\n      echo " + in_quotes(value) + "\n      ;;\n";
+    rows += "    " + patterns + ")\n      echo " + shell_quoted(value) + "\n      ;;\n";
   return filled(std::string(bash_script), {{"@program@", line.program},
                                            {"@function@", function},
                                            {"@values@", rows},
@@ -181,7 +174,7 @@ std::string zsh_arguments(const std::vector<const Argument*>& arguments) {
   std::string rows;
   for (const Argument* argument : arguments) {
     if (!argument->is_option()) {
-      rows += " \\\n        " + in_quotes("1" + zsh_value(argument->value, argument->name()));
+      rows += " \\\n        " + shell_quoted("1" + zsh_value(argument->value, argument->name()));
       continue;
     }
     const std::string excluded = "(" + join(argument->names, " ") + ")";
@@ -190,7 +183,7 @@ std::string zsh_arguments(const std::vector<const Argument*>& arguments) {
           argument->is_flag() ? "" : zsh_value(argument->value, argument->value.shown());
       const std::string glued = argument->is_flag() ? "" : name.starts_with("--") ? "=" : "+";
       rows += " \\\n        " +
-              in_quotes(excluded + name + glued + "[" + in_zsh(argument->text) + "]" + value);
+              shell_quoted(excluded + name + glued + "[" + in_zsh(argument->text) + "]" + value);
     }
   }
   return rows;
@@ -227,7 +220,7 @@ std::string zsh_completion(const CommandLine& line) {
   std::string commands;
   std::string arguments;
   for (const CommandTable& command : line.commands) {
-    commands += "    " + in_quotes(in_zsh(command.name) + ":" + command.text) + "\n";
+    commands += "    " + shell_quoted(in_zsh(command.name) + ":" + command.text) + "\n";
     arguments += "      " + command.name + ")\n        _arguments -s" +
                  zsh_arguments(line.arguments(&command)) + "\n        ;;\n";
   }

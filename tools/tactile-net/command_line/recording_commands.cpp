@@ -35,8 +35,8 @@ void add_init(AllCommands& all) {
   command.add_option("--poisson", options.poisson, number(), "Poisson's ratio (default: 0.45)");
   command.add_option("--layer", options.layer, number(),
                      "Thickness of the pad on a rigid base (default: a half plane)");
-  command.add_option("--base", options.base, choice({"bonded", "frictionless"}),
-                     "What holds a layer");
+  constexpr std::array bases = {Base::bonded, Base::frictionless};
+  command.add_choice("--base", options.base, bases, "What holds a layer");
   command.add_option("--noise", options.noise, text("LIST"),
                      "Rms of the readings' noise; with commas one for each quantity");
   command.add_option("--length-unit", options.length_unit, text("UNIT"),

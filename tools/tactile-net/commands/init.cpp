@@ -1,7 +1,6 @@
 #include "commands/init.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <functional>
 #include <istream>
@@ -57,28 +56,23 @@ std::optional<double> number(std::string_view text) {
   return read_number(text, value) ? std::optional(value) : std::nullopt;
 }
 
-/// "1.0, 1.5"
+/// "1.0, 1.5"; empty: an item is no number.
 std::vector<double> numbers(std::string_view text) {
   std::vector<double> all;
-  for (bool more = true; more;) {
-    const std::size_t end = text.find(',');
-    std::string_view item = text.substr(0, end);
+  for (std::string_view item : split(text, ',')) {
     while (item.starts_with(' ')) item.remove_prefix(1);
     while (item.ends_with(' ')) item.remove_suffix(1);
     const auto value = number(item);
     if (!value) return {};
     all.push_back(*value);
-    more = end != text.npos;
-    text.remove_prefix(more ? end + 1 : text.size());
   }
   return all;
 }
 
 std::string names_of_quantities() {
-  std::string text;
-  for (const QuantityTraits& row : quantity_traits)
-    text += (text.empty() ? "" : ", ") + std::string(row.name);
-  return text;
+  std::vector<std::string> names;
+  for (const QuantityTraits& row : quantity_traits) names.emplace_back(row.name);
+  return join(names, ", ");
 }
 
 std::vector<Quantity> quantities_of(const InitOptions& options) {
@@ -102,11 +96,9 @@ std::vector<Quantity> readable(const std::vector<Quantity>& found, bool noise_kn
 
 std::string unit_in(const std::string& unit) { return unit.empty() ? "" : " [" + unit + "]"; }
 
-/// A unit of stress that the header names, as scenes spell it.
-std::string stress_unit_of(const std::string& header) {
-  for (const Unit& unit : units_of(Dimension::stress))
-    if (unit.name == header) return header;
-  return {};
+bool is_unit(std::string_view name, Dimension dimension) {
+  const auto all = units_of(dimension);
+  return std::any_of(all.begin(), all.end(), [&](const Unit& one) { return one.name == name; });
 }
 
 std::string understood(const frames::RecordingLayout& layout, std::size_t taxels) {
@@ -130,7 +122,7 @@ class Sketching {
 
   SceneSketch sketch() {
     look_at_file();
-    sketch_.layer = layer();
+    if (options_.layer) sketch_.layer = Layer{.thickness = *options_.layer, .base = options_.base};
     sketch_.noise = options_.noise;
     ask_units();
     ask_array();
@@ -176,36 +168,24 @@ class Sketching {
     sketch_.count = layout_.readings / channels;
   }
 
-  [[nodiscard]] std::optional<Layer> layer() const {
-    constexpr std::array bases = {Base::bonded, Base::frictionless};
-    const auto base = std::find_if(bases.begin(), bases.end(),
-                                   [&](Base one) { return name(one) == options_.base; });
-    if (base == bases.end())
-      throw WrongUsage("--base", "'" + options_.base + "' is none of bonded, frictionless");
-    if (!options_.layer) return std::nullopt;
-    return Layer{.thickness = *options_.layer, .base = *base};
-  }
-
   void ask_units() {
     sketch_.length_unit = options_.length_unit;
     sketch_.modulus_unit = options_.modulus_unit;
     sketch_.stress_unit = options_.stress_unit;
     sketch_.force_unit = options_.force_unit;
-    if (sketch_.stress_unit.empty()) sketch_.stress_unit = stress_unit_of(layout_.unit);
+    if (sketch_.stress_unit.empty() && is_unit(layout_.unit, Dimension::stress))
+      sketch_.stress_unit = layout_.unit;
     const auto ask = [&](const char* what, Dimension dimension, std::string& unit) {
       if (!unit.empty()) return;
-      std::string known;
-      for (const Unit& one : units_of(dimension))
-        known += (known.empty() ? "" : " ") + std::string(one.name);
-      questions_.offer(std::string("unit of ") + what + ", one of " + known + " (empty: SI)",
-                       [&](std::string_view answer) {
-                         const auto all = units_of(dimension);
-                         if (std::none_of(all.begin(), all.end(),
-                                          [&](const Unit& one) { return one.name == answer; }))
-                           return false;
-                         unit = answer;
-                         return true;
-                       });
+      std::vector<std::string> known;
+      for (const Unit& one : units_of(dimension)) known.emplace_back(one.name);
+      questions_.offer(
+          std::string("unit of ") + what + ", one of " + join(known, " ") + " (empty: SI)",
+          [&](std::string_view answer) {
+            if (!is_unit(answer, dimension)) return false;
+            unit = answer;
+            return true;
+          });
     };
     ask("lengths", Dimension::length, sketch_.length_unit);
     ask("Young's modulus", Dimension::stress, sketch_.modulus_unit);

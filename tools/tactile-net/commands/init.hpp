@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "streams.hpp"
+#include "tactile_net/elasticity/material.hpp"
 
 namespace tactile_net::tool {
 
@@ -21,7 +22,7 @@ struct InitOptions {
   std::optional<double> modulus{};
   std::optional<double> poisson{};
   std::optional<double> layer{};  ///< thickness
-  std::string base = "bonded";
+  Base base = Base::bonded;
   std::vector<double> noise{};  ///< rms: one, or one for each quantity
   std::string length_unit{}, modulus_unit{}, stress_unit{}, force_unit{};
 };
