@@ -101,6 +101,7 @@ figcaption { color: var(--quiet); font-size: .95rem; margin-top: .3rem; }
 input[type=range] { width: 100%; accent-color: var(--blue); margin: 1rem 0 0; }
 #answer { font-variant-numeric: tabular-nums; margin: .2rem 0; } #where { font-weight: 600; margin: .2rem 0; }
 details { border-top: 1px solid var(--rule); margin-top: 2rem; padding-top: .6rem; } summary { cursor: pointer; font-weight: 600; }
+details.note { border-top: 0; margin-top: .6rem; padding: .4rem .8rem; max-width: 50rem; } details.note p { margin: .3rem 0; }
 footer { color: var(--quiet); margin-top: 3rem; font-size: .9rem; }
 @media screen and (max-width: 48rem) {
   body { padding: 0 .6rem; } .two { grid-template-columns: 1fr; } .wide-plot { display: none; } .narrow-plot { display: block; }

@@ -65,6 +65,35 @@ TEST_CASE("a recording's page answers first, and needs no network", "[report][re
   CHECK(count(page, "<svg") == count(page, "aria-label=\"") - 1);  // and the slider
 }
 
+TEST_CASE("a pad that is pulled is not one that nothing presses", "[report][recording]") {
+  lab::RecordingOverview pulled = press(61);
+  const double most = pulled.peak().resultant.normal;
+  for (lab::FrameGroup& group : pulled.groups) {
+    group.resultant.normal *= -1.0;
+    group.bands->resultant.normal.value *= -1.0;
+  }
+  CHECK(pulled.peak().resultant.normal == -most);
+  CHECK(pulled.pulled(pulled.peak()));
+  CHECK_FALSE(pulled.loaded(pulled.peak()));
+  CHECK_THAT(answers(pulled).front().meaning, Contains("it pulls") && !Contains("Nothing"));
+  CHECK(answers(pulled).front().doubtful);
+}
+
+TEST_CASE("a suspicion about the readings is said before the first picture",
+          "[report][recording]") {
+  lab::RecordingOverview overview = press(60);
+  const auto page = [&] { return pages::recording_page(overview, "press.csv", {}, {}).html; };
+  CHECK_THAT(page(), !Contains("suspicion") && Contains("nothing speaks against them"));
+  overview.findings = {lab::finding::WholePadPulled{.pulled = 58, .loaded = 60},
+                       lab::finding::DeadTaxels{.taxels = {7}}};
+  const std::string html = page();
+  CHECK(html.find("2 suspicions") < html.find("<svg"));
+  CHECK(html.find("pulled in 58 of 60") < html.find("taxel 7 feels nothing"));
+  CHECK(html.find("indices = [7]") < html.find("<svg"));  // what to do about it
+  CHECK_THAT(html, !Contains("nothing speaks against them"));
+  CHECK(answers(overview).back().doubtful);
+}
+
 TEST_CASE("a title cannot leave its place in a recording's page", "[report][recording]") {
   const lab::RecordingOverview overview = press(3, lab::Verdict::ok, "</script><b onclick=1>&");
   const std::string page =
