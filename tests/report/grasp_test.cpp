@@ -51,12 +51,12 @@ TEST_CASE("a hand in SI has units in its words, another has bare numbers", "[gra
   grasp.failures = {{.kind = Failed::pulls, .number = 0.125},
                     {.kind = Failed::beyond_limit, .number = 0.025}};
   CHECK(load_in_words(grasp) == "load (0, -4.9) at (0.003, 0.075), torque 0.02");
-  CHECK_THAT(failures_in_words(grasp)[0], Catch::Matchers::EndsWith("with 0.125"));
+  CHECK_THAT(failures_in_words(grasp)[0], EndsWith("with 0.125"));
   grasp.hand.si = true;
   CHECK(load_in_words(grasp) == "load (0, -4.9) N at (3, 75) mm, torque 20 mN m");
-  CHECK_THAT(failures_in_words(grasp)[0], Catch::Matchers::EndsWith("with 0.125 N"));
-  CHECK_THAT(failures_in_words(grasp)[1], Catch::Matchers::EndsWith("by 25 mN m"));
-  CHECK_THAT(sources_in_words(grasp)[0], Catch::Matchers::EndsWith("centre 1.0 ± 0.2 mm"));
+  CHECK_THAT(failures_in_words(grasp)[0], EndsWith("with 0.125 N"));
+  CHECK_THAT(failures_in_words(grasp)[1], EndsWith("by 25 mN m"));
+  CHECK_THAT(sources_in_words(grasp)[0], EndsWith("centre 1.0 ± 0.2 mm"));
 }
 
 TEST_CASE("warnings are those of the fingertips, then those of the answers", "[grasp]") {
