@@ -127,7 +127,7 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
           sampled_kernel(all[c], component, material, n, array.pitch);
       plan.kernel_error =
           std::hypot(plan.kernel_error,
-                     plan.weights[c] * kernel_error(all[c], component, material, array, kernel));
+                     plan.weights[c] * kernel_error(all[c], component, material, surface_of(array), kernel));
       transform_circular(plan.fft, kernel);
       const bool odd = is_odd(all[c].quantity, component);
       for (std::size_t k = 0; k < bins; ++k) {

@@ -44,7 +44,7 @@ class Describer {
  public:
   explicit Describer(const InverseProblem& problem)
       : problem_(problem),
-        count_(static_cast<Eigen::Index>(problem.count)),
+        count_(static_cast<Eigen::Index>(problem.surface.count)),
         unknowns_(static_cast<Eigen::Index>(problem.unknowns)),
         waves_(half_waves(count_)) {}
 
@@ -71,7 +71,7 @@ class Describer {
   }
   [[nodiscard]] double wavelength(Eigen::Index m) const {
     return m == 0 ? infinity
-                  : 2.0 * static_cast<double>(count_) * problem_.pitch / static_cast<double>(m);
+                  : 2.0 * static_cast<double>(count_) * problem_.surface.spacing / static_cast<double>(m);
   }
 
   const InverseProblem& problem_;

@@ -10,7 +10,8 @@ ProblemOptions options_of(const Scene& scene) {
   ProblemOptions options{.unknowns = unknowns(scene),
                          .smoothing_length = scene.reconstruct.smoothing_length,
                          .channel_rms = {},
-                         .dead_taxels = scene.dead_taxels};
+                         .dead_taxels = scene.dead_taxels,
+                         .surface = scene.reconstruct.surface};
   if (scene.noise && scene.noise->weights_rows)
     for (const Channel& channel : channels(scene.sensor))
       options.channel_rms.push_back(scene.noise->rms.at(channel.quantity));
@@ -33,6 +34,7 @@ struct SceneProblem::Parts {
   Scene scene;
   ProblemOptions options;
   std::optional<Constraints> constraints;
+  std::optional<Surface> surface;
   std::optional<InverseProblem> problem;
   std::optional<std::pair<double, Reconstruction>> tikhonov;  // of its alpha
   std::optional<TikhonovFamily> family;
@@ -53,8 +55,13 @@ std::size_t SceneProblem::readings() const {
   return channels(parts_->scene.sensor).size() * parts_->scene.sensor.count;
 }
 
-std::size_t SceneProblem::tractions() const noexcept {
-  return parts_->options.unknowns * parts_->scene.sensor.count;
+const Surface& SceneProblem::surface() const {
+  if (!parts_->surface) parts_->surface = tactile_net::surface(parts_->scene);
+  return *parts_->surface;
+}
+
+std::size_t SceneProblem::tractions() const {
+  return parts_->options.unknowns * surface().count;
 }
 
 std::optional<double> SceneProblem::stated_noise() const {
@@ -88,7 +95,7 @@ SceneProblem SceneProblem::without(std::span<const std::size_t> taxels) const {
   other.parts_->problem = problem();
   InverseProblem& kept = *other.parts_->problem;
   for (const std::size_t taxel : taxels)
-    for (std::size_t row = taxel; row < kept.weights.size(); row += kept.count) {
+    for (std::size_t row = taxel; row < kept.weights.size(); row += kept.taxels) {
       kept.weights[row] = 0.0;
       for (std::size_t column = 0; column < kept.kernel.columns; ++column)
         kept.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
@@ -128,7 +135,14 @@ const AlphaTables& SceneProblem::alpha_tables(const FilterFrame& frame) const {
 }
 
 const ModeSpace& SceneProblem::hidden() const {
-  if (!parts_->hidden) parts_->hidden = hidden_modes(problem());
+  if (parts_->hidden) return *parts_->hidden;
+  if (surface().basis == SurfaceBasis::taxels) {
+    parts_->hidden = hidden_modes(problem());
+  } else {
+    ProblemOptions options = parts_->options;
+    options.surface = {};
+    parts_->hidden = hidden_modes(make_problem(scene().sensor, scene().material, options));
+  }
   return *parts_->hidden;
 }
 

@@ -79,7 +79,7 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
                    lab::Component lab::MethodResult::*which, const std::string& file,
                    const std::string& title, const std::vector<double>& truth) {
   const Scene& scene = experiment.scene;
-  const std::vector<double> places = positions(scene.sensor);
+  const std::vector<double> places = positions(surface(scene));
   const Axis along = axis(scene, "y", Dimension::length, {&places});
   std::vector<double> all = truth;
   std::vector<double> apart;
@@ -162,13 +162,13 @@ Figure rules_figure(const AlphaSweep& sweep, std::optional<AlphaRule> used) {
 
 /// Every frame's traction as the method finds it: y over time.
 Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
-  const std::size_t n = scene.sensor.count;
+  const std::size_t n = surface(scene).count;
   const std::size_t frames = course.time.size();
   const std::size_t stride = course.tractions.size() / frames;
   const auto at = [&](std::size_t frame, std::size_t taxel) {
     return course.tractions[frame * stride + taxel];
   };
-  const std::vector<double> places = positions(scene.sensor);
+  const std::vector<double> places = positions(surface(scene));
   const Axis along = axis(scene, "y", Dimension::length, {&places});
   const Axis traction = axis(scene, "traction", Dimension::stress, {&course.tractions});
   Plot plot{"Normal traction", "time [s]", traction.label, course.time, {}};
@@ -185,7 +185,7 @@ Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
   const auto most = peaks.begin() + static_cast<std::ptrdiff_t>(frames * 19 / 20);
   std::nth_element(peaks.begin(), most, peaks.end());
   const double largest = *most;
-  const double half = 0.5 * scene.sensor.pitch * static_cast<double>(n);
+  const double half = surface(scene).half_width();
   const ScaledUnit unit =
       scene.units ? report::axis_unit(scene, Dimension::length, half) : ScaledUnit{};
   const auto clock = [&](std::size_t frame) { return brief(course.time[frame], 4) + " s"; };
@@ -248,7 +248,7 @@ void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::Tim
                                           : std::numeric_limits<double>::quiet_NaN());
     return values;
   };
-  const std::vector<double> places = positions(scene.sensor);
+  const std::vector<double> places = positions(surface(scene));
   const Axis along = axis(scene, "y", Dimension::length, {&places});
   Plot centre{"Centre of pressure over time", "time [s]", along.label, course.time, {}};
   centre.y_at_least = scene.sensor.pitch * along.factor;
@@ -300,7 +300,7 @@ std::vector<Figure> figures_of(const lab::Experiment& experiment) {
   if (tangential)
     add_component(
         figures, experiment, &lab::MethodResult::tangential, "tangential", "Tangential",
-        truth.tangential.empty() ? std::vector<double>(scene.sensor.count) : truth.tangential);
+        truth.tangential.empty() ? std::vector<double>(truth.normal.size()) : truth.tangential);
   if (experiment.sweep)
     figures.push_back(rules_figure(
         *experiment.sweep,

@@ -259,6 +259,45 @@ void read_constraints(Table& table, const Scene& scene, const Read& read,
   }
 }
 
+/// Where the tractions lie: by default on a grid, and at the taxels for what knows no other place.
+void read_surface(Table& table, const Scene& scene, const Read& read, bool uses_dft,
+                  ReconstructOptions& options) {
+  constexpr std::array bases = {SurfaceBasis::taxels, SurfaceBasis::hats};
+  const bool thesis = uses_dft || scene.forward == ForwardModel::sampled;
+  options.surface.basis = thesis ? SurfaceBasis::taxels : SurfaceBasis::hats;
+  if (const auto basis = table.value("surface"))
+    if (const auto index = basis->one_of("surface", names_of(bases))) {
+      options.surface.basis = bases[*index];
+      if (uses_dft && options.surface.basis == SurfaceBasis::hats)
+        basis->problem("gives tractions where there are no readings, and dft divides one by the other",
+                       "surface = \"taxels\", or methods without \"dft\"");
+    }
+  const auto spacing = table.value("spacing");
+  const auto margin = table.value("margin");
+  for (const auto* length : {&spacing, &margin})
+    if (*length && options.surface.basis == SurfaceBasis::taxels)
+      (*length)->problem("is of a grid, and the tractions lie at the taxels",
+                         "surface = \"grid\", or remove it");
+  if (spacing) options.surface.spacing = spacing->number(positive, read.units.length);
+  if (margin) options.surface.margin = margin->number(not_negative, read.units.length);
+  const SensorArray& array = scene.sensor;
+  if ((!spacing && !margin) || array.count < 2 || !(array.pitch > 0.0) || array.depths.empty() ||
+      !read.reads_complete)
+    return;
+  const Value& named = spacing ? *spacing : *margin;
+  try {
+    Scene with = scene;
+    with.reconstruct = options;
+    const std::size_t columns = unknowns(with) * surface(with).count;
+    if (columns > most_columns)
+      named.problem("makes " + std::to_string(columns) + " unknown tractions, more than " +
+                        std::to_string(most_columns),
+                    "a quarter of the depth resolves all that the pad lets through");
+  } catch (const std::invalid_argument& error) {
+    named.problem("makes no surface: " + std::string(error.what()), "spacing = a quarter of the depth");
+  }
+}
+
 ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read& read) {
   ReconstructOptions options;
   std::vector<NamedMethod> methods;
@@ -267,6 +306,9 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
     options.methods.clear();
     for (const NamedMethod& named : methods) options.methods.push_back(named.method);
   }
+  const bool uses_dft =
+      std::find(options.methods.begin(), options.methods.end(), Method::dft) !=
+      options.methods.end();
   if (const auto alpha = table.value("alpha")) read_alpha(*alpha, scene, read.units, options);
   if (const auto length = table.value("smoothing_length"))
     options.smoothing_length = length->number(not_negative, read.units.length).value_or(0.0);
@@ -275,6 +317,7 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
   if (const auto limit = table.value("noise_gain_limit"))
     options.noise_gain_limit = limit->number(at_least_one).value_or(options.noise_gain_limit);
   read_constraints(table, scene, read, methods, options);
+  read_surface(table, scene, read, uses_dft, options);
   check_methods(methods, scene, read);
   table.finish();
   return options;
@@ -311,6 +354,7 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
 
   if (!scene.sensor.depths.empty())
     scene.reconstruct.smoothing_length = scene.sensor.depths.front();
+  if (scene.forward == ForwardModel::exact) scene.reconstruct.surface.basis = SurfaceBasis::hats;
   if (const auto table = table_of(root.value("reconstruct")))
     scene.reconstruct = read_reconstruct(*table, scene, read);
   scene.network.one_volt = true;

@@ -60,8 +60,8 @@ TEST_CASE("P is the second derivative of the functional", "[problem]") {
     const Eigen::Map<const Eigen::VectorXd> x(f.data(), std::ssize(f));
     double smoothness = x.squaredNorm();
     for (std::size_t j = 0; j + 1 < f.size(); ++j)
-      if ((j + 1) % problem.count != 0)
-        smoothness += std::pow(problem.smoothing_length / problem.pitch * (f[j + 1] - f[j]), 2);
+      if ((j + 1) % problem.surface.count != 0)
+        smoothness += std::pow(problem.smoothing_length / problem.surface.spacing * (f[j + 1] - f[j]), 2);
     const double functional = (view(problem.kernel) * x).squaredNorm() + alpha * smoothness;
     CHECK_THAT(x.dot(view(p) * x), WithinRel(functional, 1e-13));
   }

@@ -63,8 +63,8 @@ void check_same(const EstimatorPlan& a, const EstimatorPlan& b) {
   CHECK(a.count == b.count);
   CHECK(a.channels == b.channels);
   CHECK(a.unknowns == b.unknowns);
-  check_same({a.pitch, a.alpha, a.accuracy, a.error_bound, a.noise_rms, a.outlier_limit},
-             {b.pitch, b.alpha, b.accuracy, b.error_bound, b.noise_rms, b.outlier_limit});
+  check_same({a.spacing, a.centre, a.alpha, a.accuracy, a.error_bound, a.noise_rms, a.outlier_limit},
+             {b.spacing, b.centre, b.alpha, b.accuracy, b.error_bound, b.noise_rms, b.outlier_limit});
   check_same(a.reconstruction, b.reconstruction);
   REQUIRE(a.prediction.has_value() == b.prediction.has_value());
   if (a.prediction) check_same(*a.prediction, *b.prediction);

@@ -43,9 +43,11 @@ class SceneProblem {
   [[nodiscard]] const ProblemOptions& options() const noexcept;
   /// How many readings a frame has: channels x taxels.
   [[nodiscard]] std::size_t readings() const;
-  /// How many tractions a frame has: the taxels' count, or twice that.
-  [[nodiscard]] std::size_t tractions() const noexcept;
-  [[nodiscard]] bool is_large() const noexcept { return tractions() >= large; }
+  /// Where the tractions lie.
+  [[nodiscard]] const Surface& surface() const;
+  /// How many tractions a frame has: the surface's count, or twice that.
+  [[nodiscard]] std::size_t tractions() const;
+  [[nodiscard]] bool is_large() const { return tractions() >= large; }
   /// The noise of one weighted reading, if the scene states it.
   [[nodiscard]] std::optional<double> stated_noise() const;
   /// What the scene demands of tikhonov's tractions, if anything.
@@ -75,7 +77,8 @@ class SceneProblem {
   /// What the rules for alpha ask of every frame. @param frame  analysed, any of this problem
   [[nodiscard]] const AlphaTables& alpha_tables(const FilterFrame& frame) const;
 
-  /// What no reading shows.
+  /// What no reading shows of line loads over the taxels. Of a finer surface every array hides
+  /// what changes from one taxel to the next.
   [[nodiscard]] const ModeSpace& hidden() const;
 
   /// Of unconstrained tractions; made anew where alpha or prior differ from the last call's.

@@ -26,7 +26,7 @@ struct WorkloadRequest {
 enum class Computation {
   readings,       ///< from contacts, through the forward model
   history,        ///< frames before the one that is reconstructed
-  tangential,     ///< a second unknown at every taxel
+  tangential,     ///< a second unknown at every place
   layer_kernels,  ///< integrals; without a layer kernels are closed formulas
   dft,            ///< each method ...
   tikhonov,

@@ -24,7 +24,7 @@ std::string recording_csv(const lab::RecordingOverview& overview) {
       "frame,t,first,count,distrusted,verdict,alpha,normal_force,normal_force_deviation,"
       "tangential_force,tangential_force_deviation,centre,centre_deviation,residual";
   for (const std::string& column :
-       frames::traction_columns(overview.scene.sensor.count, overview.tangential()))
+       frames::traction_columns(surface(overview.scene).count, overview.tangential()))
     text += ',' + column;
   text += '\n';
   for (const lab::FrameGroup& group : overview.groups) {

@@ -37,7 +37,7 @@ class UncertaintyFile {
  public:
   UncertaintyFile(const std::string& path, const lab::SceneProblem& problem, bool with_time,
                   const Streams& streams)
-      : columns_(report::uncertainty_columns(problem.scene().sensor.count,
+      : columns_(report::uncertainty_columns(problem.surface().count,
                                              problem.options().unknowns > 1)),
         output_(path, &streams.out),
         sink_(output_.stream(), columns_, with_time) {}
@@ -72,7 +72,7 @@ class Outputs {
             folder != nullptr && options.output.empty() ? folder->tractions() : options.output,
             &streams.out),
         unknown_(tractions, std::numeric_limits<double>::quiet_NaN()) {
-    const std::size_t count = problem.scene().sensor.count;
+    const std::size_t count = problem.surface().count;
     sink_ = frames::make_sink(tractions_, options.output,
                               frames::traction_columns(count, tractions > count), with_time);
     if (!options.uncertainty.empty())
