@@ -6,7 +6,6 @@
 #include <string>
 
 #include "inverse/checks.hpp"
-#include "inverse/kernel_error.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/sensing/surface_kernel.hpp"
 
@@ -64,15 +63,13 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
 
     for (std::size_t u = 0; u < options.unknowns; ++u) {
       const Traction component = traction_components[u];
-      const std::vector<double> kernel =
-          surface_kernel(all[c], component, material, surface);
+      const SurfaceKernel kernel = surface_kernel(all[c], component, material, surface);
       const double weight = options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[c];
-      problem.kernel_error = std::hypot(
-          problem.kernel_error, weight * kernel_error(all[c], component, material, surface, kernel));
+      problem.kernel_error = std::hypot(problem.kernel_error, weight * kernel.error);
       for (std::size_t i = 0; i < taxels; ++i) {
         const std::size_t at = surface.margin + i * surface.stride;
         for (std::size_t j = 0; j < n; ++j)
-          problem.kernel(c * taxels + i, u * n + j) = row_weights[i] * kernel[at + n - 1 - j];
+          problem.kernel(c * taxels + i, u * n + j) = row_weights[i] * kernel.lags[at + n - 1 - j];
       }
     }
   }

@@ -10,12 +10,17 @@
 
 namespace tactile_net {
 
-/// The reading at the distance m h from a value of 1 Pa, h = spacing, m = -(count - 1) ...
-/// count - 1, entry m at index m + count - 1 [reading per Pa]: the distinct entries of one block of
-/// K, whose row of taxel j has the value i at m = margin + j stride - i.
-///
-/// Of line loads `sampled_kernel`; of hats the exact integral, see `HatKernel`.
-[[nodiscard]] std::vector<double> surface_kernel(const Channel& channel, Traction component,
-                                                 const Material& material, const Surface& surface);
+/// The distinct entries of one block of K, which is a Toeplitz matrix but for rows that are left
+/// out: its row of taxel j has value i at lag margin + j stride - i.
+struct SurfaceKernel {
+  /// The reading at the distance m h from a value of 1 Pa, h = spacing, for m = -(count - 1) ...
+  /// count - 1, entry m at index m + count - 1 [reading per Pa].
+  std::vector<double> lags{};
+  double error = 0.0;  ///< how far rounding may have moved the block, in the 2-norm
+};
+
+/// Of line loads `sampled_kernel`, of hats `HatKernel`. O(count); in a layer, integrals besides.
+[[nodiscard]] SurfaceKernel surface_kernel(const Channel& channel, Traction component,
+                                           const Material& material, const Surface& surface);
 
 }  // namespace tactile_net
