@@ -1,5 +1,7 @@
 #include "tactile_net/elasticity/pad_kernel.hpp"
 
+#include <numbers>
+
 #include "elasticity/layer_correction.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
 #include "tactile_net/elasticity/layer.hpp"
@@ -27,6 +29,13 @@ double PadKernel::operator()(double y) const noexcept {
 
 double relative_kernel_error(const Material& material) noexcept {
   return material.layer ? 1e-13 : 2e-15;
+}
+
+double base_error(Quantity quantity, const Material& material) noexcept {
+  if (!material.layer) return 0.0;
+  const double peak = 2.0 / (std::numbers::pi * material.layer->thickness);
+  const double nu = material.poisson_ratio;
+  return 1e-13 * (is_strain(quantity) ? (1.0 - nu * nu) / material.youngs_modulus * peak : peak);
 }
 
 }  // namespace tactile_net

@@ -118,11 +118,12 @@ void for_every_kernel(const auto& check) {
 TEST_CASE("a hat is read as the integral says to 50 digits, deep, shallow and far",
           "[hat_kernel]") {
   const double depth = 0.7;
-  const double width = depth * GENERATE(1e-6, 0.01, 0.25, 0.49, 0.51, 1.0, 3.0, 1e3, 1e6);
+  const double width = depth * GENERATE(1e-6, 0.25, 0.33, 0.36, 1.0, 3.0, 1e3, 1e6);
   CAPTURE(width / depth);
   const std::vector<double> places = {
-      0.0,         depth / 3,         -depth,         width,         -width,       width / 2,
-      2.0 * width, width + depth / 2, -width - depth, 1.999 * width, 30.0 * depth, 1e4 * depth};
+      0.0,         depth / 3,         -depth,         width,         -width,        width / 2,
+      2.0 * width, width + depth / 2, -width - depth, 2.999 * width, 3.001 * width, 30.0 * depth,
+      1e4 * depth};
   std::vector<std::array<Real, 6>> expected;
   for (const double u : places) expected.push_back(stresses(u, depth, width));
   for (const double nu : {0.0, 0.45, 0.5})

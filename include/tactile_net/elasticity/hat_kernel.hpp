@@ -4,11 +4,13 @@
 ///
 ///     g(u) = integral of k(u - s) (1 - |s| / w) ds,  |s| <= w = half_width
 ///
-/// On a half plane every stress is a real or imaginary part of the hat's Cauchy transform C(z), the
-/// integral of hat(s) / (z - s) ds at z = u + i depth, and of depth C'(z) (Muskhelishvili), which
-/// are elementary; with q = w / z
+/// Where the taxel is three half widths from the hat's middle or farther, ten points of Gauss and
+/// Legendre on each side are exact. Closer by, every stress of a half plane is a real or imaginary
+/// part of the hat's Cauchy transform C(z), the integral of hat(s) / (z - s) ds at z = u + i depth,
+/// and of depth C'(z) (Muskhelishvili):
 ///
-///     C = log(1 - q^2) / q + 2 artanh q,   C' = log(1 - q^2) / w.
+///     C  = [(z + w) log(z + w) - 2 z log z + (z - w) log(z - w)] / w
+///     C' = [log(z + w) - 2 log z + log(z - w)] / w.
 #pragma once
 
 #include <memory>
@@ -23,10 +25,9 @@ class LayerCorrection;
 /// One quantity at one depth, as a function of the lateral distance from the middle of a hat of
 /// traction: 1 Pa there, falling linearly to 0 at +-half_width.
 ///
-/// On a half plane it is the closed form, arranged so that nothing cancels, for hats far narrower
-/// and far wider than they are deep. In a layer it is that plus what the base adds, interpolated as
-/// in `PadKernel`; a hat wider than some layers is made of narrower ones. A copy shares the
-/// interpolants.
+/// Hats may be far narrower and far wider than they are deep, and far away: nothing cancels. In a
+/// layer what the base adds is interpolated as in `PadKernel`; a hat wider than eight layers is
+/// made of narrower ones. A copy shares the interpolants.
 class HatKernel {
  public:
   /// O(1) on a half plane; about as much as a `PadKernel` in a layer.
@@ -37,19 +38,23 @@ class HatKernel {
             double half_width);
 
   /// At the distance u [m] from the middle of the hat [Pa / Pa for stress, 1 / Pa for strain], even
-  /// or odd to the bit. Costs a few logarithms, in a layer an interpolation more; where the hat is
-  /// wider than eight layers, up to 28 times that.
+  /// or odd to the bit. Costs 20 line kernels or three logarithms, in a layer an interpolation
+  /// more; where the hat is wider than eight layers, up to 28 times that.
   [[nodiscard]] double operator()(double u) const noexcept;
 
-  /// How far rounding may have moved the value at u: some 10 ulp of what a hat of that width causes
-  /// at that distance; in a layer 1e-13 of what it causes right at the base's depth besides.
+  /// How far rounding may have moved the value at u: close by 18 ulp of a uniform traction's
+  /// reading at the surface, elsewhere of the integral of |k|; in a layer `base_error` times the
+  /// hat's area (or, for a wide one, times the layer's thickness) besides.
   [[nodiscard]] double error_bound(double u) const noexcept;
 
  private:
+  [[nodiscard]] double half_plane(double u) const noexcept;
   [[nodiscard]] double part(double u) const noexcept;
 
+  Quantity quantity_;
+  Traction component_;
+  Material material_;
   double depth_;
-  bool is_odd_;
   double potential_ = 0.0;  // weight of C in a half plane's reading
   double slope_ = 0.0;      // of depth C'
   double parts_ = 1.0;      // hats of which this one is made: one, except for wide ones in a layer

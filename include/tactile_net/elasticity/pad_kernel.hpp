@@ -21,6 +21,11 @@ class LayerCorrection;
 /// layer.
 [[nodiscard]] double relative_kernel_error(const Material& material) noexcept;
 
+/// What a layer's base adds to a kernel is known to 1e-13 of the half plane's peak at the base's
+/// depth, the unit in which readings that vanish there are to be judged [Pa / (N/m) for stress,
+/// 1 / (N/m) for strain]; 0 on a half plane.
+[[nodiscard]] double base_error(Quantity quantity, const Material& material) noexcept;
+
 /// The reading at a given depth caused by a unit line load, as a function of the lateral distance.
 ///
 /// On a half plane it is the closed form. In a layer it is the closed form plus what the base adds,
