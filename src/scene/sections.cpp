@@ -200,8 +200,8 @@ void read_alpha(const Value& alpha, const Scene& scene, const Units& units,
   options.alpha_rule = alpha_rules[*index];
   const bool noisy = scene.noise && std::any_of(scene.noise->rms.begin(), scene.noise->rms.end(),
                                                 [](const auto& rms) { return rms.second > 0.0; });
-  if (options.alpha_rule == AlphaRule::discrepancy && !noisy)
-    alpha.misfit("needs to know the noise: the residual is made as large as that",
+  if (needs_noise(options.alpha_rule) && !noisy)
+    alpha.misfit("needs to know the noise",
                  "under [noise], rms = 1e-4, or one for each quantity; or alpha = \"rgcv\"");
 }
 
