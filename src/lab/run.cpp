@@ -213,6 +213,12 @@ bool Experiment::succeeded() const noexcept {
                      [](const MethodResult& result) { return result.verdict != Verdict::failed; });
 }
 
+std::optional<AlphaRule> Experiment::rule() const noexcept {
+  for (const MethodResult& result : results)
+    if (result.alpha && result.alpha->rule) return result.alpha->rule;
+  return std::nullopt;
+}
+
 Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& options,
                Observer& observer) {
   observer.step({Step::Kind::readings});

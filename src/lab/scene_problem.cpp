@@ -134,6 +134,11 @@ const AlphaTables& SceneProblem::alpha_tables(const FilterFrame& frame) const {
   return *parts_->alpha_tables;
 }
 
+AlphaRule SceneProblem::alpha_rule(const FilterFrame& frame) const {
+  return parts_->scene.reconstruct.alpha_rule.value_or(
+      default_rule(alpha_tables(frame), stated_noise().has_value()));
+}
+
 const ModeSpace& SceneProblem::hidden() const {
   if (parts_->hidden) return *parts_->hidden;
   if (surface().basis == SurfaceBasis::taxels) {
@@ -159,29 +164,29 @@ SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings)
     : problem_(std::move(problem)), readings_(readings.begin(), readings.end()) {}
 
 const FilterFrame& SceneFrame::analysed() const {
-  if (!analysed_) analysed_ = problem_.family().analyse(readings_);
+  if (!analysed_)
+    analysed_ = problem_.is_large() ? problem_.circular().analyse(readings_)
+                                    : problem_.family().analyse(readings_);
   return *analysed_;
 }
 
 const AlphaSweep& SceneFrame::sweep() const {
-  if (sweep_) return *sweep_;
-  const auto sweep = [&](const FilterFrame& frame) {
-    return sweep_alpha(frame, problem_.alpha_tables(frame), problem_.stated_noise());
-  };
-  sweep_ = problem_.is_large() ? sweep(problem_.circular().analyse(readings_)) : sweep(analysed());
+  if (!sweep_)
+    sweep_ = sweep_alpha(analysed(), problem_.alpha_tables(analysed()), problem_.stated_noise());
   return *sweep_;
 }
 
 ChosenAlpha SceneFrame::alpha() const {
   const ReconstructOptions& options = problem_.scene().reconstruct;
   if (options.alpha) return {.value = *options.alpha};
-  const AlphaChoice& choice = sweep().choice(options.alpha_rule);
+  const AlphaChoice& choice = sweep().choice(problem_.alpha_rule(analysed()));
   return {.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
 }
 
 const AlphaChoice& SceneFrame::prior() const {
   if (!prior_)
-    prior_ = choose_alone(analysed(), problem_.alpha_tables(analysed()), AlphaRule::gml,
+    prior_ = choose_alone(analysed(), problem_.alpha_tables(analysed()),
+                          problem_.stated_noise() ? AlphaRule::evidence : AlphaRule::gml,
                           problem_.stated_noise());
   return *prior_;
 }

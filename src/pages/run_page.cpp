@@ -38,6 +38,7 @@ using report::material_in_words;
 using report::other_conditions_in_words;
 using report::remarks_in_words;
 using report::resultant_in_words;
+using report::truth_in_words;
 using report::rule_cells;
 using report::rule_used;
 using report::sensor_in_words;
@@ -113,7 +114,9 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
   figures.push_back(
       {file,
        std::string(answer),
-       "The truth at the taxels (dots) and the answers; methods that found the same are one line." +
+       "The truth" + std::string(scene.reconstruct.surface.basis == SurfaceBasis::taxels
+                                     ? " at the taxels"
+                                     : "") + " (dots) and the answers; methods that found the same are one line." +
            std::string(band ? " The band is two standard deviations, of noise and of what alpha "
                               "smooths away together: look for dots outside it, at a contact's "
                               "steep edges first."
@@ -302,9 +305,7 @@ std::vector<Figure> figures_of(const lab::Experiment& experiment) {
         figures, experiment, &lab::MethodResult::tangential, "tangential", "Tangential",
         truth.tangential.empty() ? std::vector<double>(truth.normal.size()) : truth.tangential);
   if (experiment.sweep)
-    figures.push_back(rules_figure(
-        *experiment.sweep,
-        scene.reconstruct.alpha ? std::nullopt : std::optional(scene.reconstruct.alpha_rule)));
+    figures.push_back(rules_figure(*experiment.sweep, experiment.rule()));
   if (experiment.course) {
     figures.push_back(map_figure(scene, *experiment.course));
     add_course(figures, scene, *experiment.course);
@@ -333,8 +334,9 @@ std::string methods_section(const lab::Experiment& experiment) {
   html += element(
       "p", "Force of the contacts: " + in_unit(scene, Dimension::force, experiment.frame.force) +
                " exact, " + in_unit(scene, Dimension::force, experiment.sampled_force) +
-               " as pitch x sum of the truth at the taxels. Errors are against the "
-               "truth at the taxels; the network's time per "
+               " as pitch x sum of " + truth_in_words(scene) + ". Errors are against " +
+               truth_in_words(scene) +
+               "; the network's time per "
                "frame is a whole run of ngspice, not the circuit's settling time.");
   for (const lab::MethodResult& result : experiment.results) {
     const std::string method = std::string(name(result.method)) + ": ";
@@ -373,7 +375,7 @@ Page report_html(const lab::Experiment& experiment, const Made& made) {
   html += titled(figures, "Over time", over_time);
   if (experiment.sweep) {
     html += element("h2", "The choice of alpha");
-    html += element("p", "Every rule on these readings; " + rule_used(scene) + ".");
+    html += element("p", "Every rule on these readings; " + rule_used(experiment) + ".");
     html += verdict_table(rule_cells(*experiment.sweep)) + figures.html(choice);
   }
   html += titled(figures, "The readings", readings);

@@ -200,7 +200,7 @@ void read_alpha(const Value& alpha, const Scene& scene, const Units& units,
   options.alpha_rule = alpha_rules[*index];
   const bool noisy = scene.noise && std::any_of(scene.noise->rms.begin(), scene.noise->rms.end(),
                                                 [](const auto& rms) { return rms.second > 0.0; });
-  if (needs_noise(options.alpha_rule) && !noisy)
+  if (needs_noise(alpha_rules[*index]) && !noisy)
     alpha.misfit("needs to know the noise",
                  "under [noise], rms = 1e-4, or one for each quantity; or alpha = \"rgcv\"");
 }
@@ -259,12 +259,19 @@ void read_constraints(Table& table, const Scene& scene, const Read& read,
   }
 }
 
-/// Where the tractions lie: by default on a grid, and at the taxels for what knows no other place.
+/// By default tractions lie at the taxels where these are dense, and for what knows no other place.
+SurfaceBasis default_basis(const Scene& scene, bool uses_dft) {
+  const SensorArray& array = scene.sensor;
+  const auto least = std::min_element(array.depths.begin(), array.depths.end());
+  const bool dense = least == array.depths.end() || array.pitch <= 0.5 * *least;
+  return dense || uses_dft || scene.forward == ForwardModel::sampled ? SurfaceBasis::taxels
+                                                                      : SurfaceBasis::hats;
+}
+
 void read_surface(Table& table, const Scene& scene, const Read& read, bool uses_dft,
                   ReconstructOptions& options) {
   constexpr std::array bases = {SurfaceBasis::taxels, SurfaceBasis::hats};
-  const bool thesis = uses_dft || scene.forward == ForwardModel::sampled;
-  options.surface.basis = thesis ? SurfaceBasis::taxels : SurfaceBasis::hats;
+  options.surface.basis = default_basis(scene, uses_dft);
   if (const auto basis = table.value("surface"))
     if (const auto index = basis->one_of("surface", names_of(bases))) {
       options.surface.basis = bases[*index];
@@ -354,12 +361,15 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
 
   if (!scene.sensor.depths.empty())
     scene.reconstruct.smoothing_length = scene.sensor.depths.front();
-  if (scene.forward == ForwardModel::exact) scene.reconstruct.surface.basis = SurfaceBasis::hats;
+  scene.reconstruct.surface.basis = default_basis(scene, false);
   if (const auto table = table_of(root.value("reconstruct")))
     scene.reconstruct = read_reconstruct(*table, scene, read);
   scene.network.one_volt = true;
   if (const auto table = table_of(root.value("network")))
     scene.network = read_network(*table, read.units, scene);
+  // On a coarse array what is known of the noise decides which rule is good: `default_rule`.
+  if (!scene.reconstruct.alpha_rule && scene.reconstruct.surface.basis == SurfaceBasis::taxels)
+    scene.reconstruct.alpha_rule = AlphaRule::rgcv;
   root.finish();
   scene = at_frame(std::move(scene), scene.time ? scene.time->frames - 1 : 0);
 }

@@ -102,7 +102,7 @@ struct Workload {
   struct Why {
     Reason reason = Reason::exact_model;
     std::size_t frame = 0;            ///< effects_remember: the one that is reconstructed
-    std::optional<AlphaRule> rule{};  ///< rule_chooses
+    std::optional<AlphaRule> rule{};  ///< rule_chooses; absent: `default_rule`
   };
 
   /// What a computation takes. Each kind says what its count, rows and columns are of; those it
