@@ -9,6 +9,7 @@
 
 #include "tactile_net/elasticity/contact.hpp"
 #include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/sensing/aperture.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
@@ -35,14 +36,13 @@ struct Quadrature {
 /// quadrature. Cost per taxel: some hundred kernel evaluations for a cylinder or punch, some
 /// thousand for a wedge, one `HatKernel` for each sampled value that is not zero.
 ///
-/// @param places  of the taxels, y [m], in any order
+/// @param places    middles of the taxels, y [m], in any order
+/// @param aperture  of every taxel, made for the channel's depth; a point by default
 /// @throw std::invalid_argument  the depth, the material, a contact or the rule is out of range
 /// @throw std::runtime_error     the error estimate of a contact exceeds the limit
-[[nodiscard]] std::vector<double> exact_readings(const Channel& channel,
-                                                 std::span<const double> places,
-                                                 const Material& material,
-                                                 std::span<const Contact> contacts,
-                                                 const Quadrature& rule = {});
+[[nodiscard]] std::vector<double> exact_readings(
+    const Channel& channel, std::span<const double> places, const Material& material,
+    std::span<const Contact> contacts, const Quadrature& rule = {}, const Aperture& aperture = {});
 
 /// The readings of every channel of an array, channels x count.
 ///
