@@ -24,9 +24,8 @@ struct Quadrature {
 /// The readings of one channel at any places; of each contact, to 1e-10 of its peak there.
 ///
 /// Readings that all but vanish where their parts do not, below the middle of a symmetrical contact
-/// or at a layer's base, are kept to 1e-12 of the integral of |k f|, and in a layer to 1e-13 of
-/// what the contact's force would cause at the base's depth in a half plane: all that double
-/// precision holds.
+/// or at a layer's base, are answered too: to 1e-12 of the integral of |k f|, in a layer to 4e-13
+/// besides of what the contact's force would cause at the base's depth in a half plane.
 ///
 /// For indenters the substitutions s = center + (a + e) sin t (cylinder, punch) and
 /// s = center +- a / cosh v (wedge) leave smooth integrands, singular edges and apex included.
