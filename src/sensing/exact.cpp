@@ -246,7 +246,7 @@ Integral reading(const Taxel& taxel, const Responses<HatKernel>& hats,
 
 std::vector<double> exact_readings(const Channel& channel, std::span<const double> places,
                                    const Material& material, std::span<const Contact> contacts,
-                                   const Quadrature& rule) {
+                                   const Quadrature& rule, const Aperture& aperture) {
   check(rule);
   check(material);
   check_depth(material, channel.depth);
@@ -258,7 +258,11 @@ std::vector<double> exact_readings(const Channel& channel, std::span<const doubl
   const auto add = [&](const auto& contact, const auto& reading) {
     Integral worst;  // the largest of each, over the taxels
     for (std::size_t j = 0; j < places.size(); ++j) {
-      const Integral g = reading(Taxel{places[j], channel.depth, base});
+      Integral g;
+      for (const auto& [offset, weight] : aperture.nodes()) {
+        const Integral point = reading(Taxel{places[j] + offset, channel.depth, base});
+        g += {weight * point.value, weight * point.error, weight * point.magnitude};
+      }
       worst.value = std::max(worst.value, std::abs(g.value));
       worst.error = std::max(worst.error, g.error);
       worst.magnitude = std::max(worst.magnitude, g.magnitude);

@@ -76,7 +76,7 @@ std::vector<double> scaled(std::vector<double> values, int exponent) {
 TEST_CASE("the resultant, the margin and the residual are those of the tractions",
           "[contact_estimator]") {
   const auto problems = sample_problems();
-  const std::size_t which = GENERATE(range(std::size_t{0}, std::size_t{8}));
+  const std::size_t which = GENERATE(range(std::size_t{0}, std::size_t{10}));
   const auto& [name, problem] = problems.at(which);
   CAPTURE(name);
   const std::size_t n = problem.surface.count;

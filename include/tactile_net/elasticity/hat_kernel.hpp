@@ -42,9 +42,9 @@ class HatKernel {
   /// more; where the hat is wider than eight layers, up to 28 times that.
   [[nodiscard]] double operator()(double u) const noexcept;
 
-  /// How far rounding may have moved the value at u: close by 18 ulp of a uniform traction's
-  /// reading at the surface, elsewhere of the integral of |k|; in a layer `base_error` times the
-  /// hat's area (or, for a wide one, times the layer's thickness) besides.
+  /// How far rounding may have moved the value at u: nearer than three half widths 18 ulp of what a
+  /// uniform traction causes at the surface, elsewhere of the integral of |k|; in a layer
+  /// `base_error` times the hat's area, or times the layer's thickness where that is less, besides.
   [[nodiscard]] double error_bound(double u) const noexcept;
 
  private:

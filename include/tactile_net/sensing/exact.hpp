@@ -9,6 +9,7 @@
 
 #include "tactile_net/elasticity/contact.hpp"
 #include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/sensing/aperture.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
@@ -23,9 +24,8 @@ struct Quadrature {
 /// The readings of one channel at any places; of each contact, to 1e-10 of its peak there.
 ///
 /// Readings that all but vanish where their parts do not, below the middle of a symmetrical contact
-/// or at a layer's base, are kept to 1e-12 of the integral of |k f|, and in a layer to 1e-13 of
-/// what the contact's force would cause at the base's depth in a half plane: all that double
-/// precision holds.
+/// or at a layer's base, are answered too: to 1e-12 of the integral of |k f|, in a layer to 4e-13
+/// besides of what the contact's force would cause at the base's depth in a half plane.
 ///
 /// For indenters the substitutions s = center + (a + e) sin t (cylinder, punch) and
 /// s = center +- a / cosh v (wedge) leave smooth integrands, singular edges and apex included.
@@ -35,14 +35,13 @@ struct Quadrature {
 /// quadrature. Cost per taxel: some hundred kernel evaluations for a cylinder or punch, some
 /// thousand for a wedge, one `HatKernel` for each sampled value that is not zero.
 ///
-/// @param places  of the taxels, y [m], in any order
+/// @param places    middles of the taxels, y [m], in any order
+/// @param aperture  of every taxel, made for the channel's depth; a point by default
 /// @throw std::invalid_argument  the depth, the material, a contact or the rule is out of range
 /// @throw std::runtime_error     the error estimate of a contact exceeds the limit
-[[nodiscard]] std::vector<double> exact_readings(const Channel& channel,
-                                                 std::span<const double> places,
-                                                 const Material& material,
-                                                 std::span<const Contact> contacts,
-                                                 const Quadrature& rule = {});
+[[nodiscard]] std::vector<double> exact_readings(
+    const Channel& channel, std::span<const double> places, const Material& material,
+    std::span<const Contact> contacts, const Quadrature& rule = {}, const Aperture& aperture = {});
 
 /// The readings of every channel of an array, channels x count.
 ///
