@@ -67,8 +67,7 @@ AlphaSweep sweep_alpha(const FilterFrame& frame, const AlphaTables& made,
                        std::optional<double> noise_rms) {
   const AlphaTables::Parts& tables = made.parts();
   Criteria criteria(frame, tables, noise_rms);
-  AlphaSweep sweep;
-  for (std::size_t i = 0; i < alpha_steps; ++i) sweep.alphas.push_back(tables.alpha(tables.at(i)));
+  AlphaSweep sweep{.alphas = tables.alphas};
 
   std::vector<Candidate> candidates;
   for (const AlphaRule rule : alpha_rules) {

@@ -10,9 +10,8 @@ namespace tactile_net {
 namespace {
 
 /// The root of `function` between two steps, to the last digit.
-double root(const std::function<double(double)>& function, double from, double to) {
-  const double at_from = function(from);
-  const double at_to = function(to);
+double root(const std::function<double(double)>& function, double from, double to, double at_from,
+            double at_to) {
   if (at_from == 0.0) return from;
   if (at_to == 0.0) return to;
   std::uintmax_t calls = 100;
@@ -36,10 +35,12 @@ Candidate least(const AlphaTables::Parts& tables, std::span<const double> values
   if (best == 0 || best + 1 == alpha_steps) return {tables.at(best), AlphaVerdict::border};
   const double from = tables.at(best - 1);
   const double to = tables.at(best + 1);
-  if (!(slope(from) < 0.0 && slope(to) > 0.0))  // several dips side by side, or a plateau
+  const double at_from = slope(from);
+  const double at_to = slope(to);
+  if (!(at_from < 0.0 && at_to > 0.0))  // several dips side by side, or a plateau
     return {tables.at(best),
             tables.first < best && best < tables.last ? AlphaVerdict::ok : AlphaVerdict::border};
-  return {root(slope, from, to), AlphaVerdict::ok};
+  return {root(slope, from, to, at_from, at_to), AlphaVerdict::ok};
 }
 
 /// rho rises with alpha.
@@ -50,7 +51,9 @@ Candidate crossing(const AlphaTables::Parts& tables, std::span<const double> val
   const auto above = std::upper_bound(values.begin(), values.end(), 0.0);
   const auto next = static_cast<std::size_t>(
       std::min(above - values.begin(), static_cast<std::ptrdiff_t>(alpha_steps - 1)));
-  return {root(misfit, tables.at(next - 1), tables.at(next)), AlphaVerdict::ok};
+  const double from = tables.at(next - 1);
+  const double to = tables.at(next);
+  return {root(misfit, from, to, misfit(from), misfit(to)), AlphaVerdict::ok};
 }
 
 }  // namespace
