@@ -20,8 +20,8 @@ double root(const std::function<double(double)>& function, double from, double t
   return 0.5 * (low + high);
 }
 
-Candidate least(const AlphaTables::Parts& tables, std::span<const double> values,
-                const std::function<double(double)>& slope) {
+FoundAlpha least(const AlphaTables::Parts& tables, std::span<const double> values,
+                 const std::function<double(double)>& slope) {
   const auto better = [&](std::size_t one, std::size_t other) {
     return std::isfinite(values[one]) &&
            (!std::isfinite(values[other]) || values[one] < values[other]);
@@ -44,8 +44,8 @@ Candidate least(const AlphaTables::Parts& tables, std::span<const double> values
 }
 
 /// rho rises with alpha.
-Candidate crossing(const AlphaTables::Parts& tables, std::span<const double> values,
-                   const std::function<double(double)>& misfit) {
+FoundAlpha crossing(const AlphaTables::Parts& tables, std::span<const double> values,
+                    const std::function<double(double)>& misfit) {
   if (!(values.front() <= 0.0)) return {tables.at(0), AlphaVerdict::no_root};
   if (!(values.back() >= 0.0)) return nothing_to_choose(tables);
   const auto above = std::upper_bound(values.begin(), values.end(), 0.0);
@@ -58,18 +58,18 @@ Candidate crossing(const AlphaTables::Parts& tables, std::span<const double> val
 
 }  // namespace
 
-Candidate nothing_to_choose(const AlphaTables::Parts& tables) {
+FoundAlpha nothing_to_choose(const AlphaTables::Parts& tables) {
   return {tables.at(alpha_steps - 1), AlphaVerdict::no_root};
 }
 
-Candidate search(const AlphaTables::Parts& tables, AlphaRule rule, std::span<const double> values,
-                 const std::function<double(double)>& zero) {
+FoundAlpha search(const AlphaTables::Parts& tables, AlphaRule rule, std::span<const double> values,
+                  const std::function<double(double)>& zero) {
   return rule == AlphaRule::discrepancy ? crossing(tables, values, zero)
                                         : least(tables, values, zero);
 }
 
 AlphaVerdict judge(const Criteria& criteria, const AlphaTables::Parts& tables, AlphaRule rule,
-                   const Candidate& one, std::vector<double> others) {
+                   const FoundAlpha& one, std::vector<double> others) {
   if (criteria.silent()) return AlphaVerdict::no_root;
   if (!trusted(tables, rule)) return AlphaVerdict::noise_needed;
   if (one.verdict != AlphaVerdict::ok) return one.verdict;
