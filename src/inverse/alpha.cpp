@@ -10,8 +10,8 @@
 namespace tactile_net {
 namespace {
 
-[[nodiscard]] Candidate candidate(Criteria& criteria, const AlphaTables::Parts& tables,
-                                  AlphaRule rule, std::span<const double> values) {
+[[nodiscard]] FoundAlpha candidate(Criteria& criteria, const AlphaTables::Parts& tables,
+                                   AlphaRule rule, std::span<const double> values) {
   if (criteria.silent()) return nothing_to_choose(tables);
   return search(tables, rule, values,
                 [&](double log_alpha) { return criteria.zero(rule, log_alpha); });
@@ -67,10 +67,9 @@ AlphaSweep sweep_alpha(const FilterFrame& frame, const AlphaTables& made,
                        std::optional<double> noise_rms) {
   const AlphaTables::Parts& tables = made.parts();
   Criteria criteria(frame, tables, noise_rms);
-  AlphaSweep sweep;
-  for (std::size_t i = 0; i < alpha_steps; ++i) sweep.alphas.push_back(tables.alpha(tables.at(i)));
+  AlphaSweep sweep{.alphas = tables.alphas};
 
-  std::vector<Candidate> candidates;
+  std::vector<FoundAlpha> candidates;
   for (const AlphaRule rule : alpha_rules) {
     if (needs_noise(rule) && !noise_rms) continue;
     if (rule == AlphaRule::ncp && !frame.periodogram) continue;
@@ -102,7 +101,7 @@ AlphaChoice choose_alone(const FilterFrame& frame, const AlphaTables& tables, Al
   require_noise(rule, noise_rms);
   const AlphaTables::Parts& parts = tables.parts();
   Criteria criteria(frame, parts, noise_rms);
-  const Candidate one = candidate(criteria, parts, rule, criteria.values(rule));
+  const FoundAlpha one = candidate(criteria, parts, rule, criteria.values(rule));
   return {rule, parts.alpha(one.log_alpha), judge(criteria, parts, rule, one, {})};
 }
 

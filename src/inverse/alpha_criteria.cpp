@@ -50,7 +50,9 @@ const FrameCurves& Criteria::curves() {
   if (!curves_) {
     const Eigen::VectorXd all = tables_.weights * as_eigen(std::span<const double>(power_of_));
     const double outside = frame_.outside * frame_.outside;
-    curves_ = FrameCurves{.log_residual = (all.segment(0, steps).array() + outside).log(),
+    const Eigen::VectorXd residual = all.segment(0, steps).array() + outside;
+    curves_ = FrameCurves{.residual = residual,
+                          .log_residual = residual.array().log(),
                           .fit = all.segment(steps, steps).array() + outside,
                           .size = all.segment(2 * steps, steps),
                           .rate = all.segment(3 * steps, steps)};
@@ -78,8 +80,8 @@ std::vector<double> Criteria::values(AlphaRule rule) {
       break;
     case AlphaRule::l_curve:
       for (Eigen::Index a = 0; a < steps; ++a)
-        all(a) = -curvature(std::exp(tables_.at(static_cast<std::size_t>(a))), sums.size(a),
-                            std::exp(sums.log_residual(a)), sums.rate(a));
+        all(a) =
+            -curvature(tables_.relative_alphas(a), sums.size(a), sums.residual(a), sums.rate(a));
       break;
     default:
       all = sums.log_residual + penalty;
@@ -102,8 +104,9 @@ double Criteria::zero_from_sums(AlphaRule rule, double log_alpha) const {
   double trace_slope = 0.0, square_slope = 0.0;
   for (std::size_t i = 0; i < power_of_.size(); ++i) {
     const double square = tables_.relative[i] * tables_.relative[i];
-    const double kept = square / (square + alpha);
-    const double lost = alpha / (square + alpha);
+    const double over = 1.0 / (square + alpha);
+    const double kept = square * over;
+    const double lost = alpha * over;
     const double power = power_of_[i];
     residual += lost * lost * power;
     residual_slope += 2.0 * kept * lost * lost * power;
@@ -140,9 +143,10 @@ double Criteria::curvature_slope(double log_alpha) const {
   double rate = 0.0, rate_slope = 0.0;
   for (std::size_t i = 0; i < power_of_.size(); ++i) {
     const double square = tables_.relative[i] * tables_.relative[i];
-    const double kept = square / (square + alpha);
-    const double lost = alpha / (square + alpha);
-    const double size = square / ((square + alpha) * (square + alpha)) * power_of_[i];
+    const double over = 1.0 / (square + alpha);
+    const double kept = square * over;
+    const double lost = alpha * over;
+    const double size = kept * over * power_of_[i];
     eta += size;
     eta_slope -= 2.0 * lost * size;
     rho += lost * lost * power_of_[i];

@@ -10,9 +10,8 @@ namespace tactile_net {
 namespace {
 
 /// The root of `function` between two steps, to the last digit.
-double root(const std::function<double(double)>& function, double from, double to) {
-  const double at_from = function(from);
-  const double at_to = function(to);
+double root(const std::function<double(double)>& function, double from, double to, double at_from,
+            double at_to) {
   if (at_from == 0.0) return from;
   if (at_to == 0.0) return to;
   std::uintmax_t calls = 100;
@@ -21,8 +20,8 @@ double root(const std::function<double(double)>& function, double from, double t
   return 0.5 * (low + high);
 }
 
-Candidate least(const AlphaTables::Parts& tables, std::span<const double> values,
-                const std::function<double(double)>& slope) {
+FoundAlpha least(const AlphaTables::Parts& tables, std::span<const double> values,
+                 const std::function<double(double)>& slope) {
   const auto better = [&](std::size_t one, std::size_t other) {
     return std::isfinite(values[one]) &&
            (!std::isfinite(values[other]) || values[one] < values[other]);
@@ -36,37 +35,41 @@ Candidate least(const AlphaTables::Parts& tables, std::span<const double> values
   if (best == 0 || best + 1 == alpha_steps) return {tables.at(best), AlphaVerdict::border};
   const double from = tables.at(best - 1);
   const double to = tables.at(best + 1);
-  if (!(slope(from) < 0.0 && slope(to) > 0.0))  // several dips side by side, or a plateau
+  const double at_from = slope(from);
+  const double at_to = slope(to);
+  if (!(at_from < 0.0 && at_to > 0.0))  // several dips side by side, or a plateau
     return {tables.at(best),
             tables.first < best && best < tables.last ? AlphaVerdict::ok : AlphaVerdict::border};
-  return {root(slope, from, to), AlphaVerdict::ok};
+  return {root(slope, from, to, at_from, at_to), AlphaVerdict::ok};
 }
 
 /// rho rises with alpha.
-Candidate crossing(const AlphaTables::Parts& tables, std::span<const double> values,
-                   const std::function<double(double)>& misfit) {
+FoundAlpha crossing(const AlphaTables::Parts& tables, std::span<const double> values,
+                    const std::function<double(double)>& misfit) {
   if (!(values.front() <= 0.0)) return {tables.at(0), AlphaVerdict::no_root};
   if (!(values.back() >= 0.0)) return nothing_to_choose(tables);
   const auto above = std::upper_bound(values.begin(), values.end(), 0.0);
   const auto next = static_cast<std::size_t>(
       std::min(above - values.begin(), static_cast<std::ptrdiff_t>(alpha_steps - 1)));
-  return {root(misfit, tables.at(next - 1), tables.at(next)), AlphaVerdict::ok};
+  const double from = tables.at(next - 1);
+  const double to = tables.at(next);
+  return {root(misfit, from, to, misfit(from), misfit(to)), AlphaVerdict::ok};
 }
 
 }  // namespace
 
-Candidate nothing_to_choose(const AlphaTables::Parts& tables) {
+FoundAlpha nothing_to_choose(const AlphaTables::Parts& tables) {
   return {tables.at(alpha_steps - 1), AlphaVerdict::no_root};
 }
 
-Candidate search(const AlphaTables::Parts& tables, AlphaRule rule, std::span<const double> values,
-                 const std::function<double(double)>& zero) {
+FoundAlpha search(const AlphaTables::Parts& tables, AlphaRule rule, std::span<const double> values,
+                  const std::function<double(double)>& zero) {
   return rule == AlphaRule::discrepancy ? crossing(tables, values, zero)
                                         : least(tables, values, zero);
 }
 
 AlphaVerdict judge(const Criteria& criteria, const AlphaTables::Parts& tables, AlphaRule rule,
-                   const Candidate& one, std::vector<double> others) {
+                   const FoundAlpha& one, std::vector<double> others) {
   if (criteria.silent()) return AlphaVerdict::no_root;
   if (!trusted(tables, rule)) return AlphaVerdict::noise_needed;
   if (one.verdict != AlphaVerdict::ok) return one.verdict;

@@ -11,7 +11,7 @@
 namespace tactile_net {
 
 /// One rule's answer before the others are heard.
-struct Candidate {
+struct FoundAlpha {
   double log_alpha = 0.0;
   AlphaVerdict verdict = AlphaVerdict::ok;
 };
@@ -24,12 +24,12 @@ struct Candidate {
 ///
 /// @param values  as `Criteria::values`, of one frame or summed over several
 /// @param zero    as `Criteria::zero`, likewise
-[[nodiscard]] Candidate search(const AlphaTables::Parts& tables, AlphaRule rule,
-                               std::span<const double> values,
-                               const std::function<double(double)>& zero);
+[[nodiscard]] FoundAlpha search(const AlphaTables::Parts& tables, AlphaRule rule,
+                                std::span<const double> values,
+                                const std::function<double(double)>& zero);
 
 /// The choice where there is no signal: so much smoothing that the answer vanishes.
-[[nodiscard]] Candidate nothing_to_choose(const AlphaTables::Parts& tables);
+[[nodiscard]] FoundAlpha nothing_to_choose(const AlphaTables::Parts& tables);
 
 /// True if the rule's answer counts: it knows the noise, or there are readings to guess it by.
 [[nodiscard]] inline bool trusted(const AlphaTables::Parts& tables, AlphaRule rule) noexcept {
@@ -42,7 +42,7 @@ struct Candidate {
 ///
 /// @param others  log alpha of the other trusted rules' candidates; empty: they are not heard
 [[nodiscard]] AlphaVerdict judge(const Criteria& criteria, const AlphaTables::Parts& tables,
-                                 AlphaRule rule, const Candidate& one, std::vector<double> others);
+                                 AlphaRule rule, const FoundAlpha& one, std::vector<double> others);
 
 /// @throw std::invalid_argument  the rule needs the noise and has not got it
 void require_noise(AlphaRule rule, std::optional<double> noise_rms);

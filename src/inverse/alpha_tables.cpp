@@ -81,15 +81,18 @@ void AlphaTables::Parts::fill() {
   const auto n = std::ssize(relative);
   lost.resize(n, steps);
   weights.resize(4 * steps, n);
+  relative_alphas.resize(steps);
   for (Eigen::VectorXd& one : penalties) one = Eigen::VectorXd::Zero(steps);
   for (Eigen::Index a = 0; a < steps; ++a) {
     const double log_alpha = at(static_cast<std::size_t>(a));
-    const double alpha = std::exp(log_alpha);
+    const double relative_alpha = std::exp(log_alpha);
+    relative_alphas(a) = relative_alpha;
+    alphas.push_back(alpha(log_alpha));
     for (Eigen::Index i = 0; i < n; ++i) {
       const double one = relative[static_cast<std::size_t>(i)];
       const double square = one * one;
-      const double left = alpha / (square + alpha);
-      const double size = square / ((square + alpha) * (square + alpha));
+      const double left = relative_alpha / (square + relative_alpha);
+      const double size = square / ((square + relative_alpha) * (square + relative_alpha));
       lost(i, a) = left;
       weights(a, i) = left * left;
       weights(steps + a, i) = left;

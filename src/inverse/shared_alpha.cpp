@@ -60,7 +60,7 @@ AlphaChoice SharedAlpha::push(FilterFrame frame) {
   std::vector<Member*> heard;
   for (Member& one : window.members)
     if (!one.criteria.silent()) heard.push_back(&one);
-  Candidate best = nothing_to_choose(tables);
+  FoundAlpha best = nothing_to_choose(tables);
   if (!heard.empty()) {
     std::vector<double> values(alpha_steps);
     for (const Member* one : heard)

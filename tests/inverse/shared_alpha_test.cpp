@@ -148,7 +148,7 @@ TEST_CASE("tractions of a stream flicker as with one alpha for all of it", "[sha
   }
   INFO("own " << with_own.rms() / with_fixed.rms() << ", shared "
               << with_shared.rms() / with_fixed.rms());
-  CHECK(with_shared.rms() <= 1.1 * with_fixed.rms());
+  CHECK(with_shared.rms() <= 1.02 * with_fixed.rms());  // 1.1 is asked for
   CHECK(with_shared.rms() < with_own.rms());
 }
 
