@@ -41,6 +41,12 @@ void absorb(FrameGroup& group, FrameGroup&& next) {
   group = std::move(next);
 }
 
+/// What |F_v| is above where it is more than noise [N/m].
+double least_force(const RecordingOverview& overview, const FrameGroup& group) {
+  return group.bands ? 3.0 * group.bands->resultant.normal.deviation
+                     : 0.05 * std::abs(overview.peak().resultant.normal);
+}
+
 }  // namespace
 
 bool RecordingOverview::tangential() const noexcept {
@@ -51,7 +57,7 @@ const FrameGroup& RecordingOverview::peak() const {
   return *std::max_element(
       groups.begin(), groups.end(), [](const FrameGroup& a, const FrameGroup& b) {
         const auto rank = [](const FrameGroup& group) {
-          return std::pair(group.verdict == Verdict::ok, group.resultant.normal);
+          return std::pair(group.verdict == Verdict::ok, std::abs(group.resultant.normal));
         };
         return rank(a) < rank(b);
       });
@@ -82,9 +88,11 @@ double RecordingOverview::largest(Traction traction) const {
 }
 
 bool RecordingOverview::loaded(const FrameGroup& group) const {
-  const double least =
-      group.bands ? 3.0 * group.bands->resultant.normal.deviation : 0.05 * peak().resultant.normal;
-  return group.resultant.normal > least;
+  return group.resultant.normal > least_force(*this, group);
+}
+
+bool RecordingOverview::pulled(const FrameGroup& group) const {
+  return -group.resultant.normal > least_force(*this, group);
 }
 
 Recording::Recording(SceneProblem problem, Method method)
@@ -156,7 +164,11 @@ void Recording::merge_neighbours() {
 }
 
 RecordingOverview Recording::overview(Observer& observer) const {
-  RecordingOverview overview{problem_.scene(), method_, frames_, verdicts_, groups_};
+  RecordingOverview overview{.scene = problem_.scene(),
+                             .method = method_,
+                             .frames = frames_,
+                             .verdicts = verdicts_,
+                             .groups = groups_};
   if (!traits(method_).has_bands || problem_.is_large()) return overview;
   for (std::size_t i = 0; i < groups_.size() && !observer.stop(); ++i) {
     FrameGroup& group = overview.groups[i];

@@ -27,6 +27,13 @@ std::string shell_quoted(std::string_view text) {
   return quoted + '\'';
 }
 
+std::string shell_word(std::string_view text) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+@%";
+  return text.empty() || text.find_first_not_of(plain) != text.npos ? shell_quoted(text)
+                                                                    : std::string(text);
+}
+
 std::string csv_quoted(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);

@@ -7,6 +7,7 @@
 #include "pages/parts.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
@@ -177,8 +178,20 @@ Figure resistors_figure(const FlatCircuit& circuit) {
           std::move(plot)};
 }
 
+/// The pad with the tractions that the circuit's voltages stand for.
+Figure pad_of_circuit(const lab::Certification& c) {
+  const std::size_t count = c.scene().sensor.count;
+  std::span<const double> tractions;
+  if (c.circuit.loaded()) tractions = c.circuit.direct();
+  return pad_figure(c.scene(),
+                    {tractions.first(std::min(count, tractions.size())),
+                     tractions.subspan(std::min(count, tractions.size()))},
+                    "the tractions that the circuit's voltages stand for", "pad",
+                    "certificate.json");
+}
+
 std::vector<Figure> figures_of(const lab::Certification& c) {
-  std::vector<Figure> figures;
+  std::vector<Figure> figures = {pad_of_circuit(c)};
   if (c.certificate().dynamics) {
     figures.push_back(poles_figure(*c.certificate().dynamics));
     const bool moves = c.certificate().dynamics->settling_seconds.value_or(1.0) > 0.0 &&
@@ -204,6 +217,10 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
     html += element("p", in_words(remark), "note");
   if (!page.missing.empty()) html += element("p", page.missing, "note");
 
+  html += "<div class=\"two top\">" + figures.html("pad") + "<div>" +
+          element("h2", "What is known of it") + html_list(in_words(c.certificate())) +
+          "</div></div>\n";
+
   html += element("h2", "Over time");
   if (!c.certificate().dynamics)
     html += element("p", takes_time(c.circuit.options().realization, c.circuit.options().parts)
@@ -216,7 +233,6 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   if (c.tolerance) html += html_list(tolerance_in_words(c));
   if (!c.recommendation.candidates.empty()) html += html_table(cells(c.recommendation));
   html += figures.html("parts");
-  html += element("h2", "What is known of it") + html_list(in_words(c.certificate()));
   html += colophon("The scene, the files, the command", scene_html(c.scene()), page.files, made);
   page.html = page_html(c.scene().file + " - tactile-net certify", html);
   return page;

@@ -8,6 +8,7 @@
 
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/unit_text.hpp"
 
 namespace tactile_net::pages {
 namespace {
@@ -200,22 +201,23 @@ void draw_frame(Picture& picture) {
   picture.text(origin + Vector2{10.0, -size + 8.0}, "Y", "start");
 }
 
-void draw_scales(Picture& picture, double lengths, double forces) {
+void draw_scales(Picture& picture, double lengths, double forces, bool si) {
   const double y = picture.high().y + 34.0;
   double x = picture.low().x;
   const auto bar = [&](double amount, double width, const std::string& words,
-                       const std::string& type) {
-    picture.line({{x, y}, {x + width, y}}, type);
-    picture.line({{x, y - 5.0}, {x, y + 5.0}}, type);
-    picture.line({{x + width, y - 5.0}, {x + width, y + 5.0}}, type);
-    picture.text({x, y + 24.0}, words + ' ' + brief(amount), "start");
+                       std::string_view unit) {
+    picture.line({{x, y}, {x + width, y}}, "scale");
+    picture.line({{x, y - 5.0}, {x, y + 5.0}}, "scale");
+    picture.line({{x + width, y - 5.0}, {x + width, y + 5.0}}, "scale");
+    picture.text({x, y + 24.0}, words + ' ' + (si ? with_unit(amount, unit) : brief(amount)),
+                 "start");
     x += std::max(width, 0.55 * text_size * 14.0) + 40.0;
   };
   const double l = round_down(130.0 / lengths);
-  bar(l, l * lengths, "length", "scale");
+  bar(l, l * lengths, "length", "m");
   if (!(forces > 0.0) || !std::isfinite(forces)) return;
   const double f = round_down(longest_arrow / forces);
-  bar(f, f * forces, "force", "scale");
+  bar(f, f * forces, "force", "N");
 }
 
 }  // namespace
@@ -253,7 +255,7 @@ std::string draw_hand(const lab::GraspResult& grasp) {
     picture.dot(at, 4.0, "load head");
   }
   draw_frame(picture);
-  draw_scales(picture, lengths, forces);
+  draw_scales(picture, lengths, forces, grasp.hand.si);
   return picture.finish("The hand, its contacts and the forces on the object");
 }
 

@@ -128,4 +128,20 @@ std::string draw_load(const Scene& scene, const PadLoad& load) {
          (arrows.empty() ? "" : "<path class=\"drag\" d=\"" + arrows + "\"/>") + '\n';
 }
 
+drawing::Figure pad_figure(const Scene& scene, const PadLoad& load, std::string_view on_top,
+                           std::string_view section, std::string_view data) {
+  const std::string loads = draw_load(scene, load);
+  return {.name = "pad",
+          .section = std::string(section),
+          .caption = loads.empty()
+                         ? "The pad in section, to scale: the taxels lie at their depth, and "
+                           "nothing presses."
+                         : "The pad in section, to scale. On top " + std::string(on_top) +
+                               "; inside, the stress across the surface that they cause, which is "
+                               "what smooths: blue presses, red pulls.",
+          .plot = {},
+          .picture = draw_pad(scene, draw_stress(scene, load), loads),
+          .data = std::string(data)};
+}
+
 }  // namespace tactile_net::pages

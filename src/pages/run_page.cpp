@@ -48,25 +48,6 @@ constexpr std::string_view choice = "choice";
 constexpr std::string_view readings = "readings";
 constexpr std::string_view over_time = "over time";
 
-/// The pad as the scene loads it.
-Figure pad_figure(const lab::Experiment& experiment) {
-  const Scene& scene = experiment.scene;
-  const PadLoad load{experiment.frame.truth.normal, experiment.frame.truth.tangential};
-  const std::string on_top = draw_load(scene, load);
-  return {.name = "pad",
-          .section = std::string(answer),
-          .caption = on_top.empty()
-                         ? "The pad in section, to scale: the taxels lie at their depth, and "
-                           "nothing presses."
-                         : "The pad in section, to scale. On top the contacts' pressure" +
-                               std::string(load.tangential.empty() ? "" : " and drag") +
-                               "; inside, the stress across the surface that they cause, which is "
-                               "what smooths: blue presses, red pulls.",
-          .plot = {},
-          .picture = draw_pad(scene, draw_stress(scene, load), on_top),
-          .data = "truth.csv"};
-}
-
 /// The methods that found the same, as one label: "tikhonov = closed_form".
 std::string label_of(const lab::Experiment& experiment, const lab::Agreement& group) {
   std::vector<std::string> names;
@@ -295,7 +276,10 @@ void add_readings(std::vector<Figure>& figures, const lab::Experiment& experimen
 std::vector<Figure> figures_of(const lab::Experiment& experiment) {
   const Scene& scene = experiment.scene;
   const TractionField& truth = experiment.frame.truth;
-  std::vector<Figure> figures = {pad_figure(experiment)};
+  std::vector<Figure> figures = {pad_figure(
+      experiment.scene, {truth.normal, truth.tangential},
+      truth.tangential.empty() ? "the contacts' pressure" : "the contacts' pressure and drag",
+      answer, "truth.csv")};
   add_component(figures, experiment, &lab::MethodResult::normal, "normal", "Normal", truth.normal);
   const bool tangential = std::any_of(
       experiment.results.begin(), experiment.results.end(),

@@ -46,7 +46,7 @@ figure { margin: 0; min-width: 0; max-width: 36rem; } .whole-row { grid-column: 
 .plot svg { display: block; width: 100%; height: auto; } .narrow-plot { display: none; }
 figcaption { color: var(--quiet); font-size: .95rem; margin-top: .3rem; }
 .two { display: grid; grid-template-columns: 1.25fr 1fr; gap: 1.6rem; align-items: end; } .two figure { max-width: none; }
-.two.top { align-items: start; }
+.two.top { align-items: start; } .two .figures { grid-template-columns: 1fr; }
 .picture { display: grid; grid-template-columns: 4.2rem 1fr; }
 .picture > svg { width: 100%; height: 12rem; overflow: hidden; display: block; }
 .two .picture > svg { height: 15rem; } .picture > svg.low { height: 7rem; } .picture > svg.strip { height: .8rem; }
@@ -101,9 +101,11 @@ figcaption { color: var(--quiet); font-size: .95rem; margin-top: .3rem; }
 input[type=range] { width: 100%; accent-color: var(--blue); margin: 1rem 0 0; }
 #answer { font-variant-numeric: tabular-nums; margin: .2rem 0; } #where { font-weight: 600; margin: .2rem 0; }
 details { border-top: 1px solid var(--rule); margin-top: 2rem; padding-top: .6rem; } summary { cursor: pointer; font-weight: 600; }
+details.note { border-top: 0; margin-top: .6rem; padding: .4rem .8rem; max-width: 50rem; } details.note p { margin: .3rem 0; }
 footer { color: var(--quiet); margin-top: 3rem; font-size: .9rem; }
+@media screen and (max-width: 64rem) { .two { grid-template-columns: 1fr; } .two figure { max-width: 44rem; } }
 @media screen and (max-width: 48rem) {
-  body { padding: 0 .6rem; } .two { grid-template-columns: 1fr; } .wide-plot { display: none; } .narrow-plot { display: block; }
+  body { padding: 0 .6rem; } .wide-plot { display: none; } .narrow-plot { display: block; }
   .picture > svg, .two .picture > svg { height: 13rem; } .section text { font-size: 36px; }
   thead { display: none; } table, tbody { display: block; } td { border: 0; padding: 0; white-space: normal; min-width: 0; }
   tr { display: grid; grid-template-columns: 1fr 1fr; gap: .3rem 1rem; margin: .7rem 0; padding: .6rem .9rem;

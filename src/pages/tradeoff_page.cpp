@@ -7,6 +7,7 @@
 #include "pages/parts.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
@@ -280,6 +281,9 @@ std::vector<Figure> figures_of(const study::Study& study) {
               "time [s]", crossover_curves(study, points)),
       "circuits");
 
+  figures.push_back(pad_figure(study.input.scene(),
+                               {study.input.truth.normal, study.input.truth.tangential},
+                               "what the contacts do", "forward", "tradeoff.json"));
   add("forward",
       "The way there: readings of the scene's contacts by the integral, with panels of more and "
       "more points, and by the thesis' discrete sum, against the integral itself.",
@@ -362,7 +366,7 @@ Page study_html(const study::Study& study, const Made& made) {
     html += html_table(simulated);
   }
   if (const std::string forward = figures.html("forward"); !forward.empty())
-    html += element("h2", "The way there") + forward;
+    html += element("h2", "The pad, and the way to its readings") + forward;
   const std::vector<std::string> failures = failures_in_words(study);
   if (!failures.empty()) html += element("h2", "What did not work") + html_list(failures);
   const std::string measured =

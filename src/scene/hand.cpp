@@ -326,6 +326,9 @@ void read_hand_tables(Table& root, const References& references, Hand& hand) {
   double radian = 1.0;
   if (const auto unit = root.value("angles_in"))
     if (unit->one_of("unit of angles", units) == std::size_t{1}) radian = std::numbers::pi / 180.0;
+  constexpr std::array<std::string_view, 1> systems = {"SI"};
+  if (const auto system = root.value("units"))
+    hand.si = system->one_of("system of units", systems).has_value();
   if (const auto fingers = root.required("finger", "one [[finger]] for each finger"))
     if (auto tables = fingers->tables()) {
       if (tables->empty()) fingers->problem("must name at least one finger", "[[finger]]");

@@ -14,7 +14,7 @@ from chromium import Chromium
 TOOL, SCENES, CHROMIUM = sys.argv[1:4]
 FAULTS = (pathlib.Path(__file__).parent / "faults.js").read_text()
 # Window's width, whether dark is asked for, medium. Paper is A4 between its margins, and always white.
-VIEWS = [(400, False, "screen"), (400, True, "screen"), (1400, False, "screen"), (1400, True, "screen"),
+VIEWS = [(400, False, "screen"), (400, True, "screen"), (800, False, "screen"), (1400, False, "screen"), (1400, True, "screen"),
          (700, False, "print")]
 
 # Page, least number of its figures, command.

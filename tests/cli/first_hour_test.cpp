@@ -64,7 +64,7 @@ std::string spreadsheet(const Folder& folder) {
     }
     text += row + (frame == 0 ? "Beginn" : "") + "\r\n";
   }
-  return folder.write("messung.csv", text);
+  return folder.write("Messung vom Montag.csv", text);
 }
 
 }  // namespace
@@ -105,6 +105,7 @@ TEST_CASE("the first fifteen minutes with a German spreadsheet", "[cli][first-ho
                                  "--modulus", "0.2", "--modulus-unit", "MPa", "--poisson", "0.48"});
   CHECK_THAT(told, ContainsSubstring("23 columns, 21 of them readings of 21 taxels, "
                                      "'Druck 1 [kPa]' to 'Druck 21 [kPa]'; times in 'Zeit [s]'"));
+  CHECK_THAT(told, ContainsSubstring("--readings '" + csv + "'"));  // as a shell takes it
   const Scene found = read_scene(made);
   REQUIRE(found.units);
   CHECK(found.units->stress.name == "kPa");
@@ -123,6 +124,15 @@ TEST_CASE("the first fifteen minutes with a German spreadsheet", "[cli][first-ho
   const nlohmann::json solved = json_of(folder / "out/result.json");
   CHECK(solved["frames"] == 120);
   CHECK(solved["missing"]["estimated"]["count"] == 1);
+  CHECK(solved["findings"] == check["findings"]);
+  CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("1 suspicion<"));
+  REQUIRE(solved["shown"].size() == 120);
+  for (const nlohmann::json& frame : solved["shown"]) {
+    CHECK(frame["alpha"] >= solved["alpha_least"]);
+    CHECK(frame["alpha"] <= solved["alpha_largest"]);
+    CHECK(solved["verdicts"].contains(frame["verdict"].get<std::string>()));
+  }
+  CHECK_THAT(solved["shown"][85]["normal_force"].get<double>(), WithinRel(40.0, 0.03));
 
   // What check advises is taken back by the scene reader, and ends the suspicion.
   const std::string report = done({"check", made, "--readings", csv});

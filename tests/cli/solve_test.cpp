@@ -147,6 +147,15 @@ TEST_CASE("a recording has a page, with its numbers beside it", "[cli]") {
   CHECK_THAT(read_text(folder / "out/result.json"), ContainsSubstring("\"frames\": 7"));
   CHECK_THAT(read_text(folder / "out/shown.csv"), ContainsSubstring("normal_40"));
 
+  // Of a recording that breaks off nothing is kept, and nothing else is said.
+  const std::string broken =
+      folder.write("broken.csv", read_text(scene("recorded/thin-pad.csv")) + "0.07,x\n");
+  const ProcessResult failed = tool(
+      {"solve", scene("recorded/thin-pad.toml"), "--readings", broken, "--out", folder / "no"});
+  CHECK(failed.code == 2);
+  CHECK_THAT(failed.errors, !ContainsSubstring("written to"));
+  CHECK_FALSE(std::filesystem::exists(folder / "no"));
+
   // Tractions that are wanted elsewhere are not written twice.
   const ProcessResult elsewhere =
       tool({"solve", scene("recorded/thin-pad.toml"), "--readings", scene("recorded/thin-pad.csv"),

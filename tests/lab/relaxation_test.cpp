@@ -101,18 +101,19 @@ TEST_CASE("the largest of the answer's voltages is 1 V unless the scene states a
   };
   for (const Realization realization : {Realization::nic, Realization::least_squares}) {
     scene.network.realization = realization;
-    CHECK(largest(circuit(scene)) == Approx(1.0).epsilon(1e-3));  // amplifiers of gain 1e6
+    CHECK_THAT(largest(circuit(scene)), WithinRel(1.0, 1e-3));  // amplifiers of gain 1e6
   }
   // The unit of stress makes no difference to a circuit.
   scene.noise.reset();
   Scene in_kilopascal = scene;
   in_kilopascal.material.youngs_modulus *= 1e-3;
   for (Contact& contact : in_kilopascal.contacts) std::get<RigidContact>(contact).force *= 1e-3;
-  CHECK(circuit(in_kilopascal).options().parts.scale.volts ==
-        Approx(1e3 * circuit(scene).options().parts.scale.volts).epsilon(1e-9));
+  CHECK_THAT(circuit(in_kilopascal).options().parts.scale.volts,
+             WithinRel(1e3 * circuit(scene).options().parts.scale.volts, 1e-9));
 
   scene.contacts.clear();
-  CHECK(circuit(scene).options().parts.scale.volts == Approx(10.0 / scene.material.youngs_modulus));
+  CHECK_THAT(circuit(scene).options().parts.scale.volts,
+             WithinRel(10.0 / scene.material.youngs_modulus, 1e-12));
   scene.network.one_volt = false;
   scene.network.parts.scale.volts = 0.25;
   CHECK(circuit(scene).options().parts.scale.volts == 0.25);
@@ -133,8 +134,8 @@ TEST_CASE("a deck has the resistors that one can buy, and says what they do to t
     REQUIRE(ordered.circuit.resistors.size() == nominal.resistors.size());
     for (std::size_t r = 0; r < nominal.resistors.size(); ++r) {
       const double siemens = ordered.circuit.resistors[r].siemens;
-      CHECK(nearest_in(series, 1.0 / std::abs(siemens)) ==
-            Approx(1.0 / std::abs(siemens)).epsilon(1e-12));
+      CHECK_THAT(nearest_in(series, 1.0 / std::abs(siemens)),
+                 WithinRel(1.0 / std::abs(siemens), 1e-12));
       CHECK(std::abs(std::log(siemens / nominal.resistors[r].siemens)) <
             std::log(10.0) / static_cast<double>(series));
     }

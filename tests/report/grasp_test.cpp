@@ -44,6 +44,21 @@ TEST_CASE("every failure of a grasp has its sentence", "[grasp]") {
             "to hold: the thesis' equations give other torques, by 0.001"});
 }
 
+TEST_CASE("a hand in SI has units in its words, another has bare numbers", "[grasp]") {
+  lab::GraspResult grasp = two_fingers();
+  grasp.hand.load = ExternalLoad{.force = {0.0, -4.9}, .torque = 0.02, .point = {0.003, 0.075}};
+  grasp.tips[0].place = {.centre = 0.001, .deviation = 0.0002};
+  grasp.failures = {{.kind = Failed::pulls, .number = 0.125},
+                    {.kind = Failed::beyond_limit, .number = 0.025}};
+  CHECK(load_in_words(grasp) == "load (0, -4.9) at (0.003, 0.075), torque 0.02");
+  CHECK_THAT(failures_in_words(grasp)[0], EndsWith("with 0.125"));
+  grasp.hand.si = true;
+  CHECK(load_in_words(grasp) == "load (0, -4.9) N at (3, 75) mm, torque 20 mN m");
+  CHECK_THAT(failures_in_words(grasp)[0], EndsWith("with 0.125 N"));
+  CHECK_THAT(failures_in_words(grasp)[1], EndsWith("by 25 mN m"));
+  CHECK_THAT(sources_in_words(grasp)[0], EndsWith("centre 1.0 ± 0.2 mm"));
+}
+
 TEST_CASE("warnings are those of the fingertips, then those of the answers", "[grasp]") {
   lab::GraspResult grasp = two_fingers();
   grasp.remarks = {{Weak::idle, GraspAnswer::held, 1},

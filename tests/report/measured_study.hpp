@@ -47,6 +47,7 @@ inline Study measured() {
   Study study;
   Scene scene;
   scene.file = "pressed.toml";
+  scene.sensor = {.count = 21, .pitch = 0.5, .depths = {1.0}, .reads = {Quantity::stress_x}};
   study.input.problem = lab::SceneProblem(scene);
   study.input.alpha = 1e-3;
   study.input.agreement = 1.7033990924008644e-15;

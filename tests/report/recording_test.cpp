@@ -11,8 +11,6 @@
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
-using Catch::Matchers::Contains;
-
 namespace tactile_net::report {
 namespace {
 
@@ -55,9 +53,11 @@ TEST_CASE("a recording's page answers first, and needs no network", "[report][re
   const std::string page =
       pages::recording_page(overview, "press.csv", {"a note"}, {.files = {"shown.csv"}}).html;
   CHECK(page.find("largest normal force") < page.find("<svg"));
-  CHECK_THAT(page, Contains("1 of 60 frames") && Contains("a note"));
-  CHECK_THAT(page, Contains("<a href=\"shown.csv\">") && Contains("data:image/png;base64,"));
-  CHECK_THAT(page, !Contains("http:") && !Contains("https:") && !Contains("<link"));
+  CHECK_THAT(page, ContainsSubstring("1 of 60 frames") && ContainsSubstring("a note"));
+  CHECK_THAT(page, ContainsSubstring("<a href=\"shown.csv\">") &&
+                       ContainsSubstring("data:image/png;base64,"));
+  CHECK_THAT(page, !ContainsSubstring("http:") && !ContainsSubstring("https:") &&
+                       !ContainsSubstring("<link"));
   CHECK(count(page, "<script") == 2);
   CHECK(count(page, "</script>") == 2);
   CHECK(count(page, "class=\"distrusted\"") == 1);
@@ -65,27 +65,60 @@ TEST_CASE("a recording's page answers first, and needs no network", "[report][re
   CHECK(count(page, "<svg") == count(page, "aria-label=\"") - 1);  // and the slider
 }
 
+TEST_CASE("a pad that is pulled is not one that nothing presses", "[report][recording]") {
+  lab::RecordingOverview pulled = press(61);
+  const double most = pulled.peak().resultant.normal;
+  for (lab::FrameGroup& group : pulled.groups) {
+    group.resultant.normal *= -1.0;
+    group.bands->resultant.normal.value *= -1.0;
+  }
+  CHECK(pulled.peak().resultant.normal == -most);
+  CHECK(pulled.pulled(pulled.peak()));
+  CHECK_FALSE(pulled.loaded(pulled.peak()));
+  CHECK_THAT(answers(pulled).front().meaning,
+             ContainsSubstring("it pulls") && !ContainsSubstring("Nothing"));
+  CHECK(answers(pulled).front().doubtful);
+}
+
+TEST_CASE("a suspicion about the readings is said before the first picture",
+          "[report][recording]") {
+  lab::RecordingOverview overview = press(60);
+  const auto page = [&] { return pages::recording_page(overview, "press.csv", {}, {}).html; };
+  CHECK_THAT(page(),
+             !ContainsSubstring("suspicion") && ContainsSubstring("nothing speaks against them"));
+  overview.findings = {lab::finding::WholePadPulled{.pulled = 58, .loaded = 60},
+                       lab::finding::DeadTaxels{.taxels = {7}}};
+  const std::string html = page();
+  CHECK(html.find("2 suspicions") < html.find("<svg"));
+  CHECK(html.find("pulled in 58 of 60") < html.find("taxel 7 feels nothing"));
+  CHECK(html.find("indices = [7]") < html.find("<svg"));  // what to do about it
+  CHECK_THAT(html, !ContainsSubstring("nothing speaks against them"));
+  CHECK(answers(overview).back().doubtful);
+}
+
 TEST_CASE("a title cannot leave its place in a recording's page", "[report][recording]") {
   const lab::RecordingOverview overview = press(3, lab::Verdict::ok, "</script><b onclick=1>&");
   const std::string page =
       pages::recording_page(overview, "<x>.csv", {"<note>"}, {.files = {"\"><i>.csv"}}).html;
-  CHECK_THAT(page, !Contains("<b onclick") && !Contains("<x>") && !Contains("<note>"));
-  CHECK_THAT(page, !Contains("<i>"));
+  CHECK_THAT(page, !ContainsSubstring("<b onclick") && !ContainsSubstring("<x>") &&
+                       !ContainsSubstring("<note>"));
+  CHECK_THAT(page, !ContainsSubstring("<i>"));
   CHECK(recording_json(overview).find('<') == std::string::npos);
 }
 
 TEST_CASE("a recording without frames, with one, without a load: each has its page",
           "[report][recording]") {
   const std::string none = pages::recording_page(press(0), "empty.csv", {}, {}).html;
-  CHECK_THAT(none, Contains("empty.csv holds no frame") && !Contains("<svg"));
-  CHECK_THAT(pages::recording_page(press(1), "one.csv", {}, {}).html, Contains("frame 0 of 1"));
+  CHECK_THAT(none, ContainsSubstring("empty.csv holds no frame") && !ContainsSubstring("<svg"));
+  CHECK_THAT(pages::recording_page(press(1), "one.csv", {}, {}).html,
+             ContainsSubstring("frame 0 of 1"));
 
   lab::RecordingOverview idle = press(5);
   for (lab::FrameGroup& group : idle.groups) {
     group.resultant = {};
     group.bands->resultant.normal.value = 0.0;
   }
-  CHECK_THAT(answers(idle).front().meaning, Contains("Nothing presses"));
+  CHECK_THAT(answers(idle).front().meaning, ContainsSubstring("Nothing presses"));
   CHECK(answers(idle).front().doubtful);
 }
 
@@ -93,10 +126,10 @@ TEST_CASE("the answer is that of the frame that presses hardest", "[report][reco
   const lab::RecordingOverview overview = press(61);
   const lab::FrameGroup& peak = overview.peak();
   CHECK(peak.shown == 30);
-  CHECK_THAT(answers(overview).front().meaning, Contains("t = 0.3 s"));
-  CHECK_THAT(answers(overview).back().value, Contains("all 61 frames"));
+  CHECK_THAT(answers(overview).front().meaning, ContainsSubstring("t = 0.3 s"));
+  CHECK_THAT(answers(overview).back().value, ContainsSubstring("all 61 frames"));
   // The pressing stays where it is.
-  CHECK_THAT(answers(overview).at(2).meaning, Contains("centre of pressure, at"));
+  CHECK_THAT(answers(overview).at(2).meaning, ContainsSubstring("centre of pressure, at"));
 }
 
 TEST_CASE("what is shown stands in a CSV, a frame a row, and a file without bands too",

@@ -139,6 +139,7 @@ TEST_CASE("contacts from files, and names by number", "[hand]") {
 
 TEST_CASE("what a hand cannot mean is refused at its place", "[hand]") {
   check("angles_in = \"degrees\"", "angles_in = \"degree\"", "2:13", "did you mean \"degrees\"?");
+  check("angles_in = \"degrees\"", "units = \"mm\"", "2:9", "\"SI\"");
   check("[load]", "[laod]", "4:2", "did you mean load?");
   check("force = [0.5, -4.9]", "force = [0.5]", "5:9", "two numbers, X and Y (got 1)");
   check("force = [0.5, -4.9]", "force = [0.5, nan]", "5:15", "finite");

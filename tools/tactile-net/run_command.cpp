@@ -19,13 +19,7 @@ enum ExitStatus { done = 0, failed = 1, wrong_usage = 2 };
 /// The command line, quoted where a shell would need it.
 std::string typed(std::span<const std::string> arguments) {
   std::string line = "tactile-net";
-  for (const std::string& argument : arguments) {
-    const bool plain =
-        !argument.empty() && argument.find_first_not_of(
-                                 "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                 "-_./=,:+@%") == argument.npos;
-    line += ' ' + (plain ? argument : shell_quoted(argument));
-  }
+  for (const std::string& argument : arguments) line += ' ' + shell_word(argument);
   return line;
 }
 

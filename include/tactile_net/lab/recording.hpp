@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/lab/finding.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/observer.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
@@ -52,9 +53,11 @@ struct RecordingOverview {
   std::size_t frames = 0;
   std::map<Verdict, std::size_t> verdicts{};  ///< how many frames have it
   std::vector<FrameGroup> groups{};           ///< in the order of time
+  Findings findings{};  ///< about the readings, by a ReadingsChecker; `Recording` leaves them empty
 
   [[nodiscard]] bool tangential() const noexcept;
-  /// The group with the hardest press, of those with the verdict ok if there is one. @pre  frames
+  /// The group with the largest |F_v|, of those with the verdict ok if there is one: the hardest
+  /// press, unless the whole pad is pulled. @pre  frames
   [[nodiscard]] const FrameGroup& peak() const;
   /// The groups whose answer has the verdict ok, or all where none has: what sets a picture's
   /// scale.
@@ -67,6 +70,8 @@ struct RecordingOverview {
   /// Whether more than noise presses: F_v is above three deviations, or without bands above a
   /// twentieth of the largest.
   [[nodiscard]] bool loaded(const FrameGroup& group) const;
+  /// As much the other way, which no contact does.
+  [[nodiscard]] bool pulled(const FrameGroup& group) const;
 };
 
 /// Takes a recording frame by frame in constant memory: where groups become too many, neighbours

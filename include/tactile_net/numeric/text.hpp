@@ -17,6 +17,9 @@ namespace tactile_net {
 /// In single quotes, as every POSIX shell reads it.
 [[nodiscard]] std::string shell_quoted(std::string_view text);
 
+/// As one types it: quoted only where a shell would read it otherwise.
+[[nodiscard]] std::string shell_word(std::string_view text);
+
 /// As a field of CSV: in quotes, its own doubled (RFC 4180).
 [[nodiscard]] std::string csv_quoted(std::string_view text);
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/scene/scene.hpp"
 
 namespace tactile_net::pages {
@@ -48,5 +49,13 @@ struct PadLoad {
 
 /// A load on the surface, pressure as an area and drag as arrows.
 [[nodiscard]] std::string draw_load(const Scene& scene, const PadLoad& load);
+
+/// All of it as a figure.
+///
+/// @param on_top  what the load is, in words; where there is none, the caption says so
+/// @param data    the file beside the page that holds its numbers
+[[nodiscard]] drawing::Figure pad_figure(const Scene& scene, const PadLoad& load,
+                                         std::string_view on_top, std::string_view section,
+                                         std::string_view data);
 
 }  // namespace tactile_net::pages

@@ -58,6 +58,7 @@ struct Hand {
   std::string file{};              ///< name of the file, without its folder
   std::filesystem::path folder{};  ///< what its paths are relative to
   std::string title{};
+  bool si = false;  ///< its numbers are in m, N and N m: words and pages have units
   std::vector<HandFinger> fingers{};
   std::optional<ExternalLoad> load{};
   HoldOptions squeeze{};  ///< without `friction`

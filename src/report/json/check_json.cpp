@@ -1,67 +1,11 @@
 #include "tactile_net/report/json/check_json.hpp"
 
 #include "report/json/document.hpp"
+#include "report/json/finding_json.hpp"
 #include "report/json/scene_json.hpp"
-#include "tactile_net/report/words/check_words.hpp"
 
 namespace tactile_net::report {
 namespace {
-
-namespace finding = lab::finding;
-
-// The numbers of each kind.
-Json numbers(const finding::NoFrames&) { return Json::object(); }
-Json numbers(const finding::TimeBackwards& f) { return {{"count", f.count}, {"first", f.first}}; }
-Json numbers(const finding::TimeRepeats& f) { return {{"count", f.count}, {"first", f.first}}; }
-Json numbers(const finding::FramesRepeat& f) { return {{"frames", runs_json(f.frames)}}; }
-Json numbers(const finding::ValuesMissing& f) {
-  return {{"values", f.values}, {"frames", runs_json(f.frames)}, {"taxels", f.taxels}};
-}
-Json numbers(const finding::DeadTaxels& f) { return {{"taxels", f.taxels}}; }
-Json numbers(const finding::StuckTaxels& f) {
-  return {{"taxels", f.taxels}, {"worst", f.worst}, {"first", f.first}, {"frames", f.frames}};
-}
-Json numbers(const finding::NoisyTaxels& f) {
-  return {{"taxels", f.taxels}, {"worst", f.worst}, {"times", f.times}};
-}
-Json numbers(const finding::SaturatedTaxels& f) {
-  return {{"taxels", f.taxels}, {"limit", f.limit}, {"frames", f.frames}};
-}
-Json numbers(const finding::Baseline& f) {
-  return {{"values", f.values},
-          {"frames", f.frames},
-          {"largest", f.largest},
-          {"times", f.times},
-          {"loaded", f.loaded}};
-}
-Json numbers(const finding::Drift& f) {
-  return {{"largest", f.largest}, {"times", f.times}, {"from", f.from}, {"to", f.to}};
-}
-Json numbers(const finding::NoiseDiffers& f) {
-  return {{"channel", f.channel}, {"estimated", f.estimated}, {"stated", f.stated}};
-}
-Json numbers(const finding::NoiseColoured& f) { return {{"correlation", f.correlation}}; }
-Json numbers(const finding::ResidualDiffers& f) { return {{"times", f.times}}; }
-Json numbers(const finding::ScaleBy1000& f) { return {{"times", f.times}}; }
-Json numbers(const finding::WholePadPulled& f) {
-  return {{"pulled", f.pulled}, {"loaded", f.loaded}};
-}
-Json numbers(const finding::TractionExceedsModulus& f) { return {{"times", f.times}}; }
-Json numbers(const finding::DeformationTiny& f) { return {{"times", f.times}}; }
-Json numbers(const finding::MixedUnits& f) {
-  return {{"modulus", f.modulus}, {"length", f.length}};
-}
-Json numbers(const finding::DepthBeyondArray& f) {
-  return {{"depth", f.depth}, {"length", f.length}};
-}
-Json numbers(const finding::PitchCoarse& f) { return {{"pitch", f.pitch}, {"depth", f.depth}}; }
-
-Json finding_json(const lab::Finding& one, const Scene& scene) {
-  Json json = {
-      {"kind", lab::name(one)}, {"text", in_words(one, scene)}, {"advice", advice(one, scene)}};
-  json.update(std::visit([](const auto& found) { return numbers(found); }, one));
-  return json;
-}
 
 Json clock_json(const lab::RecordingClock& clock) {
   if (clock.timed == 0) return nullptr;
@@ -92,8 +36,6 @@ std::string check_json(const lab::ReadingsCheck& check, const std::string& readi
                         {"largest", channel.largest},
                         {"noise", number_or_null(channel.noise)},
                         {"noise_stated", number_or_null(channel.stated)}});
-  Json findings = Json::array();
-  for (const lab::Finding& one : check.findings) findings.push_back(finding_json(one, check.scene));
   Json json = document(kind::check);
   json.update(Json{{"scene", check.scene.file},
                    {"readings", readings},
@@ -108,7 +50,7 @@ std::string check_json(const lab::ReadingsCheck& check, const std::string& readi
                      {"quiet", check.quiet},
                      {"solved", check.solved}}},
                    {"residual", number_or_null(check.residual)},
-                   {"findings", findings}});
+                   {"findings", findings_json(check.findings, check.scene)}});
   if (check.scene.units) json["units"] = units_json(*check.scene.units);
   return text_of(json, 2);
 }

@@ -112,6 +112,7 @@ std::string grasp_json(const lab::GraspResult& grasp) {
   json["held"] = grasp.held ? held_json(*grasp.held) : Json(nullptr);
   json["warnings"] = warnings_in_words(grasp);
   json["failures"] = failures_in_words(grasp);
+  if (grasp.hand.si) json["units"] = {{"length", "m"}, {"force", "N"}, {"torque", "N m"}};
   return text_of(json);
 }
 

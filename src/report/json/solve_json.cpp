@@ -3,13 +3,33 @@
 #include <map>
 
 #include "report/json/document.hpp"
+#include "report/json/finding_json.hpp"
 #include "report/json/scene_json.hpp"
+#include "report/shown_numbers.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 
 namespace tactile_net::report {
+namespace {
 
-std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
+Json shown_json(const lab::RecordingOverview& overview) {
+  Json list = Json::array();
+  for (const lab::FrameGroup& group : overview.groups) {
+    Json json = {{"frame", group.shown},           {"t", finite_or_null(group.time)},
+                 {"first", group.first},           {"count", group.count},
+                 {"distrusted", group.distrusted}, {"verdict", name(group.verdict)}};
+    const auto numbers = shown_numbers(overview, group);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      json[std::string(shown_names[i])] = number_or_null(numbers[i]);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string solve_json(const lab::RecordingOverview& overview, const lab::SolvedFrames& solved,
                        const SolveReport& report) {
+  const Scene& scene = overview.scene;
   std::map<std::string, std::size_t> verdicts;  // sorted by name
   for (const auto& [verdict, count] : solved.verdicts) verdicts.emplace(lab::name(verdict), count);
   Json distrusted = Json::object();
@@ -23,7 +43,7 @@ std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
       {"scene", scene.file},
       {"readings", report.readings},
       {"frames", solved.frames},
-      {"method", name(report.method)},
+      {"method", name(overview.method)},
       {"alpha", alpha && !alpha->rule ? Json(alpha->value) : Json(nullptr)},
       {"alpha_rule", alpha ? Json(source(*alpha)) : Json(nullptr)},
       {"alpha_least", solved.least_alpha > 0.0 ? Json(solved.least_alpha) : Json(nullptr)},
@@ -40,7 +60,9 @@ std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
       {"condition_of", condition ? Json(name(condition->matrix)) : Json(nullptr)},
       {"warnings", in_words(report.remarks)},
       {"columns_ignored", report.columns_ignored},
-      {"seconds", report.seconds}});
+      {"seconds", report.seconds},
+      {"findings", findings_json(overview.findings, scene)},
+      {"shown", shown_json(overview)}});
   if (scene.units) json["units"] = units_json(*scene.units);
   return text_of(json, 2);
 }

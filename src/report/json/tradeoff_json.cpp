@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "report/json/document.hpp"
+#include "report/json/scene_json.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/version.hpp"
@@ -101,6 +102,7 @@ std::string study_json(const study::Study& study, std::string_view scene_text) {
       {"pareto", std::move(fronts)},
       {"jobs", std::move(jobs)},
       {"scene_text", scene_text}});
+  if (input.scene().units) json["units"] = units_json(*input.scene().units);
   return text_of(json, 2);
 }
 

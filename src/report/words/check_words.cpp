@@ -111,6 +111,9 @@ Words say(const finding::ValuesMissing& f, const Scene& scene) {
 // --- taxels -------------------------------------------------------------------------------------
 
 Words say(const finding::DeadTaxels& f, const Scene& scene) {
+  if (f.taxels.size() == scene.sensor.count)
+    return {"no taxel feels anything in any frame",
+            "is the sensor connected, and are these its columns? --columns names others"};
   return {taxels(f.taxels, "feels", "feel") +
               " nothing: zero in every frame, or silent while both "
               "neighbours feel a load",
@@ -318,7 +321,7 @@ std::vector<std::string> understood_in_words(const lab::ReadingsCheck& check) {
   if (check.residual)
     facts.push_back("what no traction explains is " + brief(*check.residual) +
                     " times the noise stated, by " + std::to_string(check.solved) +
-                    " frames that were solved");
+                    (check.solved == 1 ? " frame that was solved" : " frames that were solved"));
   return facts;
 }
 

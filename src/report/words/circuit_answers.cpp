@@ -37,9 +37,9 @@ Answer stability(const lab::Certification& c) {
 Answer settling(const Certificate& certificate) {
   const auto& dynamics = certificate.dynamics;
   if (!dynamics || dynamics->settling_seconds.value_or(-1.0) == 0.0)
-    return {"no time",
-            "is modelled: neither op-amps with a bandwidth nor a capacitance, or more "
-            "states than are decomposed"};
+    return {"settling not known",
+            "neither op-amps with a bandwidth nor a capacitance are modelled, or more states than "
+            "are decomposed"};
   if (!dynamics->settling_seconds) return {"never", "comes to rest", true};
   return {duration(*dynamics->settling_seconds),
           "to settle within " + percent(certificate.accuracy) + " after a step of all inputs"};

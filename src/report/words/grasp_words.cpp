@@ -1,10 +1,14 @@
 #include "tactile_net/report/words/grasp_words.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <ostream>
+#include <string_view>
 #include <variant>
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/unit_text.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/table.hpp"
@@ -12,12 +16,34 @@
 namespace tactile_net::report {
 namespace {
 
-std::string pair(Vector2 v) { return "(" + brief(v.x) + ", " + brief(v.y) + ")"; }
+/// Numbers of one dimension: with its unit where the hand states SI, bare where it does not.
+class Numbers {
+ public:
+  Numbers(const lab::GraspResult& grasp, std::string_view unit)
+      : unit_(grasp.hand.si ? unit : "") {}
 
-/// The deviation where one is known.
-std::string uncertain(const Uncertain& value) {
-  return brief(value.value) + (value.deviation > 0.0 ? " +- " + brief(value.deviation) : "");
-}
+  [[nodiscard]] std::string operator()(double value) const {
+    return unit_.empty() ? brief(value) : with_unit(value, unit_);
+  }
+  [[nodiscard]] std::string operator()(Vector2 v) const {
+    const ScaledUnit scaled = scaled_unit(std::max(std::abs(v.x), std::abs(v.y)), unit_);
+    return "(" + brief(scaled.factor * v.x) + ", " + brief(scaled.factor * v.y) + ")" +
+           (unit_.empty() ? "" : " " + scaled.label);
+  }
+  /// The deviation where one is known.
+  [[nodiscard]] std::string operator()(const Uncertain& value) const {
+    if (!(value.deviation > 0.0)) return (*this)(value.value);
+    return unit_.empty() ? brief(value.value) + " +- " + brief(value.deviation)
+                         : with_unit(value.value, value.deviation, unit_);
+  }
+
+ private:
+  std::string_view unit_;
+};
+
+Numbers lengths(const lab::GraspResult& grasp) { return {grasp, "m"}; }
+Numbers forces(const lab::GraspResult& grasp) { return {grasp, "N"}; }
+Numbers torques(const lab::GraspResult& grasp) { return {grasp, "N m"}; }
 
 std::string degrees(double angle) { return brief(angle * 180.0 / std::numbers::pi) + " deg"; }
 
@@ -75,22 +101,22 @@ std::string in_words(const lab::GraspResult& grasp, const lab::GraspFailure& fai
   using Kind = lab::GraspFailure::Kind;
   const std::string answer = answer_in_words(failure.answer);
   const std::string finger = subject_of(grasp, failure);
-  const std::string number = brief(failure.number);
   switch (failure.kind) {
     case Kind::pulls:
-      return finger + "would have to pull with " + number;
+      return finger + "would have to pull with " + forces(grasp)(failure.number);
     case Kind::slips:
-      return finger + "slips: its force is " + number + " outside the friction cone";
+      return finger + "slips: its force is " + forces(grasp)(failure.number) +
+             " outside the friction cone";
     case Kind::beyond_limit:
       return finger + "exceeds the torque limit of joint " + std::to_string(failure.joint + 1) +
-             " by " + number;
+             " by " + torques(grasp)(failure.number);
     case Kind::unbalanced:
-      return answer + "the forces do not carry the load: chi squared " + number + ", beyond the " +
-             brief(balanced_limit) + " that 99 % of balanced grasps stay below";
+      return answer + "the forces do not carry the load: chi squared " + brief(failure.number) +
+             ", beyond the " + brief(balanced_limit) + " that 99 % of balanced grasps stay below";
     case Kind::cannot_hold:
       return answer + rule(failure.reason);
     case Kind::disagreement:
-      return answer + "the thesis' equations give other torques, by " + number;
+      return answer + "the thesis' equations give other torques, by " + brief(failure.number);
   }
   return {};
 }
@@ -101,12 +127,13 @@ Cells contact_cells(const lab::GraspResult& grasp, const std::vector<FingerActio
                     const std::vector<lab::FingerMargins>& margins) {
   Cells rows = {{"finger", "contact at", "force on object", "normal", "tangential",
                  "to cone's edge", "angle left", "verdict"}};
+  const Numbers force = forces(grasp);
   for (std::size_t i = 0; i < actions.size(); ++i) {
     const FingerAction& action = actions[i];
     const auto& friction = margins[i].friction;
-    rows.push_back({grasp.tips[i].finger.name, pair(action.point), pair(action.force),
-                    uncertain(normal_of(action)), uncertain(tangential_of(action)),
-                    friction ? uncertain(friction->distance) : "-",
+    rows.push_back({grasp.tips[i].finger.name, lengths(grasp)(action.point), force(action.force),
+                    force(normal_of(action)), force(tangential_of(action)),
+                    friction ? force(friction->distance) : "-",
                     friction ? degrees(friction->angle) : "-",
                     friction              ? name(friction->verdict)
                     : is_idle(action)     ? "idle"
@@ -123,8 +150,8 @@ Cells torque_cells(const lab::GraspResult& grasp, const std::vector<FingerAction
     for (std::size_t j = 0; j < actions[i].torques.size(); ++j) {
       const auto& limits = margins[i].torques;
       rows.push_back({j == 0 ? grasp.tips[i].finger.name : "", std::to_string(j + 1),
-                      uncertain(actions[i].torques[j]),
-                      limits.empty() ? "-" : brief(limits[j].left),
+                      torques(grasp)(actions[i].torques[j]),
+                      limits.empty() ? "-" : torques(grasp)(limits[j].left),
                       limits.empty() ? "-" : percent(limits[j].used)});
     }
   return rows;
@@ -133,7 +160,8 @@ Cells torque_cells(const lab::GraspResult& grasp, const std::vector<FingerAction
 std::string load_in_words(const lab::GraspResult& grasp) {
   if (!grasp.hand.load) return "no load";
   const ExternalLoad& load = *grasp.hand.load;
-  return "load " + pair(load.force) + " at " + pair(load.point) + ", torque " + brief(load.torque);
+  return "load " + forces(grasp)(load.force) + " at " + lengths(grasp)(load.point) + ", torque " +
+         torques(grasp)(load.torque);
 }
 
 std::vector<std::string> sources_in_words(const lab::GraspResult& grasp) {
@@ -141,9 +169,9 @@ std::vector<std::string> sources_in_words(const lab::GraspResult& grasp) {
   for (const lab::Fingertip& tip : grasp.tips) {
     std::string line = tip.finger.name + ": " + source_in_words(tip) + ": ";
     if (tip.force)
-      line += "normal " + uncertain(normal_of(*tip.force)) + ", tangential " +
-              uncertain(tangential_of(*tip.force)) + ", ";
-    line += "centre " + uncertain({tip.place.centre, tip.place.deviation});
+      line += "normal " + forces(grasp)(normal_of(*tip.force)) + ", tangential " +
+              forces(grasp)(tangential_of(*tip.force)) + ", ";
+    line += "centre " + lengths(grasp)(Uncertain{tip.place.centre, tip.place.deviation});
     lines.push_back(line);
   }
   return lines;
@@ -152,14 +180,15 @@ std::vector<std::string> sources_in_words(const lab::GraspResult& grasp) {
 std::vector<std::string> balance_in_words(const lab::GraspResult& grasp) {
   const MeasuredGrasp& measured = grasp.measured->grasp;
   const auto& [x, y, moment] = measured.unbalanced;
+  const Numbers force = forces(grasp);
   std::vector<std::string> lines;
   if (!grasp.hand.load) {
-    lines.push_back("they add up to (" + uncertain(x) + ", " + uncertain(y) + ") and the moment " +
-                    uncertain(moment) +
+    lines.push_back("they add up to (" + force(x) + ", " + force(y) + ") and the moment " +
+                    torques(grasp)(moment) +
                     " about the palm's origin: a load that they hold is the opposite");
   } else {
-    lines.push_back("not balanced: force (" + uncertain(x) + ", " + uncertain(y) + "), moment " +
-                    uncertain(moment) + " about the load's point; " +
+    lines.push_back("not balanced: force (" + force(x) + ", " + force(y) + "), moment " +
+                    torques(grasp)(moment) + " about the load's point; " +
                     percent(measured.unbalanced_share) + " of all forces");
     if (grasp.measured->balanced)
       lines.push_back("chi squared " + brief(*measured.chi_squared) + " of 3 degrees of freedom: " +
@@ -171,24 +200,25 @@ std::vector<std::string> balance_in_words(const lab::GraspResult& grasp) {
   }
   if (measured.squeeze)
     lines.push_back(
-        "squeeze " + uncertain(*measured.squeeze) +
-        (measured.grasping_force ? ", grasping force " + uncertain(*measured.grasping_force) : ""));
+        "squeeze " + force(*measured.squeeze) +
+        (measured.grasping_force ? ", grasping force " + force(*measured.grasping_force) : ""));
   return lines;
 }
 
 std::vector<std::string> hold_in_words(const lab::GraspResult& grasp) {
   const HoldOptions& options = grasp.hand.squeeze;
+  const Numbers force = forces(grasp);
   std::vector<std::string> lines;
   if (options.grasping_force)
-    lines.push_back("with the grasping force " + brief(*options.grasping_force) +
-                    ": nothing is left to choose; squeeze " + brief(grasp.held->grasp.squeeze));
+    lines.push_back("with the grasping force " + force(*options.grasping_force) +
+                    ": nothing is left to choose; squeeze " + force(grasp.held->grasp.squeeze));
   else if (options.squeeze)
-    lines.push_back("with the squeeze " + brief(*options.squeeze) +
+    lines.push_back("with the squeeze " + force(*options.squeeze) +
                     (grasp.tips.size() > 2 ? ", and of such forces those of the least torques"
                                            : ": nothing is left to choose"));
   else
     lines.push_back("by the least torques (least sum of squares); squeeze " +
-                    brief(grasp.held->grasp.squeeze));
+                    force(grasp.held->grasp.squeeze));
   if (grasp.hand.friction_used)
     lines.push_back("every force within " + percent(*grasp.hand.friction_used) +
                     " of its friction");

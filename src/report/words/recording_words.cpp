@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/report/words/verdict_words.hpp"
@@ -94,9 +95,26 @@ Answer trust(const RecordingOverview& overview) {
     if (most == nullptr || entry.second > most->second) most = &entry;
   }
   if (most == nullptr)
-    return {"all " + std::to_string(overview.frames) + " frames", "nothing speaks against them"};
+    return {"all " + std::to_string(overview.frames) + " frames",
+            overview.findings.empty() ? "nothing speaks against them"
+                                      : "nothing speaks against a single one; but see below"};
   return {std::to_string(distrusted) + " of " + std::to_string(overview.frames) + " frames",
           "not to be trusted, most of them because " + std::string(in_words(most->first)), true};
+}
+
+std::string what_presses(const RecordingOverview& overview, const FrameGroup& peak) {
+  if (overview.loaded(peak)) return "largest normal force, at " + place(peak);
+  if (overview.pulled(peak))
+    return "largest normal force, at " + place(peak) + ": it pulls, which no contact does";
+  return "largest normal force: no more than the noise. Nothing presses";
+}
+
+/// What is suspicious about the readings; nothing where nothing is.
+std::optional<Answer> suspicion(const RecordingOverview& overview) {
+  const std::size_t count = overview.findings.size();
+  if (count == 0) return std::nullopt;
+  return Answer{count == 1 ? "1 suspicion" : std::to_string(count) + " suspicions",
+                in_words(overview.findings.front(), overview.scene), true};
 }
 
 }  // namespace
@@ -105,9 +123,7 @@ std::vector<Answer> answers(const RecordingOverview& overview) {
   const FrameGroup& peak = overview.peak();
   const bool pressed = overview.loaded(peak);
   std::vector<Answer> all;
-  all.push_back({normal_of(overview.scene, peak),
-                 pressed ? "largest normal force, at " + place(peak)
-                         : "largest normal force: no more than the noise. Nothing presses",
+  all.push_back({normal_of(overview.scene, peak), what_presses(overview, peak),
                  !pressed || peak.verdict != Verdict::ok});
   if (overview.tangential() && pressed) {
     double used = 0.0;
@@ -128,6 +144,7 @@ std::vector<Answer> answers(const RecordingOverview& overview) {
   }
   if (pressed) all.push_back(path(overview, peak));
   all.push_back(trust(overview));
+  if (auto suspicious = suspicion(overview)) all.push_back(std::move(*suspicious));
   return all;
 }
 

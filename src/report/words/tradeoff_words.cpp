@@ -7,6 +7,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
 
 namespace tactile_net::report {
@@ -163,7 +164,8 @@ std::vector<std::string> in_words(const study::Study& study) {
     text.push_back(
         "the exact solution is that without the scene's constraints; with them: the curve " +
         in_words(study::WorkCurve{.family = study::WorkCurve::Family::active_set}));
-  text.push_back("noise of " + brief(input.noise_rms) +
+  text.push_back("noise of " +
+                 in_unit(input.scene(), residual_dimension(input.scene()), input.noise_rms) +
                  (input.noise_stated ? " per weighted reading (the scene's)"
                                      : " per reading (1 % of the largest, an assumption)") +
                  " moves the solution by " + percent(input.noise_floor) +

@@ -95,7 +95,7 @@ void add_solve(AllCommands& all) {
   command.add_option("-o,--output", options.output, file("FILE", {"csv", "npy"}),
                      "CSV or .npy file for the tractions [unit of E] (default: CSV on standard "
                      "output)");
-  add_folder(command, options.folder, options.force,
+  add_folder(command, options.results.folder, options.results.force,
              "Folder for report.html, the page of the recording; result.json, shown.csv "
              "(the frames in its pictures) and, without -o, tractions.csv");
   command.add_option("--uncertainty", options.uncertainty, file("FILE", {"csv"}),
@@ -107,7 +107,8 @@ void add_solve(AllCommands& all) {
                      "Where a reading is missing (empty, NaN, NA): fail; skip the frame, whose "
                      "row is then empty; or estimate it from the other taxels, as if those "
                      "without a reading were dead");
-  add_json(command, options.json, "Write a summary as JSON");
+  add_json(command, options.results.json,
+           "Write a summary as JSON, with verdict and alpha of the frames that the page shows");
 }
 
 void add_plan(AllCommands& all) {

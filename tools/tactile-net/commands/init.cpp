@@ -112,7 +112,7 @@ std::string understood(const frames::RecordingLayout& layout, std::size_t taxels
 
 /// The command that reads the recording, as people type it.
 std::string command_line(const InitOptions& options, const std::string& scene) {
-  return "tactile-net check " + scene + " --readings " + options.recording;
+  return "tactile-net check " + shell_word(scene) + " --readings " + shell_word(options.recording);
 }
 
 class Sketching {
@@ -273,7 +273,8 @@ void run(const InitOptions& options, const Streams& streams) {
   Sketching sketching(options, streams);
   SceneSketch sketch = sketching.sketch();
   const frames::RecordingLayout& layout = sketching.layout();
-  const std::string columns = layout.places.empty() ? "" : " --columns " + layout.places;
+  const std::string columns =
+      layout.places.empty() ? "" : " --columns " + shell_word(layout.places);
   const std::string next = command_line(options, to_file ? options.output : "SCENE.toml") + columns;
   sketch.remarks = {
       "What tactile-net knows of a pad and its sensors; every key: docs/scene.md.",

@@ -12,12 +12,15 @@
 #include "terminal/printable_stream.hpp"
 
 namespace tactile_net::tool {
-
 Results::Results(const ResultOptions& options, const Streams& streams)
     : path_(options.folder), streams_(streams), tables_(options.json != "-") {
   if (!path_.empty())
     folder_ = std::make_unique<frames::OutputFolder>(path_, existing_in(path_, options.force));
   json_ = output_if(options.json, streams);
+}
+
+std::string Results::place(std::string_view name) const {
+  return folder_ ? folder_->place(name).string() : std::string{};
 }
 
 void Results::write(const Result& result, Progress& progress) {
@@ -33,12 +36,13 @@ void Results::write(const Result& result, Progress& progress) {
     say_others(streams_.err, path_, folder_->commit());
   }
   progress.clear();
-  if (tables_) {
+  if (tables_ && result.print) {
     PrintableStream out(streams_.out);
     result.print(out);
   }
   tool::write(json_.get(), json);
-  if (folder_ && tables_) say_report(streams_.out, path_);
+  if (folder_ && (tables_ || !result.print))
+    say_report(result.print ? streams_.out : streams_.err, path_);
   streams_.out.flush();
 }
 

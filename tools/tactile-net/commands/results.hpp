@@ -7,6 +7,7 @@
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "streams.hpp"
@@ -24,8 +25,8 @@ struct ResultOptions {
 
 /// What a command has found, in every form it can be asked for in. Each is made when asked for.
 struct Result {
-  std::function<void(std::ostream&)> print;
-  std::function<std::string()> json;
+  std::function<void(std::ostream&)> print{};  ///< none: standard output may be somebody's data
+  std::function<std::string()> json{};
   std::function<drawing::Page()> page{};
   std::string json_name = "result.json";  ///< in the folder
 };
@@ -35,6 +36,9 @@ class Results {
   /// Before anything is computed, so that a place that cannot be written to is known by then.
   /// @throw CannotCreate
   Results(const ResultOptions& options, const Streams& streams);
+
+  /// Where a file of the folder that is too long for one text is to be written; empty: no folder.
+  [[nodiscard]] std::string place(std::string_view name) const;
 
   /// Writes what was asked for. @throw std::runtime_error  something could not be written
   void write(const Result& result, Progress& progress);

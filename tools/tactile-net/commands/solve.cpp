@@ -12,7 +12,7 @@
 
 #include "commands/input.hpp"
 #include "commands/recording.hpp"
-#include "commands/recording_folder.hpp"
+#include "commands/recording_results.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
@@ -23,7 +23,6 @@
 #include "tactile_net/lab/summary.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
-#include "tactile_net/report/json/solve_json.hpp"
 #include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
@@ -66,11 +65,10 @@ class UncertaintyFile {
 class Outputs {
  public:
   Outputs(const SolveOptions& options, const lab::SceneProblem& problem, std::size_t tractions,
-          bool with_time, RecordingFolder* folder, const Streams& streams)
-      : folder_(folder),
-        tractions_(
-            folder != nullptr && options.output.empty() ? folder->tractions() : options.output,
-            &streams.out),
+          bool with_time, RecordingResults* results, const Streams& streams)
+      : results_(results),
+        in_folder_(options.output.empty() && !options.results.folder.empty()),
+        tractions_(in_folder_ ? results->tractions() : options.output, &streams.out),
         unknown_(tractions, std::numeric_limits<double>::quiet_NaN()) {
     const std::size_t count = problem.surface().count;
     sink_ = frames::make_sink(tractions_, options.output,
@@ -79,22 +77,28 @@ class Outputs {
       uncertainty_.emplace(options.uncertainty, problem, with_time, streams);
   }
 
+  /// The readings of the next frame, before it is solved.
+  void read(std::string_view time, std::span<const double> readings) {
+    if (results_ != nullptr) results_->read(time, readings);
+  }
   /// @param problem  that the frame was solved with
   void add(std::string_view time, const lab::SceneProblem& problem,
            std::span<const double> readings, std::span<const double> tractions,
            const lab::FrameResult& result) {
     sink_->add(time, tractions);
     if (uncertainty_) uncertainty_->add({problem, readings}, tractions, result, time);
-    if (folder_ != nullptr) folder_->add(time, problem, readings, tractions, result);
+    if (results_ != nullptr) results_->add(time, problem, readings, tractions, result);
   }
   /// A frame without an answer: its row is there, so that row k of the answers is frame k of the
   /// recording.
   void skip(std::string_view time) {
     sink_->add(time, unknown_);
     if (uncertainty_) uncertainty_->skip(time);
-    if (folder_ != nullptr) folder_->skip();
+    if (results_ != nullptr) results_->skip();
   }
   void flush() { sink_->flush(); }
+  /// The tractions are a file of the page's folder.
+  [[nodiscard]] bool in_folder() const noexcept { return in_folder_; }
 
   void commit() {
     finish();
@@ -114,7 +118,8 @@ class Outputs {
     if (uncertainty_) uncertainty_->finish();
   }
 
-  RecordingFolder* folder_;
+  RecordingResults* results_;
+  bool in_folder_;
   frames::OutputFile tractions_;
   std::vector<double> unknown_;
   std::unique_ptr<frames::FrameSink> sink_;
@@ -142,6 +147,7 @@ class Solving {
     std::vector<double> readings(source.columns().size());
     std::vector<double> tractions(solver_->tractions());
     while (source.next(readings)) {
+      outputs.read(source.time(), readings);
       if (missing_ == lab::Missing::fail ||
           std::none_of(readings.begin(), readings.end(), [](double g) { return std::isnan(g); }))
         add(source, outputs, problem_, readings, tractions, solver_->solve(readings, tractions));
@@ -218,39 +224,38 @@ void run(const SolveOptions& options, const Streams& streams) {
       {.columns = options.columns, .accept_missing = missing != lab::Missing::fail});
   say_opening(streams.err, file.name(), file.source());
 
-  std::optional<RecordingFolder> folder;
-  if (!options.folder.empty()) folder.emplace(options.folder, options.force, problem, method);
+  std::optional<RecordingResults> results;
+  if (!options.results.folder.empty() || !options.results.json.empty())
+    results.emplace(options.results, problem, method, streams);
   Outputs outputs(options, problem, solving.solver().tractions(), file.source().has_time(),
-                  folder ? &*folder : nullptr, streams);
-  const auto summary = output_if(options.json, streams);
+                  results ? &*results : nullptr, streams);
   const double start = lab::monotonic_time();
   const lab::SolvedFrames& solved = solving.solved();
   try {
     solving.solve(file, outputs, streams);
   } catch (const InputError& error) {
+    if (outputs.in_folder()) throw;  // which goes as a whole
     throw with_frames_before(error, solved.frames, outputs.commit_partial());
   }
   outputs.commit();
   say_closing(streams.err, file.name(), file.source());
   for (const std::string& sentence : report::in_words(solved))
     streams.err << name(options.method) << ": note: " << sentence << '\n';
-  for (const lab::Finding& doubt : solving.doubts())
+  const lab::Findings findings = results ? results->findings() : solving.doubts();
+  for (const lab::Finding& doubt : findings)
     streams.err << name(options.method) << ": note: " << report::in_words(doubt, problem.scene())
                 << "\nhint: " << report::advice(doubt, problem.scene())
                 << "; tactile-net check says more\n";
-  if (!summary && !folder) return;
+  if (!results) return;
+  const lab::Remarks remarks = solving.solver().remarks();
   const bool any = solved.frames > solved.skipped.count();
-  const std::string json =
-      report::solve_json(problem.scene(), solved,
-                         {.readings = options.readings,
-                          .method = method,
-                          .columns_ignored = file.source().ignored(),
-                          .missing = missing,
-                          .remarks = any ? solved.last.remarks : solving.solver().remarks(),
-                          .seconds = lab::monotonic_time() - start});
-  write(summary.get(), json);
-  if (folder)
-    folder->commit(options.readings, json, report::in_words(solving.solver().remarks()), streams);
+  results->write(solved,
+                 {.readings = options.readings,
+                  .columns_ignored = file.source().ignored(),
+                  .missing = missing,
+                  .remarks = any ? solved.last.remarks : remarks,
+                  .seconds = lab::monotonic_time() - start},
+                 remarks, findings);
 }
 
 }  // namespace tactile_net::tool

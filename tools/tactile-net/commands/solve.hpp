@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "commands/results.hpp"
 #include "streams.hpp"
 #include "tactile_net/lab/missing.hpp"
 
@@ -15,9 +16,7 @@ struct SolveOptions {
   Method method = Method::tikhonov;
   std::string output{};
   std::string uncertainty{};
-  std::string json{};
-  std::string folder{};  ///< of report.html and what is beside it; empty: none
-  bool force = false;    ///< that folder may hold files of others, which are replaced
+  ResultOptions results{};
   std::string columns{};
   lab::Missing missing = lab::Missing::fail;
 };

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tactile_net/lab/missing.hpp"
+#include "tactile_net/lab/recording.hpp"
 #include "tactile_net/lab/summary.hpp"
 
 namespace tactile_net::report {
@@ -13,14 +14,15 @@ namespace tactile_net::report {
 /// What `solve` says of itself.
 struct SolveReport {
   std::string readings{};  ///< where they come from, as the user wrote it
-  Method method = Method::tikhonov;
   std::span<const std::string> columns_ignored{};
   lab::Missing missing = lab::Missing::fail;
   lab::Remarks remarks{};  ///< of the last frame; without one, of the method
   double seconds = 0.0;
 };
 
-[[nodiscard]] std::string solve_json(const Scene& scene, const lab::SolvedFrames& solved,
-                                     const SolveReport& report);
+/// With what is suspicious about the readings, and each frame that the overview shows, without its
+/// tractions.
+[[nodiscard]] std::string solve_json(const lab::RecordingOverview& overview,
+                                     const lab::SolvedFrames& solved, const SolveReport& report);
 
 }  // namespace tactile_net::report

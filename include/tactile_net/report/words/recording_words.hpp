@@ -10,7 +10,8 @@
 
 namespace tactile_net::report {
 
-/// How hard, how it was dragged, where, and what not to trust. @pre  there is a frame
+/// How hard, how it was dragged, where, what not to trust, and whether the readings are suspicious.
+/// @pre  there is a frame
 [[nodiscard]] std::vector<Answer> answers(const lab::RecordingOverview& overview);
 
 /// "241 frames, 1.2 s, 41 taxels, ..."

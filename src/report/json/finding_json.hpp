@@ -1,0 +1,14 @@
+/// @file
+/// Private. What is suspicious about a recording, as JSON.
+#pragma once
+
+#include "report/json/values.hpp"
+#include "tactile_net/lab/finding.hpp"
+#include "tactile_net/scene/scene.hpp"
+
+namespace tactile_net::report {
+
+/// Of each its kind, the sentence, the advice, and its numbers.
+[[nodiscard]] Json findings_json(const lab::Findings& findings, const Scene& scene);
+
+}  // namespace tactile_net::report
