@@ -27,7 +27,8 @@ constexpr double alpha = 1e-4;
 class BareFilter {
  public:
   BareFilter(const InverseProblem& problem, FftEffort effort)
-      : count_(problem.surface.count), fft_(RealFft::fast_size(2 * problem.surface.count - 1), effort) {
+      : count_(problem.surface.count),
+        fft_(RealFft::fast_size(2 * problem.surface.count - 1), effort) {
     std::vector<double> kernel(2 * count_ - 1);
     for (std::size_t i = 0; i < count_; ++i) {
       kernel[count_ - 1 + i] = problem.kernel(i, 0);

@@ -87,8 +87,8 @@ ProductTask reconstruction_task(const InverseProblem& problem, const Reconstruct
   task.accuracy = options.accuracy;
   task.structure = options.structure;
   task.precision = options.precision;
-  task.allow_fft = (options.allow_fft || options.structure == Structure::fft) &&
-                   can_be_convolution(problem);
+  task.allow_fft =
+      (options.allow_fft || options.structure == Structure::fft) && can_be_convolution(problem);
   task.all_candidates = options.all_candidates;
   return task;
 }

@@ -176,8 +176,7 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
     channel_weights[c] = 1.0 / options.channel_rms[c];
   for (std::size_t c = 0; c < all.size(); ++c) {
     plan.weights.insert(plan.weights.end(), array.count, channel_weights[c]);
-    for (const std::size_t taxel : options.dead_taxels)
-      plan.weights[c * array.count + taxel] = 0.0;
+    for (const std::size_t taxel : options.dead_taxels) plan.weights[c * array.count + taxel] = 0.0;
   }
 
   // The circular stand-in: the Toeplitz blocks' lags, those beyond half the surface wrapped

@@ -71,7 +71,8 @@ class Describer {
   }
   [[nodiscard]] double wavelength(Eigen::Index m) const {
     return m == 0 ? infinity
-                  : 2.0 * static_cast<double>(count_) * problem_.surface.spacing / static_cast<double>(m);
+                  : 2.0 * static_cast<double>(count_) * problem_.surface.spacing /
+                        static_cast<double>(m);
   }
 
   const InverseProblem& problem_;

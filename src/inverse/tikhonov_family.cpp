@@ -75,7 +75,8 @@ struct TikhonovFamily::Factors {
   explicit Factors(const InverseProblem& problem)
       : taxels(problem.taxels),
         weights(as_eigen(std::span(problem.weights))),
-        stabiliser_condition(std::hypot(1.0, 2.0 * problem.smoothing_length / problem.surface.spacing)),
+        stabiliser_condition(
+            std::hypot(1.0, 2.0 * problem.smoothing_length / problem.surface.spacing)),
         form(as_eigen(problem.kernel), stabiliser(problem)),
         gamma(form.gamma.begin(), form.gamma.end()) {
     const auto block = static_cast<Eigen::Index>(taxels);

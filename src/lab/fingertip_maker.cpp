@@ -113,8 +113,9 @@ void FingertipMaker::press(Fingertip& tip, const HandFinger& finger,
   const TractionField f = unquoted(
       explain_tractions, [&] { return frame_of_.tractions(folder_ / source.file, source.frame); });
   tip.finger = finger.with_pad(half_width(f.normal.size(), source.pitch));
-  lab::press(tip, certain(f.normal, f.tangential,
-                       {.count = f.normal.size(), .spacing = source.pitch}), finger.breadth);
+  lab::press(tip,
+             certain(f.normal, f.tangential, {.count = f.normal.size(), .spacing = source.pitch}),
+             finger.breadth);
 }
 
 std::vector<double> FingertipMaker::readings_of(Fingertip& tip, const FingertipScene& source,

@@ -60,9 +60,7 @@ const Surface& SceneProblem::surface() const {
   return *parts_->surface;
 }
 
-std::size_t SceneProblem::tractions() const {
-  return parts_->options.unknowns * surface().count;
-}
+std::size_t SceneProblem::tractions() const { return parts_->options.unknowns * surface().count; }
 
 std::optional<double> SceneProblem::stated_noise() const {
   const auto& noise = parts_->scene.noise;

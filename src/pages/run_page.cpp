@@ -38,10 +38,10 @@ using report::material_in_words;
 using report::other_conditions_in_words;
 using report::remarks_in_words;
 using report::resultant_in_words;
-using report::truth_in_words;
 using report::rule_cells;
 using report::rule_used;
 using report::sensor_in_words;
+using report::truth_in_words;
 
 constexpr std::string_view answer = "answer";
 constexpr std::string_view choice = "choice";
@@ -95,9 +95,10 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
   figures.push_back(
       {file,
        std::string(answer),
-       "The truth" + std::string(scene.reconstruct.surface.basis == SurfaceBasis::taxels
-                                     ? " at the taxels"
-                                     : "") + " (dots) and the answers; methods that found the same are one line." +
+       "The truth" +
+           std::string(scene.reconstruct.surface.basis == SurfaceBasis::taxels ? " at the taxels"
+                                                                               : "") +
+           " (dots) and the answers; methods that found the same are one line." +
            std::string(band ? " The band is two standard deviations, of noise and of what alpha "
                               "smooths away together: look for dots outside it, at a contact's "
                               "steep edges first."
@@ -288,8 +289,7 @@ std::vector<Figure> figures_of(const lab::Experiment& experiment) {
     add_component(
         figures, experiment, &lab::MethodResult::tangential, "tangential", "Tangential",
         truth.tangential.empty() ? std::vector<double>(truth.normal.size()) : truth.tangential);
-  if (experiment.sweep)
-    figures.push_back(rules_figure(*experiment.sweep, experiment.rule()));
+  if (experiment.sweep) figures.push_back(rules_figure(*experiment.sweep, experiment.rule()));
   if (experiment.course) {
     figures.push_back(map_figure(scene, *experiment.course));
     add_course(figures, scene, *experiment.course);

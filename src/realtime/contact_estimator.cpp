@@ -153,7 +153,7 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   estimate.contact = estimate.normal_force > 0.0;
   estimate.saturated = saturated;
   estimate.outlier = -1;
-  if (estimate.contact) 
+  if (estimate.contact)
     estimate.centre = ready.centre + ready.spacing * (normal.first / normal.sum);
   if (ready.unknowns == 2) {
     estimate.tangential_force = ready.spacing * each[1].sum;

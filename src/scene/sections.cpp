@@ -265,7 +265,7 @@ SurfaceBasis default_basis(const Scene& scene, bool uses_dft) {
   const auto least = std::min_element(array.depths.begin(), array.depths.end());
   const bool dense = least == array.depths.end() || array.pitch <= 0.5 * *least;
   return dense || uses_dft || scene.forward == ForwardModel::sampled ? SurfaceBasis::taxels
-                                                                      : SurfaceBasis::hats;
+                                                                     : SurfaceBasis::hats;
 }
 
 void read_surface(Table& table, const Scene& scene, const Read& read, bool uses_dft,
@@ -276,8 +276,9 @@ void read_surface(Table& table, const Scene& scene, const Read& read, bool uses_
     if (const auto index = basis->one_of("surface", names_of(bases))) {
       options.surface.basis = bases[*index];
       if (uses_dft && options.surface.basis == SurfaceBasis::hats)
-        basis->problem("gives tractions where there are no readings, and dft divides one by the other",
-                       "surface = \"taxels\", or methods without \"dft\"");
+        basis->problem(
+            "gives tractions where there are no readings, and dft divides one by the other",
+            "surface = \"taxels\", or methods without \"dft\"");
     }
   const auto spacing = table.value("spacing");
   const auto margin = table.value("margin");
@@ -301,7 +302,8 @@ void read_surface(Table& table, const Scene& scene, const Read& read, bool uses_
                         std::to_string(most_columns),
                     "a quarter of the depth resolves all that the pad lets through");
   } catch (const std::invalid_argument& error) {
-    named.problem("makes no surface: " + std::string(error.what()), "spacing = a quarter of the depth");
+    named.problem("makes no surface: " + std::string(error.what()),
+                  "spacing = a quarter of the depth");
   }
 }
 
@@ -313,9 +315,8 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
     options.methods.clear();
     for (const NamedMethod& named : methods) options.methods.push_back(named.method);
   }
-  const bool uses_dft =
-      std::find(options.methods.begin(), options.methods.end(), Method::dft) !=
-      options.methods.end();
+  const bool uses_dft = std::find(options.methods.begin(), options.methods.end(), Method::dft) !=
+                        options.methods.end();
   if (const auto alpha = table.value("alpha")) read_alpha(*alpha, scene, read.units, options);
   if (const auto length = table.value("smoothing_length"))
     options.smoothing_length = length->number(not_negative, read.units.length).value_or(0.0);

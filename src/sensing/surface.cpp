@@ -30,8 +30,9 @@ std::vector<double> positions(const Surface& surface) {
 Surface surface_of(const SensorArray& array, const SurfaceOptions& options) {
   check(array);
   if (options.spacing) require_positive("spacing", *options.spacing);
-  if (options.margin) require(*options.margin >= 0.0 && std::isfinite(*options.margin), "margin", "be >= 0 and finite",
-            *options.margin);
+  if (options.margin)
+    require(*options.margin >= 0.0 && std::isfinite(*options.margin), "margin",
+            "be >= 0 and finite", *options.margin);
   if (options.basis == SurfaceBasis::taxels)
     return {.basis = options.basis, .count = array.count, .spacing = array.pitch};
 

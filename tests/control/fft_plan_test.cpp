@@ -315,7 +315,8 @@ TEST_CASE("bad frames are reported and leave the output alone; what is answered 
 }
 
 TEST_CASE("a convolution much larger than its correction cannot overflow unnoticed", "[fft]") {
-  EstimatorPlan plan{.count = 7, .channels = 2, .unknowns = 2, .values = 7, .spacing = 1.0, .alpha = 1.0};
+  EstimatorPlan plan{
+      .count = 7, .channels = 2, .unknowns = 2, .values = 7, .spacing = 1.0, .alpha = 1.0};
   plan.reconstruction = small_convolution();
   for (double& value : plan.reconstruction.spectra) value *= 1e8;
   plan.weights.assign(14, 1.0);

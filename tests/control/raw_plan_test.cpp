@@ -21,7 +21,8 @@ Calibration calibration_of(const InverseProblem& problem, bool per_reading) {
     const auto channel = static_cast<double>(i / problem.surface.count);
     const auto taxel = static_cast<double>(i % problem.surface.count);
     const double size = per_reading ? 0.01 * (1.0 + 0.3 * std::sin(7.0 * taxel)) : 0.01;
-    calibration.gain.push_back((i / problem.surface.count % 2 == 1 ? -1.0 : 1.0) * size / (1.0 + channel));
+    calibration.gain.push_back((i / problem.surface.count % 2 == 1 ? -1.0 : 1.0) * size /
+                               (1.0 + channel));
     calibration.baseline.push_back(512.0 + 3.0 * taxel);
     calibration.offset.push_back(0.01 * taxel);
   }

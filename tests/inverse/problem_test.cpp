@@ -61,8 +61,9 @@ TEST_CASE("P is the second derivative of the functional", "[problem]") {
     double smoothness = x.squaredNorm();
     for (std::size_t j = 0; j + 1 < f.size(); ++j)
       if ((j + 1) % problem.surface.count != 0)
-        smoothness += std::pow(problem.smoothing_length / problem.surface.spacing * (f[j + 1] - f[j]), 2);
-    const double functional = 
+        smoothness +=
+            std::pow(problem.smoothing_length / problem.surface.spacing * (f[j + 1] - f[j]), 2);
+    const double functional =
         (view(problem.kernel) * x).squaredNorm() + alpha * problem.surface.area * smoothness;
     CHECK_THAT(x.dot(view(p) * x), WithinRel(functional, 1e-13));
   }

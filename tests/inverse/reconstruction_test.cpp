@@ -42,7 +42,8 @@ double functional(const InverseProblem& problem, double alpha, const std::vector
   double smoothness = view(f).squaredNorm();
   for (std::size_t j = 0; j + 1 < f.size(); ++j)
     if ((j + 1) % problem.surface.count != 0)
-      smoothness += std::pow(problem.smoothing_length / problem.surface.spacing * (f[j + 1] - f[j]), 2);
+      smoothness +=
+          std::pow(problem.smoothing_length / problem.surface.spacing * (f[j + 1] - f[j]), 2);
   return residual.squaredNorm() + alpha * problem.surface.area * smoothness;
 }
 

@@ -78,8 +78,7 @@ SensorArray coarse(double pitch_over_depth) {
 }
 
 ProblemOptions on_grid(std::optional<double> spacing = {}) {
-  return {.smoothing_length = 1.5e-3,
-          .surface = {.basis = SurfaceBasis::hats, .spacing = spacing}};
+  return {.smoothing_length = 1.5e-3, .surface = {.basis = SurfaceBasis::hats, .spacing = spacing}};
 }
 
 }  // namespace
@@ -91,8 +90,8 @@ TEST_CASE("halving the spacing moves neither alpha, nor the force, nor its band"
     for (int k = 0; k < 5; ++k) {
       const Contacts::Pressed pressed = contacts.next();
       const double spacing = 1.5e-3 / 8.0;
-      const Answer first = solve(make_problem(array, silicone, on_grid(spacing)), pressed.readings,
-                                 pressed.sigma);
+      const Answer first =
+          solve(make_problem(array, silicone, on_grid(spacing)), pressed.readings, pressed.sigma);
       const Answer second = solve(make_problem(array, silicone, on_grid(0.5 * spacing)),
                                   pressed.readings, pressed.sigma);
       CAPTURE(ratio, k, first.alpha, second.alpha);

@@ -100,15 +100,16 @@ TEST_CASE("the resultant, the margin and the residual are those of the tractions
       for (std::size_t j = 0; j < n; ++j)
         moment += (static_cast<long double>(j) - 0.5L * static_cast<long double>(n - 1)) *
                   static_cast<long double>(normal[j]);
-      const double centre =
-          problem.surface.spacing * problem.surface.spacing * static_cast<double>(moment) / found.normal_force;
+      const double centre = problem.surface.spacing * problem.surface.spacing *
+                            static_cast<double>(moment) / found.normal_force;
       CHECK_THAT(found.centre, WithinAbs(centre, 1e-13 * size * size / found.normal_force));
     } else {
       CHECK(std::isnan(found.centre));
       CHECK(std::isnan(found.angle));
     }
     if (problem.unknowns == 2) {
-      CHECK_THAT(found.tangential_force, WithinAbs(problem.surface.spacing * sum(tangential), 1e-15 * size));
+      CHECK_THAT(found.tangential_force,
+                 WithinAbs(problem.surface.spacing * sum(tangential), 1e-15 * size));
       CHECK_THAT(found.friction_margin,
                  WithinRel(0.7 * found.normal_force - std::abs(found.tangential_force), 1e-14));
       if (found.contact) {  // the angle turns the resultant onto the normal

@@ -63,8 +63,9 @@ void check_same(const EstimatorPlan& a, const EstimatorPlan& b) {
   CHECK(a.count == b.count);
   CHECK(a.channels == b.channels);
   CHECK(a.unknowns == b.unknowns);
-  check_same({a.spacing, a.centre, a.alpha, a.accuracy, a.error_bound, a.noise_rms, a.outlier_limit},
-             {b.spacing, b.centre, b.alpha, b.accuracy, b.error_bound, b.noise_rms, b.outlier_limit});
+  check_same(
+      {a.spacing, a.centre, a.alpha, a.accuracy, a.error_bound, a.noise_rms, a.outlier_limit},
+      {b.spacing, b.centre, b.alpha, b.accuracy, b.error_bound, b.noise_rms, b.outlier_limit});
   check_same(a.reconstruction, b.reconstruction);
   REQUIRE(a.prediction.has_value() == b.prediction.has_value());
   if (a.prediction) check_same(*a.prediction, *b.prediction);
@@ -146,7 +147,8 @@ TEST_CASE("a plan with any byte changed is refused", "[plan_file]") {
     for (int change = 1; change < 256; change = 2 * change + (change == 64 ? 127 : 0)) {
       CAPTURE(i, change);
       bytes[i] ^= static_cast<std::byte>(change);
-      const bool other_version = i < 12 && !(i == 8 && (bytes[8] == std::byte{2} || bytes[8] == std::byte{3}));
+      const bool other_version =
+          i < 12 && !(i == 8 && (bytes[8] == std::byte{2} || bytes[8] == std::byte{3}));
       REQUIRE_THAT(refusal(bytes),
                    ContainsSubstring(i < 8               ? "this is no plan"
                                      : other_version     ? "has version"

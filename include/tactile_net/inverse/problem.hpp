@@ -17,7 +17,8 @@
 ///         .count = 41, .pitch = 0.5e-3, .depths = {1.5e-3}, .reads = {Quantity::stress_x}};
 ///     const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.45};
 ///     const InverseProblem problem = make_problem(
-///         array, silicone, {.smoothing_length = 1.5e-3, .surface = {.basis = SurfaceBasis::hats}});
+///         array, silicone, {.smoothing_length = 1.5e-3, .surface = {.basis =
+///         SurfaceBasis::hats}});
 ///     const Reconstruction method = tikhonov(problem, 1e-3);  // reconstruction.hpp
 ///     const FrameStatus status = method.solve(readings, tractions);  // examples/01_tractions.cpp
 #pragma once
@@ -68,10 +69,9 @@ void check(const SensorArray& array, const Material& material, const ProblemOpti
 [[nodiscard]] InverseProblem make_problem(const SensorArray& array, const Material& material,
                                           const ProblemOptions& options = {});
 
-/// P = (WK)'(WK) + alpha (l^2/D^2 Q + I), the matrix of the conductance network (thesis 5.18; alpha stands for
-/// alpha h/D, and D for h):
-/// symmetric, positive definite for alpha > 0. Squares K's condition number: for circuits and
-/// for users who ask for it; `tikhonov` does not solve with it.
+/// P = (WK)'(WK) + alpha (l^2/D^2 Q + I), the matrix of the conductance network (thesis 5.18; alpha
+/// stands for alpha h/D, and D for h): symmetric, positive definite for alpha > 0. Squares K's
+/// condition number: for circuits and for users who ask for it; `tikhonov` does not solve with it.
 ///
 /// @throw std::invalid_argument  alpha is not > 0
 [[nodiscard]] Matrix normal_matrix(const InverseProblem& problem, double alpha);

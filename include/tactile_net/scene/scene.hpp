@@ -46,13 +46,13 @@ enum class Method { dft, tikhonov, closed_form, network };
 
 struct ReconstructOptions {
   std::vector<Method> methods{Method::tikhonov};
-  std::optional<double> alpha{};             ///< absent: a rule chooses it
-  std::optional<AlphaRule> alpha_rule{};     ///< absent: `default_rule` of inverse/alpha_tables.hpp
-  SurfaceOptions surface{};                  ///< where the tractions lie; the reader's default: hats
-  double smoothing_length = 0.0;             ///< l [m]; default: the first depth
-  double noise_gain_limit = 1e8;             ///< dft: largest noise gain that is accepted
-  bool nonnegative = false;                  ///< tikhonov: f_v >= 0
-  std::optional<double> friction_limit{};    ///< tikhonov: |f_t| <= limit f_v; implies f_v >= 0
+  std::optional<double> alpha{};           ///< absent: a rule chooses it
+  std::optional<AlphaRule> alpha_rule{};   ///< absent: `default_rule` of inverse/alpha_tables.hpp
+  SurfaceOptions surface{};                ///< where the tractions lie; the reader's default: hats
+  double smoothing_length = 0.0;           ///< l [m]; default: the first depth
+  double noise_gain_limit = 1e8;           ///< dft: largest noise gain that is accepted
+  bool nonnegative = false;                ///< tikhonov: f_v >= 0
+  std::optional<double> friction_limit{};  ///< tikhonov: |f_t| <= limit f_v; implies f_v >= 0
   std::optional<double> contact_friction{};  ///< dft: known mu, f_t constant over the contact
   std::optional<bool> tangential{};          ///< solve for it too; absent: see `unknowns`
 };

@@ -6,8 +6,8 @@
 
 #include "lab/methods/frame_check.hpp"
 #include "lab/methods/methods.hpp"
-#include "tactile_net/inverse/dft_friction.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
+#include "tactile_net/inverse/dft_friction.hpp"
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 
 namespace tactile_net::lab {

@@ -27,7 +27,8 @@ DeckHeader header_of(const lab::SceneCircuit& circuit) {
                  "normal "
                  "ones, then the tangential ones."
                : "Solves P f = b for the normal traction f on the surface above a tactile array.",
-           "P = K'K + alpha h/D (l^2/h^2 Q + I), b = K'g; K: what each value does to the readings g, "
+           "P = K'K + alpha h/D (l^2/h^2 Q + I), b = K'g; K: what each value does to the readings "
+           "g, "
            "Q: squared differences of neighbours, h: distance of the values, D: pitch.",
            "Sensor: " + sensor_in_words(scene) + ".", "Material: " + material_in_words(scene) + ".",
            "alpha = " + shortest(circuit.alpha().value) +
