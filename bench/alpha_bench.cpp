@@ -1,15 +1,20 @@
 // The choice of alpha: its cost and its quality.
-// Cost: one frame's decomposition, analysis and full sweep (200 values, all six rules), 81 taxels,
+// Cost: one frame's decomposition, analysis and full sweep (200 values, all rules), 81 taxels,
 // two unknowns. Rival: one singular value decomposition of the stacked matrix by Eigen, with
 // vectors. Limit to hold: 5.
 // Quality: the error with each rule's alpha over that with the best of 200, for 400 contacts drawn
 // at random. Limits to hold: rgcv p95 1.2 and worst 1.5, ncp and discrepancy p95 1.35, gcv median
 // 1.05, and its disasters caught by the verdict.
+// The contest (alpha_contest.hpp): of white noise on one contact, for the default no frame above 3,
+// p95 1.2, worst 2.5. `bench_alpha page 4000` prints docs/internals/alpha.md.
 #include <Eigen/SVD>
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <string>
+#include <string_view>
 
+#include "bench/alpha_contest.hpp"
 #include "bench/measure.hpp"
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
@@ -118,7 +123,11 @@ void quality() {
 
 }  // namespace
 
-int main() {
+int main(int count, char** words) {
+  const bool page = count > 1 && std::string_view(words[1]) == "page";
+  const std::size_t frames = count > 2 ? std::stoul(words[2]) : 400;
+  if (page) return bench::write_contest(frames, true) ? 0 : 1;
   cost();
   quality();
+  return bench::write_contest(frames, false) ? 0 : 1;
 }

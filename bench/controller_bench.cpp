@@ -54,12 +54,13 @@ std::vector<std::vector<double>> frames_of(const InverseProblem& problem) {
   for (std::size_t k = 0; k < frames.size(); ++k) {
     std::vector<double> f(problem.kernel.columns);
     for (std::size_t j = 0; j < f.size(); ++j) {
-      const double y = static_cast<double>(j % problem.count) / static_cast<double>(problem.count);
+      const double y = static_cast<double>(j % problem.surface.count) /
+                       static_cast<double>(problem.surface.count);
       const double middle = (y - 0.3 - 0.02 * static_cast<double>(k)) / 0.1;
       const double edge = (1.0 - y) / 0.1;
       f[j] = (std::sqrt(std::max(0.0, 1.0 - middle * middle)) +
               0.5 * std::sqrt(std::max(0.0, 1.0 - edge * edge))) *
-             (j < problem.count ? 1.0 : 0.3);
+             (j < problem.surface.count ? 1.0 : 0.3);
     }
     for (std::size_t i = 0; i < problem.kernel.rows; ++i) {
       for (std::size_t j = 0; j < f.size(); ++j) frames[k][i] += problem.kernel(i, j) * f[j];

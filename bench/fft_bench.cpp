@@ -27,7 +27,8 @@ constexpr double alpha = 1e-4;
 class BareFilter {
  public:
   BareFilter(const InverseProblem& problem, FftEffort effort)
-      : count_(problem.count), fft_(RealFft::fast_size(2 * problem.count - 1), effort) {
+      : count_(problem.surface.count),
+        fft_(RealFft::fast_size(2 * problem.surface.count - 1), effort) {
     std::vector<double> kernel(2 * count_ - 1);
     for (std::size_t i = 0; i < count_; ++i) {
       kernel[count_ - 1 + i] = problem.kernel(i, 0);
@@ -37,7 +38,7 @@ class BareFilter {
     const auto size = static_cast<double>(fft_.size());
     for (std::size_t i = 0; i < fft_.bins().size(); ++i) {
       const std::complex<double> k = fft_.bins()[i];
-      const double wave = 2.0 * problem.smoothing_length / problem.pitch *
+      const double wave = 2.0 * problem.smoothing_length / problem.surface.spacing *
                           std::sin(std::numbers::pi * static_cast<double>(i) / size);
       filter_.push_back(std::conj(k) / (std::norm(k) + alpha * (1.0 + wave * wave)) / size);
     }

@@ -16,10 +16,11 @@ namespace {
 /// normal traction shows; a tangential traction turns round.
 Signs channel_signs(const InverseProblem& problem) {
   const auto kernel = as_eigen(problem.kernel);
-  const auto n = static_cast<Eigen::Index>(problem.count);
+  const auto taxels = static_cast<Eigen::Index>(problem.taxels);
+  const auto values = static_cast<Eigen::Index>(problem.surface.count);
   Signs signs;
-  for (Eigen::Index row = 0; row < kernel.rows(); row += n) {
-    const Eigen::MatrixXd block = kernel.block(row, 0, n, n);
+  for (Eigen::Index row = 0; row < kernel.rows(); row += taxels) {
+    const Eigen::MatrixXd block = kernel.block(row, 0, taxels, values);
     signs.push_back(block.cwiseProduct(block.reverse()).sum() >= 0.0 ? 1 : -1);
   }
   return signs;
@@ -32,7 +33,7 @@ bool is_symmetric(const Eigen::MatrixXd& kernel, const Signs& rows, const Signs&
 
 /// The weight of each channel, on all of its readings: dead taxels have rows of zeros anyway.
 Eigen::VectorXd channel_weights(const InverseProblem& problem) {
-  const auto n = static_cast<Eigen::Index>(problem.count);
+  const auto n = static_cast<Eigen::Index>(problem.taxels);
   Eigen::VectorXd weights = as_eigen(std::span(problem.weights));
   for (Eigen::Index row = 0; row < weights.size(); row += n) {
     const double largest = weights.segment(row, n).maxCoeff();
@@ -65,6 +66,11 @@ std::vector<double> raw_baseline(const Calibration& calibration) {
   return result;
 }
 
+/// A convolution takes a line of values to one of as many.
+bool can_be_convolution(const InverseProblem& problem) {
+  return problem.surface.count == problem.taxels;
+}
+
 /// M W^-1: from weighted readings to tractions.
 ProductTask reconstruction_task(const InverseProblem& problem, const Reconstruction& inverse,
                                 const PlannerOptions& options) {
@@ -81,7 +87,8 @@ ProductTask reconstruction_task(const InverseProblem& problem, const Reconstruct
   task.accuracy = options.accuracy;
   task.structure = options.structure;
   task.precision = options.precision;
-  task.allow_fft = options.allow_fft || options.structure == Structure::fft;
+  task.allow_fft =
+      (options.allow_fft || options.structure == Structure::fft) && can_be_convolution(problem);
   task.all_candidates = options.all_candidates;
   return task;
 }
@@ -101,7 +108,10 @@ ProductTask prediction_task(const ProductTask& reconstruction) {
   return task;
 }
 
-std::string why_no_fft(const ProductTask& task, const PlannedProduct& planned) {
+std::string why_no_fft(const InverseProblem& problem, const ProductTask& task,
+                       const PlannedProduct& planned) {
+  if (!can_be_convolution(problem))
+    return "the surface has values between the taxels or beyond them";
   if (!task.allow_fft)
     return "it needs an FFT in the controller (tactile_net::spectral): allow_fft";
   if (!planned.symmetric) return "the array is not mirror symmetric (dead taxels, gains?)";
@@ -118,19 +128,24 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
   if (!(options.accuracy > 0.0) || !std::isfinite(options.accuracy))
     throw std::invalid_argument("accuracy must be > 0 and finite");
   if (options.calibration) check(*options.calibration, problem.weights.size());
+  if (options.structure == Structure::fft && !can_be_convolution(problem))
+    throw std::invalid_argument(
+        "structure fft needs the tractions at the taxels: surface = \"taxels\"");
 
   ProductTask task = reconstruction_task(problem, tikhonov(problem, alpha), options);
-  if (options.calibration) take_raw(task, *options.calibration, problem.count);
+  if (options.calibration) take_raw(task, *options.calibration, problem.taxels);
   PlannedProduct reconstruction = plan_product(task);
   PlannedEstimator planned{.candidates = std::move(reconstruction.candidates),
                            .asymmetry = reconstruction.asymmetry,
-                           .without_fft = why_no_fft(task, reconstruction)};
+                           .without_fft = why_no_fft(problem, task, reconstruction)};
   EstimatorPlan& plan = planned.plan;
   plan.label = options.label;
-  plan.count = problem.count;
-  plan.channels = problem.kernel.rows / problem.count;
+  plan.count = problem.taxels;
+  plan.channels = problem.kernel.rows / problem.taxels;
   plan.unknowns = problem.unknowns;
-  plan.pitch = problem.pitch;
+  plan.values = problem.surface.count;
+  plan.spacing = problem.surface.spacing;
+  plan.centre = problem.surface.centre;
   plan.alpha = alpha;
   plan.accuracy = options.accuracy;
   plan.reconstruction = std::move(reconstruction.plan);

@@ -19,4 +19,10 @@ void check(const Material& material) {
   if (material.layer) require_positive("layer.thickness", material.layer->thickness);
 }
 
+void check_depth(const Material& material, double depth) {
+  require_positive("depth", depth);
+  if (material.layer)
+    require(depth <= material.layer->thickness, "depth", "be at most the layer's thickness", depth);
+}
+
 }  // namespace tactile_net

@@ -11,23 +11,8 @@
 namespace tactile_net {
 namespace {
 
-constexpr double robustness = 0.1;   // Lukas' gamma
-constexpr double safety = 1.01;      // of the discrepancy
-constexpr double resolution = 64.0;  // units of rounding per row below which gamma means nothing
+constexpr double safety = 1.01;  // of the discrepancy
 constexpr auto steps = static_cast<Eigen::Index>(alpha_steps);
-
-double log_alpha_at(double low, std::size_t step) {
-  return low * (1.0 - static_cast<double>(step) / (alpha_steps - 1.0));
-}
-
-/// The smallest log alpha that is asked for.
-double low_end(const AlphaTables::Parts& tables) {
-  const double smallest = *std::min_element(tables.relative.begin(), tables.relative.end());
-  const double floor =
-      resolution * static_cast<double>(tables.rows) * std::numeric_limits<double>::epsilon();
-  const double low = 2.0 * std::log(std::max(smallest, std::min(floor, 0.1)));
-  return low < -1.0 ? low : -1.0;  // all gamma equal: a bracket needs a width
-}
 
 /// Of (log rho, log |L f|): Hansen 2010, 5.3, with lambda^2 = alpha. An analytic function, so that
 /// a complex step gives its slope without a difference.
@@ -45,53 +30,13 @@ Number curvature(const Number& alpha, const Number& eta, const Number& rho, cons
 
 }  // namespace
 
-AlphaTables::AlphaTables(std::span<const double> gamma, std::size_t rows) {
-  if (gamma.empty()) throw std::invalid_argument("a frame without components");
-  auto parts = std::make_unique<Parts>();
-  Parts& t = *parts;
-  t.gamma.assign(gamma.begin(), gamma.end());
-  t.rows = rows;
-  t.largest = *std::max_element(gamma.begin(), gamma.end());
-  for (const double one : gamma) t.relative.push_back(t.largest > 0.0 ? one / t.largest : 0.0);
-  t.low = low_end(t);
-
-  const auto n = std::ssize(gamma);
-  t.lost.resize(n, steps);
-  t.weights.resize(4 * steps, n);
-  t.trace = t.square = t.log_determinant = Eigen::VectorXd::Zero(steps);
-  for (Eigen::Index a = 0; a < steps; ++a) {
-    const double alpha = std::exp(log_alpha_at(t.low, static_cast<std::size_t>(a)));
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double one = t.relative[static_cast<std::size_t>(i)];
-      const double square = one * one;
-      const double kept = square / (square + alpha);
-      const double lost = alpha / (square + alpha);
-      const double size = square / ((square + alpha) * (square + alpha));
-      t.lost(i, a) = lost;
-      t.weights(a, i) = lost * lost;
-      t.weights(steps + a, i) = lost;
-      t.weights(2 * steps + a, i) = size;
-      t.weights(3 * steps + a, i) = -4.0 * lost * size;
-      t.trace(a) += kept;
-      t.square(a) += kept * kept;
-      t.log_determinant(a) += std::log(lost);
-    }
-  }
-  parts_ = std::move(parts);
-}
-
-AlphaTables::~AlphaTables() = default;
-AlphaTables::AlphaTables(AlphaTables&&) noexcept = default;
-AlphaTables& AlphaTables::operator=(AlphaTables&&) noexcept = default;
-
 Criteria::Criteria(const FilterFrame& frame, const AlphaTables::Parts& tables,
                    std::optional<double> noise_rms)
     : frame_(frame), tables_(tables), rows_(static_cast<double>(frame.rows)) {
   if (frame.gamma != tables.gamma || frame.rows != tables.rows)
     throw std::invalid_argument("the tables for alpha are of another family than the frame");
   if (noise_rms && !(*noise_rms >= 0.0)) throw std::invalid_argument("noise_rms must be >= 0");
-  if (noise_rms && frame.scale > 0.0)
-    target_ = safety * (*noise_rms / frame.scale) * std::sqrt(rows_);
+  if (noise_rms && frame.scale > 0.0) noise_ = *noise_rms / frame.scale;
   for (const double beta : frame.beta) power_of_.push_back(beta * beta);
   left_.resize(frame.beta.size());
   change_.resize(frame.beta.size());
@@ -101,18 +46,13 @@ Criteria::Criteria(const FilterFrame& frame, const AlphaTables::Parts& tables,
   }
 }
 
-double Criteria::at(std::size_t step) const noexcept { return log_alpha_at(tables_.low, step); }
-
-double Criteria::alpha(double log_alpha) const noexcept {
-  const double root = tables_.largest * std::exp(0.5 * log_alpha);
-  return root * root;
-}
-
 const FrameCurves& Criteria::curves() {
   if (!curves_) {
     const Eigen::VectorXd all = tables_.weights * as_eigen(std::span<const double>(power_of_));
     const double outside = frame_.outside * frame_.outside;
-    curves_ = FrameCurves{.residual = all.segment(0, steps).array() + outside,
+    const Eigen::VectorXd residual = all.segment(0, steps).array() + outside;
+    curves_ = FrameCurves{.residual = residual,
+                          .log_residual = residual.array().log(),
                           .fit = all.segment(steps, steps).array() + outside,
                           .size = all.segment(2 * steps, steps),
                           .rate = all.segment(3 * steps, steps)};
@@ -120,77 +60,80 @@ const FrameCurves& Criteria::curves() {
   return *curves_;
 }
 
+double Criteria::log_target() const { return std::log(safety * noise_ * std::sqrt(rows_)); }
+
 std::vector<double> Criteria::values(AlphaRule rule) {
   if (rule == AlphaRule::ncp) return whiteness();
   const FrameCurves& sums = curves();
   std::vector<double> values(alpha_steps);
-  for (Eigen::Index a = 0; a < steps; ++a) {
-    double& value = values[static_cast<std::size_t>(a)];
-    const double rho = sums.residual(a);
-    switch (rule) {
-      case AlphaRule::discrepancy:
-        value = 0.5 * std::log(rho) - std::log(target_);
-        break;
-      case AlphaRule::gml:
-        value = std::log(sums.fit(a)) - tables_.log_determinant(a) / rows_;
-        break;
-      case AlphaRule::l_curve:
-        value =
-            -curvature(std::exp(at(static_cast<std::size_t>(a))), sums.size(a), rho, sums.rate(a));
-        break;
-      default:
-        value = std::log(rho) - 2.0 * std::log(rows_ - tables_.trace(a));
-        if (rule == AlphaRule::rgcv)
-          value += std::log(robustness + (1.0 - robustness) * tables_.square(a) / rows_);
-    }
+  Eigen::Map<Eigen::VectorXd> all(values.data(), steps);
+  const Eigen::VectorXd& penalty = tables_.penalties[index(rule)];
+  switch (rule) {
+    case AlphaRule::discrepancy:
+      all = 0.5 * sums.log_residual.array() - log_target();
+      break;
+    case AlphaRule::gml:
+      all = sums.fit.array().log() + penalty.array();
+      break;
+    case AlphaRule::evidence:
+      all = 0.5 / (noise_ * noise_) * sums.fit + penalty;
+      break;
+    case AlphaRule::l_curve:
+      for (Eigen::Index a = 0; a < steps; ++a)
+        all(a) =
+            -curvature(tables_.relative_alphas(a), sums.size(a), sums.residual(a), sums.rate(a));
+      break;
+    default:
+      all = sums.log_residual + penalty;
   }
   return values;
 }
 
-double Criteria::misfit(double log_alpha) const {
-  const double alpha = std::exp(log_alpha);
-  double residual = frame_.outside * frame_.outside;
-  for (std::size_t i = 0; i < power_of_.size(); ++i) {
-    const double lost = alpha / (tables_.relative[i] * tables_.relative[i] + alpha);
-    residual += lost * lost * power_of_[i];
-  }
-  return 0.5 * std::log(residual) - std::log(target_);
-}
-
-double Criteria::slope(AlphaRule rule, double log_alpha) {
+double Criteria::zero(AlphaRule rule, double log_alpha) {
   if (rule == AlphaRule::ncp) return whiteness_slope(log_alpha);
   if (rule == AlphaRule::l_curve) return -curvature_slope(log_alpha);
-  return slope_from_sums(rule, log_alpha);
+  return zero_from_sums(rule, log_alpha);
 }
 
-double Criteria::slope_from_sums(AlphaRule rule, double log_alpha) const {
+double Criteria::zero_from_sums(AlphaRule rule, double log_alpha) const {
   const double alpha = std::exp(log_alpha);
   double residual = frame_.outside * frame_.outside;
   double fit = residual;
   double residual_slope = 0.0, fit_slope = 0.0;
-  double trace = 0.0, trace_slope = 0.0;
-  double square_sum = 0.0, square_slope = 0.0;
+  Traces traces{.left = tables_.unexplained};
+  double trace_slope = 0.0, square_slope = 0.0;
   for (std::size_t i = 0; i < power_of_.size(); ++i) {
     const double square = tables_.relative[i] * tables_.relative[i];
-    const double kept = square / (square + alpha);
-    const double lost = alpha / (square + alpha);
+    const double over = 1.0 / (square + alpha);
+    const double kept = square * over;
+    const double lost = alpha * over;
     const double power = power_of_[i];
     residual += lost * lost * power;
     residual_slope += 2.0 * kept * lost * lost * power;
     fit += lost * power;
     fit_slope += kept * lost * power;
-    trace += kept;
+    traces.kept += kept;
+    if (square > 0.0) traces.left += lost;
+    traces.square += kept * kept;
     trace_slope -= kept * lost;
-    square_sum += kept * kept;
     square_slope -= 2.0 * kept * kept * lost;
   }
   const double rho_slope = residual_slope / residual;
-  if (rule == AlphaRule::discrepancy) return 0.5 * rho_slope;
-  if (rule == AlphaRule::gml) return fit_slope / fit - trace / rows_;
-  const double gcv = rho_slope + 2.0 * trace_slope / (rows_ - trace);
-  if (rule == AlphaRule::gcv) return gcv;
-  const double weight = robustness + (1.0 - robustness) * square_sum / rows_;
-  return gcv + (1.0 - robustness) * square_slope / rows_ / weight;
+  switch (rule) {
+    case AlphaRule::discrepancy:
+      return 0.5 * std::log(residual) - log_target();
+    case AlphaRule::gml:
+      return fit_slope / fit - traces.kept / rows_;
+    case AlphaRule::evidence:
+      return 0.5 * (fit_slope / (noise_ * noise_) - traces.kept);
+    case AlphaRule::aicc:
+      return rho_slope + 2.0 * (rows_ - 1.0) * trace_slope / std::pow(traces.left - 2.0, 2);
+    case AlphaRule::gcv:
+      return rho_slope + 2.0 * trace_slope / traces.left;
+    default:
+      return rho_slope + 2.0 * trace_slope / traces.left +
+             0.9 * square_slope / rows_ / robustness(traces, rows_);
+  }
 }
 
 double Criteria::curvature_slope(double log_alpha) const {
@@ -200,9 +143,10 @@ double Criteria::curvature_slope(double log_alpha) const {
   double rate = 0.0, rate_slope = 0.0;
   for (std::size_t i = 0; i < power_of_.size(); ++i) {
     const double square = tables_.relative[i] * tables_.relative[i];
-    const double kept = square / (square + alpha);
-    const double lost = alpha / (square + alpha);
-    const double size = square / ((square + alpha) * (square + alpha)) * power_of_[i];
+    const double over = 1.0 / (square + alpha);
+    const double kept = square * over;
+    const double lost = alpha * over;
+    const double size = kept * over * power_of_[i];
     eta += size;
     eta_slope -= 2.0 * lost * size;
     rho += lost * lost * power_of_[i];

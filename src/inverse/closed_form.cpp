@@ -12,11 +12,11 @@ Reconstruction closed_form(const InverseProblem& problem, double alpha,
   const auto kernel = as_eigen(problem.kernel);
   const Eigen::Index m = kernel.rows();
   const Eigen::Index n = kernel.cols();
-  const auto block = static_cast<Eigen::Index>(problem.count);
+  const auto block = static_cast<Eigen::Index>(problem.surface.count);
   const auto unknowns = static_cast<Eigen::Index>(problem.unknowns);
-  const double size = std::sqrt(alpha);
+  const double size = std::sqrt(alpha * problem.surface.area);
 
-  // f = G h + E c: E one column of ones per block, G the cumulative sum times D. h is the slope
+  // f = G h + E c: E one column of ones per block, G the cumulative sum times h. h is the slope
   // between neighbours: the thesis' slope before the first one acts as c does and is left out.
   const Eigen::Index slopes = n - unknowns;
   Eigen::MatrixXd g = Eigen::MatrixXd::Zero(n, slopes);
@@ -24,7 +24,7 @@ Reconstruction closed_form(const InverseProblem& problem, double alpha,
   for (Eigen::Index u = 0; u < unknowns; ++u) {
     g.block(u * block + 1, u * (block - 1), block - 1, block - 1)
         .triangularView<Eigen::Lower>()
-        .setConstant(problem.pitch);
+        .setConstant(problem.surface.spacing);
     e.block(u * block, u, block, 1).setOnes();
   }
 

@@ -23,13 +23,13 @@ void check(const InverseProblem& problem, const Constraints& constraints) {
 
 Matrix edges(const InverseProblem& problem, const Constraints& constraints) {
   check(problem, constraints);
-  const std::size_t n = problem.unknowns * problem.count;
+  const std::size_t n = problem.unknowns * problem.surface.count;
   Matrix map{n, n, std::vector<double>(n * n)};
   for (std::size_t i = 0; i < n; ++i) map(i, i) = 1.0;
   if (!constraints.friction_limit) return map;
   const double limit = *constraints.friction_limit;
-  for (std::size_t i = 0; i < problem.count; ++i) {
-    const std::size_t t = i + problem.count;
+  for (std::size_t i = 0; i < problem.surface.count; ++i) {
+    const std::size_t t = i + problem.surface.count;
     map(i, t) = 1.0;
     map(t, i) = limit;
     map(t, t) = -limit;
@@ -65,7 +65,7 @@ ConstrainedTikhonov::ConstrainedTikhonov(const InverseProblem& problem, double a
   s.bounded.assign(static_cast<std::size_t>(n), true);
   if (!constraints.friction_limit)
     for (std::size_t i = 0; i < s.bounded.size(); ++i)
-      s.bounded[i] = constraints.nonnegative && i < problem.count;
+      s.bounded[i] = constraints.nonnegative && i < problem.surface.count;
 }
 
 ConstrainedTikhonov::~ConstrainedTikhonov() = default;

@@ -9,13 +9,12 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
-#include "inverse/kernel_error.hpp"
 #include "inverse/rounding.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/real_fft.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
-#include "tactile_net/sensing/sampled.hpp"
+#include "tactile_net/sensing/surface_kernel.hpp"
 
 namespace tactile_net {
 namespace {
@@ -123,12 +122,9 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t u = 0; u < plan.unknowns; ++u) {
       const Traction component = traction_components[u];
-      const std::vector<double> kernel =
-          sampled_kernel(all[c], component, material, n, array.pitch);
-      plan.kernel_error =
-          std::hypot(plan.kernel_error,
-                     plan.weights[c] * kernel_error(all[c], component, material, array, kernel));
-      transform_circular(plan.fft, kernel);
+      const SurfaceKernel kernel = surface_kernel(all[c], component, material, surface_of(array));
+      plan.kernel_error = std::hypot(plan.kernel_error, plan.weights[c] * kernel.error);
+      transform_circular(plan.fft, kernel.lags);
       const bool odd = is_odd(all[c].quantity, component);
       for (std::size_t k = 0; k < bins; ++k) {
         // Rounding must not give an odd kernel a mean, nor an even one a phase.

@@ -13,7 +13,7 @@
 #include "inverse/checks.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/real_fft.hpp"
-#include "tactile_net/sensing/sampled.hpp"
+#include "tactile_net/sensing/surface_kernel.hpp"
 
 namespace tactile_net {
 namespace {
@@ -30,17 +30,19 @@ double dot(std::span<const double> a, std::span<const double> b) noexcept {
 }  // namespace
 
 struct FftTikhonov::Plan {
-  Plan(std::size_t count_, std::size_t channels_, std::size_t unknowns_)
-      : count(count_),
+  Plan(const Surface& surface_, std::size_t taxels_, std::size_t channels_, std::size_t unknowns_)
+      : surface(surface_),
+        count(surface_.count),
+        taxels(taxels_),
         channels(channels_),
         unknowns(unknowns_),
-        padded(RealFft::fast_size(2 * count_ - 1)),
-        circle(count_),
+        padded(RealFft::fast_size(2 * surface_.count - 1)),
+        circle(surface_.count),
         input(unknowns_, Spectrum(padded.bins().size())),
         output(std::max(unknowns_, channels_), Spectrum(padded.bins().size())),
         circular(unknowns_, Spectrum(circle.bins().size())) {
     const std::size_t n = unknowns * count;
-    const std::size_t m = channels * count;
+    const std::size_t m = channels * taxels;
     right.resize(m);
     residual.resize(m + 2 * n);
     image.resize(m + 2 * n);
@@ -61,10 +63,11 @@ struct FftTikhonov::Plan {
           padded.bins()[k] += product(kernel[k], input[u][k]);
       }
       padded.backward();
-      for (std::size_t i = 0; i < count; ++i)
-        y[c * count + i] = weights[c * count + i] * padded.samples()[i];
+      for (std::size_t j = 0; j < taxels; ++j)
+        y[c * taxels + j] =
+            weights[c * taxels + j] * padded.samples()[surface.margin + j * surface.stride];
     }
-    auto* slope_out = y.data() + channels * count;
+    auto* slope_out = y.data() + channels * taxels;
     auto* size_out = slope_out + unknowns * count;
     for (std::size_t u = 0; u < unknowns; ++u)
       for (std::size_t i = 0; i < count; ++i) {
@@ -77,14 +80,14 @@ struct FftTikhonov::Plan {
   /// Its transpose.
   void apply_transposed(std::span<const double> y, std::span<double> x) noexcept {
     for (std::size_t c = 0; c < channels; ++c) {
-      for (std::size_t i = 0; i < count; ++i)
-        padded.samples()[i] = weights[c * count + i] * y[c * count + i];
-      std::fill(padded.samples().begin() + static_cast<std::ptrdiff_t>(count),
-                padded.samples().end(), 0.0);
+      std::fill(padded.samples().begin(), padded.samples().end(), 0.0);
+      for (std::size_t j = 0; j < taxels; ++j)
+        padded.samples()[surface.margin + j * surface.stride] =
+            weights[c * taxels + j] * y[c * taxels + j];
       padded.forward();
       std::copy(padded.bins().begin(), padded.bins().end(), output[c].begin());
     }
-    const double* slope_in = y.data() + channels * count;
+    const double* slope_in = y.data() + channels * taxels;
     const double* size_in = slope_in + unknowns * count;
     for (std::size_t u = 0; u < unknowns; ++u) {
       std::fill(padded.bins().begin(), padded.bins().end(), Complex{});
@@ -132,13 +135,14 @@ struct FftTikhonov::Plan {
     std::copy(padded.bins().begin(), padded.bins().end(), spectrum.begin());
   }
 
-  std::size_t count, channels, unknowns;
+  Surface surface;
+  std::size_t count, taxels, channels, unknowns;  // count: of the surface's values
   RealFft padded;  // for Toeplitz blocks: nothing that wraps around is read
   RealFft circle;  // for the preconditioner
   double alpha = 0.0;
-  double size = 0.0;   // sqrt(alpha)
-  double slope = 0.0;  // sqrt(alpha) l / D
-  double ratio = 0.0;  // l / D
+  double size = 0.0;   // sqrt(alpha h / D)
+  double slope = 0.0;  // that times l / h
+  double ratio = 0.0;  // l / h
   std::vector<double> weights;
   std::vector<Spectrum> kernels;  // channels x unknowns, over the padded size
   /// A frequency's A'A of the circular kernels, a Hermitian matrix of unknowns x unknowns.
@@ -160,21 +164,24 @@ FftTikhonov& FftTikhonov::operator=(FftTikhonov&&) noexcept = default;
 FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
                          const ProblemOptions& options, double alpha) {
   check(array, material, options);
-  const std::size_t n = array.count;
+  const Surface surface = surface_of(array, options.surface);
+  const std::size_t n = surface.count;
   const std::vector<Channel> all = channels(array);
-  plan_ = std::make_unique<Plan>(n, all.size(), options.unknowns);
+  plan_ = std::make_unique<Plan>(surface, array.count, all.size(), options.unknowns);
   Plan& plan = *plan_;
-  plan.ratio = options.smoothing_length / array.pitch;
+  plan.ratio = options.smoothing_length / surface.spacing;
 
   std::vector<double> channel_weights(all.size(), 1.0);
   for (std::size_t c = 0; c < options.channel_rms.size(); ++c)
     channel_weights[c] = 1.0 / options.channel_rms[c];
   for (std::size_t c = 0; c < all.size(); ++c) {
-    plan.weights.insert(plan.weights.end(), n, channel_weights[c]);
-    for (const std::size_t taxel : options.dead_taxels) plan.weights[c * n + taxel] = 0.0;
+    plan.weights.insert(plan.weights.end(), array.count, channel_weights[c]);
+    for (const std::size_t taxel : options.dead_taxels) plan.weights[c * array.count + taxel] = 0.0;
   }
 
-  // The circular stand-in: the Toeplitz blocks' lags, those beyond half the array wrapped (Strang).
+  // The circular stand-in: the Toeplitz blocks' lags, those beyond half the surface wrapped
+  // (Strang), as if there were a taxel at every value and each counted for a part.
+  const double thinned = std::sqrt(surface.area);
   const std::size_t bins = plan.circle.bins().size();
   const auto u_count = static_cast<Eigen::Index>(plan.unknowns);
   std::vector<Eigen::MatrixXcd> a(
@@ -182,7 +189,7 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t u = 0; u < plan.unknowns; ++u) {
       const std::vector<double> kernel =
-          sampled_kernel(all[c], traction_components[u], material, n, array.pitch);
+          surface_kernel(all[c], traction_components[u], material, surface).lags;
       transform_kernel(plan.padded, kernel);
       Spectrum spectrum(plan.padded.bins().begin(), plan.padded.bins().end());
       for (Complex& bin : spectrum) bin /= static_cast<double>(plan.padded.size());
@@ -193,7 +200,7 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
       plan.circle.forward();
       for (std::size_t k = 0; k < bins; ++k)
         a[k](static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(u)) =
-            channel_weights[c] * plan.circle.bins()[k];
+            thinned * channel_weights[c] * plan.circle.bins()[k];
     }
 
   for (const Eigen::MatrixXcd& one : a) {
@@ -209,14 +216,14 @@ void FftTikhonov::use_alpha(double alpha) {
   check_alpha(alpha);
   Plan& plan = *plan_;
   plan.alpha = alpha;
-  plan.size = std::sqrt(alpha);
+  plan.size = std::sqrt(alpha * plan.surface.area);
   plan.slope = plan.size * plan.ratio;
   const std::size_t bins = plan.circle.bins().size();
   for (std::size_t k = 0; k < bins; ++k) {
     const double wave =
         2.0 * plan.ratio *
         std::sin(std::numbers::pi * static_cast<double>(k) / static_cast<double>(plan.count));
-    const double shift = alpha * (1.0 + wave * wave);
+    const double shift = alpha * plan.surface.area * (1.0 + wave * wave);
     const Plan::Gram& gram = plan.grams[k];
     if (plan.unknowns == 1) {
       plan.inverse[k] = 1.0 / (gram.first + shift);
@@ -262,7 +269,8 @@ FrameStatus FftTikhonov::solve(std::span<const double> readings, std::span<doubl
   p.direction = p.preconditioned;
   double power = dot(p.gradient, p.preconditioned);
   // What the last steps took off the error in the norm of P: a step later than that, the error was
-  // about as large (Hestenes and Stiefel 1952, 6). P >= alpha turns it into the 2-norm.
+  // about as large (Hestenes and Stiefel 1952, 6). P >= alpha h / D turns it into the 2-norm.
+  const double least = p.alpha * p.surface.area;
   std::array<double, 4> gains{};
   Convergence& c = p.convergence;
   c.converged = false;
@@ -280,8 +288,8 @@ FrameStatus FftTikhonov::solve(std::span<const double> readings, std::span<doubl
     gains[c.steps % gains.size()] = step * power;
     double gained = 0.0;
     for (const double gain : gains) gained += gain;
-    c.estimate = std::sqrt(gained / p.alpha) / size;
-    c.bound = std::sqrt(dot(p.gradient, p.gradient)) / (p.alpha * size);
+    c.estimate = std::sqrt(gained / least) / size;
+    c.bound = std::sqrt(dot(p.gradient, p.gradient)) / (least * size);
     if (c.bound <= tolerance || (c.steps >= gains.size() && c.estimate <= tolerance)) {
       c.converged = true;
       break;

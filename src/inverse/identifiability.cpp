@@ -44,7 +44,7 @@ class Describer {
  public:
   explicit Describer(const InverseProblem& problem)
       : problem_(problem),
-        count_(static_cast<Eigen::Index>(problem.count)),
+        count_(static_cast<Eigen::Index>(problem.surface.count)),
         unknowns_(static_cast<Eigen::Index>(problem.unknowns)),
         waves_(half_waves(count_)) {}
 
@@ -71,7 +71,8 @@ class Describer {
   }
   [[nodiscard]] double wavelength(Eigen::Index m) const {
     return m == 0 ? infinity
-                  : 2.0 * static_cast<double>(count_) * problem_.pitch / static_cast<double>(m);
+                  : 2.0 * static_cast<double>(count_) * problem_.surface.spacing /
+                        static_cast<double>(m);
   }
 
   const InverseProblem& problem_;
@@ -149,10 +150,20 @@ ModeSpace Describer::describe_space(const Eigen::Ref<const Eigen::MatrixXd>& bas
   return space;
 }
 
+/// W K, and rows of zeros below where it has fewer rows than columns: what they leave unseen then
+/// has singular values too, which are 0.
+Eigen::MatrixXd tall(const Matrix& kernel) {
+  const auto rows = static_cast<Eigen::Index>(kernel.rows);
+  const auto columns = static_cast<Eigen::Index>(kernel.columns);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(std::max(rows, columns), columns);
+  result.topRows(rows) = as_eigen(kernel);
+  return result;
+}
+
 /// W K = U S V', and where its singular values end to count.
 struct Decomposition {
   explicit Decomposition(const InverseProblem& problem)
-      : svd(singular_value_decomposition(Eigen::MatrixXd(as_eigen(problem.kernel)))),
+      : svd(singular_value_decomposition(tall(problem.kernel))),
         floor(std::max(static_cast<double>(std::max(problem.kernel.rows, problem.kernel.columns)) *
                            epsilon * svd.values(0),
                        problem.kernel_error)),

@@ -6,9 +6,8 @@
 #include <string>
 
 #include "inverse/checks.hpp"
-#include "inverse/kernel_error.hpp"
 #include "numeric/eigen.hpp"
-#include "tactile_net/sensing/sampled.hpp"
+#include "tactile_net/sensing/surface_kernel.hpp"
 
 namespace tactile_net {
 void check(const SensorArray& array, const Material& material, const ProblemOptions& options) {
@@ -43,33 +42,35 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
                             const ProblemOptions& options) {
   check(array, material, options);
 
-  const std::size_t n = array.count;
+  const Surface surface = surface_of(array, options.surface);
+  const std::size_t taxels = array.count;
+  const std::size_t n = surface.count;
   const std::vector<Channel> all = channels(array);
-  const std::size_t rows = all.size() * n;
+  const std::size_t rows = all.size() * taxels;
   const std::size_t columns = options.unknowns * n;
   InverseProblem problem{.kernel = {rows, columns, std::vector<double>(rows * columns)},
                          .weights = std::vector<double>(rows, 1.0),
-                         .count = n,
+                         .taxels = taxels,
                          .unknowns = options.unknowns,
-                         .pitch = array.pitch,
+                         .surface = surface,
                          .smoothing_length = options.smoothing_length};
 
   for (std::size_t c = 0; c < all.size(); ++c) {
-    const auto row_weights = std::span(problem.weights).subspan(c * n, n);
+    const auto row_weights = std::span(problem.weights).subspan(c * taxels, taxels);
     if (!options.channel_rms.empty())
       std::fill(row_weights.begin(), row_weights.end(), 1.0 / options.channel_rms[c]);
     for (const std::size_t taxel : options.dead_taxels) row_weights[taxel] = 0.0;
 
     for (std::size_t u = 0; u < options.unknowns; ++u) {
       const Traction component = traction_components[u];
-      const std::vector<double> kernel =
-          sampled_kernel(all[c], component, material, n, array.pitch);
+      const SurfaceKernel kernel = surface_kernel(all[c], component, material, surface);
       const double weight = options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[c];
-      problem.kernel_error = std::hypot(
-          problem.kernel_error, weight * kernel_error(all[c], component, material, array, kernel));
-      for (std::size_t i = 0; i < n; ++i)
+      problem.kernel_error = std::hypot(problem.kernel_error, weight * kernel.error);
+      for (std::size_t i = 0; i < taxels; ++i) {
+        const std::size_t at = surface.margin + i * surface.stride;
         for (std::size_t j = 0; j < n; ++j)
-          problem.kernel(c * n + i, u * n + j) = row_weights[i] * kernel[i + n - 1 - j];
+          problem.kernel(c * taxels + i, u * n + j) = row_weights[i] * kernel.lags[at + n - 1 - j];
+      }
     }
   }
   const auto is_zero = [](double weight) { return weight == 0.0; };
@@ -84,11 +85,12 @@ Matrix normal_matrix(const InverseProblem& problem, double alpha) {
   RowMajor p = RowMajor::Zero(kernel.cols(), kernel.cols());
   p.selfadjointView<Eigen::Upper>().rankUpdate(kernel.transpose());
 
-  const double ratio = problem.smoothing_length / problem.pitch;
-  const double coupling = alpha * ratio * ratio;
-  const auto n = static_cast<Eigen::Index>(problem.count);
+  const double ratio = problem.smoothing_length / problem.surface.spacing;
+  const double weight = alpha * problem.surface.area;
+  const double coupling = weight * ratio * ratio;
+  const auto n = static_cast<Eigen::Index>(problem.surface.count);
   for (Eigen::Index i = 0; i < p.rows(); ++i) {
-    p(i, i) += alpha;
+    p(i, i) += weight;
     if (i % n + 1 == n) continue;  // the last point of a block has no right neighbour
     p(i, i) += coupling;
     p(i + 1, i + 1) += coupling;

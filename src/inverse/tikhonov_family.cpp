@@ -73,17 +73,18 @@ Eigen::MatrixXd fourier_rows(Eigen::Index count, Eigen::Index channels) {
 
 struct TikhonovFamily::Factors {
   explicit Factors(const InverseProblem& problem)
-      : count(problem.count),
+      : taxels(problem.taxels),
         weights(as_eigen(std::span(problem.weights))),
-        stabiliser_condition(std::hypot(1.0, 2.0 * problem.smoothing_length / problem.pitch)),
+        stabiliser_condition(
+            std::hypot(1.0, 2.0 * problem.smoothing_length / problem.surface.spacing)),
         form(as_eigen(problem.kernel), stabiliser(problem)),
         gamma(form.gamma.begin(), form.gamma.end()) {
-    const auto block = static_cast<Eigen::Index>(count);
+    const auto block = static_cast<Eigen::Index>(taxels);
     fourier = fourier_rows(block, form.u.rows() / block);
     spectra = std::make_shared<const Eigen::MatrixXd>(fourier * form.u);
   }
 
-  std::size_t count;
+  std::size_t taxels;
   Eigen::VectorXd weights;
   double stabiliser_condition;  // of L, at most
   StandardForm form;
@@ -102,7 +103,9 @@ std::span<const double> TikhonovFamily::singular_values() const noexcept { retur
 
 double TikhonovFamily::condition(double alpha) const noexcept {
   const double root = std::sqrt(alpha);
-  return std::hypot(factors_->gamma.front(), root) / std::hypot(factors_->gamma.back(), root);
+  const bool wide = factors_->form.v.rows() > factors_->form.u.rows();  // some show in no reading
+  return std::hypot(factors_->gamma.front(), root) /
+         std::hypot(wide ? 0.0 : factors_->gamma.back(), root);
 }
 
 double TikhonovFamily::stacked_condition(double alpha) const noexcept {
@@ -124,7 +127,7 @@ FilterFrame TikhonovFamily::analyse(std::span<const double> readings) const {
   g -= factors.form.u * beta;
   frame.outside = g.norm();
   frame.periodogram = std::make_shared<DensePeriodogram>(
-      factors.spectra, Eigen::VectorXd(factors.fourier * g), factors.count / 2);
+      factors.spectra, Eigen::VectorXd(factors.fourier * g), factors.taxels / 2);
   return frame;
 }
 

@@ -31,7 +31,18 @@ struct TractionCovariance::Factor {
       size(i) = std::hypot(gamma, smoothing * (smoothing / std::sqrt(prior_alpha))) / whole / whole;
       degrees += (gamma / whole) * (gamma / whole);
     }
-    root = map * form.from_components(Eigen::MatrixXd(size.asDiagonal()));
+    const Eigen::MatrixXd known = form.from_components(Eigen::MatrixXd(size.asDiagonal()));
+    if (form.v.rows() == form.v.cols()) {
+      root = map * known;
+      return;
+    }
+    // What no reading shows is as large as the prior says: 1 / sqrt(prior_alpha) on the complement
+    // of V, whose projector is its own square.
+    const Eigen::Index n = form.v.rows();
+    Eigen::MatrixXd hidden = Eigen::MatrixXd::Identity(n, n) - form.v * form.v.transpose();
+    hidden = solve_upper(form.triangle, hidden) / std::sqrt(prior_alpha);
+    root.resize(map.rows(), known.cols() + n);
+    root << map * known, map * hidden;
   }
   Eigen::MatrixXd root;  // S
   double degrees = 0.0;
@@ -96,11 +107,12 @@ NoiseEstimate estimate_noise(const InverseProblem& problem, std::span<const doub
 
 UncertainResultant resultant_of(const InverseProblem& problem, std::span<const double> tractions,
                                 const TractionCovariance& covariance, double noise_rms) {
-  const std::size_t n = problem.count;
-  const double d = problem.pitch;
+  const Surface& surface = problem.surface;
+  const std::size_t n = surface.count;
+  const double d = surface.spacing;
   const bool two = problem.unknowns == 2;
   const Resultant sum =
-      resultant_of(tractions.first(n), tractions.subspan(n, two ? n : std::size_t{0}), d);
+      resultant_of(tractions.first(n), tractions.subspan(n, two ? n : std::size_t{0}), surface);
   // The gradient of each result by the tractions, made of three: F_v, F_t and the centre.
   std::array<std::vector<double>, 3> gradients;
   gradients.fill(std::vector<double>(tractions.size()));
@@ -109,7 +121,7 @@ UncertainResultant resultant_of(const InverseProblem& problem, std::span<const d
   for (std::size_t i = 0; i < n; ++i) {
     on_normal[i] = d;
     if (two) on_tangential[n + i] = d;
-    if (centre) on_centre[i] = d * (centred(i, n) * d - *centre) / sum.normal;
+    if (centre) on_centre[i] = d * (surface.position(i) - *centre) / sum.normal;
   }
   const auto uncertain = [&](double value, std::span<const double> gradient) {
     return Uncertain{value, covariance.deviation(gradient) * noise_rms};

@@ -30,8 +30,8 @@ double half_width(std::size_t count, double pitch) {
 
 /// Where the resultant of tractions acts, whose deviations are not known.
 UncertainResultant certain(std::span<const double> normal, std::span<const double> tangential,
-                           double pitch) {
-  const Resultant sum = resultant_of(normal, tangential, pitch);
+                           const Surface& surface) {
+  const Resultant sum = resultant_of(normal, tangential, surface);
   UncertainResultant result;
   result.normal = {sum.normal, 0.0};
   if (!tangential.empty()) result.tangential = Uncertain{sum.tangential, 0.0};
@@ -113,7 +113,9 @@ void FingertipMaker::press(Fingertip& tip, const HandFinger& finger,
   const TractionField f = unquoted(
       explain_tractions, [&] { return frame_of_.tractions(folder_ / source.file, source.frame); });
   tip.finger = finger.with_pad(half_width(f.normal.size(), source.pitch));
-  lab::press(tip, certain(f.normal, f.tangential, source.pitch), finger.breadth);
+  lab::press(tip,
+             certain(f.normal, f.tangential, {.count = f.normal.size(), .spacing = source.pitch}),
+             finger.breadth);
 }
 
 std::vector<double> FingertipMaker::readings_of(Fingertip& tip, const FingertipScene& source,
@@ -150,7 +152,8 @@ void FingertipMaker::press(Fingertip& tip, const HandFinger& finger, const Finge
   if (scene.problem.is_large()) {
     tip.remarks.emplace_back(remark::NoBands{});
     const std::span<const double> all(f);
-    lab::press(tip, certain(all.first(array.count), all.subspan(array.count), array.pitch),
+    const Surface& surface = scene.problem.surface();
+    lab::press(tip, certain(all.first(surface.count), all.subspan(surface.count), surface),
                finger.breadth);
     return;
   }

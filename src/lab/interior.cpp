@@ -11,15 +11,16 @@ namespace {
 /// row is deep.
 std::vector<double> row_of(const Scene& scene, Traction component, double depth) {
   const PadKernel kernel(Quantity::stress_x, component, scene.material, depth);
-  const double pitch = scene.sensor.pitch;
-  const auto count = static_cast<std::ptrdiff_t>(scene.sensor.count);
-  const int parts = static_cast<int>(std::clamp(4.0 * pitch / depth, 4.0, 64.0));
+  const Surface strips = surface(scene);
+  const double width = strips.spacing;
+  const auto count = static_cast<std::ptrdiff_t>(strips.count);
+  const int parts = static_cast<int>(std::clamp(4.0 * width / depth, 4.0, 64.0));
   std::vector<double> row;
   for (std::ptrdiff_t lag = 1 - count; lag < count; ++lag) {
     double sum = 0.0;
     for (int part = 0; part < parts; ++part)
-      sum += kernel(pitch * (static_cast<double>(lag) + (part + 0.5) / parts - 0.5));
-    row.push_back(pitch * sum / parts);
+      sum += kernel(width * (static_cast<double>(lag) + (part + 0.5) / parts - 0.5));
+    row.push_back(width * sum / parts);
   }
   return row;
 }
@@ -34,7 +35,7 @@ double interior_depth(const Scene& scene) {
 
 InteriorKernels interior_kernels(const Scene& scene, std::size_t rows, bool tangential) {
   const double bottom = interior_depth(scene);
-  InteriorKernels kernels{.lags = 2 * scene.sensor.count - 1};
+  InteriorKernels kernels{.lags = 2 * surface(scene).count - 1};
   for (std::size_t i = 0; i < rows; ++i) {
     const double depth = bottom * (static_cast<double>(i) + 0.5) / static_cast<double>(rows);
     kernels.depths.push_back(depth);

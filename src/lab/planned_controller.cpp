@@ -15,16 +15,19 @@ std::optional<PlanAlpha> median_alpha(const SceneProblem& problem, const NextFra
                                       Observer& observer) {
   std::vector<double> readings(problem.readings());
   std::vector<double> alphas;
+  std::optional<AlphaRule> rule;
   while (next(readings)) {
     observer.step({.kind = Step::Kind::frame, .count = alphas.size()});
-    alphas.push_back(SceneFrame(problem, readings).alpha().value);
+    const ChosenAlpha chosen = SceneFrame(problem, readings).alpha();
+    alphas.push_back(chosen.value);
+    rule = chosen.rule;
   }
   if (alphas.empty()) return std::nullopt;
   const auto middle = alphas.begin() + std::ssize(alphas) / 2;
   std::nth_element(alphas.begin(), middle, alphas.end());
   return PlanAlpha{.value = *middle,
                    .source = PlanAlpha::Source::recording,
-                   .rule = problem.scene().reconstruct.alpha_rule,
+                   .rule = rule,
                    .frames = alphas.size()};
 }
 
@@ -65,9 +68,9 @@ std::optional<PlanAlpha> plan_alpha(const SceneProblem& problem, const NextFrame
   if (scene.reconstruct.alpha) return PlanAlpha{.value = *scene.reconstruct.alpha};
   if (next) return median_alpha(problem, next, observer);
   if (scene.contacts.empty()) return std::nullopt;
-  return PlanAlpha{.value = SceneFrame(problem, simulate(scene).readings).alpha().value,
-                   .source = PlanAlpha::Source::contact,
-                   .rule = scene.reconstruct.alpha_rule};
+  const ChosenAlpha chosen = SceneFrame(problem, simulate(scene).readings).alpha();
+  return PlanAlpha{
+      .value = chosen.value, .source = PlanAlpha::Source::contact, .rule = chosen.rule};
 }
 
 PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,

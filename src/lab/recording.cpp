@@ -50,7 +50,7 @@ double least_force(const RecordingOverview& overview, const FrameGroup& group) {
 }  // namespace
 
 bool RecordingOverview::tangential() const noexcept {
-  return !groups.empty() && groups.front().tractions.size() > scene.sensor.count;
+  return !groups.empty() && groups.front().tractions.size() > surface(scene).count;
 }
 
 const FrameGroup& RecordingOverview::peak() const {
@@ -74,7 +74,7 @@ std::vector<const FrameGroup*> RecordingOverview::trusted() const {
 
 std::span<const double> RecordingOverview::component(std::span<const double> values,
                                                      Traction traction) const {
-  const std::size_t n = scene.sensor.count;
+  const std::size_t n = surface(scene).count;
   if (traction == Traction::normal) return values.first(n);
   return values.size() > n ? values.subspan(n, n) : std::span<const double>{};
 }
@@ -113,10 +113,10 @@ void Recording::skip() {
 void Recording::add(std::optional<double> time, const SceneProblem& problem,
                     std::span<const double> readings, std::span<const double> tractions,
                     const FrameResult& result) {
-  const SensorArray& sensor = problem_.scene().sensor;
-  const auto normal = tractions.first(sensor.count);
+  const Surface& surface = problem_.surface();
+  const auto normal = tractions.first(surface.count);
   FrameGroup frame{.first = frames_, .count = 1, .shown = frames_};
-  frame.resultant = resultant_of(normal, tractions.subspan(sensor.count), sensor.pitch);
+  frame.resultant = resultant_of(normal, tractions.subspan(surface.count), surface);
   frame.lowest_normal = frame.highest_normal = frame.resultant.normal;
   frame.lowest_tangential = frame.highest_tangential = frame.resultant.tangential;
   frame.time = time.value_or(std::numeric_limits<double>::quiet_NaN());

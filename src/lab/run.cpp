@@ -53,9 +53,9 @@ double frame_seconds(FrameSolver& solver, const Run& run, std::span<double> f) {
 }
 
 /// Splits a method's tractions into components, and each beside the truth.
-void measure(MethodResult& result, std::span<const double> f, const Scene& scene,
+void measure(MethodResult& result, std::span<const double> f, const Surface& surface,
              const TractionField& truth) {
-  const std::size_t n = scene.sensor.count;
+  const std::size_t n = surface.count;
   const std::vector<double> no_tangential(n);
   const auto component = [](std::span<const double> traction, std::span<const double> reference) {
     return Component{.traction = {traction.begin(), traction.end()},
@@ -63,7 +63,7 @@ void measure(MethodResult& result, std::span<const double> f, const Scene& scene
                      .relative_l2 = relative_l2_error(traction, reference)};
   };
   result.normal = component(f.first(n), truth.normal);
-  result.force = sampled_force(result.normal.traction, scene.sensor.pitch);
+  result.force = sampled_force(result.normal.traction, surface.spacing);
   if (f.size() > n)
     result.tangential =
         component(f.subspan(n), truth.tangential.empty() ? no_tangential : truth.tangential);
@@ -102,7 +102,7 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
   const FrameUncertainty bands = uncertainty(run.frame, f, answer);
   result.noise = bands.noise;
   result.resultant = bands.resultant;
-  const auto middle = bands.deviation.begin() + static_cast<std::ptrdiff_t>(problem.count);
+  const auto middle = bands.deviation.begin() + static_cast<std::ptrdiff_t>(problem.surface.count);
   result.normal.deviation.assign(bands.deviation.begin(), middle);
   result.tangential.deviation.assign(middle, bands.deviation.end());
   result.error_bound =
@@ -156,7 +156,7 @@ MethodResult reconstruct(Method method, const Run& run) {
     result.error_bound = solver->error_bound(run.frame.readings(), f);
     result.remarks = answer.remarks;
     result.constrained = answer.constrained;
-    measure(result, f, run.problem.scene(), run.experiment.frame.truth);
+    measure(result, f, run.problem.surface(), run.experiment.frame.truth);
     if (traits(method).has_bands) judge_errors(result, f, answer, run);
     if (!traits(method).takes_constraints) note_constraints(result, run);
   } catch (const std::domain_error& error) {
@@ -180,7 +180,7 @@ MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer
     const Relaxation relaxation = relax(circuit, simulator, observer);
     result.frame_seconds = relaxation.ngspice_seconds;
     result.condition = relaxation.condition;
-    measure(result, relaxation.tractions, experiment.scene, experiment.frame.truth);
+    measure(result, relaxation.tractions, run.problem.surface(), experiment.frame.truth);
     experiment.relaxation = relaxation;
     if (!relaxation.disagreement())
       result.verdict = !relaxation.resolved()         ? Verdict::ill_conditioned
@@ -213,6 +213,12 @@ bool Experiment::succeeded() const noexcept {
                      [](const MethodResult& result) { return result.verdict != Verdict::failed; });
 }
 
+std::optional<AlphaRule> Experiment::rule() const noexcept {
+  for (const MethodResult& result : results)
+    if (result.alpha && result.alpha->rule) return result.alpha->rule;
+  return std::nullopt;
+}
+
 Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& options,
                Observer& observer) {
   observer.step({Step::Kind::readings});
@@ -226,8 +232,9 @@ Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& optio
       .relaxation = {},
       .course = {},
       .circuit = {}};
-  experiment.sampled_force = sampled_force(experiment.frame.truth.normal, scene.sensor.pitch);
   const SceneProblem problem(scene);
+  experiment.sampled_force =
+      sampled_force(experiment.frame.truth.normal, problem.surface().spacing);
   const Run run{options, problem, SceneFrame(problem, experiment.frame.readings), experiment};
   if (experiment.work.does(Computation::rule_comparison)) {
     observer.step({Step::Kind::rules});

@@ -10,7 +10,8 @@ ProblemOptions options_of(const Scene& scene) {
   ProblemOptions options{.unknowns = unknowns(scene),
                          .smoothing_length = scene.reconstruct.smoothing_length,
                          .channel_rms = {},
-                         .dead_taxels = scene.dead_taxels};
+                         .dead_taxels = scene.dead_taxels,
+                         .surface = scene.reconstruct.surface};
   if (scene.noise && scene.noise->weights_rows)
     for (const Channel& channel : channels(scene.sensor))
       options.channel_rms.push_back(scene.noise->rms.at(channel.quantity));
@@ -33,6 +34,7 @@ struct SceneProblem::Parts {
   Scene scene;
   ProblemOptions options;
   std::optional<Constraints> constraints;
+  std::optional<Surface> surface;
   std::optional<InverseProblem> problem;
   std::optional<std::pair<double, Reconstruction>> tikhonov;  // of its alpha
   std::optional<TikhonovFamily> family;
@@ -53,9 +55,12 @@ std::size_t SceneProblem::readings() const {
   return channels(parts_->scene.sensor).size() * parts_->scene.sensor.count;
 }
 
-std::size_t SceneProblem::tractions() const noexcept {
-  return parts_->options.unknowns * parts_->scene.sensor.count;
+const Surface& SceneProblem::surface() const {
+  if (!parts_->surface) parts_->surface = tactile_net::surface(parts_->scene);
+  return *parts_->surface;
 }
+
+std::size_t SceneProblem::tractions() const { return parts_->options.unknowns * surface().count; }
 
 std::optional<double> SceneProblem::stated_noise() const {
   const auto& noise = parts_->scene.noise;
@@ -88,7 +93,7 @@ SceneProblem SceneProblem::without(std::span<const std::size_t> taxels) const {
   other.parts_->problem = problem();
   InverseProblem& kept = *other.parts_->problem;
   for (const std::size_t taxel : taxels)
-    for (std::size_t row = taxel; row < kept.weights.size(); row += kept.count) {
+    for (std::size_t row = taxel; row < kept.weights.size(); row += kept.taxels) {
       kept.weights[row] = 0.0;
       for (std::size_t column = 0; column < kept.kernel.columns; ++column)
         kept.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
@@ -127,8 +132,20 @@ const AlphaTables& SceneProblem::alpha_tables(const FilterFrame& frame) const {
   return *parts_->alpha_tables;
 }
 
+AlphaRule SceneProblem::alpha_rule(const FilterFrame& frame) const {
+  return parts_->scene.reconstruct.alpha_rule.value_or(
+      default_rule(alpha_tables(frame), stated_noise().has_value()));
+}
+
 const ModeSpace& SceneProblem::hidden() const {
-  if (!parts_->hidden) parts_->hidden = hidden_modes(problem());
+  if (parts_->hidden) return *parts_->hidden;
+  if (surface().basis == SurfaceBasis::taxels) {
+    parts_->hidden = hidden_modes(problem());
+  } else {
+    ProblemOptions options = parts_->options;
+    options.surface = {};
+    parts_->hidden = hidden_modes(make_problem(scene().sensor, scene().material, options));
+  }
   return *parts_->hidden;
 }
 
@@ -145,29 +162,29 @@ SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings)
     : problem_(std::move(problem)), readings_(readings.begin(), readings.end()) {}
 
 const FilterFrame& SceneFrame::analysed() const {
-  if (!analysed_) analysed_ = problem_.family().analyse(readings_);
+  if (!analysed_)
+    analysed_ = problem_.is_large() ? problem_.circular().analyse(readings_)
+                                    : problem_.family().analyse(readings_);
   return *analysed_;
 }
 
 const AlphaSweep& SceneFrame::sweep() const {
-  if (sweep_) return *sweep_;
-  const auto sweep = [&](const FilterFrame& frame) {
-    return sweep_alpha(frame, problem_.alpha_tables(frame), problem_.stated_noise());
-  };
-  sweep_ = problem_.is_large() ? sweep(problem_.circular().analyse(readings_)) : sweep(analysed());
+  if (!sweep_)
+    sweep_ = sweep_alpha(analysed(), problem_.alpha_tables(analysed()), problem_.stated_noise());
   return *sweep_;
 }
 
 ChosenAlpha SceneFrame::alpha() const {
   const ReconstructOptions& options = problem_.scene().reconstruct;
   if (options.alpha) return {.value = *options.alpha};
-  const AlphaChoice& choice = sweep().choice(options.alpha_rule);
+  const AlphaChoice& choice = sweep().choice(problem_.alpha_rule(analysed()));
   return {.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
 }
 
 const AlphaChoice& SceneFrame::prior() const {
   if (!prior_)
-    prior_ = choose_alone(analysed(), problem_.alpha_tables(analysed()), AlphaRule::gml,
+    prior_ = choose_alone(analysed(), problem_.alpha_tables(analysed()),
+                          problem_.stated_noise() ? AlphaRule::evidence : AlphaRule::gml,
                           problem_.stated_noise());
   return *prior_;
 }

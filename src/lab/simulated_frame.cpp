@@ -54,8 +54,8 @@ SensorRecording::SensorRecording(Scene scene)
 void SensorRecording::load(double time) {
   if (!loaded_ || moves(scene_)) {
     const std::vector<Contact> contacts = scene_.time ? contacts_at(scene_, time) : scene_.contacts;
-    truth_ = sample(contacts, scene_.sensor);
-    pure_ = model_ ? model_->readings(truth_)
+    truth_ = sample(contacts, surface(scene_));
+    pure_ = model_ ? model_->readings(sample(contacts, scene_.sensor))
                    : exact_readings(scene_.sensor, scene_.material, contacts);
     loaded_ = true;
   }

@@ -10,8 +10,9 @@ namespace tactile_net::lab {
 namespace {
 
 /// The contacts' forces, exact; they act where the sampled truth says.
-Resultant pressed(const Scene& scene, double time, const TractionField& truth) {
-  const Resultant sampled = resultant_of(truth.normal, truth.tangential, scene.sensor.pitch);
+Resultant pressed(const Scene& scene, const Surface& surface, double time,
+                  const TractionField& truth) {
+  const Resultant sampled = resultant_of(truth.normal, truth.tangential, surface);
   Resultant exact;
   for (const Contact& contact : contacts_at(scene, time)) {
     exact.normal += resultant(contact, Traction::normal);
@@ -30,7 +31,7 @@ TimeCourse time_course(const SceneProblem& problem, Method method, Observer& obs
   const std::size_t stride = (frames + most - 1) / most;
   const Scene whole = at_frame(scene, frames - 1);
   const std::unique_ptr<FrameSolver> solver = make_solver(problem, method);
-  const std::size_t count = scene.sensor.count;
+  const std::size_t count = problem.surface().count;
   std::vector<double> f(solver->tractions());
   const std::span<const double> normal = std::span(f).first(count);
   const std::span<const double> tangential = std::span(f).subspan(count);
@@ -41,11 +42,11 @@ TimeCourse time_course(const SceneProblem& problem, Method method, Observer& obs
   for (std::size_t k = 0; recording.next(k % stride == 0); ++k) {
     if (k % stride != 0) continue;
     course.time.push_back(recording.time());
-    course.truth.push_back(pressed(scene, recording.time(), recording.truth()));
+    course.truth.push_back(pressed(scene, problem.surface(), recording.time(), recording.truth()));
     Resultant found{none, none, none};
     try {
       if (solver->solve(recording.readings(), f).status == FrameStatus::ok)
-        found = resultant_of(normal, tangential, scene.sensor.pitch);
+        found = resultant_of(normal, tangential, problem.surface());
       else
         std::fill(f.begin(), f.end(), none);
     } catch (const std::domain_error&) {  // its answer would be noise: a gap

@@ -13,6 +13,7 @@ constexpr Named<Verdict> verdicts[] = {{Verdict::ok, "ok"},
                                        {Verdict::unstable, "unstable"},
                                        {Verdict::no_root, "no_root"},
                                        {Verdict::rules_disagree, "rules_disagree"},
+                                       {Verdict::noise_needed, "noise_needed"},
                                        {Verdict::noise_amplified, "noise_amplified"},
                                        {Verdict::sign_change, "sign_change"},
                                        {Verdict::cut_off, "cut_off"},
@@ -55,6 +56,8 @@ Verdict verdict_of(AlphaVerdict verdict) noexcept {
       return Verdict::no_root;
     case AlphaVerdict::rules_disagree:
       return Verdict::rules_disagree;
+    case AlphaVerdict::noise_needed:
+      return Verdict::noise_needed;
   }
   return Verdict::failed;
 }

@@ -21,11 +21,12 @@ struct Sizes {
         channels(channel_count(scene.sensor)),
         readings(taxels * channels),
         unknowns(tactile_net::unknowns(scene)),
-        tractions(taxels * unknowns),
+        values(surface(scene).count),
+        tractions(values * unknowns),
         kernels(channels * (any_friction(scene) ? 2 : 1)),
         frames(scene.frame + 1),
         moments(instants(scene).size()) {}
-  std::size_t taxels, channels, readings, unknowns, tractions, kernels, frames, moments;
+  std::size_t taxels, channels, readings, unknowns, values, tractions, kernels, frames, moments;
 };
 
 class Counter {
@@ -112,10 +113,10 @@ class Counter {
          : sizes_.channels == 1 ? Reason::one_channel
          : options_.tangential  ? Reason::tangential_excluded
                                 : Reason::no_friction},
-        {.kind = Kind::unknowns, .count = sizes_.tractions, .rows = sizes_.taxels});
+        {.kind = Kind::unknowns, .count = sizes_.tractions, .rows = sizes_.values});
     const bool layer = scene_.material.layer.has_value();
     add(Computation::layer_kernels, layer, {layer ? Reason::layer : Reason::half_plane},
-        {.kind = Kind::kernel_integrals, .count = 2 * sizes_.taxels - 1});
+        {.kind = Kind::kernel_integrals, .count = 2 * sizes_.values - 1});
   }
 
   void methods() {

@@ -38,7 +38,7 @@ std::string words_below(const Scene& scene) {
   const auto length = [&](double value) {
     return report::in_unit(scene, Dimension::length, value);
   };
-  const double half = 0.5 * scene.sensor.pitch * static_cast<double>(scene.sensor.count);
+  const double half = surface(scene).half_width();
   std::string depths;
   for (const double x : scene.sensor.depths) depths += (depths.empty() ? "" : ", ") + length(x);
   const auto& layer = scene.material.layer;
@@ -54,9 +54,8 @@ std::string words_below(const Scene& scene) {
 }  // namespace
 
 PadFrame pad_frame(const Scene& scene) {
-  const SensorArray& sensor = scene.sensor;
   PadFrame frame;
-  frame.scale = frame.width / (sensor.pitch * static_cast<double>(sensor.count));
+  frame.scale = frame.width / (2.0 * surface(scene).half_width());
   frame.bottom = lab::interior_depth(scene);
   frame.thickness = std::clamp(frame.scale * frame.bottom, 90.0, 420.0);
   frame.height = frame.surface + frame.thickness + 4.0;
@@ -92,7 +91,7 @@ std::string draw_pad(const Scene& scene, std::string_view inside, std::string_vi
 std::string draw_stress(const Scene& scene, const PadLoad& load) {
   constexpr std::size_t rows = 18;
   const double most = largest(load.normal);
-  const std::size_t count = scene.sensor.count;
+  const std::size_t count = load.normal.size();
   if (!(most > 0.0) || count > 1024) return {};
   const lab::InteriorKernels kernels = lab::interior_kernels(scene, rows, !load.tangential.empty());
   std::vector<std::uint8_t> pixels;
@@ -110,7 +109,8 @@ std::string draw_load(const Scene& scene, const PadLoad& load) {
   const PadFrame frame = pad_frame(scene);
   const double most = largest(load.normal);
   if (!(most > 0.0)) return {};
-  const auto x = [&](std::size_t i) { return frame.at(position(scene.sensor, i)); };
+  const Surface places = surface(scene);
+  const auto x = [&](std::size_t i) { return frame.at(places.position(i)); };
   std::string area = "M0 " + px(frame.surface);
   for (std::size_t i = 0; i < load.normal.size(); ++i)
     area += 'L' + px(x(i)) + ' ' + px(frame.surface - 85.0 * load.normal[i] / most);

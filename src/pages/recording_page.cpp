@@ -62,7 +62,7 @@ ColumnValue column(const RecordingOverview& overview, ValueOf value) {
 std::string map_of(const RecordingOverview& overview, Traction traction) {
   const double largest = overview.largest(traction);
   if (!(largest > 0.0)) return {};
-  return heat_map(overview.groups.size(), overview.scene.sensor.count, traction,
+  return heat_map(overview.groups.size(), surface(overview.scene).count, traction,
                   [&](std::size_t column, std::size_t taxel) {
                     return overview.component(overview.groups[column].tractions, traction)[taxel] /
                            largest;
@@ -70,7 +70,7 @@ std::string map_of(const RecordingOverview& overview, Traction traction) {
 }
 
 Range along_the_array(const Scene& scene) {
-  const double half = 0.5 * scene.sensor.pitch * static_cast<double>(scene.sensor.count);
+  const double half = surface(scene).half_width();
   return {-half, half};
 }
 
@@ -225,7 +225,7 @@ std::string one_frame(const RecordingOverview& overview) {
                             fixed(pad.surface, 1) + "\"/><path class=\"drag\" id=\"drag\"/>\n";
   const TractionRange tractions = traction_range(overview);
   const Range range{tractions.low, tractions.high};
-  const std::size_t n = scene.sensor.count;
+  const std::size_t n = surface(scene).count;
   const Range y = along_the_array(scene);
   const auto length = [&](double place) {
     return report::in_unit(scene, Dimension::length, place);

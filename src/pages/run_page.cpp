@@ -41,6 +41,7 @@ using report::resultant_in_words;
 using report::rule_cells;
 using report::rule_used;
 using report::sensor_in_words;
+using report::truth_in_words;
 
 constexpr std::string_view answer = "answer";
 constexpr std::string_view choice = "choice";
@@ -60,7 +61,7 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
                    lab::Component lab::MethodResult::*which, const std::string& file,
                    const std::string& title, const std::vector<double>& truth) {
   const Scene& scene = experiment.scene;
-  const std::vector<double> places = positions(scene.sensor);
+  const std::vector<double> places = positions(surface(scene));
   const Axis along = axis(scene, "y", Dimension::length, {&places});
   std::vector<double> all = truth;
   std::vector<double> apart;
@@ -94,7 +95,10 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
   figures.push_back(
       {file,
        std::string(answer),
-       "The truth at the taxels (dots) and the answers; methods that found the same are one line." +
+       "The truth" +
+           std::string(scene.reconstruct.surface.basis == SurfaceBasis::taxels ? " at the taxels"
+                                                                               : "") +
+           " (dots) and the answers; methods that found the same are one line." +
            std::string(band ? " The band is two standard deviations, of noise and of what alpha "
                               "smooths away together: look for dots outside it, at a contact's "
                               "steep edges first."
@@ -143,13 +147,13 @@ Figure rules_figure(const AlphaSweep& sweep, std::optional<AlphaRule> used) {
 
 /// Every frame's traction as the method finds it: y over time.
 Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
-  const std::size_t n = scene.sensor.count;
+  const std::size_t n = surface(scene).count;
   const std::size_t frames = course.time.size();
   const std::size_t stride = course.tractions.size() / frames;
   const auto at = [&](std::size_t frame, std::size_t taxel) {
     return course.tractions[frame * stride + taxel];
   };
-  const std::vector<double> places = positions(scene.sensor);
+  const std::vector<double> places = positions(surface(scene));
   const Axis along = axis(scene, "y", Dimension::length, {&places});
   const Axis traction = axis(scene, "traction", Dimension::stress, {&course.tractions});
   Plot plot{"Normal traction", "time [s]", traction.label, course.time, {}};
@@ -166,7 +170,7 @@ Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
   const auto most = peaks.begin() + static_cast<std::ptrdiff_t>(frames * 19 / 20);
   std::nth_element(peaks.begin(), most, peaks.end());
   const double largest = *most;
-  const double half = 0.5 * scene.sensor.pitch * static_cast<double>(n);
+  const double half = surface(scene).half_width();
   const ScaledUnit unit =
       scene.units ? report::axis_unit(scene, Dimension::length, half) : ScaledUnit{};
   const auto clock = [&](std::size_t frame) { return brief(course.time[frame], 4) + " s"; };
@@ -229,7 +233,7 @@ void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::Tim
                                           : std::numeric_limits<double>::quiet_NaN());
     return values;
   };
-  const std::vector<double> places = positions(scene.sensor);
+  const std::vector<double> places = positions(surface(scene));
   const Axis along = axis(scene, "y", Dimension::length, {&places});
   Plot centre{"Centre of pressure over time", "time [s]", along.label, course.time, {}};
   centre.y_at_least = scene.sensor.pitch * along.factor;
@@ -284,11 +288,8 @@ std::vector<Figure> figures_of(const lab::Experiment& experiment) {
   if (tangential)
     add_component(
         figures, experiment, &lab::MethodResult::tangential, "tangential", "Tangential",
-        truth.tangential.empty() ? std::vector<double>(scene.sensor.count) : truth.tangential);
-  if (experiment.sweep)
-    figures.push_back(rules_figure(
-        *experiment.sweep,
-        scene.reconstruct.alpha ? std::nullopt : std::optional(scene.reconstruct.alpha_rule)));
+        truth.tangential.empty() ? std::vector<double>(truth.normal.size()) : truth.tangential);
+  if (experiment.sweep) figures.push_back(rules_figure(*experiment.sweep, experiment.rule()));
   if (experiment.course) {
     figures.push_back(map_figure(scene, *experiment.course));
     add_course(figures, scene, *experiment.course);
@@ -317,8 +318,9 @@ std::string methods_section(const lab::Experiment& experiment) {
   html += element(
       "p", "Force of the contacts: " + in_unit(scene, Dimension::force, experiment.frame.force) +
                " exact, " + in_unit(scene, Dimension::force, experiment.sampled_force) +
-               " as pitch x sum of the truth at the taxels. Errors are against the "
-               "truth at the taxels; the network's time per "
+               " as pitch x sum of " + truth_in_words(scene) + ". Errors are against " +
+               truth_in_words(scene) +
+               "; the network's time per "
                "frame is a whole run of ngspice, not the circuit's settling time.");
   for (const lab::MethodResult& result : experiment.results) {
     const std::string method = std::string(name(result.method)) + ": ";
@@ -357,7 +359,7 @@ Page report_html(const lab::Experiment& experiment, const Made& made) {
   html += titled(figures, "Over time", over_time);
   if (experiment.sweep) {
     html += element("h2", "The choice of alpha");
-    html += element("p", "Every rule on these readings; " + rule_used(scene) + ".");
+    html += element("p", "Every rule on these readings; " + rule_used(experiment) + ".");
     html += verdict_table(rule_cells(*experiment.sweep)) + figures.html(choice);
   }
   html += titled(figures, "The readings", readings);

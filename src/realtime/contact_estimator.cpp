@@ -76,7 +76,7 @@ ContactEstimator::~ContactEstimator() = default;
 
 std::size_t ContactEstimator::readings() const noexcept { return ready_->readings(); }
 std::size_t ContactEstimator::tractions() const noexcept {
-  return ready_->unknowns * ready_->count;
+  return ready_->unknowns * ready_->values;
 }
 std::string_view ContactEstimator::label() const noexcept { return ready_->label; }
 InstructionSet ContactEstimator::instruction_set() const noexcept { return ready_->set; }
@@ -131,7 +131,7 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
     if (scratch.convolution) {
       scratch.convolution->add(x, f);
       for (std::size_t u = 0; u < ready.unknowns; ++u)
-        moments[u] = moments_of({f + u * count, count});
+        moments[u] = moments_of({f + u * ready.values, ready.values});
     }
   } else {
     // The power of two below the largest |x|; of its bits, the exponent.
@@ -144,7 +144,7 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
 
   const Moments& normal = each[0];
   estimate.time = time;
-  estimate.normal_force = ready.pitch * normal.sum;
+  estimate.normal_force = ready.spacing * normal.sum;
   estimate.tangential_force = ContactEstimate::unknown;
   estimate.centre = ContactEstimate::unknown;
   estimate.angle = ContactEstimate::unknown;
@@ -153,9 +153,10 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   estimate.contact = estimate.normal_force > 0.0;
   estimate.saturated = saturated;
   estimate.outlier = -1;
-  if (estimate.contact) estimate.centre = ready.pitch * (normal.first / normal.sum);
+  if (estimate.contact)
+    estimate.centre = ready.centre + ready.spacing * (normal.first / normal.sum);
   if (ready.unknowns == 2) {
-    estimate.tangential_force = ready.pitch * each[1].sum;
+    estimate.tangential_force = ready.spacing * each[1].sum;
     if (estimate.contact)
       estimate.angle = std::atan2(estimate.tangential_force, estimate.normal_force);
     if (ready.friction)

@@ -22,7 +22,9 @@ void check(const EstimatorPlan& plan) {
   require(plan.count >= 2 && plan.count < most, "count must be >= 2");
   require(plan.channels >= 1 && plan.channels < most / plan.count, "channels must be >= 1");
   require(plan.unknowns == 1 || plan.unknowns == 2, "unknowns must be 1 or 2");
-  require(positive(plan.pitch), "pitch must be > 0");
+  require(plan.values >= 2 && plan.values < most, "values must be >= 2");
+  require(positive(plan.spacing), "spacing must be > 0");
+  require(std::isfinite(plan.centre), "centre must be finite");
   require(positive(plan.alpha), "alpha must be > 0");
   require(not_negative(plan.accuracy) && not_negative(plan.error_bound),
           "accuracy and error bound must be >= 0");

@@ -53,7 +53,9 @@ struct ContactEstimator::Ready {
         count(plan.count),
         channels(plan.channels),
         unknowns(plan.unknowns),
-        pitch(plan.pitch),
+        values(plan.values),
+        spacing(plan.spacing),
+        centre(plan.centre),
         friction(plan.friction_coefficient),
         ranges(plan.ranges),
         weights(plan.weights),
@@ -68,7 +70,7 @@ struct ContactEstimator::Ready {
     else
       product32.emplace(plan.reconstruction, loops.most_lines);
     double most = growth(plan.reconstruction) * static_cast<double>(plan.tractions()) *
-                  static_cast<double>(plan.count) * std::max(1.0, plan.pitch * plan.pitch) *
+                  static_cast<double>(plan.values) * std::max(1.0, plan.spacing * plan.spacing) *
                   (1.0 + plan.friction_coefficient.value_or(0.0));
     if (plan.prediction) {
       prediction.emplace(*plan.prediction, loops.most_lines);
@@ -86,8 +88,8 @@ struct ContactEstimator::Ready {
   [[nodiscard]] std::size_t readings() const noexcept { return channels * count; }
 
   std::string label;
-  std::size_t count, channels, unknowns;
-  double pitch;
+  std::size_t count, channels, unknowns, values;
+  double spacing, centre;
   std::optional<double> friction;
   std::vector<ReadingRange> ranges;
   std::vector<double> weights, leverages;

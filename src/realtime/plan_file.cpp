@@ -162,17 +162,20 @@ class Reader {
   std::span<const std::byte> rest_;
 };
 
-/// The version of plans that have a baseline, after everything else.
-constexpr std::uint32_t with_baseline = plan_version + 1;
+PlanVersion version_of(const EstimatorPlan& plan) {
+  if (plan.values != plan.count || plan.centre != 0.0) return PlanVersion::surface;
+  return plan.baseline.empty() ? PlanVersion::readings : PlanVersion::baseline;
+}
 
-EstimatorPlan read_payload(std::span<const std::byte> payload, std::uint32_t version) {
+EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion version) {
   Reader in(payload);
   EstimatorPlan plan;
   plan.label = in.text();
   plan.count = in.size();
   plan.channels = in.size();
   plan.unknowns = in.size();
-  plan.pitch = in.number();
+  plan.values = plan.count;
+  plan.spacing = in.number();
   plan.alpha = in.number();
   plan.accuracy = in.number();
   plan.error_bound = in.number();
@@ -188,10 +191,13 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, std::uint32_t ver
     range.lowest = in.number();
     range.highest = in.number();
   }
-  if (version == with_baseline) {
-    plan.baseline = in.numbers();
-    if (plan.baseline.empty()) throw std::runtime_error("the plan's baseline is empty");
+  if (version >= PlanVersion::baseline) plan.baseline = in.numbers();
+  if (version >= PlanVersion::surface) {
+    plan.values = in.size();
+    plan.centre = in.number();
   }
+  if (version_of(plan) != version)
+    throw std::runtime_error("the plan holds nothing of what its version is for");
   if (!in.at_end()) throw std::runtime_error("the plan goes on after its end");
   check(plan);
   return plan;
@@ -207,7 +213,7 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
   payload.size(plan.count);
   payload.size(plan.channels);
   payload.size(plan.unknowns);
-  payload.number(plan.pitch);
+  payload.number(plan.spacing);
   payload.number(plan.alpha);
   payload.number(plan.accuracy);
   payload.number(plan.error_bound);
@@ -226,11 +232,16 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
     payload.number(range.highest);
   }
 
-  if (!plan.baseline.empty()) payload.numbers(plan.baseline);
+  const PlanVersion version = version_of(plan);
+  if (version >= PlanVersion::baseline) payload.numbers(plan.baseline);
+  if (version >= PlanVersion::surface) {
+    payload.size(plan.values);
+    payload.number(plan.centre);
+  }
 
   Writer file;
   file.text(magic);
-  file.integer(plan.baseline.empty() ? plan_version : with_baseline);
+  file.integer(static_cast<std::uint32_t>(version));
   file.size(payload.bytes().size());
   std::vector<std::byte>& bytes = file.bytes();
   bytes.insert(bytes.end(), payload.bytes().begin(), payload.bytes().end());
@@ -246,10 +257,11 @@ EstimatorPlan decode_plan(std::span<const std::byte> bytes) {
     throw std::runtime_error("the plan is truncated: " + std::to_string(bytes.size()) + " bytes");
   Reader header(bytes.subspan(magic.size()));
   const auto version = header.integer<std::uint32_t>();
-  if (version != plan_version && version != with_baseline)
+  constexpr auto newest = static_cast<std::uint32_t>(newest_plan_version);
+  if (version < 1 || version > newest)
     throw std::runtime_error("the plan has version " + std::to_string(version) +
-                             ", this library reads versions " + std::to_string(plan_version) +
-                             " and " + std::to_string(with_baseline) + ": make it anew");
+                             ", this library reads versions 1 to " + std::to_string(newest) +
+                             ": make it anew");
   const auto length = header.integer<std::uint64_t>();
   const std::size_t held = bytes.size() - header_size - checksum_size;
   if (length != held)
@@ -260,7 +272,7 @@ EstimatorPlan decode_plan(std::span<const std::byte> bytes) {
   if (Reader(bytes.last(checksum_size)).integer<std::uint64_t>() != checksum(content))
     throw std::runtime_error("the plan is corrupted: its checksum does not match");
   try {
-    return read_payload(content.subspan(header_size), version);
+    return read_payload(content.subspan(header_size), static_cast<PlanVersion>(version));
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(error.what());
   }

@@ -65,6 +65,8 @@ std::size_t unknowns(const Scene& scene) {
   return scene.contacts.empty() || any_friction(scene) ? 2 : 1;
 }
 
+Surface surface(const Scene& scene) { return surface_of(scene.sensor, scene.reconstruct.surface); }
+
 std::vector<double> raw_numbers(const Scene& scene, std::span<const double> readings) {
   std::vector<double> raw(readings.begin(), readings.end());
   if (scene.calibration) uncalibrate(*scene.calibration, raw);

@@ -200,8 +200,8 @@ void read_alpha(const Value& alpha, const Scene& scene, const Units& units,
   options.alpha_rule = alpha_rules[*index];
   const bool noisy = scene.noise && std::any_of(scene.noise->rms.begin(), scene.noise->rms.end(),
                                                 [](const auto& rms) { return rms.second > 0.0; });
-  if (options.alpha_rule == AlphaRule::discrepancy && !noisy)
-    alpha.misfit("needs to know the noise: the residual is made as large as that",
+  if (needs_noise(alpha_rules[*index]) && !noisy)
+    alpha.misfit("needs to know the noise",
                  "under [noise], rms = 1e-4, or one for each quantity; or alpha = \"rgcv\"");
 }
 
@@ -259,6 +259,54 @@ void read_constraints(Table& table, const Scene& scene, const Read& read,
   }
 }
 
+/// By default tractions lie at the taxels where these are dense, and for what knows no other place.
+SurfaceBasis default_basis(const Scene& scene, bool uses_dft) {
+  const SensorArray& array = scene.sensor;
+  const auto least = std::min_element(array.depths.begin(), array.depths.end());
+  const bool dense = least == array.depths.end() || array.pitch <= 0.5 * *least;
+  return dense || uses_dft || scene.forward == ForwardModel::sampled ? SurfaceBasis::taxels
+                                                                     : SurfaceBasis::hats;
+}
+
+void read_surface(Table& table, const Scene& scene, const Read& read, bool uses_dft,
+                  ReconstructOptions& options) {
+  constexpr std::array bases = {SurfaceBasis::taxels, SurfaceBasis::hats};
+  options.surface.basis = default_basis(scene, uses_dft);
+  if (const auto basis = table.value("surface"))
+    if (const auto index = basis->one_of("surface", names_of(bases))) {
+      options.surface.basis = bases[*index];
+      if (uses_dft && options.surface.basis == SurfaceBasis::hats)
+        basis->problem(
+            "gives tractions where there are no readings, and dft divides one by the other",
+            "surface = \"taxels\", or methods without \"dft\"");
+    }
+  const auto spacing = table.value("spacing");
+  const auto margin = table.value("margin");
+  for (const auto* length : {&spacing, &margin})
+    if (*length && options.surface.basis == SurfaceBasis::taxels)
+      (*length)->problem("is of a grid, and the tractions lie at the taxels",
+                         "surface = \"grid\", or remove it");
+  if (spacing) options.surface.spacing = spacing->number(positive, read.units.length);
+  if (margin) options.surface.margin = margin->number(not_negative, read.units.length);
+  const SensorArray& array = scene.sensor;
+  if ((!spacing && !margin) || array.count < 2 || !(array.pitch > 0.0) || array.depths.empty() ||
+      !read.reads_complete)
+    return;
+  const Value& named = spacing ? *spacing : *margin;
+  try {
+    Scene with = scene;
+    with.reconstruct = options;
+    const std::size_t columns = unknowns(with) * surface(with).count;
+    if (columns > most_columns)
+      named.problem("makes " + std::to_string(columns) + " unknown tractions, more than " +
+                        std::to_string(most_columns),
+                    "a quarter of the depth resolves all that the pad lets through");
+  } catch (const std::invalid_argument& error) {
+    named.problem("makes no surface: " + std::string(error.what()),
+                  "spacing = a quarter of the depth");
+  }
+}
+
 ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read& read) {
   ReconstructOptions options;
   std::vector<NamedMethod> methods;
@@ -267,6 +315,8 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
     options.methods.clear();
     for (const NamedMethod& named : methods) options.methods.push_back(named.method);
   }
+  const bool uses_dft = std::find(options.methods.begin(), options.methods.end(), Method::dft) !=
+                        options.methods.end();
   if (const auto alpha = table.value("alpha")) read_alpha(*alpha, scene, read.units, options);
   if (const auto length = table.value("smoothing_length"))
     options.smoothing_length = length->number(not_negative, read.units.length).value_or(0.0);
@@ -275,6 +325,7 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
   if (const auto limit = table.value("noise_gain_limit"))
     options.noise_gain_limit = limit->number(at_least_one).value_or(options.noise_gain_limit);
   read_constraints(table, scene, read, methods, options);
+  read_surface(table, scene, read, uses_dft, options);
   check_methods(methods, scene, read);
   table.finish();
   return options;
@@ -311,11 +362,15 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
 
   if (!scene.sensor.depths.empty())
     scene.reconstruct.smoothing_length = scene.sensor.depths.front();
+  scene.reconstruct.surface.basis = default_basis(scene, false);
   if (const auto table = table_of(root.value("reconstruct")))
     scene.reconstruct = read_reconstruct(*table, scene, read);
   scene.network.one_volt = true;
   if (const auto table = table_of(root.value("network")))
     scene.network = read_network(*table, read.units, scene);
+  // On a coarse array what is known of the noise decides which rule is good: `default_rule`.
+  if (!scene.reconstruct.alpha_rule && scene.reconstruct.surface.basis == SurfaceBasis::taxels)
+    scene.reconstruct.alpha_rule = AlphaRule::rgcv;
   root.finish();
   scene = at_frame(std::move(scene), scene.time ? scene.time->frames - 1 : 0);
 }

@@ -7,9 +7,10 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
-#include "numeric/require.hpp"
+#include "tactile_net/elasticity/hat_kernel.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
@@ -18,6 +19,8 @@ namespace tactile_net {
 namespace {
 
 using std::numbers::pi;
+
+constexpr double cancellation = 1e-12;  // of the parts' magnitude: readings below it are rounding
 
 /// An integral, a bound of its error, and the integral of the integrand's magnitude.
 struct Integral {
@@ -85,16 +88,19 @@ Integral refine(const auto& integrand, double from, double to, const Integral& w
 
 /// The integral over the panels between neighbouring `borders`, which rise.
 ///
-/// @param rounding  relative error of the integrand's values: no panel is halved to get below it
+/// No panel is halved to get below the errors of the integrand's values.
+///
+/// @param rounding  their relative error
+/// @param noise     what their absolute error may add to the integral
 Integral integrate(const auto& integrand, const std::vector<double>& borders, double rounding,
-                   const Quadrature& rule) {
+                   double noise, const Quadrature& rule) {
   std::vector<Integral> coarse;
   double magnitude = 0.0;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
     coarse.push_back(panel(integrand, borders[i], borders[i + 1], rule.points));
     magnitude += coarse.back().magnitude;
   }
-  const double tolerance = (1e-14 + rounding) * magnitude;
+  const double tolerance = (1e-14 + rounding) * magnitude + noise;
   Integral sum;
   for (std::size_t i = 0; i < coarse.size(); ++i)
     sum += refine(integrand, borders[i], borders[i + 1], coarse[i], tolerance, rule.points,
@@ -103,27 +109,37 @@ Integral integrate(const auto& integrand, const std::vector<double>& borders, do
   return sum;
 }
 
-/// What a taxel sees: the kernels of both loads, as seen from y. Their only singularities are at
-/// y +- i depth, so that panels whose size grows with the distance from y converge fast.
-struct View {
-  const PadKernel& normal;
-  const PadKernel& tangential;
-  double depth;
-  double y;
-  const Quadrature& rule;
+/// One response to each component of the load, a `PadKernel` or a `HatKernel`.
+template <class Kernel>
+struct Responses {
+  /// @param width  what the kernel's constructor takes besides: a hat's half width, or nothing
+  Responses(const Channel& channel, const Material& material, auto... width)
+      : normal(channel.quantity, Traction::normal, material, channel.depth, width...),
+        tangential(channel.quantity, Traction::tangential, material, channel.depth, width...) {}
+  Kernel normal;
+  Kernel tangential;
+};
 
-  [[nodiscard]] double kernel(Traction component, double s) const noexcept {
-    return component == Traction::normal ? normal(y - s) : tangential(y - s);
+/// A taxel and what is known of its kernels.
+struct Taxel {
+  double y;
+  double depth;
+  double base_error;
+
+  /// Relative error that rounded places between s.from and s.to cause: a kernel changes over the
+  /// distance of the nearest of them.
+  [[nodiscard]] double rounding(Interval s) const noexcept {
+    const double nearest = std::hypot(depth, std::max({0.0, s.from - y, y - s.to}));
+    return std::numeric_limits<double>::epsilon() * std::max(std::abs(s.from), std::abs(s.to)) /
+           nearest;
   }
 
-  /// The load on s.from ... s.to, which `image` maps to t.from ... t.to, where `integrand` lives.
-  [[nodiscard]] Integral load(Interval s, Interval t, const auto& image,
-                              const auto& integrand) const {
-    // Places are rounded, and the kernel changes over the distance of the nearest of them.
-    const double nearest = std::hypot(depth, std::max({0.0, s.from - y, y - s.to}));
-    const double rounding = std::numeric_limits<double>::epsilon() *
-                            std::max(std::abs(s.from), std::abs(s.to)) / nearest;
-    return integrate(integrand, borders(s, t, image), rounding, rule);
+  /// The integral over t.from ... t.to of `integrand`, whose variable `image` makes of a place
+  /// between s.from and s.to. The kernels' only singularities are at y +- i depth, so that panels
+  /// whose size grows with the distance from y converge fast.
+  [[nodiscard]] Integral load(Interval s, Interval t, double force, const Quadrature& rule,
+                              const auto& image, const auto& integrand) const {
+    return integrate(integrand, borders(s, t, image), rounding(s), force * base_error, rule);
   }
 
  private:
@@ -145,22 +161,34 @@ struct View {
   }
 };
 
+/// The force without its signs, of both components [N/m].
+double magnitude(const RigidContact& contact) noexcept {
+  return std::abs(contact.force) * (1.0 + std::abs(contact.friction));
+}
+
+double magnitude(const SampledTractions& contact) noexcept {
+  double sum = 0.0;
+  for (const double value : contact.normal) sum += std::abs(value);
+  for (const double value : contact.tangential) sum += std::abs(value);
+  return contact.pitch * sum;
+}
+
 /// Indenters: s = center + place(t) and f_v ds = weight(t) dt.
-Integral reading(const View& view, const RigidContact& contact) {
+Integral reading(const Taxel& taxel, const Responses<PadKernel>& kernels,
+                 const RigidContact& contact, const Quadrature& rule) {
   const double p = contact.force;
   const double a = contact.half_width;
   const double b = a + contact.edge;
   const auto over = [&](Interval s, Interval t, const auto& place, const auto& image,
                         const auto& weight) {
     const auto integrand = [&](double u) {
-      const double from = contact.center + place(u);
-      double sum = view.kernel(Traction::normal, from);
-      if (contact.friction != 0.0)
-        sum += contact.friction * view.kernel(Traction::tangential, from);
+      const double distance = taxel.y - (contact.center + place(u));
+      double sum = kernels.normal(distance);
+      if (contact.friction != 0.0) sum += contact.friction * kernels.tangential(distance);
       return weight(u) * sum;
     };
     const auto centred = [&](double y) { return image(y - contact.center); };
-    return view.load(s, t, centred, integrand);
+    return taxel.load(s, t, magnitude(contact), rule, centred, integrand);
   };
   const Interval whole = support(contact);
 
@@ -196,68 +224,79 @@ Integral reading(const View& view, const RigidContact& contact) {
   return {};
 }
 
-/// Segment by segment of the piecewise linear tractions, except where they are zero.
-Integral reading(const View& view, const SampledTractions& contact) {
-  const auto at = [](const std::vector<double>& values, std::size_t i) {
-    return i < values.size() ? values[i] : 0.0;
-  };
+/// Piecewise linear tractions are a sum of hats, each of which has its reading in closed form.
+Integral reading(const Taxel& taxel, const Responses<HatKernel>& hats,
+                 const SampledTractions& contact) {
   Integral sum;
-  for (std::size_t i = 0; i <= contact.normal.size(); ++i) {
-    // From value i - 1 to value i; i - 1 wraps to a place beyond the end, which is zero as well.
-    const Interval normal{at(contact.normal, i - 1), at(contact.normal, i)};
-    const Interval tangential{at(contact.tangential, i - 1), at(contact.tangential, i)};
-    const bool has_normal = normal.from != 0.0 || normal.to != 0.0;
-    const bool has_tangential = tangential.from != 0.0 || tangential.to != 0.0;
-    if (!has_normal && !has_tangential) continue;
-
-    const double start = contact.first + (static_cast<double>(i) - 1.0) * contact.pitch;
-    const auto integrand = [&](double w) {
-      const double s = start + w * contact.pitch;
-      double value = 0.0;
-      if (has_normal)
-        value += std::lerp(normal.from, normal.to, w) * view.kernel(Traction::normal, s);
-      if (has_tangential)
-        value +=
-            std::lerp(tangential.from, tangential.to, w) * view.kernel(Traction::tangential, s);
-      return contact.pitch * value;
-    };
-    const auto image = [&](double s) { return std::clamp((s - start) / contact.pitch, 0.0, 1.0); };
-    sum += view.load({start, start + contact.pitch}, {0.0, 1.0}, image, integrand);
-  }
+  const auto add = [&](const HatKernel& hat, const std::vector<double>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i] == 0.0) continue;
+      const double distance = taxel.y - (contact.first + static_cast<double>(i) * contact.pitch);
+      const double value = values[i] * hat(distance);
+      sum += {value, std::abs(values[i]) * hat.error_bound(distance), std::abs(value)};
+    }
+  };
+  add(hats.normal, contact.normal);
+  add(hats.tangential, contact.tangential);
+  sum.error += taxel.rounding(support(contact)) * sum.magnitude;
   return sum;
 }
 
 }  // namespace
 
-std::vector<double> exact_readings(const SensorArray& array, const Material& material,
-                                   std::span<const Contact> contacts, const Quadrature& rule) {
+std::vector<double> exact_readings(const Channel& channel, std::span<const double> places,
+                                   const Material& material, std::span<const Contact> contacts,
+                                   const Quadrature& rule, const Aperture& aperture) {
   check(rule);
-  check(array);
   check(material);
+  check_depth(material, channel.depth);
   for (const Contact& contact : contacts) check(contact);
 
+  const double base = base_error(channel.quantity, material);
+  std::optional<Responses<PadKernel>> kernels;  // of line loads, made when first needed
+  std::vector<double> readings(places.size());
+  const auto add = [&](const auto& contact, const auto& reading) {
+    Integral worst;  // the largest of each, over the taxels
+    for (std::size_t j = 0; j < places.size(); ++j) {
+      Integral g;
+      for (const auto& [offset, weight] : aperture.nodes()) {
+        const Integral point = reading(Taxel{places[j] + offset, channel.depth, base});
+        g += {weight * point.value, weight * point.error, weight * point.magnitude};
+      }
+      worst.value = std::max(worst.value, std::abs(g.value));
+      worst.error = std::max(worst.error, g.error);
+      worst.magnitude = std::max(worst.magnitude, g.magnitude);
+      readings[j] += g.value;
+    }
+    const double accepted =
+        std::max(rule.error_limit * worst.value,
+                 cancellation * worst.magnitude + 4.0 * base * magnitude(contact));
+    if (!(worst.error <= accepted) && std::isfinite(rule.error_limit))
+      throw std::runtime_error(channel.name + " at depth " + shortest(channel.depth) +
+                               ": the integral is known only to " + shortest(worst.error) +
+                               ", its peak is " + shortest(worst.value) +
+                               "; the model sampled has no integral");
+  };
+  for (const Contact& contact : contacts)
+    if (const auto* rigid = std::get_if<RigidContact>(&contact)) {
+      if (!kernels) kernels.emplace(channel, material);
+      add(*rigid, [&](const Taxel& taxel) { return reading(taxel, *kernels, *rigid, rule); });
+    } else {
+      const auto& sampled = std::get<SampledTractions>(contact);
+      const Responses<HatKernel> hats(channel, material, sampled.pitch);
+      add(sampled, [&](const Taxel& taxel) { return reading(taxel, hats, sampled); });
+    }
+  return readings;
+}
+
+std::vector<double> exact_readings(const SensorArray& array, const Material& material,
+                                   std::span<const Contact> contacts, const Quadrature& rule) {
+  check(array);
+  const std::vector<double> places = positions(array);
   std::vector<double> readings;
   for (const Channel& channel : channels(array)) {
-    const PadKernel normal(channel.quantity, Traction::normal, material, channel.depth);
-    const PadKernel tangential(channel.quantity, Traction::tangential, material, channel.depth);
-    std::vector<double> sum(array.count);
-    for (const Contact& contact : contacts) {
-      double peak = 0.0;
-      double error = 0.0;
-      for (std::size_t j = 0; j < array.count; ++j) {
-        const View view{normal, tangential, channel.depth, position(array, j), rule};
-        const Integral g = std::visit([&](const auto& c) { return reading(view, c); }, contact);
-        peak = std::max(peak, std::abs(g.value));
-        error = std::max(error, g.error);
-        sum[j] += g.value;
-      }
-      if (!(error <= rule.error_limit * peak) && std::isfinite(rule.error_limit))
-        throw std::runtime_error(channel.name + " at depth " + shortest(channel.depth) +
-                                 ": the integral is known only to " + shortest(error) +
-                                 ", its peak is " + shortest(peak) +
-                                 "; the model sampled has no integral");
-    }
-    readings.insert(readings.end(), sum.begin(), sum.end());
+    const std::vector<double> block = exact_readings(channel, places, material, contacts, rule);
+    readings.insert(readings.end(), block.begin(), block.end());
   }
   return readings;
 }

@@ -8,35 +8,38 @@ namespace tactile_net {
 
 namespace {
 
-void add(const Contact& contact, Traction component, const SensorArray& array,
+void add(const Contact& contact, Traction component, const Surface& surface,
          std::vector<double>& field) {
   // A singular point on the border of two cells is in both, however the border is rounded.
-  const double half = 0.5 * array.pitch;
+  const double half = 0.5 * surface.spacing;
   const double reach = half * (1.0 + 1e-9);
   const std::vector<double> singular = singular_points(contact);
-  for (std::size_t j = 0; j < array.count; ++j) {
-    const double y = position(array, j);
+  for (std::size_t j = 0; j < surface.count; ++j) {
+    const double y = surface.position(j);
     const bool infinite = std::any_of(singular.begin(), singular.end(),
                                       [&](double point) { return std::abs(point - y) <= reach; });
-    field[j] += infinite ? force_between(contact, component, y - half, y + half) / array.pitch
+    field[j] += infinite ? force_between(contact, component, y - half, y + half) / surface.spacing
                          : traction(contact, component, y);
   }
 }
 
 }  // namespace
 
-TractionField sample(std::span<const Contact> contacts, const SensorArray& array) {
-  check(array);
+TractionField sample(std::span<const Contact> contacts, const Surface& surface) {
   for (const Contact& contact : contacts) check(contact);
 
-  TractionField field{.normal = std::vector<double>(array.count), .tangential = {}};
+  TractionField field{.normal = std::vector<double>(surface.count), .tangential = {}};
   if (std::any_of(contacts.begin(), contacts.end(), has_friction))
-    field.tangential.resize(array.count);
+    field.tangential.resize(surface.count);
   for (const Contact& contact : contacts) {
-    add(contact, Traction::normal, array, field.normal);
-    if (has_friction(contact)) add(contact, Traction::tangential, array, field.tangential);
+    add(contact, Traction::normal, surface, field.normal);
+    if (has_friction(contact)) add(contact, Traction::tangential, surface, field.tangential);
   }
   return field;
+}
+
+TractionField sample(std::span<const Contact> contacts, const SensorArray& array) {
+  return sample(contacts, surface_of(array));
 }
 
 }  // namespace tactile_net

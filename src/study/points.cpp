@@ -20,7 +20,7 @@ std::vector<double> truth_of(const StudyInput& input) {
   std::vector<double> truth = input.truth.normal;
   if (unknowns(input.scene()) == 2) {
     truth.insert(truth.end(), input.truth.tangential.begin(), input.truth.tangential.end());
-    truth.resize(2 * input.scene().sensor.count);
+    truth.resize(2 * surface(input.scene()).count);
   }
   return truth;
 }

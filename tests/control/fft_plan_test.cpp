@@ -44,7 +44,7 @@ std::vector<double> solved(ContactEstimator& estimator, const std::vector<double
 /// Readings of one round contact, `centre` in taxels.
 std::vector<double> round_contact(const InverseProblem& problem, double centre) {
   std::vector<double> f(problem.kernel.columns, 0.0);
-  for (std::size_t i = 0; i < problem.count; ++i) {
+  for (std::size_t i = 0; i < problem.surface.count; ++i) {
     const double z = (static_cast<double>(i) - centre) / 16.0;
     if (std::abs(z) < 1.0) f[i] = std::sqrt(1.0 - z * z);
   }
@@ -284,7 +284,7 @@ TEST_CASE("residual and dead taxels are those of the dense plan", "[fft]") {
     }
     REQUIRE(estimator.set_dead(50));
     REQUIRE(reference.set_dead(50));
-    for (std::size_t i = 50; i < g.size(); i += problem.count) g[i] = std::nan("");
+    for (std::size_t i = 50; i < g.size(); i += problem.surface.count) g[i] = std::nan("");
   }
 }
 
@@ -315,7 +315,8 @@ TEST_CASE("bad frames are reported and leave the output alone; what is answered 
 }
 
 TEST_CASE("a convolution much larger than its correction cannot overflow unnoticed", "[fft]") {
-  EstimatorPlan plan{.count = 7, .channels = 2, .unknowns = 2, .pitch = 1.0, .alpha = 1.0};
+  EstimatorPlan plan{
+      .count = 7, .channels = 2, .unknowns = 2, .values = 7, .spacing = 1.0, .alpha = 1.0};
   plan.reconstruction = small_convolution();
   for (double& value : plan.reconstruction.spectra) value *= 1e8;
   plan.weights.assign(14, 1.0);

@@ -35,7 +35,7 @@ inline std::vector<double> difference(std::vector<double> a, std::span<const dou
 
 /// Readings of random tractions, some of them at the very edge of the array.
 inline std::vector<double> contact_readings(const InverseProblem& problem, unsigned seed) {
-  const std::size_t n = problem.count;
+  const std::size_t n = problem.surface.count;
   std::vector<double> f(problem.kernel.columns, 0.0);
   const std::vector<double> where = random_values(6, seed);
   for (std::size_t k = 0; k < 3; ++k) {

@@ -18,10 +18,11 @@ namespace {
 Calibration calibration_of(const InverseProblem& problem, bool per_reading) {
   Calibration calibration;
   for (std::size_t i = 0; i < problem.weights.size(); ++i) {
-    const auto channel = static_cast<double>(i / problem.count);
-    const auto taxel = static_cast<double>(i % problem.count);
+    const auto channel = static_cast<double>(i / problem.surface.count);
+    const auto taxel = static_cast<double>(i % problem.surface.count);
     const double size = per_reading ? 0.01 * (1.0 + 0.3 * std::sin(7.0 * taxel)) : 0.01;
-    calibration.gain.push_back((i / problem.count % 2 == 1 ? -1.0 : 1.0) * size / (1.0 + channel));
+    calibration.gain.push_back((i / problem.surface.count % 2 == 1 ? -1.0 : 1.0) * size /
+                               (1.0 + channel));
     calibration.baseline.push_back(512.0 + 3.0 * taxel);
     calibration.offset.push_back(0.01 * taxel);
   }
@@ -64,7 +65,7 @@ TEST_CASE("a plan for raw numbers finds in them what the plan for readings finds
   for (unsigned seed = 0; seed < 4; ++seed) {
     std::vector<double> readings =
         seed % 2 == 0 ? contact_readings(problem, seed) : random_values(estimator.readings(), seed);
-    if (seed == 2) readings[problem.count / 2] += 5.0;  // an outlier
+    if (seed == 2) readings[problem.surface.count / 2] += 5.0;  // an outlier
     std::vector<double> raw = readings;
     uncalibrate(calibration, raw);
     const Found expected = update(estimator, readings);

@@ -47,7 +47,7 @@ TEST_CASE("P is symmetric, and positive definite by at least alpha", "[problem]"
     const double smallest =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly)
             .eigenvalues()(0);
-    CHECK(smallest >= alpha - 1e-14 * dense.norm());
+    CHECK(smallest >= alpha * problem.surface.area - 1e-14 * dense.norm());
   }
 }
 
@@ -60,9 +60,11 @@ TEST_CASE("P is the second derivative of the functional", "[problem]") {
     const Eigen::Map<const Eigen::VectorXd> x(f.data(), std::ssize(f));
     double smoothness = x.squaredNorm();
     for (std::size_t j = 0; j + 1 < f.size(); ++j)
-      if ((j + 1) % problem.count != 0)
-        smoothness += std::pow(problem.smoothing_length / problem.pitch * (f[j + 1] - f[j]), 2);
-    const double functional = (view(problem.kernel) * x).squaredNorm() + alpha * smoothness;
+      if ((j + 1) % problem.surface.count != 0)
+        smoothness +=
+            std::pow(problem.smoothing_length / problem.surface.spacing * (f[j + 1] - f[j]), 2);
+    const double functional =
+        (view(problem.kernel) * x).squaredNorm() + alpha * problem.surface.area * smoothness;
     CHECK_THAT(x.dot(view(p) * x), WithinRel(functional, 1e-13));
   }
 }

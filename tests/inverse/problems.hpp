@@ -15,7 +15,7 @@ struct NamedProblem {
   InverseProblem problem;
 };
 
-/// One and several quantities and depths, weights, a dead taxel, even and odd counts.
+/// One and several quantities and depths, weights, a dead taxel, even and odd counts, surfaces.
 inline std::vector<NamedProblem> sample_problems() {
   using enum Quantity;
   const Material material{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
@@ -34,6 +34,15 @@ inline std::vector<NamedProblem> sample_problems() {
             {.smoothing_length = 1.0, .channel_rms = {2.0, 0.1}, .dead_taxels = {3}})},
       {"two unknowns",
        make(31, 0.5, {1.0}, {stress_x, shear_xy}, {.unknowns = 2, .smoothing_length = 1.0})},
+      {"a finer surface, beyond the ends",
+       make(7, 2.0, {1.0}, {stress_x, shear_xy},
+            {.unknowns = 2,
+             .smoothing_length = 1.0,
+             .dead_taxels = {2},
+             .surface = {.basis = SurfaceBasis::hats, .spacing = 0.5, .margin = 1.0}})},
+      {"a surface beyond the ends, even",
+       make(20, 0.5, {1.5}, {stress_x},
+            {.smoothing_length = 1.5, .surface = {.basis = SurfaceBasis::hats}})},
       {"two unknowns, two depths, even",
        make(20, 0.5, {1.0, 1.5}, {strain_x}, {.unknowns = 2, .smoothing_length = 1.0})},
   };

@@ -41,9 +41,10 @@ double functional(const InverseProblem& problem, double alpha, const std::vector
       view(problem.kernel) * view(f) - view(problem.weights).cwiseProduct(view(readings));
   double smoothness = view(f).squaredNorm();
   for (std::size_t j = 0; j + 1 < f.size(); ++j)
-    if ((j + 1) % problem.count != 0)
-      smoothness += std::pow(problem.smoothing_length / problem.pitch * (f[j + 1] - f[j]), 2);
-  return residual.squaredNorm() + alpha * smoothness;
+    if ((j + 1) % problem.surface.count != 0)
+      smoothness +=
+          std::pow(problem.smoothing_length / problem.surface.spacing * (f[j + 1] - f[j]), 2);
+  return residual.squaredNorm() + alpha * problem.surface.area * smoothness;
 }
 
 }  // namespace

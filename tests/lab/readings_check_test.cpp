@@ -232,7 +232,7 @@ const std::vector<Defect>& defects() {
       {"pitch in mm",
        [](Recording& r, auto&) { r.scene.sensor.pitch = 0.5; },
        "pitch_coarse",
-       {"mixed_units"}},
+       {"mixed_units", "deformation_tiny"}},
   };
   return all;
 }

@@ -72,15 +72,15 @@ TEST_CASE("the example prints the forces of what `solve` finds, frame after fram
     double force[2] = {0.0, 0.0};
     double moment = 0.0;
     for (std::size_t j = 0; j < plan.count; ++j) {
-      force[0] += plan.pitch * expected[1 + j];
-      force[1] += plan.pitch * expected[1 + plan.count + j];
-      moment += plan.pitch * plan.pitch * (static_cast<double>(j) - 30.0) * expected[1 + j];
+      force[0] += plan.spacing * expected[1 + j];
+      force[1] += plan.spacing * expected[1 + plan.count + j];
+      moment += plan.spacing * plan.spacing * (static_cast<double>(j) - 30.0) * expected[1 + j];
     }
     CAPTURE(k);
     CHECK(printed[k][0] == expected[0]);
     CHECK_THAT(printed[k][1], WithinRel(force[0], 1e-6));
     CHECK_THAT(printed[k][2], WithinAbs(force[1], 1e-6 * force[0]));
-    CHECK_THAT(printed[k][3], WithinAbs(moment / force[0], 1e-6 * plan.pitch));
+    CHECK_THAT(printed[k][3], WithinAbs(moment / force[0], 1e-6 * plan.spacing));
     CHECK_THAT(printed[k][4], WithinAbs(0.6 * force[0] - std::abs(force[1]), 1e-6 * force[0]));
     CHECK(printed[k][7] == -1.0);
   }

@@ -79,7 +79,7 @@ TEST_CASE("an estimator's plan is checked, rule by rule", "[estimator_plan]") {
       {"friction coefficient must be >= 0",
        [](Plan& p) { p.friction_coefficient = not_a_number; }}};
   for (const double bad : {0.0, -1.0, not_a_number, infinite}) {
-    rules.push_back({"pitch must be > 0", [=](Plan& p) { p.pitch = bad; }});
+    rules.push_back({"spacing must be > 0", [=](Plan& p) { p.spacing = bad; }});
     rules.push_back({"alpha must be > 0", [=](Plan& p) { p.alpha = bad; }});
     rules.push_back({"outlier_limit must be > 0", [=](Plan& p) { p.outlier_limit = bad; }});
     if (bad == 0.0) continue;

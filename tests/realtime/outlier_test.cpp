@@ -121,7 +121,7 @@ TEST_CASE("a faulty reading is named: shifted, stuck or alone, in contact with n
   const Sensor& sensor = all.at(GENERATE(range(std::size_t{0}, std::size_t{5})));
   CAPTURE(sensor.name);
   const InverseProblem problem = sensor.problem();
-  const std::size_t count = problem.count;
+  const std::size_t count = problem.surface.count;
   std::mt19937 generator(3);
   const Contact contact = RigidContact{.center = 0.3, .half_width = 2.0};
   const std::vector<double> clean = exact_readings(sensor.array, material, std::span(&contact, 1));

@@ -63,8 +63,9 @@ void check_same(const EstimatorPlan& a, const EstimatorPlan& b) {
   CHECK(a.count == b.count);
   CHECK(a.channels == b.channels);
   CHECK(a.unknowns == b.unknowns);
-  check_same({a.pitch, a.alpha, a.accuracy, a.error_bound, a.noise_rms, a.outlier_limit},
-             {b.pitch, b.alpha, b.accuracy, b.error_bound, b.noise_rms, b.outlier_limit});
+  check_same(
+      {a.spacing, a.centre, a.alpha, a.accuracy, a.error_bound, a.noise_rms, a.outlier_limit},
+      {b.spacing, b.centre, b.alpha, b.accuracy, b.error_bound, b.noise_rms, b.outlier_limit});
   check_same(a.reconstruction, b.reconstruction);
   REQUIRE(a.prediction.has_value() == b.prediction.has_value());
   if (a.prediction) check_same(*a.prediction, *b.prediction);
@@ -146,7 +147,8 @@ TEST_CASE("a plan with any byte changed is refused", "[plan_file]") {
     for (int change = 1; change < 256; change = 2 * change + (change == 64 ? 127 : 0)) {
       CAPTURE(i, change);
       bytes[i] ^= static_cast<std::byte>(change);
-      const bool other_version = i < 12 && !(i == 8 && change == 3);  // 2: with a baseline
+      const bool other_version =
+          i < 12 && !(i == 8 && (bytes[8] == std::byte{2} || bytes[8] == std::byte{3}));
       REQUIRE_THAT(refusal(bytes),
                    ContainsSubstring(i < 8               ? "this is no plan"
                                      : other_version     ? "has version"
@@ -160,10 +162,12 @@ TEST_CASE("a plan with any byte changed is refused", "[plan_file]") {
 TEST_CASE("other versions, other files and bytes that follow are refused", "[plan_file]") {
   std::vector<std::byte> bytes = encode_plan(made_plan({}));
   CHECK_THAT(refusal({}), ContainsSubstring("this is no plan"));
-  bytes[8] = std::byte{3};
-  sign(bytes);
-  CHECK_THAT(refusal(bytes),
-             ContainsSubstring("has version 3, this library reads versions 1 and 2"));
+  for (const int version : {0, 4}) {
+    bytes[8] = static_cast<std::byte>(version);
+    sign(bytes);
+    CHECK_THAT(refusal(bytes), ContainsSubstring("has version " + std::to_string(version) +
+                                                 ", this library reads versions 1 to 3"));
+  }
   bytes[8] = std::byte{1};
   sign(bytes);
   CHECK(refusal(bytes) == "accepted");
@@ -189,11 +193,31 @@ TEST_CASE("a plan with a baseline has a version of its own, and needs one", "[pl
   CHECK_THAT(refusal(bytes), ContainsSubstring("contradict its length"));
   bytes.insert(bytes.end() - 8, 8, std::byte{0});  // none
   sign(bytes);
-  CHECK_THAT(refusal(bytes), ContainsSubstring("baseline is empty"));
+  CHECK_THAT(refusal(bytes), ContainsSubstring("nothing of what its version is for"));
 
   plan.baseline.pop_back();
   CHECK_THROWS_AS(encode_plan(plan), std::invalid_argument);
   plan.baseline.push_back(std::numeric_limits<double>::quiet_NaN());
+  CHECK_THROWS_AS(encode_plan(plan), std::invalid_argument);
+}
+
+TEST_CASE("a plan for a surface of its own has a version of its own", "[plan_file]") {
+  EstimatorPlan plan = made_plan({});
+  const std::vector<std::byte> without = encode_plan(plan);
+  plan.centre = 0.5;
+  const std::vector<std::byte> bytes = encode_plan(plan);
+  CHECK(bytes[8] == std::byte{3});
+  CHECK(bytes.size() == without.size() + 8 + 8 + 8);  // no baseline, values, centre
+  const EstimatorPlan again = decode_plan(bytes);
+  CHECK(again.centre == 0.5);
+  CHECK(again.values == plan.values);
+  CHECK(again.baseline.empty());
+  CHECK(encode_plan(again) == bytes);
+
+  plan.values += 1;
+  CHECK_THROWS_AS(encode_plan(plan), std::invalid_argument);  // the product is not of so many
+  plan.values -= 1;
+  plan.centre = std::numeric_limits<double>::infinity();
   CHECK_THROWS_AS(encode_plan(plan), std::invalid_argument);
 }
 
@@ -211,7 +235,7 @@ TEST_CASE("a signed plan that breaks a rule is refused with the rule", "[plan_fi
   CHECK_THAT(with(count + 8, 2), ContainsSubstring("not of tractions x readings"));
   CHECK_THAT(with(count + 16, 3), ContainsSubstring("unknowns must be 1 or 2"));
   CHECK_THAT(with(count + 24, std::bit_cast<std::uint64_t>(-1.0)),
-             ContainsSubstring("pitch must be > 0"));
+             ContainsSubstring("spacing must be > 0"));
   std::vector<std::byte> changed = bytes;
   for (const std::size_t field : {count + 56, count + 57}) {  // structure, precision
     changed[field] = std::byte{9};

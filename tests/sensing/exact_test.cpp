@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
 
@@ -318,6 +319,58 @@ TEST_CASE("readings that double precision cannot hold are refused, not made up",
   array.reads = {Quantity::shear_xy};
   CHECK_THROWS_WITH(exact_readings(array, pad, std::vector<Contact>{RigidContact{}}),
                     StartsWith("shear_xy at depth 1e-12"));
+}
+
+TEST_CASE("taxels side by side below the middle of a contact read its shear's slope", "[exact]") {
+  const RigidContact cylinder{.half_width = 2.0};
+  const double apart = GENERATE(1e-6, 1e-9);
+  const std::array places{-apart, 0.0, apart};
+  const auto g =
+      exact_readings(Channel{Quantity::shear_xy, 0.7}, places, pad, std::array{Contact{cylinder}});
+  const double wide = 1e-3;
+  const double slope =
+      closed_form({Quantity::shear_xy, 0.7}, pad, cylinder, wide) / wide;  // to wide^2
+  CHECK_THAT(g[2], WithinAbs(slope * apart, 1e-15 + 1e-5 * apart));
+  CHECK_THAT(g[1], WithinAbs(0.0, 1e-15));
+}
+
+TEST_CASE("sampled tractions far away are read as the line loads they amount to", "[exact]") {
+  const SensorArray array = line(3, 0.5, {0.5});
+  SampledTractions away = bumps;
+  away.first = 400.0;
+  const auto readings = exact_readings(array, pad, std::array{Contact{away}});
+  auto reading = readings.begin();
+  for (const Channel& channel : channels(array))
+    for (std::size_t j = 0; j < array.count; ++j) {
+      double sum = 0.0;
+      for (const Traction component : traction_components) {
+        const PadKernel kernel(channel.quantity, component, pad, channel.depth);
+        const auto& values = component == Traction::normal ? away.normal : away.tangential;
+        for (std::size_t i = 0; i < values.size(); ++i)
+          sum += away.pitch * values[i] *
+                 kernel(position(array, j) - away.first - static_cast<double>(i) * away.pitch);
+      }
+      CHECK_THAT(*reading++, WithinRel(sum, 1e-5));  // (pitch / distance)^2
+    }
+}
+
+TEST_CASE("readings at any places are those of an array that lies there", "[exact][property]") {
+  const std::array contacts{Contact{RigidContact{.center = 0.2, .friction = 0.3}}, Contact{bumps}};
+  const SensorArray array = line(6, 0.4, {0.9});
+  std::vector<double> places = positions(array);
+  std::reverse(places.begin(), places.end());
+  const auto all = exact_readings(array, pad, contacts);
+  std::size_t block = 0;
+  for (const Channel& channel : channels(array)) {
+    auto readings = exact_readings(channel, places, pad, contacts);
+    std::reverse(readings.begin(), readings.end());
+    CHECK(std::equal(readings.begin(), readings.end(),
+                     all.begin() + static_cast<std::ptrdiff_t>(block)));
+    block += array.count;
+  }
+  const Material thin{.layer = Layer{0.5, Base::bonded}};
+  CHECK_THROWS_WITH(exact_readings(channels(array)[0], places, thin, contacts),
+                    StartsWith("depth must be at most the layer's thickness"));
 }
 
 TEST_CASE("more points and more halvings of a panel come closer to the integral", "[exact]") {

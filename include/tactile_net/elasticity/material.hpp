@@ -31,4 +31,7 @@ struct Material {
 /// @throw std::invalid_argument  a value is out of its range or not finite
 void check(const Material& material);
 
+/// @throw std::invalid_argument  the depth [m] is not > 0, or lies below the layer's base
+void check_depth(const Material& material, double depth);
+
 }  // namespace tactile_net

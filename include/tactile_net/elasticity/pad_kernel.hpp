@@ -1,14 +1,16 @@
 /// @file
-/// One kernel of the pad as it is, half plane or layer: what the rest of the library calls.
+/// One kernel of the pad as it is, half plane or layer: the reading that a line load causes.
 #pragma once
 
 #include <complex>
-#include <vector>
+#include <memory>
 
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/elasticity/quantity.hpp"
 
 namespace tactile_net {
+
+class LayerCorrection;
 
 /// The transform of a kernel: `half_plane_transform` or `layer_transform`.
 [[nodiscard]] std::complex<double> pad_transform(Quantity quantity, Traction component,
@@ -19,16 +21,16 @@ namespace tactile_net {
 /// layer.
 [[nodiscard]] double relative_kernel_error(const Material& material) noexcept;
 
+/// What a layer's base adds to a kernel is known to 1e-13 of the half plane's peak at the base's
+/// depth, the unit in which readings that vanish there are to be judged [Pa / (N/m) for stress,
+/// 1 / (N/m) for strain]; 0 on a half plane.
+[[nodiscard]] double base_error(Quantity quantity, const Material& material) noexcept;
+
 /// The reading at a given depth caused by a unit line load, as a function of the lateral distance.
 ///
-/// On a half plane it is the closed form. In a layer it is the closed form plus a correction, whose
-/// transform (layer minus half plane) decays as exp(-|k| (2 h - depth)) whatever the depth:
-///
-///     correction(y) = 1/pi integral_0^inf Re[(T_layer - T_half)(k) exp(i k y)] dk,
-///
-/// by Gauss-Legendre panels that resolve exp(i k y), kept as Chebyshev interpolants of panels h/2
-/// wide. Beyond 48 h the kernel is below 1e-15 of its peak (its poles lie at |Im k h| >= 0.739) and
-/// its limit is returned: 0, or the constant of the tangential load on a frictionless base.
+/// On a half plane it is the closed form. In a layer it is the closed form plus what the base adds,
+/// by interpolation: beyond 48 layers from the load no more than the limit, which is 0, or the
+/// constant of the tangential load on a frictionless base. A copy shares the interpolants.
 class PadKernel {
  public:
   /// O(1) on a half plane; about 4 million multiplications in a layer.
@@ -46,9 +48,7 @@ class PadKernel {
   Traction component_;
   Material material_;
   double depth_;
-  bool is_odd_;
-  double limit_ = 0.0;            // at infinite y > 0
-  std::vector<double> values_{};  // of the correction, panel by panel at Chebyshev points
+  std::shared_ptr<const LayerCorrection> correction_{};  // absent: half plane
 };
 
 }  // namespace tactile_net

@@ -11,6 +11,17 @@
 ///     ncp          residual most like white noise: its normalised cumulative periodogram least far
 ///                  from a straight line in the 2-norm     (Hansen, Kilmer and Kjeldsen 2006)
 ///     gml          least  g'(I - H) g / det(I - H)^(1/m)     (Wahba 1985)
+///     evidence     least  1/2 [ g'(I - H) g / sigma^2 - log det(I - H) ], sigma the noise's rms:
+///     -log
+///                  of the readings' likelihood where f is as likely as exp(-alpha |L f|^2 / 2
+///                  sigma^2) says     (MacKay 1992); gml with the noise known
+///     aicc         least  log(rho^2 / m) + 1 + 2 (tr H + 1) / (m - tr H - 2), infinite at tr H >=
+///     m - 2
+///                  (Hurvich, Simonoff and Tsai 1998)
+///
+/// Which to take: `default_rule` of alpha_tables.hpp. Without the noise's rms
+/// a rule must tell noise from signal by the readings alone, which few readings do not allow: then
+/// the verdict is `noise_needed`.
 ///
 /// Every rule is a function of log alpha whose slope is known in closed form; the best of 200
 /// values is refined to a root of the slope. So the answer is the same in any units, to rounding.
@@ -32,11 +43,16 @@
 
 namespace tactile_net {
 
-enum class AlphaRule { rgcv, gcv, discrepancy, l_curve, ncp, gml };
+enum class AlphaRule { rgcv, gcv, discrepancy, l_curve, ncp, gml, evidence, aicc };
 
-inline constexpr std::array alpha_rules = {AlphaRule::rgcv,        AlphaRule::gcv,
-                                           AlphaRule::discrepancy, AlphaRule::l_curve,
-                                           AlphaRule::ncp,         AlphaRule::gml};
+inline constexpr std::array alpha_rules = {
+    AlphaRule::rgcv, AlphaRule::gcv, AlphaRule::discrepancy, AlphaRule::l_curve,
+    AlphaRule::ncp,  AlphaRule::gml, AlphaRule::evidence,    AlphaRule::aicc};
+
+/// True for discrepancy and evidence, which know the noise's rms instead of guessing it.
+[[nodiscard]] constexpr bool needs_noise(AlphaRule rule) noexcept {
+  return rule == AlphaRule::discrepancy || rule == AlphaRule::evidence;
+}
 
 /// The name as scenes, tables and JSON spell it: "rgcv".
 [[nodiscard]] std::string_view name(AlphaRule rule) noexcept;
@@ -48,9 +64,11 @@ enum class AlphaVerdict {
   unstable,        ///< ten times alpha would change the traction by more than what would be left
   no_root,         ///< no alpha fits: no signal, or the noise stated cannot be met
   rules_disagree,  ///< the traction differs by more than half from that of the other rules' median
+  noise_needed,    ///< too few readings for a rule that does not know the noise's rms
 };
 
-/// The spelling in JSON and tables: "ok", "border", "unstable", "no_root", "rules_disagree".
+/// The spelling in JSON and tables: "ok", "border", "unstable", "no_root", "rules_disagree",
+/// "noise_needed".
 [[nodiscard]] std::string_view name(AlphaVerdict verdict) noexcept;
 
 struct AlphaChoice {

@@ -27,12 +27,23 @@ class AlphaTables {
   AlphaTables(AlphaTables&&) noexcept;
   AlphaTables& operator=(AlphaTables&&) noexcept;
 
+  /// True if fewer than 5 readings' worth of components, tr (I - H) where 1 % of the largest gamma
+  /// is half kept, are left to tell the noise by: taxels no closer than their depth, or very few. A
+  /// rule that needs no noise then takes signal for noise.
+  [[nodiscard]] bool few_rows() const noexcept;
+
   struct Parts;
   [[nodiscard]] const Parts& parts() const noexcept { return *parts_; }
 
  private:
   std::unique_ptr<const Parts> parts_;
 };
+
+/// The rule for whoever names none: aicc, which hardly ever is more than twice as wrong as the best
+/// alpha. Of few rows (see there) evidence, which needs the noise; where that is not known gml, the
+/// least wrong of those that guess it, with the verdict `noise_needed`. Measured by bench_alpha:
+/// docs/internals/alpha.md.
+[[nodiscard]] AlphaRule default_rule(const AlphaTables& tables, bool noise_known) noexcept;
 
 /// `sweep_alpha` and `choose_alone` of a frame whose gamma and rows are those of the tables: the
 /// same answers to rounding.

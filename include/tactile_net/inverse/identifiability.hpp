@@ -48,7 +48,7 @@ struct ModeSpace {
 
 /// The singular values of W K, and what they hide.
 struct Identifiability {
-  std::vector<double> singular_values{};  ///< descending [weighted reading per Pa]
+  std::vector<double> singular_values{};  ///< one a traction, descending [weighted reading per Pa]
   double condition = 1.0;                 ///< largest over smallest; may be infinite
   double floor = 0.0;       ///< the larger of max(rows, columns) eps |W K| and the kernel's error
   std::size_t rank = 0;     ///< singular values above `floor`

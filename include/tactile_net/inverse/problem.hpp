@@ -2,16 +2,23 @@
 /// The inverse problem: which tractions f explain the readings g = K f?
 ///
 /// All matrix methods minimise the same functional (thesis 4.3, with the unit it hides made
-/// explicit; D = pitch, l = smoothing length, differences between neighbours):
+/// explicit; h = spacing of the surface's values, l = smoothing length, differences between
+/// neighbours, D = pitch):
 ///
-///     |W (K f - g)|^2 + alpha (|f|^2 + l^2/D^2 sum_j (f_{j+1} - f_j)^2)
+///     |W (K f - g)|^2 + alpha h/D (|f|^2 + l^2/h^2 sum_j (f_{j+1} - f_j)^2)
+///
+/// The sums over the surface are integrals, and h/D weighs them as integrals: so neither alpha nor
+/// the tractions nor their bands follow the spacing. The thesis' tractions lie at the taxels, where
+/// h = D.
 ///
 /// A problem and a method that solves it:
 ///
 ///     const SensorArray array{
 ///         .count = 41, .pitch = 0.5e-3, .depths = {1.5e-3}, .reads = {Quantity::stress_x}};
 ///     const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.45};
-///     const InverseProblem problem = make_problem(array, silicone, {.smoothing_length = 1.5e-3});
+///     const InverseProblem problem = make_problem(
+///         array, silicone, {.smoothing_length = 1.5e-3, .surface = {.basis =
+///         SurfaceBasis::hats}});
 ///     const Reconstruction method = tikhonov(problem, 1e-3);  // reconstruction.hpp
 ///     const FrameStatus status = method.solve(readings, tractions);  // examples/01_tractions.cpp
 #pragma once
@@ -23,43 +30,48 @@
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/sensing/array.hpp"
+#include "tactile_net/sensing/surface.hpp"
 
 namespace tactile_net {
 
 struct InverseProblem {
-  Matrix kernel{};                ///< W K, (channels x count) x (unknowns x count); includes D
+  Matrix kernel{};                ///< W K, (channels x taxels) x (unknowns x surface.count)
   std::vector<double> weights{};  ///< diagonal of W, one per row; 0 for a dead taxel
-  std::size_t count = 0;          ///< positions of each unknown
+  std::size_t taxels = 0;         ///< readings of each channel
   std::size_t unknowns = 1;       ///< 1: normal traction; 2: normal, then tangential
-  double pitch = 0.0;             ///< D [m]
+  Surface surface{};              ///< the places of each unknown's values
   double smoothing_length = 0.0;  ///< l [m], >= 0
   double kernel_error = 0.0;      ///< how far rounding may have moved W K, in the 2-norm
 };
+
+/// Of K: a decomposition of more takes minutes.
+inline constexpr std::size_t most_columns = 4096;
 
 struct ProblemOptions {
   std::size_t unknowns = 1;                ///< 1: normal traction; 2: the tangential one too
   double smoothing_length = 0.0;           ///< l [m], >= 0; the scene reader takes the first depth
   std::vector<double> channel_rms{};       ///< noise of each channel; empty: rows not weighted
   std::vector<std::size_t> dead_taxels{};  ///< indices < count; their rows get weight 0
+  SurfaceOptions surface{};  ///< default: a line load over each taxel, for dense arrays alone
 };
 
 /// @throw std::invalid_argument  the array, the material or an option is out of range
 void check(const SensorArray& array, const Material& material, const ProblemOptions& options);
 
-/// Assembles K from `sampled_kernel`: one block of rows per channel, one of columns per unknown.
+/// Assembles K from `surface_kernel`: one block of rows per channel, one of columns per unknown.
 ///
 /// With two unknowns, one channel cannot tell them apart, and some pairs leave null modes (see
 /// `identifiability`): alpha > 0 still gives an answer, the smallest that explains the readings.
 ///
 /// @throw std::invalid_argument  array, material or an option is out of range; every taxel is dead;
 ///                               stresses and strains are mixed without `channel_rms`; two unknowns
-///                               from one channel
+///                               from one channel; K would have more than `most_columns`
 [[nodiscard]] InverseProblem make_problem(const SensorArray& array, const Material& material,
                                           const ProblemOptions& options = {});
 
-/// P = (WK)'(WK) + alpha (l^2/D^2 Q + I), the matrix of the conductance network (thesis 5.18):
-/// symmetric, positive definite for alpha > 0. Squares K's condition number: for circuits and
-/// for users who ask for it; `tikhonov` does not solve with it.
+/// P = (WK)'(WK) + alpha (l^2/D^2 Q + I), the matrix of the conductance network (thesis 5.18; alpha
+/// stands for alpha h/D, and D for h): symmetric, positive definite for alpha > 0. Squares K's
+/// condition number: for circuits and for users who ask for it; `tikhonov` does not solve with it.
 ///
 /// @throw std::invalid_argument  alpha is not > 0
 [[nodiscard]] Matrix normal_matrix(const InverseProblem& problem, double alpha);

@@ -21,7 +21,7 @@ class TikhonovFamily {
   TikhonovFamily(TikhonovFamily&&) noexcept;
   TikhonovFamily& operator=(TikhonovFamily&&) noexcept;
 
-  /// gamma, descending, as many as tractions.
+  /// gamma, descending, as many as readings or tractions, whichever are fewer.
   [[nodiscard]] std::span<const double> singular_values() const noexcept;
 
   /// 2-norm condition number of [W K R^-1; sqrt(alpha) I]: relative errors of the frame, rounding
@@ -29,7 +29,7 @@ class TikhonovFamily {
   [[nodiscard]] double condition(double alpha) const noexcept;
 
   /// At least the 2-norm condition number of [W K; sqrt(alpha) L] itself: `condition` times a bound
-  /// on R's, sqrt(1 + 4 l^2/D^2), because the eigenvalues of Q lie between 0 and 4.
+  /// on R's, sqrt(1 + 4 l^2/h^2), because the eigenvalues of Q lie between 0 and 4.
   [[nodiscard]] double stacked_condition(double alpha) const noexcept;
 
   /// The frame in the basis of the singular vectors. O(rows x columns).

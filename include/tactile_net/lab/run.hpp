@@ -68,6 +68,8 @@ struct Experiment {
 
   /// True if every method has an answer and the circuit agrees with the direct solve.
   [[nodiscard]] bool succeeded() const noexcept;
+  /// That chose alpha; absent: it was given, or no method took one.
+  [[nodiscard]] std::optional<AlphaRule> rule() const noexcept;
 };
 
 struct RunOptions {

@@ -47,6 +47,8 @@ class SceneCircuit {
   /// the largest of the answer's voltages is 1 V; without a contact, whose answer would be noise,
   /// 1 V stands for the traction that strains the pad by 10 %.
   [[nodiscard]] const NetworkOptions& options() const noexcept { return options_; }
+  /// What the nodes stand for.
+  [[nodiscard]] const Surface& surface() const { return frame_.problem().surface(); }
   [[nodiscard]] const ChosenAlpha& alpha() const noexcept { return alpha_; }
 
   /// The circuit, with its flat form, reduction, state space and P's eigenvalues.

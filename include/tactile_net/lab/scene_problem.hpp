@@ -43,9 +43,11 @@ class SceneProblem {
   [[nodiscard]] const ProblemOptions& options() const noexcept;
   /// How many readings a frame has: channels x taxels.
   [[nodiscard]] std::size_t readings() const;
-  /// How many tractions a frame has: the taxels' count, or twice that.
-  [[nodiscard]] std::size_t tractions() const noexcept;
-  [[nodiscard]] bool is_large() const noexcept { return tractions() >= large; }
+  /// Where the tractions lie.
+  [[nodiscard]] const Surface& surface() const;
+  /// How many tractions a frame has: the surface's count, or twice that.
+  [[nodiscard]] std::size_t tractions() const;
+  [[nodiscard]] bool is_large() const { return tractions() >= large; }
   /// The noise of one weighted reading, if the scene states it.
   [[nodiscard]] std::optional<double> stated_noise() const;
   /// What the scene demands of tikhonov's tractions, if anything.
@@ -75,7 +77,11 @@ class SceneProblem {
   /// What the rules for alpha ask of every frame. @param frame  analysed, any of this problem
   [[nodiscard]] const AlphaTables& alpha_tables(const FilterFrame& frame) const;
 
-  /// What no reading shows.
+  /// The rule that chooses alpha where the scene gives none. @param frame  as above
+  [[nodiscard]] AlphaRule alpha_rule(const FilterFrame& frame) const;
+
+  /// What no reading shows of line loads over the taxels. Of a finer surface every array hides
+  /// what changes from one taxel to the next.
   [[nodiscard]] const ModeSpace& hidden() const;
 
   /// Of unconstrained tractions; made anew where alpha or prior differ from the last call's.
@@ -96,7 +102,7 @@ class SceneFrame {
   [[nodiscard]] const SceneProblem& problem() const noexcept { return problem_; }
   [[nodiscard]] std::span<const double> readings() const noexcept { return readings_; }
 
-  /// In the basis of the family's singular vectors. @pre  the problem is not large
+  /// In the basis of the family's singular vectors, of a large problem in the Fourier basis.
   /// @throw std::invalid_argument  the readings have the wrong size or are not finite
   [[nodiscard]] const FilterFrame& analysed() const;
 
@@ -107,7 +113,8 @@ class SceneFrame {
   /// The scene's alpha, or what its rule chooses on this frame, judged beside the other rules.
   [[nodiscard]] ChosenAlpha alpha() const;
 
-  /// What sizes the bands' prior: the rule gml, judged without the others. @pre  not large
+  /// What sizes the bands' prior, judged without other rules: evidence where the noise is known,
+  /// else gml. @pre  not large
   [[nodiscard]] const AlphaChoice& prior() const;
 
  private:

@@ -19,6 +19,7 @@ enum class Verdict {
   unstable,
   no_root,
   rules_disagree,
+  noise_needed,
   // dft, see DftVerdict and FrictionVerdict.
   noise_amplified,
   sign_change,

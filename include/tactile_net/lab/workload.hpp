@@ -26,7 +26,7 @@ struct WorkloadRequest {
 enum class Computation {
   readings,       ///< from contacts, through the forward model
   history,        ///< frames before the one that is reconstructed
-  tangential,     ///< a second unknown at every taxel
+  tangential,     ///< a second unknown at every place
   layer_kernels,  ///< integrals; without a layer kernels are closed formulas
   dft,            ///< each method ...
   tikhonov,
@@ -102,7 +102,7 @@ struct Workload {
   struct Why {
     Reason reason = Reason::exact_model;
     std::size_t frame = 0;            ///< effects_remember: the one that is reconstructed
-    std::optional<AlphaRule> rule{};  ///< rule_chooses
+    std::optional<AlphaRule> rule{};  ///< rule_chooses; absent: `default_rule`
   };
 
   /// What a computation takes. Each kind says what its count, rows and columns are of; those it

@@ -27,8 +27,8 @@ struct ContactEstimate {
 
   std::span<double> tractions{};      ///< [Pa], `tractions()` values: normal, then tangential
   double time = 0.0;                  ///< of the frame, as given to `update`
-  double normal_force = 0.0;          ///< F_v = D sum f_v [N/m]
-  double tangential_force = unknown;  ///< F_t = D sum f_t [N/m]; NaN with one unknown
+  double normal_force = 0.0;          ///< F_v = h sum f_v, h the spacing [N/m]
+  double tangential_force = unknown;  ///< F_t = h sum f_t [N/m]; NaN with one unknown
   double centre = unknown;            ///< sum y f_v / sum f_v [m]; NaN without contact
   double angle = unknown;  ///< atan2(F_t, F_v) [rad]; NaN with one unknown or without contact
   double friction_margin = unknown;  ///< mu F_v - |F_t| [N/m], < 0: slips; NaN if mu or F_t is not

@@ -19,14 +19,16 @@ struct ReadingRange {
 };
 
 struct EstimatorPlan {
-  std::string label{};           ///< what it was made for, to be printed by a controller
-  std::size_t count = 0;         ///< taxels along y
-  std::size_t channels = 0;      ///< readings are channels x count
-  std::size_t unknowns = 1;      ///< 1: normal traction; 2: the tangential one too
-  double pitch = 0.0;            ///< [m]
-  double alpha = 0.0;            ///< of Tikhonov's functional
-  double accuracy = 0.0;         ///< that was asked for
-  double error_bound = 0.0;      ///< proven for the plan; of what, see control/planner.hpp
+  std::string label{};       ///< what it was made for, to be printed by a controller
+  std::size_t count = 0;     ///< taxels along y
+  std::size_t channels = 0;  ///< readings are channels x count
+  std::size_t unknowns = 1;  ///< 1: normal traction; 2: the tangential one too
+  std::size_t values = 0;    ///< of each traction, along y; `count` where they lie at the taxels
+  double spacing = 0.0;      ///< distance of those values [m]
+  double centre = 0.0;       ///< y of the middle one [m]
+  double alpha = 0.0;        ///< of Tikhonov's functional
+  double accuracy = 0.0;     ///< that was asked for
+  double error_bound = 0.0;  ///< proven for the plan; of what, see control/planner.hpp
   ProductPlan reconstruction{};  ///< readings -> tractions
 
   /// readings -> what the tractions explain of them, K M; absent: no residual, no outliers, no dead
@@ -44,7 +46,7 @@ struct EstimatorPlan {
   std::vector<double> baseline{};
 
   [[nodiscard]] std::size_t readings() const noexcept { return channels * count; }
-  [[nodiscard]] std::size_t tractions() const noexcept { return unknowns * count; }
+  [[nodiscard]] std::size_t tractions() const noexcept { return unknowns * values; }
 };
 
 /// @throw std::invalid_argument  a size does not fit, a value is out of its range or not finite

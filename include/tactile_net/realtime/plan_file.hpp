@@ -16,8 +16,13 @@
 
 namespace tactile_net {
 
-/// What a plan without a baseline is written as; one with a baseline has the next version.
-inline constexpr std::uint32_t plan_version = 1;
+/// What plans are written as: the first version whose readers understand them. All are read.
+enum class PlanVersion : std::uint32_t {
+  readings = 1,  ///< tractions at the taxels, from readings
+  baseline = 2,  ///< a baseline too
+  surface = 3,   ///< tractions at places of their own
+};
+inline constexpr auto newest_plan_version = PlanVersion::surface;
 
 /// @throw std::invalid_argument  `check(plan)` does
 [[nodiscard]] std::vector<std::byte> encode_plan(const EstimatorPlan& plan);

@@ -33,6 +33,7 @@
 #include "tactile_net/sensing/effects/viscoelasticity.hpp"
 #include "tactile_net/sensing/moving_contact.hpp"
 #include "tactile_net/sensing/signal_path.hpp"
+#include "tactile_net/sensing/surface.hpp"
 
 namespace tactile_net {
 
@@ -45,12 +46,13 @@ enum class Method { dft, tikhonov, closed_form, network };
 
 struct ReconstructOptions {
   std::vector<Method> methods{Method::tikhonov};
-  std::optional<double> alpha{};             ///< absent: `alpha_rule` chooses it
-  AlphaRule alpha_rule = AlphaRule::rgcv;    ///< where `alpha` is absent
-  double smoothing_length = 0.0;             ///< l [m]; default: the first depth
-  double noise_gain_limit = 1e8;             ///< dft: largest noise gain that is accepted
-  bool nonnegative = false;                  ///< tikhonov: f_v >= 0
-  std::optional<double> friction_limit{};    ///< tikhonov: |f_t| <= limit f_v; implies f_v >= 0
+  std::optional<double> alpha{};           ///< absent: a rule chooses it
+  std::optional<AlphaRule> alpha_rule{};   ///< absent: `default_rule` of inverse/alpha_tables.hpp
+  SurfaceOptions surface{};                ///< where the tractions lie; the reader's default: hats
+  double smoothing_length = 0.0;           ///< l [m]; default: the first depth
+  double noise_gain_limit = 1e8;           ///< dft: largest noise gain that is accepted
+  bool nonnegative = false;                ///< tikhonov: f_v >= 0
+  std::optional<double> friction_limit{};  ///< tikhonov: |f_t| <= limit f_v; implies f_v >= 0
   std::optional<double> contact_friction{};  ///< dft: known mu, f_t constant over the contact
   std::optional<bool> tangential{};          ///< solve for it too; absent: see `unknowns`
 };
@@ -113,6 +115,9 @@ struct Scene {
 /// one channel and the scene calls for it: by `tangential`, by a friction limit, by a contact with
 /// friction at any time, or by having no contact, as scenes for recorded readings.
 [[nodiscard]] std::size_t unknowns(const Scene& scene);
+
+/// Where those tractions lie. @throw std::invalid_argument  as `surface_of`
+[[nodiscard]] Surface surface(const Scene& scene);
 
 /// Readings as a file of this scene has them: in its units, before its calibration. What
 /// `frames::ReadingsFile` makes of them is the readings again.

@@ -7,17 +7,17 @@
 #include <optional>
 #include <span>
 
-#include "tactile_net/sensing/array.hpp"
+#include "tactile_net/sensing/surface.hpp"
 
 namespace tactile_net {
 
-/// Sums over the taxels, with y = 0 at the array's middle. Tractions on a flat surface have no
+/// Sums over the surface's values, h apart. Tractions on a flat surface have no
 /// moment about their centre of pressure: the tangential ones act along the very line on which it
 /// lies, and a torsional moment about the surface's normal does not exist in the plane.
 struct Resultant {
-  double normal = 0.0;      ///< F_v = D sum f_v [N/m]
-  double tangential = 0.0;  ///< F_t = D sum f_t [N/m]
-  double moment = 0.0;      ///< D sum y f_v, about y = 0 [N]
+  double normal = 0.0;      ///< F_v = h sum f_v [N/m]
+  double tangential = 0.0;  ///< F_t = h sum f_t [N/m]
+  double moment = 0.0;      ///< h sum y f_v, about y = 0 [N]
 
   /// y* = moment / normal [m]; absent if F_v <= 0, where no point of action exists.
   [[nodiscard]] std::optional<double> centre() const noexcept {
@@ -29,18 +29,27 @@ struct Resultant {
   }
 };
 
-/// @param tangential  of the same size as `normal`, or empty: frictionless
-/// @param pitch       D, distance of the taxels [m]
+/// Exact for hats and for line loads. O(values).
+///
+/// @param normal      `surface.count` values
+/// @param tangential  as many, or none: frictionless
+[[nodiscard]] inline Resultant resultant_of(std::span<const double> normal,
+                                            std::span<const double> tangential,
+                                            const Surface& surface) noexcept {
+  Resultant sum;
+  for (std::size_t i = 0; i < normal.size(); ++i) {
+    sum.normal += surface.spacing * normal[i];
+    sum.moment += surface.spacing * surface.position(i) * normal[i];
+  }
+  for (const double traction : tangential) sum.tangential += surface.spacing * traction;
+  return sum;
+}
+
+/// Of values about y = 0. @param pitch  their distance [m]
 [[nodiscard]] inline Resultant resultant_of(std::span<const double> normal,
                                             std::span<const double> tangential,
                                             double pitch) noexcept {
-  Resultant sum;
-  for (std::size_t i = 0; i < normal.size(); ++i) {
-    sum.normal += pitch * normal[i];
-    sum.moment += pitch * (centred(i, normal.size()) * pitch) * normal[i];
-  }
-  for (const double traction : tangential) sum.tangential += pitch * traction;
-  return sum;
+  return resultant_of(normal, tangential, Surface{.count = normal.size(), .spacing = pitch});
 }
 
 }  // namespace tactile_net

@@ -102,7 +102,7 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
     if (stated && solved->residual > 0.0) residuals.push_back(solved->residual / *stated);
     if (!is_loaded(readings, evidence, check)) continue;
     ++sign.loaded;
-    if (pull_of(solved->tractions, evidence.count()).pulled) ++sign.pulled;
+    if (pull_of(solved->tractions, surface(evidence.scene).count).pulled) ++sign.pulled;
   }
   check.peak = found;
   if (!residuals.empty()) check.residual = median(residuals);

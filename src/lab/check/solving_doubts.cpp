@@ -17,7 +17,7 @@ SolvingDoubts::SolvingDoubts(SceneProblem problem) : problem_(std::move(problem)
 
 void SolvingDoubts::add(const SceneProblem& problem, std::span<const double> readings,
                         std::span<const double> tractions, double alpha) {
-  const Pull pull = pull_of(tractions, problem.scene().sensor.count);
+  const Pull pull = pull_of(tractions, problem.surface().count);
   if (pull.load > 0.0) {
     Count& count = by_load_[std::ilogb(pull.load)];
     ++count.loaded;

@@ -6,6 +6,7 @@
 
 #include "lab/methods/frame_check.hpp"
 #include "lab/methods/methods.hpp"
+#include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/dft_friction.hpp"
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 
@@ -111,7 +112,10 @@ class Frequencies final : public FrameSolver {
       if (const auto status = check_frame(readings, readings_, tractions, tractions_);
           status != FrameStatus::ok)
         return {.status = status};
-      const AlphaChoice choice = choose_alpha(inverse_.analyse(readings), rule_, noise_);
+      const FilterFrame frame = inverse_.analyse(readings);
+      if (!tables_) tables_.emplace(frame.gamma, frame.rows);
+      const AlphaRule rule = rule_.value_or(default_rule(*tables_, noise_.has_value()));
+      const AlphaChoice choice = sweep_alpha(frame, *tables_, noise_).choice(rule);
       alpha = {choice.alpha, choice.rule, choice.verdict};
     }
     FrameResult result{.status = inverse_.solve(readings, alpha.value, tractions)};
@@ -147,7 +151,8 @@ class Frequencies final : public FrameSolver {
   DftTikhonov inverse_;
   std::size_t readings_;
   std::size_t tractions_;
-  AlphaRule rule_;
+  std::optional<AlphaRule> rule_;
+  std::optional<AlphaTables> tables_;  // of the first frame, for all
   std::optional<double> given_;
   std::optional<double> noise_;
   double alpha_ = 0.0;  // of the last frame

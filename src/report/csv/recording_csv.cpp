@@ -20,7 +20,7 @@ std::string recording_csv(const lab::RecordingOverview& overview) {
   std::string text = "frame,t,first,count,distrusted,verdict";
   for (const std::string_view column : shown_names) (text += ',') += column;
   for (const std::string& column :
-       frames::traction_columns(overview.scene.sensor.count, overview.tangential()))
+       frames::traction_columns(surface(overview.scene).count, overview.tangential()))
     text += ',' + column;
   text += '\n';
   for (const lab::FrameGroup& group : overview.groups) {

@@ -44,8 +44,8 @@ Json packed(const lab::RecordingOverview& overview,
 
 Json field_json(const lab::RecordingOverview& overview) {
   constexpr std::size_t rows = 18;
-  constexpr std::size_t most_taxels = 256;  // 4 million products a frame in the browser
-  if (overview.scene.sensor.count > most_taxels) return nullptr;
+  constexpr std::size_t most_values = 256;  // 4 million products a frame in the browser
+  if (surface(overview.scene).count > most_values) return nullptr;
   const lab::InteriorKernels kernels =
       lab::interior_kernels(overview.scene, rows, overview.tangential());
   return {{"rows", rows},
@@ -84,7 +84,7 @@ std::string recording_json(const lab::RecordingOverview& overview) {
                                  [](const lab::FrameGroup& group) { return !!group.bands; });
   const bool tangential = overview.tangential();
   const TractionRange range = traction_range(overview);
-  Json json = {{"count", overview.scene.sensor.count},
+  Json json = {{"count", surface(overview.scene).count},
                {"groups", overview.groups.size()},
                {"start", &overview.peak() - overview.groups.data()},
                {"low", range.low},

@@ -82,7 +82,7 @@ std::string experiment_json(const lab::Experiment& experiment) {
   const Scene& scene = experiment.scene;
   const TractionField& truth = experiment.frame.truth;
   Json json = scene_json(kind::run, scene);
-  json["positions"] = positions(scene.sensor);
+  json["positions"] = positions(surface(scene));
   json["truth"] = {{"normal", truth.normal},
                    {"tangential", list_or_null(truth.tangential)},
                    {"force", experiment.frame.force}};

@@ -14,7 +14,8 @@ namespace {
 
 DeckHeader header_of(const lab::SceneCircuit& circuit) {
   const Scene& scene = circuit.scene();
-  const double first = position(scene.sensor, 0);
+  const Surface& surface = circuit.surface();
+  const double first = surface.position(0);
   const Scale& scale = circuit.options().parts.scale;
   const std::string volts = shortest(scale.volts);
   const bool two = unknowns(scene) == 2;
@@ -26,17 +27,18 @@ DeckHeader header_of(const lab::SceneCircuit& circuit) {
                  "normal "
                  "ones, then the tangential ones."
                : "Solves P f = b for the normal traction f on the surface above a tactile array.",
-           "P = K'K + alpha (l^2/D^2 Q + I), b = K'g; K: kernel x pitch, g: readings, Q: squared "
-           "differences of neighbours.",
+           "P = K'K + alpha h/D (l^2/h^2 Q + I), b = K'g; K: what each value does to the readings "
+           "g, "
+           "Q: squared differences of neighbours, h: distance of the values, D: pitch.",
            "Sensor: " + sensor_in_words(scene) + ".", "Material: " + material_in_words(scene) + ".",
            "alpha = " + shortest(circuit.alpha().value) +
                ", l = " + shortest(scene.reconstruct.smoothing_length) +
-               ", D = " + shortest(scene.sensor.pitch) + ".",
+               ", h = " + shortest(surface.spacing) + ", D = " + shortest(scene.sensor.pitch) + ".",
            "Scale: " + shortest(scale.siemens) + " S per unit of P, " + volts +
                " V per unit of f: f_i = v(n_i) / " + volts + ".",
-           "Node n_i stands for the taxel at y = " + shortest(first) + " + " +
-               shortest(scene.sensor.pitch) +
-               (two ? " (i modulo " + std::to_string(scene.sensor.count) + ")." : " i."),
+           "Node n_i stands for the traction at y = " + shortest(first) + " + " +
+               shortest(surface.spacing) +
+               (two ? " (i modulo " + std::to_string(surface.count) + ")." : " i."),
            "Expected below: the direct solve of P f = b, in volts."},
       .expected = circuit.direct()};
   for (double& value : header.expected) value *= scale.volts;

@@ -77,7 +77,7 @@ Answer path(const RecordingOverview& overview, const FrameGroup& peak) {
   if (first == nullptr) return {"-", "no frame has a centre of pressure to be trusted", true};
   const double deviation = peak.bands && peak.bands->resultant.centre
                                ? peak.bands->resultant.centre->deviation
-                               : 0.1 * overview.scene.sensor.pitch;
+                               : 0.1 * surface(overview.scene).spacing;
   if (high - low < 4.0 * deviation)
     return {centre_of(overview.scene, peak), "centre of pressure, at " + place(peak)};
   const auto at = [&](double y) { return length_of(overview.scene, y); };

@@ -47,6 +47,20 @@ std::string sensor_in_words(const Scene& scene) {
          " at depth " + join(depths, " and ");
 }
 
+std::string truth_in_words(const Scene& scene) {
+  return scene.reconstruct.surface.basis == SurfaceBasis::taxels ? "the truth at the taxels"
+                                                                 : "the truth on the surface";
+}
+
+std::string surface_in_words(const Scene& scene) {
+  if (scene.reconstruct.surface.basis == SurfaceBasis::taxels) return {};
+  const Surface grid = surface(scene);
+  const double beyond = static_cast<double>(grid.margin) * grid.spacing;
+  return "tractions at " + std::to_string(grid.count) + " places " +
+         in_unit(scene, Dimension::length, grid.spacing) + " apart, to " +
+         in_unit(scene, Dimension::length, beyond) + " beyond the last taxels";
+}
+
 std::string time_in_words(const Scene& scene) {
   const Timing& timing = *scene.time;
   const bool last = scene.frame + 1 == timing.frames;

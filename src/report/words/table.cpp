@@ -112,9 +112,11 @@ std::vector<std::vector<std::string>> rule_cells(const AlphaSweep& sweep) {
   return rows;
 }
 
-std::string rule_used(const Scene& scene) {
-  return scene.reconstruct.alpha ? "the scene gives " + shortest(*scene.reconstruct.alpha)
-                                 : std::string(name(scene.reconstruct.alpha_rule)) + " was used";
+std::string rule_used(const lab::Experiment& experiment) {
+  if (const auto alpha = experiment.scene.reconstruct.alpha)
+    return "the scene gives " + shortest(*alpha);
+  const auto rule = experiment.rule();
+  return rule ? std::string(name(*rule)) + " was used" : "none was used";
 }
 
 std::string other_conditions_in_words(const lab::Experiment& experiment) {
@@ -185,6 +187,8 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
   const auto all = effects(scene);
   const auto absent =
       std::count_if(all.begin(), all.end(), [](const auto& e) { return !e.second; });
+  if (const std::string places = surface_in_words(scene); !places.empty())
+    out << "  " << places << '\n';
   out << "  forward model " << name(scene.forward)
       << "; effects simulated: " << effects_in_words(scene, true) << "; absent, and free of cost: "
       << (absent == 0 ? "none" : "the other " + std::to_string(absent)) << '\n';
@@ -196,7 +200,7 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
     out << "condition of other matrices: " << others << '\n';
   out << "force of the contacts: " << in_unit(scene, Dimension::force, experiment.frame.force)
       << " exact, " << in_unit(scene, Dimension::force, experiment.sampled_force)
-      << " as pitch x sum of the truth at the taxels\n";
+      << " as pitch x sum of " << truth_in_words(scene) << '\n';
   for (const lab::MethodResult& result : experiment.results) {
     if (result.resultant)
       out << name(result.method) << ": " << resultant_in_words(scene, *result.resultant) << '\n';
@@ -206,7 +210,7 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
       out << name(result.method) << ": FAILED: " << failure << '\n';
   }
   if (experiment.sweep) {
-    out << "\nalpha, by rule (" << rule_used(scene) << "):\n";
+    out << "\nalpha, by rule (" << rule_used(experiment) << "):\n";
     print_cells(out, rule_cells(*experiment.sweep));
   }
   if (experiment.relaxation) {

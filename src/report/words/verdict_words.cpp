@@ -17,6 +17,9 @@ constexpr Named<Verdict> sentences[] = {
     {Verdict::no_root, "no alpha fits: there is no signal above the noise"},
     {Verdict::rules_disagree,
      "the rules for alpha give different answers: the readings do not fix how much to smooth"},
+    {Verdict::noise_needed,
+     "too few taxels to tell noise from contact: state the noise's rms under [noise], and take the "
+     "rule evidence"},
     {Verdict::noise_amplified, "dft makes the readings' noise more than 10 000 times as large"},
     {Verdict::sign_change,
      "a wavelength that the sensors cannot see lies between those of the dft"},

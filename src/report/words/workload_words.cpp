@@ -80,7 +80,8 @@ std::string why_in_words(const Workload::Task& task) {
   std::string text(sentences[static_cast<std::size_t>(why.reason)].second);
   if (why.reason == Reason::effects_remember) text += std::to_string(why.frame);
   if (why.reason == Reason::rule_chooses)
-    text += std::string(name(*why.rule)) + ", whose verdict hears the others";
+    text += std::string(why.rule ? name(*why.rule) : "that suits taxels and noise") +
+            ", whose verdict hears the others";
   return text;
 }
 

@@ -23,7 +23,7 @@ class TruthFile {
       : file_(path, &standard_output),
         tangential_(any_friction(scene)),
         sink_(frames::make_sink(file_, path,
-                                frames::traction_columns(scene.sensor.count, tangential_),
+                                frames::traction_columns(surface(scene).count, tangential_),
                                 scene.time.has_value())) {}
 
   void add(const std::string& time, const TractionField& truth) {

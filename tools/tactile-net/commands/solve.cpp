@@ -36,8 +36,8 @@ class UncertaintyFile {
  public:
   UncertaintyFile(const std::string& path, const lab::SceneProblem& problem, bool with_time,
                   const Streams& streams)
-      : columns_(report::uncertainty_columns(problem.scene().sensor.count,
-                                             problem.options().unknowns > 1)),
+      : columns_(
+            report::uncertainty_columns(problem.surface().count, problem.options().unknowns > 1)),
         output_(path, &streams.out),
         sink_(output_.stream(), columns_, with_time) {}
 
@@ -70,7 +70,7 @@ class Outputs {
         in_folder_(options.output.empty() && !options.results.folder.empty()),
         tractions_(in_folder_ ? results->tractions() : options.output, &streams.out),
         unknown_(tractions, std::numeric_limits<double>::quiet_NaN()) {
-    const std::size_t count = problem.scene().sensor.count;
+    const std::size_t count = problem.surface().count;
     sink_ = frames::make_sink(tractions_, options.output,
                               frames::traction_columns(count, tractions > count), with_time);
     if (!options.uncertainty.empty())

@@ -12,6 +12,10 @@ namespace tactile_net::report {
 
 /// "81 taxels, pitch 0.25, reading strain_x at depth 1.5"
 [[nodiscard]] std::string sensor_in_words(const Scene& scene);
+/// Where the tractions lie, if on a grid; else empty.
+[[nodiscard]] std::string surface_in_words(const Scene& scene);
+/// "the truth at the taxels"
+[[nodiscard]] std::string truth_in_words(const Scene& scene);
 
 /// "the last of 201 frames: frame 200 at t = 2": which frame of a scene with [time] is
 /// reconstructed.

@@ -35,7 +35,7 @@ void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>&
 [[nodiscard]] std::vector<std::vector<std::string>> rule_cells(const AlphaSweep& sweep);
 
 /// "rgcv was used", "the scene gives 1e-4".
-[[nodiscard]] std::string rule_used(const Scene& scene);
+[[nodiscard]] std::string rule_used(const lab::Experiment& experiment);
 
 /// "normal force 1.02 +- 0.003, centre 0.1 +- 0.01": one standard deviation.
 [[nodiscard]] std::string resultant_in_words(const Scene& scene,

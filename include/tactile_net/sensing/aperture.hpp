@@ -1,0 +1,45 @@
+/// @file
+/// A taxel that is not a point: it reads the mean over its width along y.
+///
+/// In the transform that is a factor sin(k w / 2) / (k w / 2). In space, the reading of any load on
+/// any pad is analytic in y up to +-i depth from the line of the taxels, so that panels of Gauss
+/// and Legendre no wider than half a depth are exact: a wide taxel is a weighted mean of point
+/// taxels, whatever the load is made of.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace tactile_net {
+
+class Aperture {
+ public:
+  struct Node {
+    double offset = 0.0;  ///< from the taxel's middle [m]
+    double weight = 1.0;  ///< of the reading there; all of them sum to 1
+  };
+
+  /// A point.
+  Aperture() = default;
+
+  /// @param width  along y [m], >= 0; 0: a point
+  /// @param depth  of the taxel [m], > 0: 10 nodes for each half of it
+  /// @throw std::invalid_argument  a value is out of its range or not finite, or the taxel is wider
+  ///                               than 10,000 depths
+  Aperture(double width, double depth);
+
+  [[nodiscard]] std::span<const Node> nodes() const noexcept { return nodes_; }
+
+  /// The mean of `reading`, a function of y or of the distance from a load [m], about `y`; to 1e-14
+  /// of its largest value. `reading` may be a `PadKernel` or a `HatKernel` of that depth.
+  [[nodiscard]] double mean(const auto& reading, double y) const {
+    double sum = 0.0;
+    for (const Node& node : nodes_) sum += node.weight * reading(y + node.offset);
+    return sum;
+  }
+
+ private:
+  std::vector<Node> nodes_{Node{}};
+};
+
+}  // namespace tactile_net

@@ -1,0 +1,72 @@
+/// @file
+/// Where the unknown tractions are: on the pad's surface, and not at the taxels.
+///
+/// A contact between two taxels presses on neither. Tractions on a grid of their own, finer than a
+/// coarse array and reaching beyond its ends, can say so:
+///
+///     f(y) = sum_i f_i hat((y - y_i) / spacing),  hat(u) = max(1 - |u|, 0)
+///
+/// The thesis' tractions, a line load over each taxel, are `SurfaceBasis::taxels`.
+///
+///     const Surface surface = surface_of(array, {.basis = SurfaceBasis::hats});
+///     surface.position(0);                    // [m], two depths before the first taxel
+///     resultant_of(normal, {}, surface).normal;  // resultant.hpp
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "tactile_net/sensing/array.hpp"
+
+namespace tactile_net {
+
+/// What a value f_i stands for.
+enum class SurfaceBasis {
+  taxels,  ///< the line load D f_i at taxel i, D = pitch (thesis 3.4)
+  hats,    ///< a traction that is f_i at its place and falls to 0 at its neighbours'
+};
+
+/// The name as scenes and JSON spell it: "taxels", "grid".
+[[nodiscard]] std::string_view name(SurfaceBasis basis) noexcept;
+
+struct SurfaceOptions {
+  SurfaceBasis basis = SurfaceBasis::taxels;
+  /// Of hats [m], > 0. It is made smaller, so that every taxel lies on a value's place. Absent: the
+  /// pitch, where that is at most half of the least depth; else a quarter of that depth.
+  std::optional<double> spacing{};
+  std::optional<double> margin{};  ///< of hats, beyond the last taxels [m], >= 0; absent: 2 depths
+};
+
+/// Equally spaced values.
+struct Surface {
+  SurfaceBasis basis = SurfaceBasis::taxels;
+  std::size_t count = 0;   ///< values of each traction, >= 2
+  double spacing = 0.0;    ///< [m], > 0: what a value counts for in a sum over the surface
+  double area = 1.0;       ///< spacing over pitch: a value's weight in the functional (problem.hpp)
+  double centre = 0.0;     ///< y of the middle [m]
+  std::size_t margin = 0;  ///< values before the first taxel, and behind the last
+  std::size_t stride = 1;  ///< taxel j lies at value margin + j stride
+
+  /// y of value i [m].
+  [[nodiscard]] double position(std::size_t i) const noexcept {
+    return centre + centred(i, count) * spacing;
+  }
+  /// From the middle to where a picture of the surface ends [m].
+  [[nodiscard]] double half_width() const noexcept {
+    return 0.5 * spacing * static_cast<double>(count);
+  }
+};
+
+/// y of every value [m].
+[[nodiscard]] std::vector<double> positions(const Surface& surface);
+
+/// @throw std::invalid_argument  the array is out of range, spacing is not > 0, margin is not >= 0,
+///                               or there would be more than `most_values`
+[[nodiscard]] Surface surface_of(const SensorArray& array, const SurfaceOptions& options = {});
+
+/// Values of one traction, at most: matrices of more would not fit a memory.
+inline constexpr std::size_t most_values = std::size_t{1} << 22;
+
+}  // namespace tactile_net
