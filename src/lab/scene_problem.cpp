@@ -182,10 +182,15 @@ ChosenAlpha SceneFrame::alpha() const {
 }
 
 const AlphaChoice& SceneFrame::prior() const {
-  if (!prior_)
+  if (!prior_) {
+    const bool known = !problem_.scene().reconstruct.alpha &&
+                       problem_.alpha_rule(analysed()) == AlphaRule::evidence;
     prior_ = choose_alone(analysed(), problem_.alpha_tables(analysed()),
-                          problem_.stated_noise() ? AlphaRule::evidence : AlphaRule::gml,
-                          problem_.stated_noise());
+                          known ? AlphaRule::evidence : AlphaRule::gml, problem_.stated_noise());
+    // Not even the weakest component shows any noise: there is none to size a prior by.
+    const double weakest = std::ranges::min(analysed().gamma);
+    if (!known && prior_->alpha < weakest * weakest) prior_->verdict = AlphaVerdict::border;
+  }
   return *prior_;
 }
 

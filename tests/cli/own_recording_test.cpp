@@ -33,8 +33,8 @@ const std::string pad =
     "[sensor]\ncount = 11\npitch = 1.0\ndepth = 1.5\nreads = [\"stress_x\"]\n"
     "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
     "[noise]\nrms = 0.01\n[reconstruct]\n";
-const std::string given = pad + "alpha = 1e-3\n";
-const std::string by_rule = pad + "alpha = \"rgcv\"\n";
+const std::string given = pad + "surface = \"taxels\"\nalpha = 1e-3\n";
+const std::string by_rule = pad + "surface = \"taxels\"\nalpha = \"rgcv\"\n";
 
 std::string head(const std::string& before = "t,") {
   std::string text = before;

@@ -94,6 +94,24 @@ TEST_CASE("a scene without time is recorded as one frame, that of run", "[cli]")
   CHECK(tool({"simulate", path}).output == read_text(folder / "out/readings.csv"));
 }
 
+TEST_CASE("tractions of a coarse array lie on a grid, and files say so", "[cli]") {
+  const Folder folder;
+  std::string coarse = moving_scene;
+  const std::string at_taxels = "surface = \"taxels\"\n";
+  coarse.erase(coarse.find(at_taxels), at_taxels.size());
+  const std::string path = folder.write("s.toml", coarse);
+  REQUIRE(tool({"simulate", path, "-o", folder / "g.csv", "--truth", folder / "t.csv"}).code == 0);
+  REQUIRE(tool({"solve", path, "--readings", folder / "g.csv", "-o", folder / "f.csv"}).code == 0);
+  // Pitch and depth 1: a quarter apart, two depths beyond the last of three taxels.
+  constexpr std::ptrdiff_t values = 2 * 4 + 2 * 8 + 1;
+  for (const char* file : {"t.csv", "f.csv"}) {
+    const std::string text = read_text(folder / file);
+    const std::string header = text.substr(0, text.find('\n'));
+    CHECK(std::count(header.begin(), header.end(), ',') == values);  // t, and a column each
+    CHECK_THAT(header, EndsWith("normal_" + std::to_string(values - 1)));
+  }
+}
+
 TEST_CASE("what simulate writes solve reads, CSV and .npy alike", "[cli]") {
   const Folder folder;
   const std::string path =

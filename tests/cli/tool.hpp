@@ -66,6 +66,6 @@ inline std::string scene(const std::string& name) {
 inline const std::string small_scene =
     "[sensor]\ncount = 3\npitch = 1.0\ndepth = 1.0\nreads = [\"stress_x\"]\n"
     "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.3\n"
-    "[reconstruct]\nalpha = 1e-3\n";
+    "[reconstruct]\nalpha = 1e-3\nsurface = \"taxels\"\n";
 
 }  // namespace tactile_net

@@ -10,7 +10,7 @@ using namespace tactile_net;
 TEST_CASE("every planned path keeps its accuracy, on random readings and on contacts at the edge",
           "[planner]") {
   const auto problems = sample_problems();
-  const std::size_t which = GENERATE(range(std::size_t{0}, std::size_t{8}));
+  const std::size_t which = GENERATE(range(std::size_t{0}, std::size_t{10}));
   const auto& [name, problem] = problems.at(which);
   const double alpha = GENERATE(1e-2, 1e-6);
   const double accuracy = GENERATE(1e-3, 1e-7, 1e-11);
@@ -28,8 +28,9 @@ TEST_CASE("every planned path keeps its accuracy, on random readings and on cont
       try {
         planned = plan_estimator(problem, alpha, options);
       } catch (const std::invalid_argument&) {
-        REQUIRE(has_parity(structure));
-        REQUIRE(name == "weighted, a dead taxel");
+        const bool dead = name == "weighted, a dead taxel" || name.starts_with("a finer surface");
+        const bool square = problem.surface.count == problem.taxels;
+        REQUIRE(((has_parity(structure) && dead) || (structure == Structure::fft && !square)));
         continue;
       }
       const Candidate& candidate = planned->candidates.front();

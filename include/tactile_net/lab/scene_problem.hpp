@@ -113,7 +113,7 @@ class SceneFrame {
   /// The scene's alpha, or what its rule chooses on this frame, judged beside the other rules.
   [[nodiscard]] ChosenAlpha alpha() const;
 
-  /// What sizes the bands' prior, judged without other rules: evidence where the noise is known,
+  /// What sizes the bands' prior, judged without other rules: evidence where that chooses alpha,
   /// else gml. @pre  not large
   [[nodiscard]] const AlphaChoice& prior() const;
 

@@ -17,7 +17,7 @@ Scene unconstrained(Scene scene) {
   options.nonnegative = false;
   options.friction_limit.reset();
   options.alpha.reset();
-  options.alpha_rule.reset();
+  options.alpha_rule = AlphaRule::rgcv;
   return scene;
 }
 
