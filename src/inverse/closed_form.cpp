@@ -28,11 +28,12 @@ Reconstruction closed_form(const InverseProblem& problem, double alpha,
     e.block(u * block, u, block, 1).setOnes();
   }
 
+  const Eigen::VectorXd sizes = std::sqrt(alpha) * stabiliser_sizes(problem).replicate(unknowns, 1);
   Eigen::MatrixXd of_h(m + n + slopes, slopes);
-  of_h << kernel * g, size * g,
+  of_h << kernel * g, sizes.asDiagonal() * g,
       size * problem.smoothing_length * Eigen::MatrixXd::Identity(slopes, slopes);
   Eigen::MatrixXd of_c(of_h.rows(), unknowns);
-  of_c << kernel * e, size * e, Eigen::MatrixXd::Zero(slopes, unknowns);
+  of_c << kernel * e, sizes.asDiagonal() * e, Eigen::MatrixXd::Zero(slopes, unknowns);
 
   const StackedQr qr(of_h);
   const auto [u, condition_of_h] = qr.pseudo_inverse(m);

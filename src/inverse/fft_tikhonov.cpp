@@ -52,6 +52,12 @@ struct FftTikhonov::Plan {
     direction.resize(n);
   }
 
+  /// Of a value's own size in sqrt(alpha) L, where hats at the ends have a slope of their own.
+  [[nodiscard]] double size_at(std::size_t i) const noexcept {
+    const bool ends = i == 0 || i + 1 == count;
+    return ends && surface.basis == SurfaceBasis::hats ? end_size : size;
+  }
+
   /// [W K; sqrt(alpha) L] x.
   void apply(std::span<const double> x, std::span<double> y) noexcept {
     for (std::size_t u = 0; u < unknowns; ++u) to_spectrum(x.subspan(u * count, count), input[u]);
@@ -73,7 +79,7 @@ struct FftTikhonov::Plan {
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t at = u * count + i;
         slope_out[at] = i + 1 < count ? slope * (x[at + 1] - x[at]) : 0.0;
-        size_out[at] = size * x[at];
+        size_out[at] = size_at(i) * x[at];
       }
   }
 
@@ -99,7 +105,7 @@ struct FftTikhonov::Plan {
       padded.backward();
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t at = u * count + i;
-        x[at] = padded.samples()[i] + size * size_in[at] +
+        x[at] = padded.samples()[i] + size_at(i) * size_in[at] +
                 slope * ((i > 0 ? slope_in[at - 1] : 0.0) - (i + 1 < count ? slope_in[at] : 0.0));
       }
     }
@@ -140,9 +146,10 @@ struct FftTikhonov::Plan {
   RealFft padded;  // for Toeplitz blocks: nothing that wraps around is read
   RealFft circle;  // for the preconditioner
   double alpha = 0.0;
-  double size = 0.0;   // sqrt(alpha h / D)
-  double slope = 0.0;  // that times l / h
-  double ratio = 0.0;  // l / h
+  double size = 0.0;      // sqrt(alpha h / D)
+  double slope = 0.0;     // that times l / h
+  double end_size = 0.0;  // of both together
+  double ratio = 0.0;     // l / h
   std::vector<double> weights;
   std::vector<Spectrum> kernels;  // channels x unknowns, over the padded size
   /// A frequency's A'A of the circular kernels, a Hermitian matrix of unknowns x unknowns.
@@ -218,6 +225,7 @@ void FftTikhonov::use_alpha(double alpha) {
   plan.alpha = alpha;
   plan.size = std::sqrt(alpha * plan.surface.area);
   plan.slope = plan.size * plan.ratio;
+  plan.end_size = std::hypot(plan.size, plan.slope);
   const std::size_t bins = plan.circle.bins().size();
   for (std::size_t k = 0; k < bins; ++k) {
     const double wave =

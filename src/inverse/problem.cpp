@@ -6,6 +6,7 @@
 #include <string>
 
 #include "inverse/checks.hpp"
+#include "inverse/stabiliser.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/sensing/surface_kernel.hpp"
 
@@ -86,11 +87,11 @@ Matrix normal_matrix(const InverseProblem& problem, double alpha) {
   p.selfadjointView<Eigen::Upper>().rankUpdate(kernel.transpose());
 
   const double ratio = problem.smoothing_length / problem.surface.spacing;
-  const double weight = alpha * problem.surface.area;
-  const double coupling = weight * ratio * ratio;
-  const auto n = static_cast<Eigen::Index>(problem.surface.count);
+  const double coupling = alpha * problem.surface.area * ratio * ratio;
+  const Eigen::VectorXd sizes = stabiliser_sizes(problem);
+  const Eigen::Index n = sizes.size();
   for (Eigen::Index i = 0; i < p.rows(); ++i) {
-    p(i, i) += weight;
+    p(i, i) += alpha * sizes(i % n) * sizes(i % n);
     if (i % n + 1 == n) continue;  // the last point of a block has no right neighbour
     p(i, i) += coupling;
     p(i + 1, i + 1) += coupling;

@@ -10,15 +10,28 @@
 
 namespace tactile_net {
 
-/// L itself, sqrt(h/D) [l/h differences; I], 2 n x n.
+/// What the size of each value of one traction counts for in L. Hats fall to 0 beyond the first and
+/// the last one: these slopes are values' own, too.
+[[nodiscard]] inline Eigen::VectorXd stabiliser_sizes(const InverseProblem& problem) {
+  const Surface& surface = problem.surface;
+  const double size = std::sqrt(surface.area);
+  Eigen::VectorXd sizes = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(surface.count), size);
+  if (surface.basis == SurfaceBasis::hats)
+    sizes(0) = sizes(sizes.size() - 1) =
+        size * std::hypot(1.0, problem.smoothing_length / surface.spacing);
+  return sizes;
+}
+
+/// L itself, [sqrt(h/D) l/h differences; diagonal of sizes], 2 n x n.
 [[nodiscard]] inline Eigen::MatrixXd stabiliser(const InverseProblem& problem) {
   const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
   const auto block = static_cast<Eigen::Index>(problem.surface.count);
-  const double size = std::sqrt(problem.surface.area);
-  const double slope = size * problem.smoothing_length / problem.surface.spacing;
+  const Eigen::VectorXd sizes = stabiliser_sizes(problem);
+  const double slope =
+      std::sqrt(problem.surface.area) * problem.smoothing_length / problem.surface.spacing;
   Eigen::MatrixXd l = Eigen::MatrixXd::Zero(2 * n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    l(n + i, i) = size;
+    l(n + i, i) = sizes(i % block);
     if (i % block + 1 == block) continue;  // the last point of a block has no right neighbour
     l(i, i) = -slope;
     l(i, i + 1) = slope;
@@ -30,11 +43,14 @@ namespace tactile_net {
 [[nodiscard]] inline double stabiliser_square(const InverseProblem& problem,
                                               const Eigen::Ref<const Eigen::VectorXd>& f) {
   const double ratio = problem.smoothing_length / problem.surface.spacing;
-  const auto n = static_cast<Eigen::Index>(problem.surface.count);
-  double sum = f.squaredNorm();
+  const double coupling = problem.surface.area * ratio * ratio;
+  const Eigen::VectorXd sizes = stabiliser_sizes(problem);
+  const Eigen::Index n = sizes.size();
+  double sum = 0.0;
   for (Eigen::Index start = 0; start < f.size(); start += n)
-    sum += ratio * ratio * (f.segment(start + 1, n - 1) - f.segment(start, n - 1)).squaredNorm();
-  return problem.surface.area * sum;
+    sum += sizes.cwiseProduct(f.segment(start, n)).squaredNorm() +
+           coupling * (f.segment(start + 1, n - 1) - f.segment(start, n - 1)).squaredNorm();
+  return sum;
 }
 
 }  // namespace tactile_net

@@ -133,8 +133,10 @@ const AlphaTables& SceneProblem::alpha_tables(const FilterFrame& frame) const {
 }
 
 AlphaRule SceneProblem::alpha_rule(const FilterFrame& frame) const {
-  return parts_->scene.reconstruct.alpha_rule.value_or(
-      default_rule(alpha_tables(frame), stated_noise().has_value()));
+  if (const auto named = parts_->scene.reconstruct.alpha_rule) return *named;
+  const AlphaTables& tables = alpha_tables(frame);
+  if (surface().basis == SurfaceBasis::taxels && !tables.few_rows()) return AlphaRule::rgcv;
+  return default_rule(tables, stated_noise().has_value());
 }
 
 const ModeSpace& SceneProblem::hidden() const {
@@ -183,8 +185,7 @@ ChosenAlpha SceneFrame::alpha() const {
 
 const AlphaChoice& SceneFrame::prior() const {
   if (!prior_) {
-    const bool known = !problem_.scene().reconstruct.alpha &&
-                       problem_.alpha_rule(analysed()) == AlphaRule::evidence;
+    const bool known = problem_.alpha_rule(analysed()) == AlphaRule::evidence;
     prior_ = choose_alone(analysed(), problem_.alpha_tables(analysed()),
                           known ? AlphaRule::evidence : AlphaRule::gml, problem_.stated_noise());
     // Not even the weakest component shows any noise: there is none to size a prior by.

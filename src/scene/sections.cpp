@@ -368,9 +368,6 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
   scene.network.one_volt = true;
   if (const auto table = table_of(root.value("network")))
     scene.network = read_network(*table, read.units, scene);
-  // On a coarse array what is known of the noise decides which rule is good: `default_rule`.
-  if (!scene.reconstruct.alpha_rule && scene.reconstruct.surface.basis == SurfaceBasis::taxels)
-    scene.reconstruct.alpha_rule = AlphaRule::rgcv;
   root.finish();
   scene = at_frame(std::move(scene), scene.time ? scene.time->frames - 1 : 0);
 }

@@ -41,7 +41,8 @@ Surface surface_of(const SensorArray& array, const SurfaceOptions& options) {
       options.spacing.value_or(array.pitch <= 0.5 * depth ? array.pitch : 0.25 * depth);
   const double stride = std::max(rounded_up(array.pitch / wanted), 1.0);
   const double spacing = array.pitch / stride;
-  const double margin = rounded_up(options.margin.value_or(2.0 * depth) / spacing);
+  const double reach = rounded_up(options.margin.value_or(2.0 * depth) / spacing);
+  const double margin = std::max(reach - 1.0, 0.0);  // the outermost hats end one spacing further
   const double count = static_cast<double>(array.count - 1) * stride + 2.0 * margin + 1.0;
   if (!(count <= static_cast<double>(most_values)))
     throw std::invalid_argument("the surface would have more than " + std::to_string(most_values) +

@@ -216,6 +216,25 @@ TEST_CASE("conjugate gradients solve P f = b, boundaries included", "[fft_tikhon
   CHECK(error <= inverse.convergence().bound + 1e-10);
 }
 
+TEST_CASE("conjugate gradients know a surface between and beyond the taxels", "[fft_tikhonov]") {
+  const double pitch = GENERATE(0.5, 3.0);
+  const double alpha = GENERATE(1e-4, 1e-2);
+  const SensorArray array{20, pitch, {1.5}, {stress_x, shear_xy}};
+  const ProblemOptions options{.unknowns = 2,
+                               .smoothing_length = 1.0,
+                               .dead_taxels = {4},
+                               .surface = {.basis = SurfaceBasis::hats}};
+  const InverseProblem problem = make_problem(array, pad, options);
+  const std::vector<double> g = random_values(problem.kernel.rows, 3);
+  FftTikhonov inverse(array, pad, options, alpha);
+  REQUIRE(inverse.tractions() == problem.kernel.columns);
+  std::vector<double> f(inverse.tractions());
+  REQUIRE(inverse.solve(g, f, 1e-10, 10'000) == FrameStatus::ok);
+  CAPTURE(pitch, alpha, inverse.convergence().steps);
+  CHECK(inverse.convergence().converged);
+  CHECK(relative_l2_error(f, tikhonov_solve(problem, alpha, g)) <= 1e-8);
+}
+
 TEST_CASE("a filter is not P f = b where a contact touches the end", "[fft_tikhonov]") {
   const SensorArray array{81, 0.125, {1.5}, {stress_x}};
   const std::vector<Contact> contacts = {RigidContact{.center = 4.5, .half_width = 1.0}};

@@ -137,6 +137,26 @@ TEST_CASE("contacts may stand in a list", "[scene]") {
   CHECK(parse("contact = [" + one + ", " + one + "]\n" + smallest).contacts.size() == 2);
 }
 
+TEST_CASE("tractions lie on a grid where taxels are far apart, at the taxels where they are dense",
+          "[scene]") {
+  const auto basis = [](const std::string& more, const std::string& pitch) {
+    std::string text = smallest;
+    const std::size_t at = text.find("pitch = ");
+    text.replace(at, text.find('\n', at) - at, "pitch = " + pitch);
+    return parse(text + more).reconstruct.surface.basis;
+  };
+  CHECK(basis("", "0.75") == SurfaceBasis::taxels);  // half of the depth
+  CHECK(basis("", "0.76") == SurfaceBasis::hats);
+  CHECK(basis("[reconstruct]\nsurface = \"grid\"\n", "0.75") == SurfaceBasis::hats);
+  CHECK(basis("[reconstruct]\nsurface = \"taxels\"\n", "3.0") == SurfaceBasis::taxels);
+  CHECK(basis("[forward]\nmodel = \"sampled\"\n", "3.0") == SurfaceBasis::taxels);
+  CHECK(basis("[reconstruct]\nmethods = [\"dft\"]\n", "3.0") == SurfaceBasis::taxels);
+  const Scene scene =
+      parse(smallest + "[reconstruct]\nsurface = \"grid\"\nspacing = 0.1\nmargin = 2.0\n");
+  CHECK(scene.reconstruct.surface.spacing == 0.1);
+  CHECK(scene.reconstruct.surface.margin == 2.0);
+}
+
 TEST_CASE("the smoothing length is the first depth, or what the scene says", "[scene]") {
   std::string several = smallest;
   several.replace(several.find("depth = 1.5"), 11, "depths = [2.5, 1.5]");

@@ -48,10 +48,10 @@ TEST_CASE("every taxel lies on a value's place, and the margin reaches as far as
                      WithinAbs(position(array, j), 1e-13 * pitch * 7.0));
         if (spacing > 0.0) CHECK(surface.spacing <= spacing * (1.0 + 1e-12));
         CHECK(surface.count == 6 * surface.stride + 2 * surface.margin + 1);
-        const double reach = surface.spacing * static_cast<double>(surface.margin);
+        const double reach = surface.spacing * static_cast<double>(surface.margin + 1);
         const double wanted = margin < 0.0 ? 3.0 : margin;
         CHECK(reach >= wanted * (1.0 - 1e-12));
-        CHECK(reach < wanted + surface.spacing);
+        CHECK(reach < std::max(wanted, surface.spacing * 1e-9) + surface.spacing);
         CHECK_THAT(surface.area, WithinRel(surface.spacing / pitch, 1e-14));
       }
 }
@@ -60,7 +60,7 @@ TEST_CASE("the spacing follows the depth where taxels are far apart", "[surface]
   CHECK(grid(array_of(9, 0.75, 1.5)).spacing == 0.75);  // half of a depth: dense
   const Surface coarse = grid(array_of(9, 3.0, 1.5));
   CHECK(coarse.spacing == 0.375);
-  CHECK(coarse.count == 8 * 8 + 2 * 8 + 1);
+  CHECK(coarse.count == 8 * 8 + 2 * 7 + 1);
   SensorArray two_depths = array_of(9, 3.0, 1.5);
   two_depths.depths = {3.0, 1.0};
   CHECK(grid(two_depths).spacing == 0.25);

@@ -8,8 +8,8 @@
 ///     |W (K f - g)|^2 + alpha h/D (|f|^2 + l^2/h^2 sum_j (f_{j+1} - f_j)^2)
 ///
 /// The sums over the surface are integrals, and h/D weighs them as integrals: so neither alpha nor
-/// the tractions nor their bands follow the spacing. The thesis' tractions lie at the taxels, where
-/// h = D.
+/// the tractions nor their bands follow the spacing. Hats fall to 0 beyond the first and the last
+/// value, which counts as a difference. The thesis' tractions lie at the taxels, where h = D.
 ///
 /// A problem and a method that solves it:
 ///

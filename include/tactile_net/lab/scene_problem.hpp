@@ -77,7 +77,8 @@ class SceneProblem {
   /// What the rules for alpha ask of every frame. @param frame  analysed, any of this problem
   [[nodiscard]] const AlphaTables& alpha_tables(const FilterFrame& frame) const;
 
-  /// The rule that chooses alpha where the scene gives none. @param frame  as above
+  /// The rule that chooses alpha where the scene gives none: its own, or for many taxels with the
+  /// tractions above them rgcv, else `default_rule`. @param frame  as above
   [[nodiscard]] AlphaRule alpha_rule(const FilterFrame& frame) const;
 
   /// What no reading shows of line loads over the taxels. Of a finer surface every array hides

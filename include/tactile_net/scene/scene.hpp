@@ -47,7 +47,7 @@ enum class Method { dft, tikhonov, closed_form, network };
 struct ReconstructOptions {
   std::vector<Method> methods{Method::tikhonov};
   std::optional<double> alpha{};           ///< absent: a rule chooses it
-  std::optional<AlphaRule> alpha_rule{};   ///< absent: `default_rule` of inverse/alpha_tables.hpp
+  std::optional<AlphaRule> alpha_rule{};   ///< absent: by taxels and noise, lab/scene_problem.hpp
   SurfaceOptions surface{};                ///< where the tractions lie; the reader's default: hats
   double smoothing_length = 0.0;           ///< l [m]; default: the first depth
   double noise_gain_limit = 1e8;           ///< dft: largest noise gain that is accepted

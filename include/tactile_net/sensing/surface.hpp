@@ -9,7 +9,7 @@
 /// The thesis' tractions, a line load over each taxel, are `SurfaceBasis::taxels`.
 ///
 ///     const Surface surface = surface_of(array, {.basis = SurfaceBasis::hats});
-///     surface.position(0);                    // [m], two depths before the first taxel
+///     surface.position(0);                    // [m], almost two depths before the first taxel
 ///     resultant_of(normal, {}, surface).normal;  // resultant.hpp
 #pragma once
 
@@ -36,7 +36,9 @@ struct SurfaceOptions {
   /// Of hats [m], > 0. It is made smaller, so that every taxel lies on a value's place. Absent: the
   /// pitch, where that is at most half of the least depth; else a quarter of that depth.
   std::optional<double> spacing{};
-  std::optional<double> margin{};  ///< of hats, beyond the last taxels [m], >= 0; absent: 2 depths
+  /// To where tractions reach beyond the last taxels [m], >= 0, one spacing at least; absent: two
+  /// of the least depth.
+  std::optional<double> margin{};
 };
 
 /// Equally spaced values.
@@ -46,7 +48,8 @@ struct Surface {
   double spacing = 0.0;    ///< [m], > 0: what a value counts for in a sum over the surface
   double area = 1.0;       ///< spacing over pitch: a value's weight in the functional (problem.hpp)
   double centre = 0.0;     ///< y of the middle [m]
-  std::size_t margin = 0;  ///< values before the first taxel, and behind the last
+  std::size_t margin = 0;  ///< values before the first taxel, and behind the last; the outermost
+                           ///< hats end one spacing further
   std::size_t stride = 1;  ///< taxel j lies at value margin + j stride
 
   /// y of value i [m].

@@ -55,7 +55,7 @@ std::string truth_in_words(const Scene& scene) {
 std::string surface_in_words(const Scene& scene) {
   if (scene.reconstruct.surface.basis == SurfaceBasis::taxels) return {};
   const Surface grid = surface(scene);
-  const double beyond = static_cast<double>(grid.margin) * grid.spacing;
+  const double beyond = static_cast<double>(grid.margin + 1) * grid.spacing;
   return "tractions at " + std::to_string(grid.count) + " places " +
          in_unit(scene, Dimension::length, grid.spacing) + " apart, to " +
          in_unit(scene, Dimension::length, beyond) + " beyond the last taxels";
