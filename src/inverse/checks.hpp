@@ -9,6 +9,7 @@
 #include <string>
 
 #include "numeric/finite.hpp"
+#include "tactile_net/sensing/surface.hpp"
 
 namespace tactile_net {
 
@@ -16,6 +17,16 @@ namespace tactile_net {
 inline void check_alpha(double alpha) {
   if (!(alpha > 0.0) || !std::isfinite(alpha))
     throw std::invalid_argument("alpha must be > 0 and finite");
+}
+
+/// What divides one spectrum by another asks of the surface.
+/// @throw std::invalid_argument  the tractions lie on a grid
+inline void require_at_taxels(const SurfaceOptions& surface) {
+  if (surface.basis != SurfaceBasis::taxels)
+    throw std::invalid_argument(
+        "dft divides the readings' spectrum by the kernel's, and so needs a traction at every "
+        "taxel "
+        "and nowhere else: surface = \"taxels\"");
 }
 
 /// @throw std::invalid_argument  there is not one reading per row of the problem

@@ -105,6 +105,7 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
   check(array, material, options);
   if (!options.dead_taxels.empty())
     throw std::invalid_argument("dft takes a dead taxel's zero for a reading: use tikhonov");
+  require_at_taxels(options.surface);
 
   const std::size_t n = array.count;
   const std::vector<Channel> all = channels(array);

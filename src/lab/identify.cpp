@@ -51,7 +51,7 @@ double stated_rms(const Scene& scene, Quantity quantity) {
 /// 0 without a contact.
 double peak_traction(const Scene& scene) {
   double peak = 0.0;
-  for (const double f : sample(scene.contacts, scene.sensor).normal)
+  for (const double f : sample(scene.contacts, surface(scene)).normal)
     peak = std::max(peak, std::abs(f));
   return peak;
 }

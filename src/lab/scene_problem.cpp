@@ -122,6 +122,7 @@ DftTikhonov& SceneProblem::circular() const {
   if (!parts_->circular) {
     ProblemOptions options = parts_->options;
     options.dead_taxels.clear();  // the Fourier basis cannot leave a taxel out
+    options.surface = {};         // nor add a place; alpha means the same
     parts_->circular.emplace(parts_->scene.sensor, parts_->scene.material, options);
   }
   return *parts_->circular;
@@ -189,7 +190,8 @@ const AlphaChoice& SceneFrame::prior() const {
     prior_ = choose_alone(analysed(), problem_.alpha_tables(analysed()),
                           known ? AlphaRule::evidence : AlphaRule::gml, problem_.stated_noise());
     // Not even the weakest component shows any noise: there is none to size a prior by.
-    const double weakest = std::ranges::min(analysed().gamma);
+    const std::vector<double>& gamma = analysed().gamma;
+    const double weakest = *std::min_element(gamma.begin(), gamma.end());
     if (!known && prior_->alpha < weakest * weakest) prior_->verdict = AlphaVerdict::border;
   }
   return *prior_;

@@ -34,6 +34,9 @@ WorkPoint coarser(const StudyInput& input, std::size_t stride, const WorkCurve& 
   Scene scene = input.scene();
   scene.sensor.count = knob.count;
   scene.sensor.pitch *= static_cast<double>(stride);
+  const Surface places = surface(input.scene());
+  const bool on_grid = places.basis == SurfaceBasis::hats;  // which stays as it is
+  if (on_grid) scene.reconstruct.surface.spacing = places.spacing;
   std::vector<double> g;
   for (std::size_t i = 0; i < input.readings.size(); ++i)
     if (i % n % stride == 0) g.push_back(input.readings[i]);
@@ -47,8 +50,8 @@ WorkPoint coarser(const StudyInput& input, std::size_t stride, const WorkCurve& 
   estimate.tractions = f;
   const lab::Seconds seconds =
       lab::time_of([&] { (void)estimator.update(g, estimate); }, 0.03, clock);
-  WorkPoint result =
-      point(input, curve, knob, interpolated(f, scene.sensor.count, stride, n), seconds);
+  if (!on_grid) f = interpolated(f, scene.sensor.count, stride, n);
+  WorkPoint result = point(input, curve, knob, f, seconds);
   result.error_to_solution.reset();  // fewer readings, another problem
   return result;
 }

@@ -32,6 +32,13 @@ const Reason* find(const Survey& survey) {
 
 }  // namespace
 
+TEST_CASE("a contact between two taxels is one too", "[identify]") {
+  const Scene scene = small("\"stress_x\"", "poisson_ratio = 0.3\n", "0.5",
+                            "[noise]\nrms = 1e-3\n[[contact]]\nshape = \"cylinder\"\ncenter = 0.5\n"
+                            "half_width = 0.3\nforce = 1.0\n");
+  CHECK_FALSE(needs_traction(scene, {}));
+}
+
 TEST_CASE("stress with shear hides nothing, and no reason is given", "[identify]") {
   const Survey survey = identify(small("\"stress_x\", \"shear_xy\""));
   CHECK(survey.own.identifiability.null_space.dimension == 0);

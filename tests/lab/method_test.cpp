@@ -164,6 +164,18 @@ TEST_CASE("a method that does not know the scene's constraints says so in its ve
   }
 }
 
+TEST_CASE("dft takes no surface but the taxels", "[lab][method]") {
+  for (const std::string& reads : {one, two}) {
+    Scene scene = parse(reads, "");
+    scene.reconstruct.surface.basis = SurfaceBasis::hats;
+    const SceneProblem problem(scene);
+    CHECK_THROWS_WITH(make_solver(problem, Method::dft, 1e-3),
+                      ContainsSubstring("surface = \"taxels\""));
+    CHECK_NOTHROW(make_solver(problem, Method::tikhonov, 1e-3));
+    CHECK_NOTHROW(make_solver(problem, Method::closed_form, 1e-3));
+  }
+}
+
 TEST_CASE("the circuit solves no frames, and says so", "[lab][method]") {
   CHECK_THROWS_AS(make_solver(parse(one, ""), Method::network), std::invalid_argument);
 }

@@ -239,6 +239,19 @@ const std::vector<Defect>& defects() {
 
 }  // namespace
 
+TEST_CASE("nothing is suspicious about a clean recording of a coarse array", "[lab][check]") {
+  const std::string contact = GENERATE(presses, slides, holds);
+  const std::uint64_t seed = GENERATE(1u, 2u);
+  std::string text = pad(9, "\"stress_x\"", contact, seed);
+  text.replace(text.find("0.5e-3"), 6, "3.0e-3");  // twice the depth
+  CAPTURE(contact, seed);
+  const lab::ReadingsCheck result = check(record(text));
+  CHECK(kinds(result) == Names{});
+  REQUIRE(result.peak);
+  CHECK(result.peak->force > 15.0);  // of 30 or 40 that press
+  CHECK(result.peak->force < 80.0);
+}
+
 TEST_CASE("each planted defect is found", "[lab][check]") {
   const auto at = static_cast<std::size_t>(GENERATE(range(0, 21)));
   const std::size_t count = GENERATE(11u, 41u);

@@ -40,7 +40,8 @@ class DftTikhonov {
   /// O(count log count).
   ///
   /// @param options  unknowns, smoothing length and weights; dead taxels cannot be left out
-  /// @throw std::invalid_argument  as `make_problem`; there are dead taxels
+  /// @throw std::invalid_argument  as `make_problem`; there are dead taxels; the tractions do
+  ///                               not lie at the taxels
   DftTikhonov(const SensorArray& array, const Material& material, const ProblemOptions& options);
   ~DftTikhonov();
   DftTikhonov(DftTikhonov&&) noexcept;

@@ -42,13 +42,11 @@ PeakFrame peak_of(std::span<const double> readings, const SolvedPattern& solved,
       peak.reading = readings[i];
       peak.channel = i / evidence.count();
     }
-  double sum = 0.0;
-  for (std::size_t j = 0; j < evidence.count(); ++j) {
-    sum += solved.tractions[j];
-    if (std::abs(solved.tractions[j]) > std::abs(peak.traction))
-      peak.traction = solved.tractions[j];
-  }
-  peak.force = sum * evidence.scene.sensor.pitch;
+  const Surface places = surface(evidence.scene);
+  const std::span<const double> normal = std::span(solved.tractions).first(places.count);
+  for (const double traction : normal)
+    if (std::abs(traction) > std::abs(peak.traction)) peak.traction = traction;
+  peak.force = resultant_of(normal, {}, places).normal;
   return peak;
 }
 

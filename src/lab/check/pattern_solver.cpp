@@ -17,7 +17,9 @@ Scene unconstrained(Scene scene) {
   options.nonnegative = false;
   options.friction_limit.reset();
   options.alpha.reset();
-  options.alpha_rule = AlphaRule::rgcv;
+  options.alpha_rule.reset();
+  // Few dense taxels, too: what is planted there, evidence explains away.
+  if (options.surface.basis == SurfaceBasis::taxels) options.alpha_rule = AlphaRule::rgcv;
   return scene;
 }
 
@@ -29,6 +31,10 @@ double residual_rms(const SceneProblem& problem, std::span<const double> reading
   double used = 0.0;
   for (const double gamma : problem.family().singular_values())
     used += gamma * gamma / (gamma * gamma + alpha);
+  // Where the tractions use up every reading, nothing is left to tell the noise by.
+  const std::vector<double>& weights = problem.problem().weights;
+  const auto live = std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0.0; });
+  if (static_cast<double>(live) - used < 1.0) return 0.0;
   return estimate_noise(problem.problem(), readings, tractions, used).residual_rms;
 }
 

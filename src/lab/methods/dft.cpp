@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "inverse/checks.hpp"
 #include "lab/methods/frame_check.hpp"
 #include "lab/methods/methods.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
@@ -163,6 +164,7 @@ class Frequencies final : public FrameSolver {
 
 std::unique_ptr<FrameSolver> make_dft(const SceneProblem& problem, std::optional<double> alpha) {
   const Scene& scene = problem.scene();
+  require_at_taxels(scene.reconstruct.surface);
   if (scene.reconstruct.contact_friction) return std::make_unique<Sliding>(scene);
   if (channel_count(scene.sensor) == 1) return std::make_unique<Division>(scene);
   return std::make_unique<Frequencies>(problem, alpha);

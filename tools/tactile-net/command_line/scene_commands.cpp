@@ -40,8 +40,9 @@ void add_simulate(AllCommands& all) {
   add_scene(command, options.scene);
   command.add_option("-o,--output", options.output, file("FILE", {"csv", "npy"}),
                      "CSV or .npy file for the readings (default: CSV on standard output)");
-  command.add_option("--truth", options.truth, file("FILE", {"csv", "npy"}),
-                     "CSV or .npy file for the contacts' tractions at the taxels [unit of E]");
+  command.add_option(
+      "--truth", options.truth, file("FILE", {"csv", "npy"}),
+      "CSV or .npy file for the contacts' tractions, where solve finds them [unit of E]");
   add_json(command, options.json, "Write a summary as JSON");
 }
 

@@ -16,7 +16,7 @@
 namespace tactile_net::tool {
 namespace {
 
-/// Tractions at the taxels, with the tangential ones where any frame has them.
+/// Tractions on the surface, with the tangential ones where any frame has them.
 class TruthFile {
  public:
   TruthFile(const std::string& path, const Scene& scene, std::ostream& standard_output)
