@@ -180,7 +180,7 @@ Figure resistors_figure(const FlatCircuit& circuit) {
 
 /// The pad with the tractions that the circuit's voltages stand for.
 Figure pad_of_circuit(const lab::Certification& c) {
-  const std::size_t count = c.scene().sensor.count;
+  const std::size_t count = c.circuit.surface().count;
   std::span<const double> tractions;
   if (c.circuit.loaded()) tractions = c.circuit.direct();
   return pad_figure(c.scene(),
