@@ -58,17 +58,8 @@ TEST_CASE("P is the second derivative of the functional", "[problem]") {
     const Matrix p = normal_matrix(problem, alpha);
     const std::vector<double> f = random_values(problem.kernel.columns, 2);
     const Eigen::Map<const Eigen::VectorXd> x(f.data(), std::ssize(f));
-    double smoothness = x.squaredNorm();
-    for (std::size_t j = 0; j + 1 < f.size(); ++j)
-      if ((j + 1) % problem.surface.count != 0)
-        smoothness +=
-            std::pow(problem.smoothing_length / problem.surface.spacing * (f[j + 1] - f[j]), 2);
-    if (problem.surface.basis == SurfaceBasis::hats)  // to 0 beyond the ends
-      for (std::size_t j = 0; j < f.size(); j += problem.surface.count)
-        smoothness += std::pow(problem.smoothing_length / problem.surface.spacing, 2) *
-                      (std::pow(f[j], 2) + std::pow(f[j + problem.surface.count - 1], 2));
     const double functional =
-        (view(problem.kernel) * x).squaredNorm() + alpha * problem.surface.area * smoothness;
+        (view(problem.kernel) * x).squaredNorm() + alpha * smoothness(problem, f);
     CHECK_THAT(x.dot(view(p) * x), WithinRel(functional, 1e-13));
   }
 }

@@ -2,6 +2,7 @@
 /// Problems and frames that several tests share.
 #pragma once
 
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -46,6 +47,21 @@ inline std::vector<NamedProblem> sample_problems() {
       {"two unknowns, two depths, even",
        make(20, 0.5, {1.0, 1.5}, {strain_x}, {.unknowns = 2, .smoothing_length = 1.0})},
   };
+}
+
+/// |L f|^2 as problem.hpp has it, term by term.
+inline double smoothness(const InverseProblem& problem, const std::vector<double>& f) {
+  const std::size_t n = problem.surface.count;
+  const double ratio = problem.smoothing_length / problem.surface.spacing;
+  double sum = 0.0;
+  for (std::size_t j = 0; j < f.size(); ++j) {
+    sum += f[j] * f[j];
+    if ((j + 1) % n != 0) sum += std::pow(ratio * (f[j + 1] - f[j]), 2);
+    // Hats fall to 0 beyond both ends.
+    const bool ends = j % n == 0 || (j + 1) % n == 0;
+    if (ends && problem.surface.basis == SurfaceBasis::hats) sum += std::pow(ratio * f[j], 2);
+  }
+  return problem.surface.area * sum;
 }
 
 /// Readings between -1 and 1; equal seeds give equal readings.

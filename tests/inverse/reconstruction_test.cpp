@@ -39,16 +39,7 @@ double functional(const InverseProblem& problem, double alpha, const std::vector
                   const std::vector<double>& f) {
   const Eigen::VectorXd residual =
       view(problem.kernel) * view(f) - view(problem.weights).cwiseProduct(view(readings));
-  double smoothness = view(f).squaredNorm();
-  for (std::size_t j = 0; j + 1 < f.size(); ++j)
-    if ((j + 1) % problem.surface.count != 0)
-      smoothness +=
-          std::pow(problem.smoothing_length / problem.surface.spacing * (f[j + 1] - f[j]), 2);
-  if (problem.surface.basis == SurfaceBasis::hats)  // to 0 beyond the ends
-    for (std::size_t j = 0; j < f.size(); j += problem.surface.count)
-      smoothness += std::pow(problem.smoothing_length / problem.surface.spacing, 2) *
-                    (std::pow(f[j], 2) + std::pow(f[j + problem.surface.count - 1], 2));
-  return residual.squaredNorm() + alpha * problem.surface.area * smoothness;
+  return residual.squaredNorm() + alpha * smoothness(problem, f);
 }
 
 }  // namespace
