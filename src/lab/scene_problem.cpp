@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "tactile_net/lab/data_verdict.hpp"
+
 namespace tactile_net::lab {
 namespace {
 
@@ -41,6 +43,7 @@ struct SceneProblem::Parts {
   std::optional<DftTikhonov> circular;
   std::optional<AlphaTables> alpha_tables;
   std::optional<ModeSpace> hidden;
+  std::optional<DataJudge> data_judge;
   std::optional<TractionCovariance> covariance;
   std::pair<double, double> covariance_of;  // its alpha and prior
 };
@@ -150,6 +153,11 @@ const ModeSpace& SceneProblem::hidden() const {
     parts_->hidden = hidden_modes(make_problem(scene().sensor, scene().material, options));
   }
   return *parts_->hidden;
+}
+
+const DataJudge& SceneProblem::data_judge() const {
+  if (!parts_->data_judge) parts_->data_judge.emplace(lab::data_judge(*this));
+  return *parts_->data_judge;
 }
 
 const TractionCovariance& SceneProblem::covariance(double alpha, double prior) const {

@@ -17,6 +17,7 @@
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
+#include "tactile_net/lab/data_verdict.hpp"
 #include "tactile_net/lab/missing.hpp"
 #include "tactile_net/lab/readings_check.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
@@ -24,6 +25,7 @@
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
 #include "tactile_net/report/words/check_words.hpp"
+#include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
@@ -71,8 +73,9 @@ class Outputs {
         tractions_(in_folder_ ? results->tractions() : options.output, &streams.out),
         unknown_(tractions, std::numeric_limits<double>::quiet_NaN()) {
     const std::size_t count = problem.surface().count;
-    sink_ = frames::make_sink(tractions_, options.output,
-                              frames::traction_columns(count, tractions > count), with_time);
+    sink_ =
+        frames::make_sink(tractions_, options.output,
+                          frames::traction_columns(count, tractions > count), with_time, "data");
     if (!options.uncertainty.empty())
       uncertainty_.emplace(options.uncertainty, problem, with_time, streams);
   }
@@ -85,14 +88,15 @@ class Outputs {
   void add(std::string_view time, const lab::SceneProblem& problem,
            std::span<const double> readings, std::span<const double> tractions,
            const lab::FrameResult& result) {
-    sink_->add(time, tractions);
+    sink_->add(time, tractions,
+               result.data ? report::data_word(*result.data) : std::string("unknown"));
     if (uncertainty_) uncertainty_->add({problem, readings}, tractions, result, time);
     if (results_ != nullptr) results_->add(time, problem, readings, tractions, result);
   }
   /// A frame without an answer: its row is there, so that row k of the answers is frame k of the
   /// recording.
   void skip(std::string_view time) {
-    sink_->add(time, unknown_);
+    sink_->add(time, unknown_, "missing");
     if (uncertainty_) uncertainty_->skip(time);
     if (results_ != nullptr) results_->skip();
   }
@@ -161,9 +165,10 @@ class Solving {
  private:
   void add(const frames::FrameSource& source, Outputs& outputs, const lab::SceneProblem& problem,
            std::span<const double> readings, std::span<const double> tractions,
-           const lab::FrameResult& result, bool incomplete = false) {
+           lab::FrameResult result, bool incomplete = false) {
     if (result.status != FrameStatus::ok)
       source.refuse("the frame's tractions overflow a double", "scale the readings");
+    result.data = lab::data_verdict(problem, readings, tractions);
     outputs.add(source.time(), problem, readings, tractions, result);
     solved_.add(result, incomplete);
     if (result.alpha) doubts_.add(problem, readings, tractions, result.alpha->value);
