@@ -75,6 +75,7 @@ struct DataJudge::Parts {
   [[nodiscard]] std::vector<Side> sides(const Surface& surface) const;
   [[nodiscard]] Fit fit(const Eigen::VectorXd& y, double enough = 0.0,
                         const Freedom& freedom = {}) const;
+  [[nodiscard]] Fit with_constants(const Eigen::VectorXd& y, Freedom freedom) const;
   [[nodiscard]] Eigen::VectorXd nearest_contact(std::span<const double> f) const;
   void explain(const Eigen::VectorXd& y, std::span<const double> tractions,
                DataVerdict& verdict) const;
@@ -256,6 +257,16 @@ void DataJudge::Parts::take_offset(const Eigen::VectorXd& allowance, const Freed
   }
 }
 
+/// With loads over one end of the array at most: a constant and a load over everything could draw
+/// whatever pulls.
+Fit DataJudge::Parts::with_constants(const Eigen::VectorXd& y, Freedom freedom) const {
+  freedom.last_end = false;
+  Fit one = fit(y, 0.0, freedom);
+  std::swap(freedom.first_end, freedom.last_end);
+  Fit other = fit(y, 0.0, freedom);
+  return one.norm < other.norm ? one : other;
+}
+
 /// A load over the whole array explains a constant too. It is called a constant where without one
 /// neither end of the array can do without a load, and with one an end can, with no more places
 /// pressed.
@@ -264,19 +275,13 @@ void DataJudge::Parts::look_for_constant(const Eigen::VectorXd& y, const Eigen::
   if (!limits.inner) return;
   const auto constants = static_cast<double>(channels.size());
   const double needed = chi_squared_limit(constants, 0.1 * false_alarms);
-  Freedom freedom = constant_in_each_channel();
+  const Freedom freedom = constant_in_each_channel();
   Eigen::VectorXd inner = contact;
   for (Eigen::Index j = 0; j < inner.size(); ++j)
     if (found_places[static_cast<std::size_t>(j) % values] != Side::middle) inner(j) = 0.0;
   // Cheap, and rarely less than the gain itself.
   if ((freedom.columns.transpose() * (y - kernel * inner)).squaredNorm() < 0.5 * needed) return;
-  Fit best{.norm = std::numeric_limits<double>::infinity()};
-  for (const bool first : {true, false}) {
-    freedom.first_end = first;
-    freedom.last_end = !first;
-    Fit constant = fit(y, 0.0, freedom);
-    if (constant.norm < best.norm) best = std::move(constant);
-  }
+  const Fit best = with_constants(y, freedom);
   const double enough = std::sqrt(best.norm * best.norm + needed);
   if (best.norm > limit(constants) || fit(y, enough, {.first_end = false}).norm <= enough ||
       fit(y, enough, {.last_end = false}).norm <= enough || best.free > fit(y).free + 1.0)
@@ -337,8 +342,8 @@ void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double>
   }
   const auto constants = static_cast<double>(channels.size());
   const Freedom freedom = constant_in_each_channel();
-  const Fit constant = fit(y, 0.0, freedom);
-  const double by_constant = gains(constant, constants, false_alarms)
+  const Fit constant = with_constants(y, freedom);
+  const double by_constant = limits.inner && gains(constant, constants, false_alarms)
                                  ? constant.norm
                                  : std::numeric_limits<double>::infinity();
   const double far = chi_squared_limit(constants, false_alarms);

@@ -110,7 +110,7 @@ TEST_CASE("readings with the other sign pull, with the noise stated or not", "[d
 TEST_CASE("the taxel that contradicts all others is named", "[data_verdict]") {
   const Bench bench = GENERATE(Bench{}, Bench::two_tractions());
   const std::size_t taxel = GENERATE(9, 10, 12);
-  const double value = GENERATE(0.0, 0.15);
+  const double value = GENERATE(0.0, 0.3);
   CAPTURE(bench.unknowns, taxel, value);
   std::vector<double> readings = bench.frame(contact_at(0.4), 2);
   for (std::size_t i = taxel; i < readings.size(); i += bench.array.count) readings[i] = value;
@@ -127,7 +127,7 @@ TEST_CASE("a baseline is told from a load, whichever its sign, and its size", "[
   const DataVerdict data = bench.judge(readings);
   REQUIRE(data.doubts == only(DataDoubt::offset));
   REQUIRE(data.offset.size() == 1);
-  CHECK_THAT(data.offset.front(), Catch::Matchers::WithinAbs(offset, 0.003));
+  CHECK_THAT(data.offset.front(), WithinAbs(offset, 0.003));
 }
 
 TEST_CASE("a load that no half plane explains is doubted", "[data_verdict]") {
@@ -140,12 +140,13 @@ TEST_CASE("a load that no half plane explains is doubted", "[data_verdict]") {
 
 TEST_CASE("noise beyond what is stated is a misfit; not stated it is not known", "[data_verdict]") {
   Bench bench;
+  bench.array = {.count = 41, .pitch = 0.5, .depths = {1.5}, .reads = {Quantity::stress_x}};
   bench.noise = 0.02;
   const std::vector<double> readings = bench.frame(contact_at(0.4), 5);
   CHECK(bench.judge(readings).consistent());
   bench.noise = 1e-3;
   const DataVerdict misfit = bench.judge(readings);
-  CHECK(misfit.has(DataDoubt::misfit));
+  CHECK(misfit.doubts == only(DataDoubt::misfit));
   CHECK(misfit.residual_rms > misfit.residual_limit);
   bench.stated = false;
   const DataVerdict unknown = bench.judge(readings);
@@ -171,8 +172,8 @@ TEST_CASE("units change no verdict", "[data_verdict][property]") {
   const DataVerdict same = other.judge(readings);
   CHECK(same.doubts == one.doubts);
   CHECK(same.taxel == one.taxel);
-  CHECK_THAT(same.residual_rms, Catch::Matchers::WithinRel(unit * one.residual_rms, 1e-6));
-  CHECK_THAT(same.strain, Catch::Matchers::WithinRel(one.strain, 1e-9));
+  CHECK_THAT(same.residual_rms, WithinRel(unit * one.residual_rms, 1e-6));
+  CHECK_THAT(same.strain, WithinRel(one.strain, 1e-9));
 }
 
 TEST_CASE("the mirrored frame has the mirrored verdict", "[data_verdict][property]") {

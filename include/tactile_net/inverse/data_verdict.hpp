@@ -66,8 +66,8 @@ struct DataLimits {
   std::optional<double> largest_traction{};
   std::vector<double> largest_readings{};
   /// Where the array's ends begin [m]: no contact but one larger than the array needs places before
-  /// the first and behind the second, and so a constant is told from a load. Absent: only constants
-  /// that no load explains.
+  /// the first and behind the second, and so a constant is told from a load. Absent: no constant
+  /// is looked for.
   std::optional<std::pair<double, double>> inner{};
 };
 
