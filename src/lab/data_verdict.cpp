@@ -44,4 +44,12 @@ std::optional<DataVerdict> data_verdict(const SceneProblem& problem,
   return problem.data_judge().judge(readings, tractions);
 }
 
+void doubt(DataVerdict& data, std::optional<std::size_t> bad_taxel) {
+  if (!bad_taxel) return;
+  data.taxel = bad_taxel;
+  if (data.has(DataDoubt::bad_taxel)) return;
+  data.doubts.push_back(DataDoubt::bad_taxel);
+  std::sort(data.doubts.begin(), data.doubts.end());
+}
+
 }  // namespace tactile_net::lab

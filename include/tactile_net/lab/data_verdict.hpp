@@ -28,4 +28,7 @@ namespace tactile_net::lab {
                                                       std::span<const double> readings,
                                                       std::span<const double> tractions);
 
+/// Adds what frames before have shown of a taxel (repeating_taxels.hpp).
+void doubt(DataVerdict& data, std::optional<std::size_t> bad_taxel);
+
 }  // namespace tactile_net::lab

@@ -20,6 +20,7 @@
 #include "tactile_net/lab/data_verdict.hpp"
 #include "tactile_net/lab/missing.hpp"
 #include "tactile_net/lab/readings_check.hpp"
+#include "tactile_net/lab/repeating_taxels.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/lab/summary.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
@@ -137,6 +138,8 @@ class Solving {
       : problem_(problem),
         missing_(missing),
         solver_(lab::make_solver(problem, method)),
+        repeating_(problem.scene().sensor.count, channels(problem.scene().sensor).size(),
+                   problem.scene().dead_taxels),
         doubts_(problem) {
     if (missing == lab::Missing::estimate) incomplete_.emplace(problem, method);
   }
@@ -152,6 +155,7 @@ class Solving {
     std::vector<double> tractions(solver_->tractions());
     while (source.next(readings)) {
       outputs.read(source.time(), readings);
+      repeating_.add(readings);
       if (missing_ == lab::Missing::fail ||
           std::none_of(readings.begin(), readings.end(), [](double g) { return std::isnan(g); }))
         add(source, outputs, problem_, readings, tractions, solver_->solve(readings, tractions));
@@ -169,6 +173,7 @@ class Solving {
     if (result.status != FrameStatus::ok)
       source.refuse("the frame's tractions overflow a double", "scale the readings");
     result.data = lab::data_verdict(problem, readings, tractions);
+    if (result.data) lab::doubt(*result.data, repeating_.first());
     outputs.add(source.time(), problem, readings, tractions, result);
     solved_.add(result, incomplete);
     if (result.alpha) doubts_.add(problem, readings, tractions, result.alpha->value);
@@ -189,6 +194,7 @@ class Solving {
   lab::SceneProblem problem_;
   lab::Missing missing_;
   std::unique_ptr<lab::FrameSolver> solver_;
+  lab::RepeatingTaxels repeating_;
   std::optional<lab::IncompleteFrames> incomplete_;
   lab::SolvedFrames solved_;
   lab::SolvingDoubts doubts_;
