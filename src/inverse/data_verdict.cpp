@@ -190,8 +190,8 @@ Eigen::VectorXd DataJudge::Parts::nearest_contact(std::span<const double> f) con
   const auto n = static_cast<Eigen::Index>(values);
   contact.head(n) = contact.head(n).cwiseMax(0.0);
   if (contact.size() == n) return contact;
-  const Eigen::VectorXd most = limits.friction_limit.value_or(usual_friction) * contact.head(n);
-  contact.tail(n) = contact.tail(n).cwiseMin(most).cwiseMax(-most);
+  const Eigen::VectorXd drag = limits.friction_limit.value_or(usual_friction) * contact.head(n);
+  contact.tail(n) = contact.tail(n).cwiseMin(drag).cwiseMax(-drag);
   return contact;
 }
 

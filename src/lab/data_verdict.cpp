@@ -24,14 +24,15 @@ DataLimits data_limits(const SceneProblem& problem) {
 }
 
 DataJudge data_judge(const SceneProblem& problem) {
-  // Contacts may be narrower than the tractions' grid, and hang over the array's ends.
   constexpr std::size_t most_values = 512;
   const Scene& scene = problem.scene();
-  ProblemOptions options = problem.options();
+  const Surface& own = problem.surface();
   const double depth = *std::min_element(scene.sensor.depths.begin(), scene.sensor.depths.end());
-  options.surface = {.basis = SurfaceBasis::hats,
-                     .spacing = std::min(0.25 * depth, problem.surface().spacing)};
-  if (surface_of(scene.sensor, options.surface).count > most_values)
+  ProblemOptions options = problem.options();
+  options.surface = {.basis = SurfaceBasis::hats, .spacing = std::min(0.25 * depth, own.spacing)};
+  const Surface finer = surface_of(scene.sensor, options.surface);
+  const bool is_own = own.basis == finer.basis && own.count == finer.count;
+  if (is_own || finer.count > most_values || !problem.stated_noise())
     return DataJudge(problem.problem(), data_limits(problem));
   return DataJudge(problem.problem(), make_problem(scene.sensor, scene.material, options),
                    data_limits(problem));

@@ -16,7 +16,7 @@ Scene pressed() {
   scene.sensor = {.count = 15, .pitch = 1.0, .depths = {1.5}, .reads = {Quantity::stress_x}};
   scene.contacts = {RigidContact{.center = 0.4, .half_width = 2.0, .force = 0.4}};
   scene.forward = ForwardModel::exact;
-  scene.noise = Noise{.rms = {{Quantity::stress_x, 1e-3}}};
+  scene.noise = NoiseModel{.rms = {{Quantity::stress_x, 1e-3}}};
   scene.reconstruct.alpha = 1e-5;
   scene.reconstruct.smoothing_length = 1.5;
   scene.reconstruct.surface = {.basis = SurfaceBasis::hats};
@@ -72,8 +72,8 @@ TEST_CASE("limits are the scene's, whatever the quantity", "[data]") {
   Scene scene = pressed();
   scene.material.youngs_modulus = 7.0;
   scene.sensor.reads = {Quantity::stress_x, Quantity::strain_x};
-  scene.noise =
-      Noise{.rms = {{Quantity::stress_x, 1e-3}, {Quantity::strain_x, 1e-4}}, .weights_rows = true};
+  scene.noise = NoiseModel{.rms = {{Quantity::stress_x, 1e-3}, {Quantity::strain_x, 1e-4}},
+                           .weights_rows = true};
   const DataLimits limits = lab::data_limits(lab::SceneProblem(scene));
   CHECK(limits.noise_rms == 1.0);
   CHECK(limits.largest_traction == 7.0);

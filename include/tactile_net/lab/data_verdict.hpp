@@ -17,7 +17,8 @@ namespace tactile_net::lab {
 [[nodiscard]] DataLimits data_limits(const SceneProblem& problem);
 
 /// Contacts are sought on a grid of a quarter of the least depth at most, to two depths beyond the
-/// array's ends, whatever the scene's own; of very many values on that.
+/// array's ends; where that would have very many values, or the noise is not known, on the
+/// tractions' own.
 [[nodiscard]] DataJudge data_judge(const SceneProblem& problem);
 
 /// Nothing of a large array, which is solved without a matrix.
