@@ -108,8 +108,9 @@ TEST_CASE("tractions of a coarse array lie on a grid, and files say so", "[cli]"
   constexpr std::ptrdiff_t values = 2 * 4 + 2 * 7 + 1;
   for (const char* file : {"t.csv", "f.csv"}) {
     const std::string text = read_text(folder / file);
-    const std::string header = text.substr(0, text.find('\n'));
-    CHECK(std::count(header.begin(), header.end(), ',') == values);  // t, and a column each
+    std::string header = text.substr(0, text.find('\n'));
+    if (header.ends_with(",data")) header.resize(header.size() - 5);  // of what is solved
+    CHECK(std::count(header.begin(), header.end(), ',') == values);   // t, and a column each
     CHECK_THAT(header, EndsWith("normal_" + std::to_string(values - 1)));
   }
 }

@@ -144,7 +144,7 @@ TEST_CASE("what is shown stands in a CSV, a frame a row, and a file without band
     std::size_t at = 0;
     for (int row = 0; row < 8; ++row) {
       const std::size_t end = csv.find('\n', at);
-      CHECK(columns(csv.substr(at, end - at)) == 13 + 42);
+      CHECK(columns(csv.substr(at, end - at)) == 13 + 42 + 1);
       at = end + 1;
     }
     CHECK_FALSE(pages::recording_page(overview, "x.csv", {}, {}).html.empty());
