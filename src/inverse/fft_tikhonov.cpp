@@ -171,6 +171,7 @@ FftTikhonov& FftTikhonov::operator=(FftTikhonov&&) noexcept = default;
 FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
                          const ProblemOptions& options, double alpha) {
   check(array, material, options);
+  require_even(array, "conjugate gradients by FFT");
   const Surface surface = surface_of(array, options.surface);
   const std::size_t n = surface.count;
   const std::vector<Channel> all = channels(array);

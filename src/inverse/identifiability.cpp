@@ -208,6 +208,7 @@ ModeSpace hidden_modes(const InverseProblem& problem) {
 }
 
 std::size_t lost_by_symmetry(const SensorArray& array, std::size_t unknowns) {
+  if (!is_even(array)) return 0;
   const std::size_t even = (array.count + 1) / 2;  // dimension of the even vectors
   const std::size_t odd = array.count / 2;
   std::size_t lost = 0;

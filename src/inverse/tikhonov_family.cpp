@@ -73,18 +73,19 @@ Eigen::MatrixXd fourier_rows(Eigen::Index count, Eigen::Index channels) {
 
 struct TikhonovFamily::Factors {
   explicit Factors(const InverseProblem& problem)
-      : taxels(problem.taxels),
+      : line(line_length(problem)),
         weights(as_eigen(std::span(problem.weights))),
         stabiliser_condition(
             std::hypot(1.0, 2.0 * problem.smoothing_length / problem.surface.spacing)),
         form(as_eigen(problem.kernel), stabiliser(problem)),
         gamma(form.gamma.begin(), form.gamma.end()) {
-    const auto block = static_cast<Eigen::Index>(taxels);
-    fourier = fourier_rows(block, form.u.rows() / block);
+    // Noise is white in any order of the readings.
+    const auto length = static_cast<Eigen::Index>(line);
+    fourier = fourier_rows(length, form.u.rows() / length);
     spectra = std::make_shared<const Eigen::MatrixXd>(fourier * form.u);
   }
 
-  std::size_t taxels;
+  std::size_t line;
   Eigen::VectorXd weights;
   double stabiliser_condition;  // of L, at most
   StandardForm form;
@@ -127,7 +128,7 @@ FilterFrame TikhonovFamily::analyse(std::span<const double> readings) const {
   g -= factors.form.u * beta;
   frame.outside = g.norm();
   frame.periodogram = std::make_shared<DensePeriodogram>(
-      factors.spectra, Eigen::VectorXd(factors.fourier * g), factors.taxels / 2);
+      factors.spectra, Eigen::VectorXd(factors.fourier * g), factors.line / 2);
   return frame;
 }
 

@@ -51,9 +51,7 @@ const Scene& SceneProblem::scene() const noexcept { return parts_->scene; }
 
 const ProblemOptions& SceneProblem::options() const noexcept { return parts_->options; }
 
-std::size_t SceneProblem::readings() const {
-  return channels(parts_->scene.sensor).size() * parts_->scene.sensor.count;
-}
+std::size_t SceneProblem::readings() const { return reading_count(parts_->scene.sensor); }
 
 const Surface& SceneProblem::surface() const {
   if (!parts_->surface) parts_->surface = tactile_net::surface(parts_->scene);
@@ -92,12 +90,12 @@ SceneProblem SceneProblem::without(std::span<const std::size_t> taxels) const {
     return other;  // what is dead here has left no row to take
   other.parts_->problem = problem();
   InverseProblem& kept = *other.parts_->problem;
-  for (const std::size_t taxel : taxels)
-    for (std::size_t row = taxel; row < kept.weights.size(); row += kept.taxels) {
-      kept.weights[row] = 0.0;
-      for (std::size_t column = 0; column < kept.kernel.columns; ++column)
-        kept.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
-    }
+  for (std::size_t row = 0; row < kept.sites.size(); ++row) {
+    if (!stays_dead(kept.sites[row].taxel)) continue;
+    kept.weights[row] = 0.0;
+    for (std::size_t column = 0; column < kept.kernel.columns; ++column)
+      kept.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
+  }
   return other;
 }
 
@@ -146,7 +144,7 @@ const ModeSpace& SceneProblem::hidden() const {
     parts_->hidden = hidden_modes(problem());
   } else {
     ProblemOptions options = parts_->options;
-    options.surface = {};
+    options.surface = one_value_per_taxel(scene().sensor);
     parts_->hidden = hidden_modes(make_problem(scene().sensor, scene().material, options));
   }
   return *parts_->hidden;

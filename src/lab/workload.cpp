@@ -19,7 +19,7 @@ struct Sizes {
   explicit Sizes(const Scene& scene)
       : taxels(scene.sensor.count),
         channels(channel_count(scene.sensor)),
-        readings(taxels * channels),
+        readings(reading_count(scene.sensor)),
         unknowns(tactile_net::unknowns(scene)),
         values(surface(scene).count),
         tractions(values * unknowns),

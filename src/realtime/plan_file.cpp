@@ -163,6 +163,7 @@ class Reader {
 };
 
 PlanVersion version_of(const EstimatorPlan& plan) {
+  if (!plan.taxels.empty()) return PlanVersion::taxels;
   if (plan.values != plan.count || plan.centre != 0.0) return PlanVersion::surface;
   return plan.baseline.empty() ? PlanVersion::readings : PlanVersion::baseline;
 }
@@ -195,6 +196,10 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
   if (version >= PlanVersion::surface) {
     plan.values = in.size();
     plan.centre = in.number();
+  }
+  if (version >= PlanVersion::taxels) {
+    plan.taxels.resize(in.length(sizeof(std::uint32_t)));
+    for (std::uint32_t& taxel : plan.taxels) taxel = in.integer<std::uint32_t>();
   }
   if (version_of(plan) != version)
     throw std::runtime_error("the plan holds nothing of what its version is for");
@@ -237,6 +242,10 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
   if (version >= PlanVersion::surface) {
     payload.size(plan.values);
     payload.number(plan.centre);
+  }
+  if (version >= PlanVersion::taxels) {
+    payload.size(plan.taxels.size());
+    for (const std::uint32_t taxel : plan.taxels) payload.integer(taxel);
   }
 
   Writer file;

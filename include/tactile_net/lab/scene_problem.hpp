@@ -47,7 +47,8 @@ class SceneProblem {
   [[nodiscard]] const Surface& surface() const;
   /// How many tractions a frame has: the surface's count, or twice that.
   [[nodiscard]] std::size_t tractions() const;
-  [[nodiscard]] bool is_large() const { return tractions() >= large; }
+  /// Whether it is solved by FFT, which asks for even taxels.
+  [[nodiscard]] bool is_large() const { return tractions() >= large && is_even(scene().sensor); }
   /// The noise of one weighted reading, if the scene states it.
   [[nodiscard]] std::optional<double> stated_noise() const;
   /// What the scene demands of tikhonov's tractions, if anything.

@@ -21,8 +21,9 @@ enum class PlanVersion : std::uint32_t {
   readings = 1,  ///< tractions at the taxels, from readings
   baseline = 2,  ///< a baseline too
   surface = 3,   ///< tractions at places of their own
+  taxels = 4,    ///< taxels that do not all read the same
 };
-inline constexpr auto newest_plan_version = PlanVersion::surface;
+inline constexpr auto newest_plan_version = PlanVersion::taxels;
 
 /// @throw std::invalid_argument  `check(plan)` does
 [[nodiscard]] std::vector<std::byte> encode_plan(const EstimatorPlan& plan);

@@ -48,6 +48,10 @@ std::string say(const reason::Symmetry& r, const std::optional<Units>&) {
          " lost exactly: of the readings that are even or odd about the centre, those that it "
          "could show in are one fewer than their unknowns.";
 }
+std::string say(const reason::FewReadings& r, const std::optional<Units>&) {
+  return "The array has " + std::to_string(r.readings) + " readings, and " +
+         std::to_string(r.tractions) + " tractions would be as many as its taxels can have.";
+}
 std::string say(const reason::DeadTaxels&, const std::optional<Units>&) {
   return "Dead taxels read nothing: what only they would show is lost.";
 }
