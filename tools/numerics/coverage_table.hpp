@@ -4,5 +4,5 @@
 
 #include <string>
 
-/// Some minutes: 400 contacts for each of 168 rows.
+/// Two minutes: 800 contacts for each of 84 rows.
 [[nodiscard]] std::string coverage_section();
