@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <utility>
 
 #include "inverse/checks.hpp"
 #include "inverse/stacked.hpp"
@@ -13,6 +14,9 @@ namespace tactile_net {
 
 /// C = sigma^2 S S'.
 struct TractionCovariance::Factor {
+  Factor(Eigen::MatrixXd s, double degrees_of_freedom)
+      : root(std::move(s)), degrees(degrees_of_freedom) {}
+
   /// @param map  from the free variables to the tractions
   Factor(const InverseProblem& problem, double alpha, double prior_alpha,
          const Eigen::MatrixXd& map)
@@ -62,6 +66,9 @@ TractionCovariance::TractionCovariance(const InverseProblem& problem, double alp
   const Eigen::MatrixXd map = as_eigen(all)(Eigen::all, std::vector(free.begin(), free.end()));
   factor_ = std::make_unique<const Factor>(problem, alpha, prior_alpha, map);
 }
+
+TractionCovariance::TractionCovariance(const Matrix& root, double degrees_of_freedom)
+    : factor_(std::make_unique<const Factor>(as_eigen(root), degrees_of_freedom)) {}
 
 TractionCovariance::~TractionCovariance() = default;
 TractionCovariance::TractionCovariance(TractionCovariance&&) noexcept = default;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tactile_net/elasticity/pad_kernel.hpp"
+#include "tactile_net/lab/unseen_width.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 
@@ -109,6 +110,9 @@ SensorChoice study(const Scene& scene, const SensorArray& array, std::size_t tax
   choice.normal = resolvable_wavelength(choice.resolutions, Traction::normal, traction);
   if (choice.unknowns == 2)
     choice.tangential = resolvable_wavelength(choice.resolutions, Traction::tangential, traction);
+
+  choice.unseen =
+      unseen_width(array, scene.material, options.channel_rms, scene.dead_taxels, traction);
 
   const SensorArray decomposed = first_of(array, array.count * taxels / scene.sensor.count);
   if (taxels == array.count) options.dead_taxels = scene.dead_taxels;

@@ -43,6 +43,7 @@ struct SceneProblem::Parts {
   std::optional<ModeSpace> hidden;
   std::optional<TractionCovariance> covariance;
   std::pair<double, double> covariance_of;  // its alpha and prior
+  std::optional<LoadWindows> load_windows;
 };
 
 SceneProblem::SceneProblem(Scene scene) : parts_(std::make_shared<Parts>(std::move(scene))) {}
@@ -157,6 +158,17 @@ const TractionCovariance& SceneProblem::covariance(double alpha, double prior) c
     parts_->covariance_of = of;
   }
   return *parts_->covariance;
+}
+
+bool SceneProblem::has_load_windows() const {
+  return surface().basis == SurfaceBasis::hats && stated_noise().has_value();
+}
+
+const LoadWindows& SceneProblem::load_windows() const {
+  const std::vector<double>& depths = parts_->scene.sensor.depths;
+  if (!parts_->load_windows)
+    parts_->load_windows.emplace(problem(), 3.5 * *std::min_element(depths.begin(), depths.end()));
+  return *parts_->load_windows;
 }
 
 SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings)

@@ -47,6 +47,12 @@ class TractionCovariance {
   /// @param free  columns of `edges`, as in `ConstrainedSolution`; none: everything is certain
   TractionCovariance(const InverseProblem& problem, double alpha, double prior_alpha,
                      const Constraints& constraints, std::span<const std::size_t> free);
+
+  /// Any other, by a root S of it.
+  ///
+  /// @param root  C = S S' per unit of the noise's variance: a row for each traction
+  /// @param degrees_of_freedom  as below
+  TractionCovariance(const Matrix& root, double degrees_of_freedom);
   ~TractionCovariance();
   TractionCovariance(TractionCovariance&&) noexcept;
   TractionCovariance& operator=(TractionCovariance&&) noexcept;

@@ -18,6 +18,7 @@
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
+#include "tactile_net/inverse/load_windows.hpp"
 #include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
@@ -89,6 +90,12 @@ class SceneProblem {
   /// Of unconstrained tractions; made anew where alpha or prior differ from the last call's.
   /// @param prior  as `TractionCovariance`'s prior_alpha
   [[nodiscard]] const TractionCovariance& covariance(double alpha, double prior) const;
+
+  /// What bands go by in its place where tractions lie on a grid and the noise is known: without it
+  /// nothing says which windows the readings allow.
+  [[nodiscard]] bool has_load_windows() const;
+  /// From three and a half of the least depth on.
+  [[nodiscard]] const LoadWindows& load_windows() const;
 
  private:
   struct Parts;

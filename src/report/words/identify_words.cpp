@@ -72,6 +72,16 @@ std::string told(const lab::SensorChoice& choice, const std::optional<Units>& un
   return text;
 }
 
+/// What falls between two taxels.
+std::string unseen(const lab::SensorChoice& choice, double traction,
+                   const std::optional<Units>& units) {
+  const std::string pressing = in_unit(units, Dimension::stress, traction);
+  const std::string nothing = " between two taxels changes no reading by more than the noise";
+  if (!choice.unseen) return "A contact of " + pressing + nothing + ", however wide it is.";
+  return "A contact of " + pressing + " that is narrower than " + length(*choice.unseen, units) +
+         nothing + ".";
+}
+
 /// The quantities that one choice reads and the other does not.
 std::string difference(const lab::SensorChoice& from, const lab::SensorChoice& without) {
   std::vector<std::string> names;
@@ -143,6 +153,7 @@ std::vector<std::string> verdict_in_words(const lab::Survey& survey,
   text.push_back("Of ripples with an amplitude of " +
                  in_unit(units, Dimension::stress, survey.traction) + ", under noise of " +
                  in_words(survey.noise) + ", these sensors tell " + told(survey.own, units) + ".");
+  text.push_back(unseen(survey.own, survey.traction, units));
   for (std::string& sentence : advice_in_words(survey, units)) text.push_back(std::move(sentence));
   return text;
 }
