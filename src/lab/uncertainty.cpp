@@ -11,13 +11,13 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
   std::optional<TractionCovariance> of_free;
   if (result.constrained)
     of_free.emplace(scene.problem(), alpha, prior, *scene.constraints(), result.constrained->free);
-  const TractionCovariance& covariance = of_free ? *of_free : scene.covariance(alpha, prior);
+  const Covariance& covariance = of_free ? *of_free : scene.covariance(alpha, prior);
 
   FrameUncertainty bands;
-  bands.noise = estimate_noise(scene.problem(), frame.readings(), tractions,
+  bands.noise = estimate_noise(frame.residual(tractions), frame.analysed().rows,
                                covariance.degrees_of_freedom(), scene.stated_noise());
   const double rms = bands.noise.rms();
-  bands.resultant = resultant_of(scene.problem(), tractions, covariance, rms);
+  bands.resultant = resultant_of(scene.surface(), tractions, covariance, rms);
   bands.deviation = covariance.deviations();
   for (double& value : bands.deviation) value *= rms;
   return bands;

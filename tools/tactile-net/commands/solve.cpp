@@ -213,9 +213,10 @@ void run(const SolveOptions& options, const Streams& streams) {
                      "estimate needs the method tikhonov or closed_form: dft takes a "
                      "dead taxel for a living one that reads 0");
   Solving solving(problem, method, missing);
-  if (!options.uncertainty.empty() && (!lab::traits(method).has_bands || problem.is_large()))
-    throw WrongUsage("--uncertainty", "needs the method tikhonov or closed_form, and fewer than " +
-                                          std::to_string(lab::large) + " tractions");
+  if (!options.uncertainty.empty() && (!lab::traits(method).has_bands || !problem.has_bands()))
+    throw WrongUsage("--uncertainty",
+                     "needs the method tikhonov or closed_form, and under constraints fewer than " +
+                         std::to_string(lab::large) + " tractions");
   for (const std::string& warning : report::in_words(solving.solver().remarks()))
     streams.err << name(options.method) << ": warning: " << warning << '\n';
 
