@@ -3,60 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <stdexcept>
 
 #include "inverse/checks.hpp"
 #include "inverse/family_factors.hpp"
+#include "inverse/sections.hpp"
+#include "inverse/welch_periodogram.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 
 namespace tactile_net {
 namespace {
 
-constexpr double section_depths = 48.0;
-constexpr double fewest_tractions = 256.0;  // of a section: less saves no time
-constexpr double most_tractions = 768.0;
-constexpr std::size_t most_bins = 64;  // of the residual's periodogram, which tapers smooth
-
-/// Where sections begin and how they hand over to each other. Lengths in taxels.
-struct Sections {
-  std::size_t length = 0;
-  std::vector<std::size_t> starts{};
-
-  /// Section s's taper at a place between taxels, 0 the array's first.
-  [[nodiscard]] double weight(std::size_t s, double place) const noexcept {
-    return risen(s, place) - risen(s + 1, place);
-  }
-
- private:
-  /// 0 before section s takes over from the one before it, 1 after: halfway between where that one
-  /// ends and s begins, over a third of a section, so that a sixth at either end has no say.
-  [[nodiscard]] double risen(std::size_t s, double place) const noexcept {
-    if (s == 0) return 1.0;
-    if (s == starts.size()) return 0.0;
-    const auto size = static_cast<double>(length);
-    const double middle = 0.5 * (static_cast<double>(starts[s - 1] + starts[s]) + size - 1.0);
-    const double way = std::clamp(3.0 * (place - middle) / size + 0.5, 0.0, 1.0);
-    return std::pow(std::sin(0.5 * std::numbers::pi * way), 2);
-  }
-};
-
-Sections sections_of(const SensorArray& array, const ProblemOptions& options) {
-  const double depth = *std::max_element(array.depths.begin(), array.depths.end());
-  const auto per_taxel =
-      static_cast<double>(options.unknowns * surface_of(array, options.surface).stride);
-  const double wanted = std::clamp(section_depths * depth / array.pitch,
-                                   fewest_tractions / per_taxel, most_tractions / per_taxel);
-  const auto count = static_cast<double>(array.count);
-  if (count <= 1.25 * wanted) return {array.count, {0}};
-
-  Sections sections{.length = static_cast<std::size_t>(std::ceil(wanted))};
-  const auto length = static_cast<double>(sections.length);
-  const double steps = std::ceil((count - length) / (length / 3.0));
-  for (double s = 0.0; s <= steps; ++s)
-    sections.starts.push_back(static_cast<std::size_t>(std::round(s * (count - length) / steps)));
-  return sections;
-}
+/// Of the periodogram, which tapers smooth.
+constexpr std::size_t most_bins = 64;
 
 /// Sections with the same dead taxels.
 struct Alike {
@@ -64,82 +23,6 @@ struct Alike {
   std::vector<std::size_t> sections;
   Eigen::MatrixXd spectra;  // of u's columns, at the periodogram's frequencies
   Eigen::MatrixXd fourier;  // of rows, likewise
-};
-
-/// Welch's: the sum over sections of their tapered residuals' periodograms.
-class WelchPeriodogram final : public ResidualPeriodogram {
- public:
-  struct Part {
-    const Eigen::MatrixXd* spectra;
-    Eigen::MatrixXd beta;     // a column per section
-    Eigen::MatrixXd outside;  // likewise: what no component explains, as a spectrum
-  };
-
-  WelchPeriodogram(std::shared_ptr<const void> owner, std::vector<Part> parts, std::size_t bins)
-      : owner_(std::move(owner)), parts_(std::move(parts)), bins_(bins) {
-    for (const Part& part : parts_) {
-      const Eigen::VectorXd norms = part.beta.rowwise().norm();
-      norms_.insert(norms_.end(), norms.begin(), norms.end());
-    }
-  }
-
-  [[nodiscard]] std::size_t size() const noexcept override { return bins_; }
-
-  void power(std::span<const double> left, std::span<const double> change, std::span<double> values,
-             std::span<double> slopes) const override {
-    std::fill(values.begin(), values.end(), 0.0);
-    std::fill(slopes.begin(), slopes.end(), 0.0);
-    Eigen::Index first = 0;
-    for (const Part& part : parts_) {
-      const Eigen::MatrixXd residual = spectrum(part, left, first) + part.outside;
-      const Eigen::MatrixXd rate = spectrum(part, change, first);
-      for (Eigen::Index i = 0; i < residual.rows(); ++i) {
-        const auto bin = static_cast<std::size_t>(i) % bins_;
-        values[bin] += residual.row(i).squaredNorm();
-        slopes[bin] += 2.0 * residual.row(i).dot(rate.row(i));
-      }
-      first += part.beta.rows();
-    }
-  }
-
-  void powers(std::span<const double> left, std::size_t components,
-              std::span<double> values) const override {
-    std::fill(values.begin(), values.end(), 0.0);
-    for (std::size_t step = 0; step * components < left.size(); ++step) {
-      Eigen::Index first = 0;
-      for (const Part& part : parts_) {
-        const Eigen::MatrixXd residual =
-            spectrum(part, left.subspan(step * components, components), first) + part.outside;
-        for (Eigen::Index i = 0; i < residual.rows(); ++i)
-          values[step * bins_ + static_cast<std::size_t>(i) % bins_] +=
-              residual.row(i).squaredNorm();
-        first += part.beta.rows();
-      }
-    }
-  }
-
- private:
-  /// Of what is left of every section's components, `first` the part's first one among all.
-  [[nodiscard]] Eigen::MatrixXd spectrum(const Part& part, std::span<const double> left,
-                                         Eigen::Index first) const {
-    return *part.spectra * (filters(left, first, part).asDiagonal() * part.beta);
-  }
-
-  /// The share of each component that is left, from the length of all sections' together.
-  [[nodiscard]] Eigen::VectorXd filters(std::span<const double> left, Eigen::Index first,
-                                        const Part& part) const {
-    Eigen::VectorXd shares = Eigen::VectorXd::Zero(part.beta.rows());
-    for (Eigen::Index i = 0; i < shares.size(); ++i) {
-      const auto at = static_cast<std::size_t>(first + i);
-      if (norms_[at] > 0.0) shares(i) = left[at] / norms_[at];
-    }
-    return shares;
-  }
-
-  std::shared_ptr<const void> owner_;  // of the spectra
-  std::vector<Part> parts_;
-  std::size_t bins_;
-  std::vector<double> norms_;
 };
 
 }  // namespace

@@ -99,6 +99,7 @@ SceneProblem SceneProblem::without(std::span<const std::size_t> taxels) const {
   const std::vector<std::size_t>& dead = parts_->scene.dead_taxels;
   if (!std::all_of(dead.begin(), dead.end(), stays_dead))
     return other;  // what is dead here has left no row to take
+  if (is_large()) return other;  // no matrix is made of it
   other.parts_->problem = problem();
   InverseProblem& kept = *other.parts_->problem;
   for (const std::size_t taxel : taxels)

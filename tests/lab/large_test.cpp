@@ -29,7 +29,7 @@ Scene strip(std::size_t taxels, const std::string& rest) {
 
 TEST_CASE("a large array is answered as a decomposition would", "[lab][large]") {
   const std::string rest =
-      GENERATE(as<std::string>{}, "", "[effects]\ndead_taxels = [64, 65, 90]\n");
+      GENERATE(as<std::string>{}, "", "[dead_taxels]\nindices = [64, 65, 90]\n");
   const Scene scene = strip(131, rest);
   const SceneProblem problem(scene);
   REQUIRE(problem.is_large());
