@@ -86,7 +86,9 @@ struct LoadWindows::Windows {
   }
 
   void fill(Window& window, const Eigen::MatrixXd& k, const Eigen::MatrixXd& l, double log_prior) {
-    StandardForm form(k(Eigen::all, window.columns), l(Eigen::all, window.columns));
+    const StandardForm form(
+        k(Eigen::all, window.columns),
+        HouseholderQr(Eigen::MatrixXd(l(Eigen::all, window.columns))).triangle());
     const Index n = form.v.rows();
     const Index components = form.v.cols();
     if (alphas.size() == 0) {
@@ -102,7 +104,7 @@ struct LoadWindows::Windows {
       window.hidden = solve_upper(form.triangle, Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n) -
                                                                  form.v * form.v.transpose()));
     window.gamma2 = form.gamma.cwiseAbs2();
-    window.u = std::move(form.u);
+    window.u = form.u;
     window.lost.resize(alpha_steps, components);
     for (Index a = 0; a < alpha_steps; ++a)
       window.lost.row(a) = alphas(a) / (window.gamma2.array() + alphas(a));

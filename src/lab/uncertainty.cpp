@@ -29,14 +29,14 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
                              const FrameResult& result) {
   const SceneProblem& scene = frame.problem();
   const std::optional<TractionCovariance> own = covariance_of_frame(frame, tractions, result);
-  const TractionCovariance& covariance =
+  const Covariance& covariance =
       own ? *own : scene.covariance(result.alpha->value, prior_of(frame, result));
 
   FrameUncertainty bands;
-  bands.noise = estimate_noise(scene.problem(), frame.readings(), tractions,
+  bands.noise = estimate_noise(frame.residual(tractions), frame.analysed().rows,
                                covariance.degrees_of_freedom(), scene.stated_noise());
   const double rms = bands.noise.rms();
-  bands.resultant = resultant_of(scene.problem(), tractions, covariance, rms);
+  bands.resultant = resultant_of(scene.surface(), tractions, covariance, rms);
   bands.deviation = covariance.deviations();
   for (double& value : bands.deviation) value *= rms;
   return bands;

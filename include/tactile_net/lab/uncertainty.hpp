@@ -28,7 +28,7 @@ struct FrameUncertainty {
 ///
 /// @param tractions  that a solver of the frame's problem found [Pa]
 /// @param result     of that solver; its method is tikhonov or closed_form
-/// @pre  the problem is not large
+/// @pre  the problem has bands
 [[nodiscard]] FrameUncertainty uncertainty(const SceneFrame& frame,
                                            std::span<const double> tractions,
                                            const FrameResult& result);
