@@ -1,10 +1,12 @@
 #include "tactile_net/control/planner.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "control/product_planner.hpp"
+#include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -108,6 +110,25 @@ ProductTask prediction_task(const ProductTask& reconstruction) {
   return task;
 }
 
+/// Of the normal force h sum f_v, per unit of noise: the posterior's, h^2 1'P^-1 1; 0 where
+/// rounding leaves none.
+double force_deviation(const InverseProblem& problem, double alpha) {
+  Eigen::VectorXd ones = Eigen::VectorXd::Zero(as_eigen(problem.kernel).cols());
+  ones.head(static_cast<Eigen::Index>(problem.surface.count)).setOnes();
+  const Matrix p = normal_matrix(problem, alpha);
+  const double variance = ones.dot(solve_definite(as_eigen(p), ones));
+  return variance > 0.0 && std::isfinite(variance) ? problem.surface.spacing * std::sqrt(variance)
+                                                   : 0.0;
+}
+
+/// What the rms of that many readings of white noise exceeds once in 1000 frames, per unit of it.
+double noise_limit(const std::vector<double>& weights) {
+  const auto rows = static_cast<double>(
+      std::count_if(weights.begin(), weights.end(), [](double weight) { return weight > 0.0; }));
+  const boost::math::chi_squared_distribution<double> squares(rows);
+  return std::sqrt(boost::math::quantile(boost::math::complement(squares, 1e-3)) / rows);
+}
+
 std::string why_no_fft(const InverseProblem& problem, const ProductTask& task,
                        const PlannedProduct& planned) {
   if (!can_be_convolution(problem))
@@ -161,6 +182,11 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
     plan.baseline = raw_baseline(*options.calibration);
   }
   plan.noise_rms = options.noise_rms;
+  plan.traction_limit = options.traction_limit;
+  if (options.noise_rms > 0.0) {
+    plan.force_deviation = options.noise_rms * force_deviation(problem, alpha);
+    if (options.diagnostics) plan.residual_limit = options.noise_rms * noise_limit(problem.weights);
+  }
   plan.friction_coefficient = options.friction_coefficient;
   plan.ranges = options.ranges;
 

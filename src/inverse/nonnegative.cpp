@@ -14,6 +14,58 @@ constexpr int patience = 5;
 /// Of a variable, over the largest one, and of a gradient, over |d|: what rounding explains.
 constexpr double tolerance = 1e-11;
 
+/// The QR of the free columns, brought up to date as one is freed or some are held: Gram and
+/// Schmidt's, twice, which is as stable as Householder's (Giraud et al. 2005).
+class FreeColumns {
+ public:
+  explicit FreeColumns(const Eigen::MatrixXd& a)
+      : a_(a), q_(a.rows(), a.cols()), r_(a.cols(), a.cols()) {}
+
+  /// The least squares of the free columns, the others zero.
+  [[nodiscard]] Eigen::VectorXd solve(const std::vector<bool>& free, const Eigen::VectorXd& d) {
+    update(free);
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(a_.cols());
+    const auto count = std::ssize(order_);
+    if (count == 0) return z;
+    z(order_) = solve_upper(r_.topLeftCorner(count, count), q_.leftCols(count).transpose() * d);
+    return z;
+  }
+
+ private:
+  void update(const std::vector<bool>& free) {
+    const auto is_free = [&](Eigen::Index j) { return free[static_cast<std::size_t>(j)]; };
+    const auto first = std::find_if_not(order_.begin(), order_.end(), is_free);
+    std::vector<Eigen::Index> later(first, order_.end());
+    order_.erase(first, order_.end());
+    for (const Eigen::Index j : later)
+      if (is_free(j)) append(j);
+    for (Eigen::Index j = 0; j < a_.cols(); ++j)
+      if (is_free(j) && std::find(order_.begin(), order_.end(), j) == order_.end()) append(j);
+  }
+
+  void append(Eigen::Index column) {
+    const auto count = std::ssize(order_);
+    const auto q = q_.leftCols(count);
+    Eigen::VectorXd rest = a_.col(column);
+    Eigen::VectorXd along = Eigen::VectorXd::Zero(count);
+    for (int pass = 0; pass < 2; ++pass) {
+      const Eigen::VectorXd part = q.transpose() * rest;
+      rest.noalias() -= q * part;
+      along += part;
+    }
+    const double left = rest.norm();
+    const bool depends = !(left > tolerance);  // then it explains nothing new
+    r_.col(count).head(count) = along;
+    r_(count, count) = depends ? 1.0 : left;
+    q_.col(count) = depends ? Eigen::VectorXd::Zero(a_.rows()) : Eigen::VectorXd(rest / left);
+    order_.push_back(column);
+  }
+
+  const Eigen::MatrixXd& a_;
+  Eigen::MatrixXd q_, r_;
+  std::vector<Eigen::Index> order_{};
+};
+
 class ActiveSet {
  public:
   ActiveSet(const Eigen::MatrixXd& a, const Eigen::VectorXd& d, const std::vector<bool>& bounded,
@@ -21,7 +73,19 @@ class ActiveSet {
       : a_(a), d_(d), bounded_(bounded), limit_(iteration_limit), size_(d.norm()) {}
 
   NonnegativeSolution run() {
-    if (size_ > 0.0 && !by_blocks()) one_by_one();
+    if (size_ > 0.0 && !by_blocks()) one_by_one({.gradient = tolerance});
+    return solution();
+  }
+
+  NonnegativeSolution run_sparse(const GoodEnough& enough) {
+    if (size_ > 0.0) one_by_one({enough.residual, std::max(enough.gradient, tolerance)});
+    return solution();
+  }
+
+ private:
+  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+  [[nodiscard]] NonnegativeSolution solution() const {
     NonnegativeSolution solution{.z = z_, .free = free_, .iterations = iterations_};
     const Eigen::VectorXd g = gradient(z_);
     double worst = 0.0;
@@ -35,9 +99,6 @@ class ActiveSet {
     solution.converged = size_ == 0.0 || (held_well && !stopped_);
     return solution;
   }
-
- private:
-  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
   [[nodiscard]] Eigen::VectorXd gradient(const Eigen::VectorXd& z) const {
     return a_.transpose() * (a_ * z - d_);
@@ -86,20 +147,27 @@ class ActiveSet {
 
   /// Lawson and Hanson (Solving Least Squares Problems, 1974, 23.3): every iterate obeys the
   /// constraints and lowers the residual, so that no set returns.
-  void one_by_one() {
+  void one_by_one(const GoodEnough& enough) {
     for (std::size_t i = 0; i < free_.size(); ++i) free_[i] = !bounded_[i];
-    z_ = free_solution();
+    FreeColumns columns(a_);
+    const auto solution = [&] {
+      ++iterations_;
+      return columns.solve(free_, d_);
+    };
+    z_ = solution();
     std::vector<bool> refused(free_.size(), false);
     while (iterations_ < limit_) {
-      const Eigen::VectorXd g = gradient(z_);
+      const Eigen::VectorXd residual = a_ * z_ - d_;
+      if (residual.norm() <= enough.residual) return;
+      const Eigen::VectorXd g = a_.transpose() * residual;
       std::size_t best = free_.size();
       for (std::size_t i = 0; i < free_.size(); ++i)
-        if (!free_[i] && !refused[i] && g(index(i)) < -tolerance * size_ &&
+        if (!free_[i] && !refused[i] && g(index(i)) < -enough.gradient * size_ &&
             (best == free_.size() || g(index(i)) < g(index(best))))
           best = i;
       if (best == free_.size()) return;
       free_[best] = true;
-      Eigen::VectorXd next = free_solution();
+      Eigen::VectorXd next = solution();
       if (!(next(index(best)) > 0.0)) {  // its gradient was rounding
         free_[best] = false;
         refused[best] = true;
@@ -108,7 +176,7 @@ class ActiveSet {
       refused.assign(free_.size(), false);
       while (!obeys(next) && iterations_ < limit_) {
         step_towards(next);
-        next = free_solution();
+        next = solution();
       }
       if (obeys(next)) accept(next);
     }
@@ -160,6 +228,14 @@ NonnegativeSolution nonnegative_least_squares(const Eigen::MatrixXd& a, const Ei
                                               const std::vector<bool>& bounded,
                                               std::size_t iteration_limit) {
   return ActiveSet(a, d, bounded, iteration_limit).run();
+}
+
+NonnegativeSolution sparse_nonnegative_least_squares(const Eigen::MatrixXd& a,
+                                                     const Eigen::VectorXd& d,
+                                                     const std::vector<bool>& bounded,
+                                                     std::size_t iteration_limit,
+                                                     const GoodEnough& enough) {
+  return ActiveSet(a, d, bounded, iteration_limit).run_sparse(enough);
 }
 
 }  // namespace tactile_net

@@ -24,4 +24,18 @@ struct NonnegativeSolution {
                                                             const std::vector<bool>& bounded,
                                                             std::size_t iteration_limit);
 
+/// When to stop before the minimum.
+struct GoodEnough {
+  double residual = 0.0;  ///< |A z - d| at most
+  double gradient = 0.0;  ///< of every variable, over |d|: what freeing it would gain
+};
+
+/// The same from no free variable on, for solutions of which few are: A may have more columns than
+/// rows, dependent ones too. Of several minimisers it finds one.
+[[nodiscard]] NonnegativeSolution sparse_nonnegative_least_squares(const Eigen::MatrixXd& a,
+                                                                   const Eigen::VectorXd& d,
+                                                                   const std::vector<bool>& bounded,
+                                                                   std::size_t iteration_limit,
+                                                                   const GoodEnough& enough);
+
 }  // namespace tactile_net

@@ -85,6 +85,7 @@ std::optional<PlanAlpha> plan_alpha(const SceneProblem& problem, const NextFrame
 PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,
                                   PlannerOptions options) {
   const Scene& scene = problem.scene();
+  options.traction_limit = scene.material.youngs_modulus;
   options.noise_rms = problem.stated_noise().value_or(0.0);
   if (!options.friction_coefficient)
     options.friction_coefficient = scene.reconstruct.friction_limit;

@@ -24,6 +24,7 @@ void absorb(FrameGroup& group, FrameGroup&& next) {
   next.count += group.count;
   if (group.distrusted > 0) next.distrust = group.distrust;
   next.distrusted += group.distrusted;
+  next.doubted += group.doubted;
   next.lowest_normal = std::min(group.lowest_normal, next.lowest_normal);
   next.highest_normal = std::max(group.highest_normal, next.highest_normal);
   next.lowest_tangential = std::min(group.lowest_tangential, next.lowest_tangential);
@@ -34,6 +35,7 @@ void absorb(FrameGroup& group, FrameGroup&& next) {
     next.load = group.load;
     next.verdict = group.verdict;
     next.alpha = group.alpha;
+    next.data = group.data;
     next.readings.swap(group.readings);
     next.tractions.swap(group.tractions);
     next.resultant = group.resultant;
@@ -124,6 +126,12 @@ void Recording::add(std::optional<double> time, const SceneProblem& problem,
   frame.verdict = frame.distrust = result.verdict;
   frame.distrusted = result.verdict == Verdict::ok ? 0 : 1;
   frame.alpha = result.alpha;
+  frame.data = result.data;
+  if (result.data && !result.data->consistent()) {
+    frame.doubted = 1;
+    ++doubted_;
+    for (const DataDoubt doubt : result.data->doubts) ++doubts_[doubt];
+  }
   ++frames_;
   ++verdicts_[result.verdict];
 
@@ -168,6 +176,8 @@ RecordingOverview Recording::overview(Observer& observer) const {
                              .method = method_,
                              .frames = frames_,
                              .verdicts = verdicts_,
+                             .doubts = doubts_,
+                             .doubted = doubted_,
                              .groups = groups_};
   if (!traits(method_).has_bands || !problem_.has_bands()) return overview;
   for (std::size_t i = 0; i < groups_.size() && !observer.stop(); ++i) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tactile_net/inverse/error_bound.hpp"
+#include "tactile_net/lab/data_verdict.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 
@@ -109,6 +110,8 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
     result.remarks.emplace_back(remark::Rounding{*result.error_bound});
   }
   if (const auto off = model_error(bands.noise)) result.remarks.emplace_back(*off);
+  result.data = data_verdict(run.problem, run.frame.readings(), f);
+  if (!result.data->consistent()) result.remarks.emplace_back(remark::DataDoubted{*result.data});
   if (work.does(Computation::hidden_modes) && run.problem.hidden().dimension > 0)
     result.remarks.emplace_back(remark::Hidden{run.problem.hidden()});
 }

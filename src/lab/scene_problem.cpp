@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tactile_net/inverse/long_array_covariance.hpp"
+#include "tactile_net/lab/data_verdict.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -50,6 +51,7 @@ struct SceneProblem::Parts {
   std::optional<FftTikhonov> products;
   std::optional<AlphaTables> alpha_tables;
   std::optional<ModeSpace> hidden;
+  std::optional<DataJudge> data_judge;
   std::unique_ptr<Covariance> covariance;
   std::pair<double, double> covariance_of;  // its alpha and prior
   std::optional<LoadWindows> load_windows;
@@ -97,7 +99,7 @@ SceneProblem SceneProblem::without(std::span<const std::size_t> taxels) const {
   };
   const std::vector<std::size_t>& dead = parts_->scene.dead_taxels;
   if (!std::all_of(dead.begin(), dead.end(), stays_dead))
-    return other;  // what is dead here has left no row to take
+    return other;                // what is dead here has left no row to take
   if (is_large()) return other;  // no matrix is made of it
   other.parts_->problem = problem();
   InverseProblem& kept = *other.parts_->problem;
@@ -163,6 +165,11 @@ const ModeSpace& SceneProblem::hidden() const {
     parts_->hidden = hidden_modes(make_problem(scene().sensor, scene().material, options));
   }
   return *parts_->hidden;
+}
+
+const DataJudge& SceneProblem::data_judge() const {
+  if (!parts_->data_judge) parts_->data_judge.emplace(lab::data_judge(*this));
+  return *parts_->data_judge;
 }
 
 const Covariance& SceneProblem::covariance(double alpha, double prior) const {

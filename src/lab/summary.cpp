@@ -7,6 +7,11 @@ namespace tactile_net::lab {
 void SolvedFrames::add(const FrameResult& result, bool incomplete) {
   ++verdicts[result.verdict];
   if (result.verdict != Verdict::ok) distrusted[result.verdict].add(frames);
+  if (result.data) {
+    for (const DataDoubt doubt : result.data->doubts) doubted[doubt].add(frames);
+    if (result.data->taxel) ++bad_taxels[*result.data->taxel];
+    noise_known = result.data->noise_known;
+  }
   if (incomplete) estimated.add(frames);
   if (result.alpha && result.alpha->rule) {
     const double alpha = result.alpha->value;

@@ -13,6 +13,7 @@
 #include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/json/recording_json.hpp"
 #include "tactile_net/report/words/check_words.hpp"
+#include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/recording_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
@@ -193,20 +194,27 @@ std::string residuals(const RecordingOverview& overview) {
                        ".");
 }
 
+/// "border", "ok; misfit": of the answers, and of the readings of the frame shown.
+std::string strip_title(const FrameGroup& group) {
+  std::string title(name(group.distrust));
+  if (group.doubted > 0)
+    title += "; " + (group.data && !group.data->consistent() ? report::data_word(*group.data)
+                                                             : std::string("readings doubted"));
+  return title;
+}
+
 /// A strip of every group's verdict: neighbours alike are one piece.
 std::string verdicts(const RecordingOverview& overview) {
   const auto& groups = overview.groups;
   std::string inside;
   for (std::size_t i = 0; i < groups.size();) {
     std::size_t end = i + 1;
-    const bool trusted = groups[i].distrusted == 0;
-    while (end < groups.size() && (groups[end].distrusted == 0) == trusted &&
-           groups[end].distrust == groups[i].distrust)
-      ++end;
+    const bool trusted = groups[i].distrusted == 0 && groups[i].doubted == 0;
+    const std::string why = strip_title(groups[i]);
+    while (end < groups.size() && strip_title(groups[end]) == why) ++end;
     inside += "<rect class=\"" + std::string(trusted ? "trusted" : "distrusted") + "\" x=\"" +
               std::to_string(i) + "\" width=\"" + std::to_string(end - i) +
-              "\" y=\"0\" height=\"100\"><title>" + escaped(name(groups[i].distrust)) +
-              "</title></rect>";
+              "\" y=\"0\" height=\"100\"><title>" + escaped(why) + "</title></rect>";
     i = end;
   }
   return element("h2", "Which frames to trust") +

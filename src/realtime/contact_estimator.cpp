@@ -150,6 +150,9 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   estimate.friction_margin = ContactEstimate::unknown;
   estimate.residual_rms = ContactEstimate::unknown;
   estimate.contact = estimate.normal_force > 0.0;
+  estimate.pulls = estimate.normal_force < ready.lowest_force;
+  estimate.implausible = std::abs(estimate.normal_force) > ready.highest_force;
+  estimate.misfit = false;
   estimate.saturated = saturated;
   estimate.outlier = -1;
   if (estimate.contact)
@@ -189,6 +192,13 @@ void ContactEstimator::judge(ContactEstimate& estimate) noexcept {
       ready.loops.misfit(scratch.x.data(), scratch.predicted.data(), scratch.weights.data(),
                          scratch.shares.data(), scratch.spread.data(), n);
   estimate.residual_rms = std::sqrt(misfit.sum_of_squares / static_cast<double>(scratch.live));
+  if (ready.residual_limit > 0.0) {
+    // (W g)'(I - H)(W g) = |W r|^2 + alpha |L f|^2.
+    const double smoothed = std::max(misfit.objective - misfit.sum_of_squares, 0.0);
+    const double noise = ready.residual_limit * std::sqrt(static_cast<double>(scratch.live));
+    estimate.misfit = std::sqrt(misfit.sum_of_squares) >
+                      noise + std::sqrt(smoothed) + ready.accuracy * std::sqrt(misfit.size);
+  }
   const double degrees = scratch.degrees - 1.0;
   if (!(degrees > 0.0)) return;
   // The prediction errs by at most e in the 2-norm: sum and shares are taken at their worst.

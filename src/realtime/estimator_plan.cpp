@@ -32,6 +32,9 @@ void check(const EstimatorPlan& plan) {
   require(not_negative(plan.accuracy) && not_negative(plan.error_bound),
           "accuracy and error bound must be >= 0");
   require(not_negative(plan.noise_rms), "noise_rms must be >= 0");
+  require(not_negative(plan.residual_limit) && not_negative(plan.traction_limit) &&
+              not_negative(plan.force_deviation),
+          "residual_limit, traction_limit and force_deviation must be >= 0");
   require(positive(plan.outlier_limit), "outlier_limit must be > 0");
   require(!plan.friction_coefficient || not_negative(*plan.friction_coefficient),
           "friction coefficient must be >= 0");

@@ -65,6 +65,12 @@ struct ContactEstimator::Ready {
         accuracy(plan.accuracy + static_cast<double>(plan.readings()) * 0x1p-50),
         noise_rms(plan.noise_rms),
         outlier_limit(plan.outlier_limit),
+        residual_limit(plan.residual_limit),
+        highest_force(plan.traction_limit > 0.0
+                          ? plan.traction_limit * plan.spacing * static_cast<double>(plan.values)
+                          : std::numeric_limits<double>::infinity()),
+        lowest_force(plan.force_deviation > 0.0 ? -4.0 * plan.force_deviation
+                                                : -std::numeric_limits<double>::infinity()),
         set(std::min(chosen, widest_instruction_set())),
         loops(kernels(set)) {
     for (std::size_t i = 0; i < taxels.size(); ++i)
@@ -100,7 +106,8 @@ struct ContactEstimator::Ready {
   std::vector<std::uint32_t> taxels;  // of every reading
   std::vector<double> weights, leverages;
   double accuracy;  // of the prediction, relative to the weighted readings
-  double noise_rms, outlier_limit;
+  double noise_rms, outlier_limit, residual_limit;
+  double highest_force, lowest_force;  // normal forces beyond are doubted
   InstructionSet set;
   const Kernels& loops;
   std::optional<ReadyProduct<double>> product64;

@@ -164,6 +164,8 @@ class Reader {
 
 PlanVersion version_of(const EstimatorPlan& plan) {
   if (!plan.taxels.empty()) return PlanVersion::taxels;
+  if (plan.residual_limit > 0.0 || plan.traction_limit > 0.0 || plan.force_deviation > 0.0)
+    return PlanVersion::doubts;
   if (plan.values != plan.count || plan.centre != 0.0) return PlanVersion::surface;
   return plan.baseline.empty() ? PlanVersion::readings : PlanVersion::baseline;
 }
@@ -196,6 +198,11 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
   if (version >= PlanVersion::surface) {
     plan.values = in.size();
     plan.centre = in.number();
+  }
+  if (version >= PlanVersion::doubts) {
+    plan.residual_limit = in.number();
+    plan.traction_limit = in.number();
+    plan.force_deviation = in.number();
   }
   if (version >= PlanVersion::taxels) {
     plan.taxels.resize(in.length(sizeof(std::uint32_t)));
@@ -242,6 +249,11 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
   if (version >= PlanVersion::surface) {
     payload.size(plan.values);
     payload.number(plan.centre);
+  }
+  if (version >= PlanVersion::doubts) {
+    payload.number(plan.residual_limit);
+    payload.number(plan.traction_limit);
+    payload.number(plan.force_deviation);
   }
   if (version >= PlanVersion::taxels) {
     payload.size(plan.taxels.size());

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
@@ -62,7 +63,8 @@ std::vector<std::vector<double>> rows_of(const std::string& csv) {
     std::istringstream fields(line + ',');
     rows.emplace_back();
     for (std::string field; std::getline(fields, field, ',');)
-      rows.back().push_back(field.empty() ? std::nan("") : std::stod(field));
+      if (field.empty() || !std::isalpha(static_cast<unsigned char>(field.front())))
+        rows.back().push_back(field.empty() ? std::nan("") : std::stod(field));
   }
   return rows;
 }

@@ -43,6 +43,7 @@ struct PlannerOptions {
   bool allow_fft = false;
   bool all_candidates = false;  ///< try also what cannot be the cheapest
   double noise_rms = 0.0;       ///< of a weighted reading, as far as known
+  double traction_limit = 0.0;  ///< Young's modulus [Pa], to doubt frames by; 0: not known
   std::optional<double> friction_coefficient{};
   std::vector<ReadingRange> ranges{};  ///< one per channel, or none; of what the controller reads
   /// What the controller reads, if not readings: the plan is then one for raw numbers. Gains go

@@ -76,7 +76,7 @@ class CsvSink final : public FrameSink {
   CsvSink(std::ostream& out, std::span<const std::string> columns, bool with_time);
   void add(std::string_view time, std::span<const double> values) override;
   /// A row whose last column is a word.
-  void add(std::string_view time, std::span<const double> values, std::string_view word);
+  void add(std::string_view time, std::span<const double> values, std::string_view word) override;
   void flush() override;
 
  private:

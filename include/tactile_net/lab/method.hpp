@@ -12,6 +12,7 @@
 #include <span>
 
 #include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/lab/alpha.hpp"
 #include "tactile_net/lab/condition.hpp"
 #include "tactile_net/lab/remark.hpp"
@@ -29,6 +30,8 @@ struct FrameResult {
   std::optional<Condition> condition{};  ///< of the system that was solved
   Remarks remarks{};
   std::optional<ConstrainedSolution> constrained{};
+  /// Of the readings, where somebody has asked `data_verdict` (data_verdict.hpp): no solver does.
+  std::optional<DataVerdict> data{};
 };
 
 /// A method of one frame, after the part that may take long. Not thread-safe: one per thread.

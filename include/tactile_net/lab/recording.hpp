@@ -31,6 +31,7 @@ struct FrameGroup {
   std::size_t count = 0;
   std::size_t distrusted = 0;      ///< how many of them have a verdict other than ok
   Verdict distrust = Verdict::ok;  ///< of the first of these
+  std::size_t doubted = 0;         ///< how many hold readings that cannot be true
   double lowest_normal = 0.0;      ///< F_v over all of them [N/m]
   double highest_normal = 0.0;
   double lowest_tangential = 0.0;  ///< F_t over all of them [N/m]
@@ -41,8 +42,9 @@ struct FrameGroup {
   double load = 0.0;      ///< sum |f_v| [Pa]
   Verdict verdict = Verdict::ok;
   std::optional<ChosenAlpha> alpha{};
-  std::vector<double> readings{};   ///< channels x count
-  std::vector<double> tractions{};  ///< normal, then tangential [Pa]
+  std::optional<DataVerdict> data{};  ///< of its readings
+  std::vector<double> readings{};     ///< channels x count
+  std::vector<double> tractions{};    ///< normal, then tangential [Pa]
   Resultant resultant{};
   std::optional<FrameUncertainty> bands{};  ///< absent: the method has none
 };
@@ -52,6 +54,8 @@ struct RecordingOverview {
   Method method = Method::tikhonov;
   std::size_t frames = 0;
   std::map<Verdict, std::size_t> verdicts{};  ///< how many frames have it
+  std::map<DataDoubt, std::size_t> doubts{};  ///< how many frames' readings have it
+  std::size_t doubted = 0;                    ///< frames whose readings have any
   std::vector<FrameGroup> groups{};           ///< in the order of time
   Findings findings{};  ///< about the readings, by a ReadingsChecker; `Recording` leaves them empty
 
@@ -112,6 +116,8 @@ class Recording {
   std::size_t per_group_ = 1;
   std::size_t frames_ = 0;
   std::map<Verdict, std::size_t> verdicts_;
+  std::map<DataDoubt, std::size_t> doubts_;
+  std::size_t doubted_ = 0;
   std::vector<FrameGroup> groups_;
   std::size_t skipped_ = 0;        // before the next group
   std::vector<Source> sources_{};  // of the frames that are shown

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
 
@@ -49,6 +50,9 @@ struct Rounding {
 struct ModelError {
   double times = 0.0;  ///< the noise stated: an error of the model that the bands do not hold
 };
+struct DataDoubted {
+  DataVerdict data{};  ///< not consistent
+};
 struct Hidden {
   ModeSpace modes{};  ///< that no reading shows
 };
@@ -66,8 +70,8 @@ using Remark =
     std::variant<remark::NoiseAmplified, remark::SignChanges, remark::DeadTaxelsRead,
                  remark::CutOff, remark::NotOneContact, remark::DragInNoise, remark::NullMode,
                  remark::NotConverged, remark::IterationLimit, remark::NoBands, remark::Unexplained,
-                 remark::Rounding, remark::ModelError, remark::Hidden, remark::ConstraintsIgnored,
-                 remark::VoltagesUnresolved>;
+                 remark::Rounding, remark::ModelError, remark::DataDoubted, remark::Hidden,
+                 remark::ConstraintsIgnored, remark::VoltagesUnresolved>;
 
 using Remarks = std::vector<Remark>;
 

@@ -46,6 +46,7 @@ struct MethodResult {
   std::optional<double> error_bound{};
   std::optional<ConstrainedSolution> constrained{};
   std::optional<NoiseEstimate> noise{};
+  std::optional<DataVerdict> data{};  ///< of the readings
   std::optional<UncertainResultant> resultant{};
   Remarks remarks{};
   /// Why there is no answer that holds: the violated rule as the library or the simulator states

@@ -16,6 +16,7 @@
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/fft_tikhonov.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
 #include "tactile_net/inverse/load_windows.hpp"
@@ -91,6 +92,9 @@ class SceneProblem {
   /// What no reading shows of line loads over the taxels. Of a finer surface every array hides
   /// what changes from one taxel to the next.
   [[nodiscard]] const ModeSpace& hidden() const;
+
+  /// Of readings, by `data_limits` (data_verdict.hpp).
+  [[nodiscard]] const DataJudge& data_judge() const;
 
   /// Of unconstrained tractions; made anew where alpha or prior differ from the last call's.
   /// @param prior  as `TractionCovariance`'s prior_alpha

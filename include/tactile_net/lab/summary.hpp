@@ -16,11 +16,14 @@ namespace tactile_net::lab {
 /// What a method made of recorded frames.
 struct SolvedFrames {
   std::size_t frames = 0;
-  std::map<Verdict, std::size_t> verdicts{};  ///< how many frames have it
-  std::map<Verdict, FrameRuns> distrusted{};  ///< and which, of all that are not ok
-  FrameRuns skipped{};                        ///< frames without an answer: readings are missing
-  FrameRuns estimated{};                      ///< frames solved without the taxels they miss
-  double least_alpha = 0.0;                   ///< of those that a rule chose; 0: none did
+  std::map<Verdict, std::size_t> verdicts{};        ///< how many frames have it
+  std::map<Verdict, FrameRuns> distrusted{};        ///< and which, of all that are not ok
+  std::map<DataDoubt, FrameRuns> doubted{};         ///< which frames' readings are, and why
+  std::map<std::size_t, std::size_t> bad_taxels{};  ///< in how many frames, by the taxel
+  bool noise_known = false;                         ///< else nobody asks for a misfit
+  FrameRuns skipped{};       ///< frames without an answer: readings are missing
+  FrameRuns estimated{};     ///< frames solved without the taxels they miss
+  double least_alpha = 0.0;  ///< of those that a rule chose; 0: none did
   double largest_alpha = 0.0;
   FrameResult last{};  ///< of the last frame that was solved
 

@@ -36,7 +36,14 @@ struct ContactEstimate {
   /// Root mean square of W (g - K f) over the live readings: what the tractions leave unexplained.
   /// NaN without a prediction in the plan.
   double residual_rms = unknown;
-  bool contact = false;    ///< F_v > 0: centre, angle and margin mean something
+  bool contact = false;  ///< F_v > 0: centre, angle and margin mean something
+  // Frames that cannot be true, as far as the plan has what that takes; false: not that it knows
+  // of.
+  bool pulls = false;        ///< F_v lies more than four deviations below 0, and no contact pulls
+  bool implausible = false;  ///< the mean normal traction would strain the pad by more than 1
+  /// The residual exceeds what noise explains once in 1000 frames, and what alpha may add to it:
+  /// half of sqrt(alpha) |L f| at most, f the true tractions; twice that of those found is allowed.
+  bool misfit = false;
   bool saturated = false;  ///< a live reading lies at or beyond its channel's range
   /// Index of the reading that the others explain least; -1: none stands out by more than noise,
   /// regularisation and the plan's accuracy account for.

@@ -40,6 +40,12 @@ struct EstimatorPlan {
   double noise_rms = 0.0;           ///< of a weighted reading, as far as known; 0: not known
   double outlier_limit = 6.0;       ///< studentised residual from which a reading is an outlier
 
+  // What a frame is doubted by; each 0: not known.
+  double residual_limit =
+      0.0;  ///< rms of a weighted reading that noise exceeds once in 1000 frames
+  double traction_limit = 0.0;   ///< mean normal traction of a strain of 1: Young's modulus [Pa]
+  double force_deviation = 0.0;  ///< of the normal force, one standard deviation [N/m]
+
   std::optional<double> friction_coefficient{};  ///< of pad and object; absent: no friction margin
   std::vector<ReadingRange> ranges{};  ///< one per channel or per reading; empty: none saturates
   /// What is subtracted from the readings, one value each, until `set_baseline` says otherwise;

@@ -21,7 +21,8 @@ enum class PlanVersion : std::uint32_t {
   readings = 1,  ///< tractions at the taxels, from readings
   baseline = 2,  ///< a baseline too
   surface = 3,   ///< tractions at places of their own
-  taxels = 4,    ///< taxels that do not all read the same
+  doubts = 4,    ///< what a frame is doubted by
+  taxels = 5,    ///< taxels that do not all read the same
 };
 inline constexpr auto newest_plan_version = PlanVersion::taxels;
 

@@ -6,6 +6,7 @@
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/source.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/data_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -22,7 +23,7 @@ std::string recording_csv(const lab::RecordingOverview& overview) {
   for (const std::string& column :
        frames::traction_columns(surface(overview.scene).count, overview.tangential()))
     text += ',' + column;
-  text += '\n';
+  text += ",data\n";
   for (const lab::FrameGroup& group : overview.groups) {
     text += std::to_string(group.shown) + field(group.time) + ',' + std::to_string(group.first) +
             ',' + std::to_string(group.count) + ',' + std::to_string(group.distrusted) + ',' +
@@ -30,6 +31,8 @@ std::string recording_csv(const lab::RecordingOverview& overview) {
     for (const auto& number : shown_numbers(overview, group)) text += field(number);
     text += ',';
     frames::append_row(text, group.tractions);
+    text.back() = ',';
+    text += (group.data ? data_word(*group.data) : std::string("unknown")) + '\n';
   }
   return text;
 }

@@ -101,11 +101,10 @@ std::string recording_json(const lab::RecordingOverview& overview) {
     json["tangential_deviation"] = packed(overview, deviation(Traction::tangential));
   Json said = Json::array();
   for (const lab::FrameGroup& group : overview.groups) {
-    const bool trusted = group.verdict == lab::Verdict::ok;
     said.push_back({{"time", group_place(overview, group)},
                     {"clock", group_clock(group)},
                     {"answer", drawing::typeset(group_answer(overview, group))},
-                    {"trust", trusted ? "" : group_distrust(group)}});
+                    {"trust", group_distrust(group)}});
   }
   json["said"] = std::move(said);
   json["field"] = field_json(overview);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "report/json/data_json.hpp"
 #include "report/json/network_values.hpp"
 #include "report/json/scene_json.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
@@ -34,6 +35,7 @@ void add_uncertainty(Json& json, const lab::MethodResult& result) {
     json["noise"] = {{"stated", number_or_null(result.noise->stated_rms)},
                      {"residual", result.noise->residual_rms},
                      {"model", result.noise->model_rms}};
+  json["data"] = result.data ? data_json(*result.data) : Json(nullptr);
   if (result.constrained)
     json["constraints"] = {{"kkt_residual", result.constrained->kkt_residual},
                            {"iterations", result.constrained->iterations},

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "report/json/data_json.hpp"
 #include "report/json/document.hpp"
 #include "report/json/finding_json.hpp"
 #include "report/json/scene_json.hpp"
@@ -16,7 +17,9 @@ Json shown_json(const lab::RecordingOverview& overview) {
   for (const lab::FrameGroup& group : overview.groups) {
     Json json = {{"frame", group.shown},           {"t", finite_or_null(group.time)},
                  {"first", group.first},           {"count", group.count},
-                 {"distrusted", group.distrusted}, {"verdict", name(group.verdict)}};
+                 {"distrusted", group.distrusted}, {"verdict", name(group.verdict)},
+                 {"doubted", group.doubted},       {"data", nullptr}};
+    if (group.data) json["data"] = doubts_json(*group.data);
     const auto numbers = shown_numbers(overview, group);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       json[std::string(shown_names[i])] = number_or_null(numbers[i]);
@@ -35,6 +38,12 @@ std::string solve_json(const lab::RecordingOverview& overview, const lab::Solved
   Json distrusted = Json::object();
   for (const auto& [verdict, frames] : solved.distrusted)
     distrusted[std::string(lab::name(verdict))] = runs_json(frames);
+  Json doubted = Json::object();
+  for (const auto& [doubt, frames] : solved.doubted)
+    doubted[std::string(name(doubt))] = runs_json(frames);
+  Json bad_taxels = Json::array();
+  for (const auto& [taxel, frames] : solved.bad_taxels)
+    bad_taxels.push_back({{"taxel", taxel}, {"frames", frames}});
   const std::string verdict = verdicts.size() == 1 ? verdicts.begin()->first : "mixed";
   const std::optional<lab::ChosenAlpha>& alpha = solved.last.alpha;
   const std::optional<lab::Condition>& condition = solved.last.condition;
@@ -51,6 +60,8 @@ std::string solve_json(const lab::RecordingOverview& overview, const lab::Solved
       {"verdict", verdict},
       {"verdicts", verdicts},
       {"distrusted", distrusted},
+      {"data",
+       {{"noise_known", solved.noise_known}, {"doubted", doubted}, {"bad_taxels", bad_taxels}}},
       {"missing",
        {{"policy", lab::name(report.missing)},
         {"skipped", runs_json(solved.skipped)},

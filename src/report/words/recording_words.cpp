@@ -5,6 +5,7 @@
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/check_words.hpp"
+#include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/report/words/verdict_words.hpp"
@@ -102,6 +103,18 @@ Answer trust(const RecordingOverview& overview) {
           "not to be trusted, most of them because " + std::string(in_words(most->first)), true};
 }
 
+/// Readings that cannot be true; nothing where all can.
+std::optional<Answer> doubt(const RecordingOverview& overview) {
+  if (overview.doubted == 0) return std::nullopt;
+  const auto most =
+      std::max_element(overview.doubts.begin(), overview.doubts.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  return Answer{std::to_string(overview.doubted) + " of " + std::to_string(overview.frames) +
+                    " frames' readings",
+                "cannot be those of a contact, most of them: " + std::string(in_words(most->first)),
+                true};
+}
+
 std::string what_presses(const RecordingOverview& overview, const FrameGroup& peak) {
   if (overview.loaded(peak)) return "largest normal force, at " + place(peak);
   if (overview.pulled(peak))
@@ -144,6 +157,7 @@ std::vector<Answer> answers(const RecordingOverview& overview) {
   }
   if (pressed) all.push_back(path(overview, peak));
   all.push_back(trust(overview));
+  if (auto doubtful = doubt(overview)) all.push_back(std::move(*doubtful));
   if (auto suspicious = suspicion(overview)) all.push_back(std::move(*suspicious));
   return all;
 }
@@ -188,8 +202,12 @@ std::string group_answer(const RecordingOverview& overview, const FrameGroup& gr
 }
 
 std::string group_distrust(const FrameGroup& group) {
-  if (group.verdict == Verdict::ok) return {};
-  return std::string(name(group.verdict)) + ": " + std::string(in_words(group.verdict));
+  std::string text;
+  if (group.verdict != Verdict::ok)
+    text = std::string(name(group.verdict)) + ": " + std::string(in_words(group.verdict));
+  if (group.data && !group.data->consistent())
+    text += (text.empty() ? "" : "; ") + in_words(*group.data);
+  return text;
 }
 
 std::vector<std::string> distrusted_in_words(const RecordingOverview& overview) {
@@ -198,6 +216,9 @@ std::vector<std::string> distrusted_in_words(const RecordingOverview& overview) 
     if (verdict != Verdict::ok)
       sentences.push_back(std::to_string(frames) + " frames " + std::string(name(verdict)) + ": " +
                           std::string(in_words(verdict)));
+  for (const auto& [doubt, frames] : overview.doubts)
+    sentences.push_back(std::to_string(frames) + " frames " + std::string(name(doubt)) + ": " +
+                        std::string(in_words(doubt)));
   return sentences;
 }
 

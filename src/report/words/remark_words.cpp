@@ -1,6 +1,7 @@
 #include "tactile_net/report/words/remark_words.hpp"
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/mode_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
@@ -59,6 +60,7 @@ std::string say(const remark::ModelError& r) {
   return "the residual is larger than the noise stated explains: the model is off by about " +
          brief(r.times) + " times the noise, which the bands do not hold";
 }
+std::string say(const remark::DataDoubted& r) { return in_words(r.data); }
 std::string say(const remark::Hidden& r) {
   return "no reading shows: " + in_words(r.modes) +
          "; decided by smoothing, not measured (see identify)";

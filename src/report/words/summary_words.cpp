@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "tactile_net/report/words/data_words.hpp"
+
 namespace tactile_net::report {
 namespace {
 
@@ -35,6 +37,17 @@ std::vector<std::string> in_words(const lab::SolvedFrames& solved) {
   for (const auto& [verdict, frames] : verdicts)
     sentences.push_back(of(frames->count(), solved.frames) + " have the verdict " + verdict + ": " +
                         in_words(*frames));
+  for (const auto& [doubt, frames] : solved.doubted)
+    sentences.push_back(of(frames.count(), solved.frames) + " have readings to be doubted, " +
+                        std::string(name(doubt)) + ": " + std::string(in_words(doubt)) + ": " +
+                        in_words(frames));
+  if (!solved.bad_taxels.empty()) {
+    std::string taxels;
+    for (const auto& [taxel, frames] : solved.bad_taxels)
+      taxels += (taxels.empty() ? "" : ", ") + std::to_string(taxel) + " in " +
+                std::to_string(frames) + (frames == 1 ? " frame" : " frames");
+    sentences.push_back("taxels that contradict the others: " + taxels);
+  }
   if (solved.skipped.count() > 0)
     sentences.push_back(of(solved.skipped.count(), solved.frames) +
                         " miss readings, and their rows are empty: " + in_words(solved.skipped));

@@ -17,13 +17,16 @@
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
+#include "tactile_net/lab/data_verdict.hpp"
 #include "tactile_net/lab/missing.hpp"
 #include "tactile_net/lab/readings_check.hpp"
+#include "tactile_net/lab/repeating_taxels.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/lab/summary.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
 #include "tactile_net/report/words/check_words.hpp"
+#include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
@@ -71,8 +74,9 @@ class Outputs {
         tractions_(in_folder_ ? results->tractions() : options.output, &streams.out),
         unknown_(tractions, std::numeric_limits<double>::quiet_NaN()) {
     const std::size_t count = problem.surface().count;
-    sink_ = frames::make_sink(tractions_, options.output,
-                              frames::traction_columns(count, tractions > count), with_time);
+    sink_ =
+        frames::make_sink(tractions_, options.output,
+                          frames::traction_columns(count, tractions > count), with_time, "data");
     if (!options.uncertainty.empty())
       uncertainty_.emplace(options.uncertainty, problem, with_time, streams);
   }
@@ -85,14 +89,15 @@ class Outputs {
   void add(std::string_view time, const lab::SceneProblem& problem,
            std::span<const double> readings, std::span<const double> tractions,
            const lab::FrameResult& result) {
-    sink_->add(time, tractions);
+    sink_->add(time, tractions,
+               result.data ? report::data_word(*result.data) : std::string("unknown"));
     if (uncertainty_) uncertainty_->add({problem, readings}, tractions, result, time);
     if (results_ != nullptr) results_->add(time, problem, readings, tractions, result);
   }
   /// A frame without an answer: its row is there, so that row k of the answers is frame k of the
   /// recording.
   void skip(std::string_view time) {
-    sink_->add(time, unknown_);
+    sink_->add(time, unknown_, "missing");
     if (uncertainty_) uncertainty_->skip(time);
     if (results_ != nullptr) results_->skip();
   }
@@ -135,6 +140,7 @@ class Solving {
         missing_(missing),
         solver_(share_alpha ? lab::make_sharing_solver(problem, method, *share_alpha)
                             : lab::make_solver(problem, method)),
+        repeating_(problem.scene().sensor, problem.scene().dead_taxels),
         doubts_(problem) {
     if (missing == lab::Missing::estimate) incomplete_.emplace(problem, method);
   }
@@ -150,6 +156,7 @@ class Solving {
     std::vector<double> tractions(solver_->tractions());
     while (source.next(readings)) {
       outputs.read(source.time(), readings);
+      repeating_.add(readings);
       if (missing_ == lab::Missing::fail ||
           std::none_of(readings.begin(), readings.end(), [](double g) { return std::isnan(g); }))
         add(source, outputs, problem_, readings, tractions, solver_->solve(readings, tractions));
@@ -163,9 +170,11 @@ class Solving {
  private:
   void add(const frames::FrameSource& source, Outputs& outputs, const lab::SceneProblem& problem,
            std::span<const double> readings, std::span<const double> tractions,
-           const lab::FrameResult& result, bool incomplete = false) {
+           lab::FrameResult result, bool incomplete = false) {
     if (result.status != FrameStatus::ok)
       source.refuse("the frame's tractions overflow a double", "scale the readings");
+    result.data = lab::data_verdict(problem, readings, tractions);
+    if (result.data) lab::doubt(*result.data, repeating_.first());
     outputs.add(source.time(), problem, readings, tractions, result);
     solved_.add(result, incomplete);
     if (result.alpha) doubts_.add(problem, readings, tractions, result.alpha->value);
@@ -186,6 +195,7 @@ class Solving {
   lab::SceneProblem problem_;
   lab::Missing missing_;
   std::unique_ptr<lab::FrameSolver> solver_;
+  lab::RepeatingTaxels repeating_;
   std::optional<lab::IncompleteFrames> incomplete_;
   lab::SolvedFrames solved_;
   lab::SolvingDoubts doubts_;
@@ -216,8 +226,7 @@ void run(const SolveOptions& options, const Streams& streams) {
                      "dead taxel for a living one that reads 0");
   if (options.share_alpha && *options.share_alpha == 0)
     throw WrongUsage("--share-alpha", "must be at least 1 frame");
-  if (options.share_alpha &&
-      (problem.scene().reconstruct.alpha || !lab::traits(method).has_bands))
+  if (options.share_alpha && (problem.scene().reconstruct.alpha || !lab::traits(method).has_bands))
     throw WrongUsage("--share-alpha",
                      "needs an alpha that a rule chooses, for tikhonov or closed_form");
   Solving solving(problem, method, missing, options.share_alpha);

@@ -28,10 +28,11 @@ namespace tactile_net::report {
 [[nodiscard]] std::string group_answer(const lab::RecordingOverview& overview,
                                        const lab::FrameGroup& group);
 
-/// "unstable: the answer depends on alpha ..."; empty for the verdict ok
+/// "unstable: the answer depends on alpha ...", and what is doubtful about the readings; empty:
+/// nothing
 [[nodiscard]] std::string group_distrust(const lab::FrameGroup& group);
 
-/// A sentence for every verdict but ok, with the number of frames.
+/// A sentence for every verdict but ok, and every doubt of the readings, with the number of frames.
 [[nodiscard]] std::vector<std::string> distrusted_in_words(const lab::RecordingOverview& overview);
 
 }  // namespace tactile_net::report

@@ -1,0 +1,103 @@
+/// @file
+/// Whether readings can be true: could any contact have caused them?
+///
+/// A contact presses: its tractions lie in a convex cone C (f_v >= 0, and friction has some limit).
+/// For readings W g = W K f + e, f in C, e white noise of rms sigma, the distance of W g from W K C
+/// is at most |e|, whatever f is. So
+///
+///     min over f in C of |W (K f - g)|^2  >  sigma^2 chi^2_0.999(rows)
+///
+/// happens to one honest frame in a thousand at most, without an alpha, a prior or degrees of
+/// freedom to be estimated. Where no contact explains a frame, the single causes that a
+/// least-squares problem can hold are tried, worst first: the sign, one taxel, one constant a
+/// channel.
+///
+///     const DataJudge judge(problem, {.noise_rms = 1.0, .largest_traction = pad.youngs_modulus});
+///     const DataVerdict data = judge.judge(readings, tractions);
+///     data.consistent();                     // or data.doubts: name(data.doubts.front())
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tactile_net/inverse/problem.hpp"
+
+namespace tactile_net {
+
+/// Worst first.
+enum class DataDoubt {
+  implausible,  ///< a strain beyond 1, of the readings or of the pad's whole surface
+  pulls,        ///< explained by tractions that pull alone, or best with the sign turned round
+  bad_taxel,    ///< explained without one taxel alone
+  offset,       ///< explained with a constant added to a channel alone, or better by far
+  misfit,       ///< no tractions explain it: pad, depth, noise or calibration are not as stated
+};
+
+/// The spelling in JSON and tables: "bad_taxel".
+[[nodiscard]] std::string_view name(DataDoubt doubt) noexcept;
+[[nodiscard]] std::optional<DataDoubt> data_doubt_named(std::string_view name) noexcept;
+
+struct DataVerdict {
+  std::vector<DataDoubt> doubts{};  ///< worst first
+  bool noise_known = false;  ///< false: `misfit`, and tractions that pull here and there, are
+                             ///< never found
+  double strain = 0.0;       ///< the largest reading, or the mean normal traction, over its limit
+  /// Rms of a weighted reading that the best contact found leaves, and the limit that this exceeds
+  /// in one honest frame of a thousand; limit 0: the noise is not known.
+  double residual_rms = 0.0;
+  double residual_limit = 0.0;
+  std::optional<std::size_t> taxel{};  ///< of `bad_taxel`
+  std::vector<double> offset{};        ///< of `offset`: of each channel [unit of its readings]
+
+  [[nodiscard]] bool consistent() const noexcept { return doubts.empty(); }
+  [[nodiscard]] bool has(DataDoubt doubt) const noexcept;
+};
+
+struct DataLimits {
+  std::optional<double> noise_rms{};       ///< of a weighted reading, > 0; absent: not known
+  std::optional<double> friction_limit{};  ///< |f_t| / f_v, > 0; absent: 1
+  /// Tractions and readings of a strain of 1: Young's modulus; per row of K, Young's modulus for
+  /// stresses and 1 for strains. Absent, or no rows: not judged.
+  std::optional<double> largest_traction{};
+  std::vector<double> largest_readings{};
+  /// Where the array's ends begin [m]: no contact but one larger than the array needs places before
+  /// the first and behind the second, and so a constant is told from a load. Absent: no constant
+  /// is looked for.
+  std::optional<std::pair<double, double>> inner{};
+};
+
+/// Made once for a problem; const, so threads may share one.
+class DataJudge {
+ public:
+  /// O(rows x columns).
+  ///
+  /// @param problem   that tractions are found for
+  /// @param contacts  the same rows on the surface on which contacts are sought: fine enough for
+  ///                  narrow ones, beyond the array's ends; absent: that of the problem
+  /// @throw std::invalid_argument  a limit is not > 0, or a size does not fit
+  DataJudge(const InverseProblem& problem, DataLimits limits);
+  DataJudge(const InverseProblem& problem, const InverseProblem& contacts, DataLimits limits);
+  ~DataJudge();
+  DataJudge(DataJudge&&) noexcept;
+  DataJudge& operator=(DataJudge&&) noexcept;
+
+  /// One frame: a product by K where the tractions found are nearly a contact's own, else a few
+  /// non-negative least squares of a handful of free columns each. Allocates.
+  ///
+  /// @param readings   g, one per row of K, finite
+  /// @param tractions  that a method found for them [Pa]
+  /// @throw std::invalid_argument  a size does not fit
+  [[nodiscard]] DataVerdict judge(std::span<const double> readings,
+                                  std::span<const double> tractions) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<const Parts> parts_;
+};
+
+}  // namespace tactile_net

@@ -1,0 +1,398 @@
+#include "tactile_net/inverse/data_verdict.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "inverse/checks.hpp"
+#include "inverse/nonnegative.hpp"
+#include "numeric/eigen.hpp"
+#include "numeric/named.hpp"
+#include "tactile_net/inverse/constrained.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr Named<DataDoubt> doubts[] = {{DataDoubt::implausible, "implausible"},
+                                       {DataDoubt::pulls, "pulls"},
+                                       {DataDoubt::bad_taxel, "bad_taxel"},
+                                       {DataDoubt::offset, "offset"},
+                                       {DataDoubt::misfit, "misfit"}};
+
+constexpr double false_alarms = 1e-3;   ///< of honest frames, each test
+constexpr double usual_friction = 1.0;  ///< of rubber on what it touches, at most
+constexpr std::size_t most_suspects = 4;
+constexpr std::size_t iteration_limit = 300;
+
+double chi_squared_limit(double degrees, double alarms) {
+  return boost::math::quantile(
+      boost::math::complement(boost::math::chi_squared_distribution<double>(degrees), alarms));
+}
+
+double variance_ratio_limit(double above, double below, double alarms) {
+  return boost::math::quantile(
+      boost::math::complement(boost::math::fisher_f_distribution<double>(above, below), alarms));
+}
+
+bool positive(double value) { return value > 0.0 && std::isfinite(value); }
+
+/// What a contact is allowed besides pressing: columns without a sign.
+struct Freedom {
+  Eigen::MatrixXd columns{};
+  bool first_end = true;  ///< loads over that end of the array
+  bool last_end = true;
+};
+
+struct Fit {
+  double norm = 0.0;  ///< of the residual
+  double free = 0.0;  ///< columns that are
+  Eigen::VectorXd residual{};
+  Eigen::VectorXd allowance{};  ///< of the freedom's columns
+};
+
+}  // namespace
+
+std::string_view name(DataDoubt doubt) noexcept { return name_in<doubts>(doubt); }
+
+std::optional<DataDoubt> data_doubt_named(std::string_view text) noexcept {
+  return named_in<doubts>(text);
+}
+
+bool DataVerdict::has(DataDoubt doubt) const noexcept {
+  return std::find(doubts.begin(), doubts.end(), doubt) != doubts.end();
+}
+
+struct DataJudge::Parts {
+  Parts(const InverseProblem& problem, const InverseProblem& contacts, DataLimits given);
+
+  enum class Side { middle, first_end, last_end };
+
+  [[nodiscard]] std::vector<Side> sides(const Surface& surface) const;
+  [[nodiscard]] Fit fit(const Eigen::VectorXd& y, double enough = 0.0,
+                        const Freedom& freedom = {}) const;
+  [[nodiscard]] Fit with_constants(const Eigen::VectorXd& y, Freedom freedom) const;
+  [[nodiscard]] Eigen::VectorXd nearest_contact(std::span<const double> f) const;
+  void explain(const Eigen::VectorXd& y, std::span<const double> tractions,
+               DataVerdict& verdict) const;
+  void look_for_constant(const Eigen::VectorXd& y, const Eigen::VectorXd& contact,
+                         DataVerdict& verdict) const;
+  [[nodiscard]] bool is_turned_round(const Eigen::VectorXd& y,
+                                     std::span<const double> tractions) const;
+  void take_offset(const Eigen::VectorXd& allowance, const Freedom& freedom,
+                   DataVerdict& verdict) const;
+  [[nodiscard]] double strain(std::span<const double> g, std::span<const double> f) const;
+  [[nodiscard]] double limit(double taken) const;
+  [[nodiscard]] Freedom without(std::size_t taxel) const;
+  [[nodiscard]] Freedom constant_in_each_channel() const;
+  [[nodiscard]] std::vector<std::size_t> suspects(const Eigen::VectorXd& residual) const;
+
+  DataLimits limits;
+  double unit;  // of all that is weighted: the noise, where it is known
+  std::vector<Site> sites;
+  std::size_t taxels, values;
+  std::ptrdiff_t components;  // normal, or the tangential one too
+  Eigen::VectorXd weights;
+  Eigen::MatrixXd kernel;               // W K
+  Eigen::MatrixXd cone;                 // W K E, columns of unit norm
+  double rows = 0.0;                    // with a weight
+  double most = 0.0;                    // limit(0)
+  std::vector<Side> places{};           // of the values of contacts
+  std::vector<Side> found_places{};     // of the values of tractions
+  std::vector<std::size_t> channels{};  // with a live row
+};
+
+DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& contacts,
+                        DataLimits given)
+    : limits(std::move(given)),
+      unit(limits.noise_rms.value_or(1.0)),
+      sites(problem.sites),
+      taxels(problem.taxels),
+      values(problem.surface.count),
+      components(static_cast<std::ptrdiff_t>(problem.unknowns)),
+      weights(as_eigen(std::span(problem.weights))),
+      kernel(as_eigen(problem.kernel)) {
+  const auto require = [](bool holds, const char* rule) {
+    if (!holds) throw std::invalid_argument(rule);
+  };
+  require(!limits.noise_rms || positive(*limits.noise_rms), "noise_rms must be > 0 and finite");
+  require(!limits.friction_limit || positive(*limits.friction_limit),
+          "friction_limit must be > 0 and finite");
+  require(!limits.largest_traction || positive(*limits.largest_traction),
+          "largest_traction must be > 0 and finite");
+  require(
+      limits.largest_readings.empty() ||
+          (limits.largest_readings.size() == problem.weights.size() &&
+           std::all_of(limits.largest_readings.begin(), limits.largest_readings.end(), positive)),
+      "largest_readings needs one value > 0 per row, or none");
+  require(contacts.weights == problem.weights && contacts.unknowns == problem.unknowns,
+          "contacts need the rows and unknowns of the problem");
+
+  weights /= unit;
+  kernel /= unit;
+  Constraints press{.nonnegative = true};
+  if (problem.unknowns == 2) press.friction_limit = limits.friction_limit.value_or(usual_friction);
+  cone = as_eigen(contacts.kernel) * as_eigen(edges(contacts, press)) / unit;
+  places = sides(contacts.surface);
+  found_places = sides(problem.surface);
+  for (Eigen::Index j = 0; j < cone.cols(); ++j) {
+    if (const double norm = cone.col(j).norm(); norm > 0.0) cone.col(j) /= norm;
+  }
+  for (std::size_t i = 0; i < problem.weights.size(); ++i) {
+    if (problem.weights[i] == 0.0) continue;
+    rows += 1.0;
+    const std::size_t channel = sites[i].channel;
+    if (channels.empty() || channels.back() != channel) channels.push_back(channel);
+  }
+  most = limit(0.0);
+}
+
+std::vector<DataJudge::Parts::Side> DataJudge::Parts::sides(const Surface& surface) const {
+  std::vector<Side> all(surface.count, Side::middle);
+  for (std::size_t i = 0; i < surface.count && limits.inner; ++i) {
+    const double y = surface.position(i);
+    if (y < limits.inner->first) all[i] = Side::first_end;
+    if (y > limits.inner->second) all[i] = Side::last_end;
+  }
+  return all;
+}
+
+/// @param enough  a residual that is as good as none
+Fit DataJudge::Parts::fit(const Eigen::VectorXd& y, double enough, const Freedom& freedom) const {
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index j = 0; j < cone.cols(); ++j)
+    if (const Side side = places[static_cast<std::size_t>(j) % places.size()];
+        (side != Side::first_end || freedom.first_end) &&
+        (side != Side::last_end || freedom.last_end))
+      kept.push_back(j);
+  const auto pressing = static_cast<Eigen::Index>(kept.size());
+  Eigen::MatrixXd a(cone.rows(), pressing + freedom.columns.cols());
+  a.leftCols(pressing) = cone(Eigen::all, kept);
+  if (freedom.columns.cols() > 0) a.rightCols(freedom.columns.cols()) = freedom.columns;
+  std::vector<bool> bounded(kept.size(), true);
+  bounded.resize(static_cast<std::size_t>(a.cols()), false);
+
+  // Columns have length 1: what is left to gain is a small part of the limit.
+  const double noise = limits.noise_rms ? most / y.norm() : 1e-3;
+  const double gradient = 1e-3 * std::min(noise * noise, 1.0);
+  const NonnegativeSolution found = sparse_nonnegative_least_squares(
+      a, y, bounded, iteration_limit, {.residual = enough, .gradient = gradient});
+  Fit fit{.residual = y - a * found.z, .allowance = found.z.tail(freedom.columns.cols())};
+  fit.norm = fit.residual.norm();
+  fit.free = static_cast<double>(std::count(found.free.begin(), found.free.end(), true));
+  return fit;
+}
+
+/// Of the tractions found, what presses: with no more friction than the cone allows.
+Eigen::VectorXd DataJudge::Parts::nearest_contact(std::span<const double> f) const {
+  Eigen::VectorXd contact = as_eigen(f);
+  const auto n = static_cast<Eigen::Index>(values);
+  contact.head(n) = contact.head(n).cwiseMax(0.0);
+  if (contact.size() == n) return contact;
+  const Eigen::VectorXd drag = limits.friction_limit.value_or(usual_friction) * contact.head(n);
+  contact.tail(n) = contact.tail(n).cwiseMin(drag).cwiseMax(-drag);
+  return contact;
+}
+
+double DataJudge::Parts::strain(std::span<const double> g, std::span<const double> f) const {
+  double largest = 0.0;
+  if (limits.largest_traction) {
+    const double sum = std::accumulate(f.begin(), f.begin() + std::ssize(f) / components, 0.0);
+    largest = std::abs(sum) / static_cast<double>(values) / *limits.largest_traction;
+  }
+  for (std::size_t i = 0; i < limits.largest_readings.size(); ++i)
+    if (weights(static_cast<Eigen::Index>(i)) > 0.0)
+      largest = std::max(largest, std::abs(g[i]) / limits.largest_readings[i]);
+  return largest;
+}
+
+/// Of a residual's norm, where so many rows are taken by something else than noise.
+double DataJudge::Parts::limit(double taken) const {
+  return std::sqrt(chi_squared_limit(std::max(rows - taken, 1.0), false_alarms));
+}
+
+Freedom DataJudge::Parts::without(std::size_t taxel) const {
+  std::vector<Eigen::Index> at;
+  for (std::size_t i = taxel; i < static_cast<std::size_t>(weights.size()); i += taxels)
+    if (const auto row = static_cast<Eigen::Index>(i); weights(row) > 0.0) at.push_back(row);
+  Freedom freedom{.columns = Eigen::MatrixXd::Zero(weights.size(), std::ssize(at))};
+  for (Eigen::Index j = 0; j < std::ssize(at); ++j)
+    freedom.columns(at[static_cast<std::size_t>(j)], j) = 1.0;
+  return freedom;
+}
+
+Freedom DataJudge::Parts::constant_in_each_channel() const {
+  Freedom freedom{.columns = Eigen::MatrixXd::Zero(weights.size(), std::ssize(channels))};
+  for (Eigen::Index j = 0; j < freedom.columns.cols(); ++j) {
+    for (Eigen::Index i = 0; i < weights.size(); ++i)
+      if (sites[static_cast<std::size_t>(i)].channel == channels[static_cast<std::size_t>(j)])
+        freedom.columns(i, j) = weights(i);
+    freedom.columns.col(j).normalize();
+  }
+  return freedom;
+}
+
+/// The taxels with the largest residuals, largest first.
+std::vector<std::size_t> DataJudge::Parts::suspects(const Eigen::VectorXd& residual) const {
+  std::vector<double> squares(taxels);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(residual.size()); ++i)
+    squares[sites[i].taxel] += std::pow(residual(static_cast<Eigen::Index>(i)), 2);
+  std::vector<std::size_t> order(taxels);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return squares[a] > squares[b]; });
+  order.resize(std::min(order.size(), most_suspects));
+  return order;
+}
+
+void DataJudge::Parts::take_offset(const Eigen::VectorXd& allowance, const Freedom& freedom,
+                                   DataVerdict& verdict) const {
+  verdict.doubts.push_back(DataDoubt::offset);
+  verdict.offset.assign(sites.back().channel + 1, 0.0);
+  for (std::size_t k = 0; k < channels.size(); ++k) {
+    Eigen::Index live = 0;
+    while (sites[static_cast<std::size_t>(live)].channel != channels[k] || weights(live) == 0.0)
+      ++live;
+    const auto j = static_cast<Eigen::Index>(k);
+    verdict.offset[channels[k]] = allowance(j) * freedom.columns(live, j) / weights(live);
+  }
+}
+
+/// With loads over one end of the array at most: a constant and a load over everything could draw
+/// whatever pulls.
+Fit DataJudge::Parts::with_constants(const Eigen::VectorXd& y, Freedom freedom) const {
+  freedom.last_end = false;
+  Fit one = fit(y, 0.0, freedom);
+  std::swap(freedom.first_end, freedom.last_end);
+  Fit other = fit(y, 0.0, freedom);
+  return one.norm < other.norm ? one : other;
+}
+
+/// A load over the whole array explains a constant too. It is called a constant where without one
+/// neither end of the array can do without a load, and with one an end can, with no more places
+/// pressed.
+void DataJudge::Parts::look_for_constant(const Eigen::VectorXd& y, const Eigen::VectorXd& contact,
+                                         DataVerdict& verdict) const {
+  if (!limits.inner) return;
+  const auto constants = static_cast<double>(channels.size());
+  const double needed = chi_squared_limit(constants, 0.1 * false_alarms);
+  const Freedom freedom = constant_in_each_channel();
+  Eigen::VectorXd inner = contact;
+  for (Eigen::Index j = 0; j < inner.size(); ++j)
+    if (found_places[static_cast<std::size_t>(j) % values] != Side::middle) inner(j) = 0.0;
+  // Cheap, and rarely less than the gain itself.
+  if ((freedom.columns.transpose() * (y - kernel * inner)).squaredNorm() < 0.5 * needed) return;
+  const Fit best = with_constants(y, freedom);
+  const double enough = std::sqrt(best.norm * best.norm + needed);
+  if (best.norm > limit(constants) || fit(y, enough, {.first_end = false}).norm <= enough ||
+      fit(y, enough, {.last_end = false}).norm <= enough || best.free > fit(y).free + 1.0)
+    return;
+  take_offset(best.allowance, freedom, verdict);
+}
+
+/// Whether the same readings with the other sign are those of a contact, and these are less so.
+bool DataJudge::Parts::is_turned_round(const Eigen::VectorXd& y,
+                                       std::span<const double> tractions) const {
+  const auto normal = tractions.first(values);
+  if (std::accumulate(normal.begin(), normal.end(), 0.0) >= 0.0) return false;
+  const Fit turned = fit(-y);
+  const Fit base = fit(y);
+  const double squares = base.norm * base.norm;
+  const double turned_squares = turned.norm * turned.norm;
+  if (!limits.noise_rms) {
+    const double left = rows - turned.free;
+    return left >= 1.0 && squares / rows > turned_squares / left *
+                                               variance_ratio_limit(rows, left, 0.1 * false_alarms);
+  }
+  constexpr double margin = 20.0;  // of log-likelihoods, doubled: noise alone differs by less
+  return turned.norm <= most && squares - turned_squares + 2.0 * (base.free - turned.free) > margin;
+}
+
+void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double> tractions,
+                               DataVerdict& verdict) const {
+  const double rms = unit / std::sqrt(rows);  // of a norm
+  verdict.residual_limit = most * rms;
+  const Eigen::VectorXd contact = nearest_contact(tractions);
+  double left = (y - kernel * contact).norm();
+  Fit base;
+  if (left > most) {
+    base = fit(y, most);
+    left = base.norm;
+  }
+  verdict.residual_rms = left * rms;
+  if (left <= most) {
+    look_for_constant(y, contact, verdict);
+    return;
+  }
+
+  // One taxel, one constant a channel, or either of them.
+  const auto gains = [&](const Fit& fit, double taken, double alarms) {
+    return fit.norm <= limit(taken) &&
+           base.norm * base.norm - fit.norm * fit.norm >= chi_squared_limit(taken, alarms);
+  };
+  double by_taxel = std::numeric_limits<double>::infinity();
+  for (const std::size_t taxel : suspects(base.residual)) {
+    const Freedom freedom = without(taxel);
+    const auto taken = static_cast<double>(freedom.columns.cols());
+    if (taken == 0.0) continue;
+    const Fit rest = fit(y, 0.0, freedom);
+    if (rest.norm >= by_taxel || !gains(rest, taken, false_alarms / static_cast<double>(taxels)))
+      continue;
+    by_taxel = rest.norm;
+    verdict.taxel = taxel;
+  }
+  const auto constants = static_cast<double>(channels.size());
+  const Freedom freedom = constant_in_each_channel();
+  const Fit constant = with_constants(y, freedom);
+  const double by_constant = limits.inner && gains(constant, constants, false_alarms)
+                                 ? constant.norm
+                                 : std::numeric_limits<double>::infinity();
+  const double far = chi_squared_limit(constants, false_alarms);
+  if (by_constant * by_constant + far < by_taxel * by_taxel) verdict.taxel.reset();
+  if (verdict.taxel) verdict.doubts.push_back(DataDoubt::bad_taxel);
+  if (by_constant * by_constant <= by_taxel * by_taxel + far && std::isfinite(by_constant))
+    take_offset(constant.allowance, freedom, verdict);
+  if (!verdict.consistent()) return;
+  const double found = (y - kernel * as_eigen(tractions)).norm();
+  verdict.doubts.push_back(found <= most ? DataDoubt::pulls : DataDoubt::misfit);
+}
+
+DataJudge::DataJudge(const InverseProblem& problem, DataLimits limits)
+    : DataJudge(problem, problem, std::move(limits)) {}
+DataJudge::DataJudge(const InverseProblem& problem, const InverseProblem& contacts,
+                     DataLimits limits)
+    : parts_(std::make_unique<const Parts>(problem, contacts, std::move(limits))) {}
+DataJudge::~DataJudge() = default;
+DataJudge::DataJudge(DataJudge&&) noexcept = default;
+DataJudge& DataJudge::operator=(DataJudge&&) noexcept = default;
+
+DataVerdict DataJudge::judge(std::span<const double> readings,
+                             std::span<const double> tractions) const {
+  const Parts& p = *parts_;
+  check_size(readings, static_cast<std::size_t>(p.weights.size()));
+  if (std::ssize(tractions) != p.kernel.cols())
+    throw std::invalid_argument("tractions need one value per column of the problem");
+  DataVerdict verdict{.noise_known = p.limits.noise_rms.has_value()};
+  verdict.strain = p.strain(readings, tractions);
+  if (verdict.strain > 1.0) {  // in which unit the rest would be judged nobody knows
+    verdict.doubts.push_back(DataDoubt::implausible);
+    return verdict;
+  }
+  const Eigen::VectorXd y = p.weights.cwiseProduct(as_eigen(readings));
+  const double size = y.norm();
+  if (size == 0.0) return verdict;
+  if (!std::isfinite(size)) {  // of no noise that a number can say
+    if (verdict.noise_known) verdict.doubts.push_back(DataDoubt::misfit);
+  } else if (p.is_turned_round(y, tractions)) {
+    verdict.doubts.push_back(DataDoubt::pulls);
+  } else if (verdict.noise_known) {
+    p.explain(y, tractions, verdict);
+  }
+  return verdict;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,55 @@
+#include "tactile_net/lab/data_verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactile_net::lab {
+
+DataLimits data_limits(const SceneProblem& problem) {
+  const Scene& scene = problem.scene();
+  const double modulus = scene.material.youngs_modulus;
+  DataLimits limits{.noise_rms = problem.stated_noise(),
+                    .friction_limit = scene.reconstruct.friction_limit,
+                    .largest_traction = modulus};
+  for (const Site& site : sites(scene.sensor))
+    limits.largest_readings.push_back(is_strain(site.quantity) ? 1.0 : modulus);
+
+  const double first = position(scene.sensor, 0);
+  const double last = position(scene.sensor, scene.sensor.count - 1);
+  const double middle = 0.5 * (first + last);
+  const double quarter = 0.25 * (last - first);
+  limits.inner = {middle - quarter, middle + quarter};
+  return limits;
+}
+
+DataJudge data_judge(const SceneProblem& problem) {
+  constexpr std::size_t most_values = 512;
+  const Scene& scene = problem.scene();
+  const Surface& own = problem.surface();
+  const double depth = least_depth(scene.sensor);
+  ProblemOptions options = problem.options();
+  options.surface = {.basis = SurfaceBasis::hats, .spacing = std::min(0.25 * depth, own.spacing)};
+  const Surface finer = surface_of(scene.sensor, options.surface);
+  const bool is_own = own.basis == finer.basis && own.count == finer.count;
+  if (is_own || finer.count > most_values || !problem.stated_noise())
+    return DataJudge(problem.problem(), data_limits(problem));
+  return DataJudge(problem.problem(), make_problem(scene.sensor, scene.material, options),
+                   data_limits(problem));
+}
+
+std::optional<DataVerdict> data_verdict(const SceneProblem& problem,
+                                        std::span<const double> readings,
+                                        std::span<const double> tractions) {
+  if (problem.is_large()) return std::nullopt;
+  return problem.data_judge().judge(readings, tractions);
+}
+
+void doubt(DataVerdict& data, std::optional<std::size_t> bad_taxel) {
+  if (!bad_taxel) return;
+  data.taxel = bad_taxel;
+  if (data.has(DataDoubt::bad_taxel)) return;
+  data.doubts.push_back(DataDoubt::bad_taxel);
+  std::sort(data.doubts.begin(), data.doubts.end());
+}
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,70 @@
+#include "tactile_net/report/words/data_words.hpp"
+
+#include "numeric/named.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+constexpr Named<DataDoubt> sentences[] = {
+    {DataDoubt::implausible,
+     "the readings would strain the pad by more than its own size: are they, or Young's modulus, "
+     "in "
+     "another unit"},
+    {DataDoubt::pulls,
+     "only tractions that pull explain the readings, and no contact pulls: is compression "
+     "positive, "
+     "is the baseline that of an unloaded pad, are pad and depth as stated"},
+    {DataDoubt::bad_taxel, "one taxel contradicts all others: list it under [dead_taxels]"},
+    {DataDoubt::offset,
+     "a channel reads a constant too much, or one load lies over the whole array: take the "
+     "baseline "
+     "anew"},
+    {DataDoubt::misfit,
+     "no contact explains the readings within the noise stated: pad, depth, calibration or noise "
+     "is "
+     "not as the scene says"},
+};
+
+std::string number_of(DataDoubt doubt, const DataVerdict& data) {
+  switch (doubt) {
+    case DataDoubt::implausible:
+      return " (strain " + brief(data.strain) + ")";
+    case DataDoubt::bad_taxel:
+      return " (taxel " + std::to_string(data.taxel.value_or(0)) + ")";
+    case DataDoubt::offset: {
+      std::string list;
+      for (const double offset : data.offset) list += (list.empty() ? "" : ", ") + brief(offset);
+      return " (" + list + ")";
+    }
+    case DataDoubt::pulls:
+    case DataDoubt::misfit:
+      return " (a contact leaves " + brief(data.residual_rms / data.residual_limit, 2) +
+             " times what noise does)";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view in_words(DataDoubt doubt) noexcept { return name_in<sentences>(doubt); }
+
+std::string in_words(const DataVerdict& data) {
+  std::string text;
+  for (const DataDoubt doubt : data.doubts)
+    text += (text.empty() ? "" : "; ") + std::string(name(doubt)) + ": " +
+            std::string(in_words(doubt)) + number_of(doubt, data);
+  return text;
+}
+
+std::string data_word(const DataVerdict& data) {
+  if (data.consistent()) return data.noise_known ? "ok" : "noise_unknown";
+  std::string text;
+  for (const DataDoubt doubt : data.doubts) {
+    text += (text.empty() ? "" : "+") + std::string(name(doubt));
+    if (doubt == DataDoubt::bad_taxel && data.taxel) text += "_" + std::to_string(*data.taxel);
+  }
+  return text;
+}
+
+}  // namespace tactile_net::report

@@ -1,0 +1,69 @@
+// Frames that cannot be true, through the command.
+#include <filesystem>
+#include <functional>
+#include <sstream>
+
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+const std::string finger = scene("coarse/finger.toml");
+
+/// The frame of the finger's scene, changed.
+std::string frames(const std::function<double(double, std::size_t)>& change) {
+  const ProcessResult simulated = tool({"simulate", finger, "-o", "-"});
+  REQUIRE(simulated.code == 0);
+  std::istringstream lines(simulated.output);
+  std::string header;
+  std::getline(lines, header);
+  std::string text = header + '\n';
+  std::string field;
+  for (std::size_t i = 0; std::getline(lines, field, ','); ++i)
+    text += (i > 0 ? "," : "") + std::to_string(change(std::stod(field), i));
+  return text + '\n';
+}
+
+/// The last column of the only row.
+std::string word(const ProcessResult& result) {
+  const std::string row = result.output.substr(result.output.find('\n') + 1);
+  const auto from = row.rfind(',') + 1;
+  return row.substr(from, row.find('\n') - from);
+}
+
+ProcessResult solve(const std::string& readings) {
+  return tool({"solve", finger, "--readings", "-"}, readings);
+}
+
+}  // namespace
+
+TEST_CASE("solve says of every frame whether its readings can be true", "[cli]") {
+  const ProcessResult honest = solve(frames([](double g, std::size_t) { return g; }));
+  CHECK(honest.code == 0);
+  CHECK_THAT(honest.output, ContainsSubstring(",data\n"));
+  CHECK(word(honest) == "ok");
+  CHECK_THAT(honest.errors, !ContainsSubstring("doubted"));
+
+  const ProcessResult unit = solve(frames([](double g, std::size_t) { return 1e9 * g; }));
+  CHECK(unit.code == 0);
+  CHECK(word(unit) == "implausible");
+  CHECK_THAT(unit.errors, ContainsSubstring("1 of 1 frames have readings to be doubted"));
+
+  CHECK(word(solve(frames([](double g, std::size_t) { return -g; }))) == "pulls");
+  CHECK(word(solve(frames([](double g, std::size_t) { return g - 3.0; }))) == "offset");
+}
+
+TEST_CASE("JSON and the page of a recording say which frames' readings are doubted", "[cli]") {
+  const Folder folder;
+  const ProcessResult result =
+      tool({"solve", finger, "--readings", "-", "--out", folder / "out", "--json", "-"},
+           frames([](double g, std::size_t) { return -g; }));
+  REQUIRE(result.code == 0);
+  CHECK_THAT(result.output, ContainsSubstring("\"noise_known\": true"));
+  CHECK_THAT(result.output, ContainsSubstring("\"pulls\""));
+  const std::string page = read_text(folder / "out/report.html");
+  CHECK_THAT(page, ContainsSubstring("cannot be those of a contact"));
+  CHECK_THAT(read_text(folder / "out/shown.csv"), ContainsSubstring(",pulls\n"));
+}

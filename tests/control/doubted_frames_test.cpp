@@ -1,0 +1,105 @@
+// Frames that cannot be true, as a controller with a planned estimator meets them.
+#include "tactile_net/control/planner.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/realtime/plan_file.hpp"
+#include "tactile_net/sensing/effects/noise.hpp"
+#include "tactile_net/sensing/exact.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+constexpr double noise = 1e-3;
+constexpr double alpha = 1e-4;
+const Material pad{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
+const SensorArray array{.count = 41, .pitch = 0.5, .depths = {1.5}, .reads = {Quantity::stress_x}};
+
+EstimatorPlan plan_with(const PlannerOptions& options) {
+  const InverseProblem problem = make_problem(array, pad, {.smoothing_length = 1.5});
+  return plan_estimator(problem, alpha, options).plan;
+}
+
+EstimatorPlan whole_plan() { return plan_with({.noise_rms = noise, .traction_limit = 1.0}); }
+
+std::vector<double> frame(std::size_t number) {
+  const std::vector<Contact> contacts = {
+      RigidContact{.center = 0.3, .half_width = 2.0, .force = 0.4}};
+  std::vector<double> readings = exact_readings(array, pad, contacts);
+  add_noise(readings, noise, number, 0);
+  return readings;
+}
+
+struct Flags {
+  bool pulls = false, implausible = false, misfit = false;
+  bool operator==(const Flags&) const = default;
+};
+
+Flags flags(const EstimatorPlan& plan, const std::vector<double>& readings) {
+  ContactEstimator estimator(plan);
+  std::vector<double> f(estimator.tractions());
+  ContactEstimate estimate{.tractions = f};
+  REQUIRE(estimator.update(readings, estimate) == FrameStatus::ok);
+  return {estimate.pulls, estimate.implausible, estimate.misfit};
+}
+
+}  // namespace
+
+TEST_CASE("an estimator has no doubts about frames of contacts, nor of noise", "[planner]") {
+  const EstimatorPlan plan = whole_plan();
+  for (std::size_t k = 0; k < 200; ++k) {
+    CHECK(flags(plan, frame(k)) == Flags{});
+    std::vector<double> readings(41);
+    add_noise(readings, noise, k, 0);
+    CHECK(flags(plan, readings) == Flags{});
+  }
+}
+
+TEST_CASE("an estimator doubts the sign, the unit and single taxels", "[planner]") {
+  const EstimatorPlan plan = whole_plan();
+  std::vector<double> readings = frame(1);
+  for (double& reading : readings) reading = -reading;
+  CHECK(flags(plan, readings) == Flags{.pulls = true});
+  for (double& reading : readings) reading *= -1e4;
+  CHECK(flags(plan, readings).implausible);
+  readings = frame(2);
+  readings[21] = 0.0;
+  CHECK(flags(plan, readings) == Flags{.misfit = true});
+}
+
+TEST_CASE("what a plan does not have, its frames are not doubted by", "[planner]") {
+  std::vector<double> readings = frame(1);
+  for (double& reading : readings) reading *= -1e4;
+  readings[21] = 0.0;
+  CHECK(flags(whole_plan(), readings) == Flags{true, true, true});
+  CHECK(flags(plan_with({}), readings) == Flags{});
+  CHECK(flags(plan_with({.traction_limit = 1.0}), readings) == Flags{.implausible = true});
+  CHECK(flags(plan_with({.diagnostics = false, .noise_rms = noise}), readings) ==
+        Flags{.pulls = true});
+}
+
+TEST_CASE("the deviation of a plan's force is that of the noise and of the smoothing",
+          "[planner]") {
+  const EstimatorPlan plan = whole_plan();
+  const EstimatorPlan noisier = plan_with({.noise_rms = 3.0 * noise});
+  CHECK_THAT(noisier.force_deviation, WithinRel(3.0 * plan.force_deviation, 1e-9));
+  CHECK_THAT(noisier.residual_limit, WithinRel(3.0 * plan.residual_limit, 1e-12));
+  // 99.9 % of chi squared with 41 degrees of freedom is 74.745.
+  CHECK_THAT(plan.residual_limit, WithinRel(noise * std::sqrt(74.745 / 41.0), 1e-4));
+}
+
+TEST_CASE("a plan's limits survive its file, and have a version of their own", "[planner]") {
+  const EstimatorPlan plan = whole_plan();
+  const std::vector<std::byte> bytes = encode_plan(plan);
+  CHECK(bytes[8] == std::byte{4});
+  const EstimatorPlan again = decode_plan(bytes);
+  CHECK(again.residual_limit == plan.residual_limit);
+  CHECK(again.traction_limit == plan.traction_limit);
+  CHECK(again.force_deviation == plan.force_deviation);
+  CHECK(encode_plan(again) == bytes);
+  CHECK(encode_plan(plan_with({}))[8] == std::byte{1});
+
+  EstimatorPlan bad = plan;
+  bad.force_deviation = -1.0;
+  CHECK_THROWS_AS(encode_plan(bad), std::invalid_argument);
+}

@@ -1,0 +1,254 @@
+#include "tactile_net/inverse/data_verdict.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/sensing/effects/noise.hpp"
+#include "tactile_net/sensing/exact.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+/// One or two channels over a half plane, and the judge of what they read.
+struct Bench {
+  SensorArray array{.count = 21, .pitch = 1.0, .depths = {1.5}, .reads = {Quantity::stress_x}};
+  Material pad{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
+  std::size_t unknowns = 1;
+  double noise = 1e-3;
+  bool stated = true;
+
+  static Bench two_tractions() {
+    Bench bench;
+    bench.array.reads.push_back(Quantity::shear_xy);
+    bench.unknowns = 2;
+    return bench;
+  }
+
+  [[nodiscard]] InverseProblem problem() const {
+    return make_problem(
+        array, pad,
+        {.unknowns = unknowns, .smoothing_length = 1.5, .surface = {.basis = SurfaceBasis::hats}});
+  }
+  [[nodiscard]] DataLimits limits() const {
+    const double end = 0.25 * static_cast<double>(array.count - 1) * array.pitch;
+    DataLimits limits{.largest_traction = pad.youngs_modulus, .inner = std::pair(-end, end)};
+    if (stated) limits.noise_rms = noise;
+    limits.largest_readings.assign(reading_count(array), pad.youngs_modulus);
+    return limits;
+  }
+  [[nodiscard]] std::vector<double> frame(const RigidContact& contact, std::size_t number) const {
+    std::vector<double> readings = exact_readings(array, pad, std::vector<Contact>{contact});
+    add_noise(readings, noise, number, 0);
+    return readings;
+  }
+  [[nodiscard]] DataVerdict judge(const std::vector<double>& readings) const {
+    const InverseProblem p = problem();
+    return DataJudge(p, limits()).judge(readings, tikhonov_solve(p, 1e-5, readings));
+  }
+};
+
+RigidContact contact_at(double place, double friction = 0.0) {
+  return {.center = place, .half_width = 2.0, .force = 0.4, .friction = friction};
+}
+
+std::vector<DataDoubt> only(DataDoubt doubt) { return {doubt}; }
+
+}  // namespace
+
+TEST_CASE("frames of contacts are consistent, wherever they press", "[data_verdict]") {
+  const Bench bench = GENERATE(Bench{}, Bench::two_tractions());
+  const double place = GENERATE(-10.5, 0.3, 4.0);
+  CAPTURE(bench.unknowns, place);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const DataVerdict data =
+        bench.judge(bench.frame(contact_at(place, bench.unknowns == 2 ? 0.4 : 0.0), k));
+    CHECK(data.consistent());
+    CHECK(data.residual_rms <= data.residual_limit);
+    CHECK(data.noise_known);
+  }
+}
+
+TEST_CASE("noise alone is consistent", "[data_verdict]") {
+  const Bench bench = GENERATE(Bench{}, Bench::two_tractions());
+  const InverseProblem p = bench.problem();
+  const DataJudge judge(p, bench.limits());
+  int doubted = 0;
+  for (std::size_t k = 0; k < 40; ++k) {
+    std::vector<double> readings(reading_count(bench.array));
+    add_noise(readings, bench.noise, k, 0);
+    doubted += judge.judge(readings, tikhonov_solve(p, 1e-3, readings)).consistent() ? 0 : 1;
+  }
+  CHECK(doubted == 0);
+}
+
+TEST_CASE("readings in another unit are implausible, with the noise stated or not",
+          "[data_verdict]") {
+  Bench bench = GENERATE(Bench{}, Bench::two_tractions());
+  bench.stated = GENERATE(true, false);
+  std::vector<double> readings = bench.frame(contact_at(0.3), 1);
+  for (double& reading : readings) reading *= 1e3;
+  const DataVerdict data = bench.judge(readings);
+  CHECK(data.doubts == only(DataDoubt::implausible));
+  CHECK(data.strain > 1.0);
+}
+
+TEST_CASE("readings with the other sign pull, with the noise stated or not", "[data_verdict]") {
+  Bench bench = GENERATE(Bench{}, Bench::two_tractions());
+  bench.stated = GENERATE(true, false);
+  std::vector<double> readings = bench.frame(contact_at(0.3), 1);
+  REQUIRE(bench.judge(readings).consistent());
+  for (double& reading : readings) reading = -reading;
+  CHECK(bench.judge(readings).doubts == only(DataDoubt::pulls));
+}
+
+TEST_CASE("the taxel that contradicts all others is named", "[data_verdict]") {
+  const Bench bench = GENERATE(Bench{}, Bench::two_tractions());
+  const std::size_t taxel = GENERATE(9u, 12u);
+  const double value = GENERATE(0.0, 0.3);
+  CAPTURE(bench.unknowns, taxel, value);
+  std::vector<double> readings = bench.frame(contact_at(0.4), 2);
+  for (std::size_t i = taxel; i < readings.size(); i += bench.array.count) readings[i] = value;
+  const DataVerdict data = bench.judge(readings);
+  CHECK(data.has(DataDoubt::bad_taxel));
+  CHECK(data.taxel == taxel);
+}
+
+TEST_CASE("a baseline is told from a load, whichever its sign, and its size", "[data_verdict]") {
+  const Bench bench;
+  const double offset = GENERATE(0.01, -0.01);
+  std::vector<double> readings = bench.frame(contact_at(GENERATE(-5.0, 0.4)), 3);
+  for (double& reading : readings) reading += offset;
+  const DataVerdict data = bench.judge(readings);
+  REQUIRE(data.doubts == only(DataDoubt::offset));
+  REQUIRE(data.offset.size() == 1);
+  CHECK_THAT(data.offset.front(), WithinAbs(offset, 0.003));
+}
+
+TEST_CASE("a load that no half plane explains is doubted", "[data_verdict]") {
+  Bench layer;
+  layer.pad.layer = Layer{.thickness = 2.0, .base = Base::bonded};
+  const std::vector<double> readings = layer.frame(contact_at(0.4), 4);
+  CHECK(layer.judge(readings).consistent());
+  CHECK_FALSE(Bench{}.judge(readings).consistent());
+}
+
+TEST_CASE("noise beyond what is stated is a misfit; not stated it is not known", "[data_verdict]") {
+  Bench bench;
+  bench.array = {.count = 41, .pitch = 0.5, .depths = {1.5}, .reads = {Quantity::stress_x}};
+  bench.noise = 0.02;
+  const std::vector<double> readings = bench.frame(contact_at(0.4), 5);
+  CHECK(bench.judge(readings).consistent());
+  bench.noise = 1e-3;
+  const DataVerdict misfit = bench.judge(readings);
+  CHECK(misfit.doubts == only(DataDoubt::misfit));
+  CHECK(misfit.residual_rms > misfit.residual_limit);
+  bench.stated = false;
+  const DataVerdict unknown = bench.judge(readings);
+  CHECK(unknown.consistent());
+  CHECK_FALSE(unknown.noise_known);
+  CHECK(unknown.residual_limit == 0.0);
+}
+
+TEST_CASE("units change no verdict", "[data_verdict][property]") {
+  const double unit = GENERATE(1e-6, 0.2e6);
+  std::vector<double> readings = Bench{}.frame(contact_at(0.4), 6);
+  const int defect = GENERATE(0, 1, 2, 3);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (defect == 1) readings[i] = -readings[i];
+    if (defect == 2) readings[i] += 0.01;
+    if (defect == 3 && i == 10) readings[i] = 0.0;
+  }
+  const DataVerdict one = Bench{}.judge(readings);
+  Bench other;
+  other.pad.youngs_modulus = unit;
+  other.noise *= unit;
+  for (double& reading : readings) reading *= unit;
+  const DataVerdict same = other.judge(readings);
+  CHECK(same.doubts == one.doubts);
+  CHECK(same.taxel == one.taxel);
+  CHECK_THAT(same.residual_rms, WithinRel(unit * one.residual_rms, 1e-6));
+  CHECK_THAT(same.strain, WithinRel(one.strain, 1e-9));
+}
+
+TEST_CASE("the mirrored frame has the mirrored verdict", "[data_verdict][property]") {
+  const Bench bench;
+  std::vector<double> readings = bench.frame(contact_at(0.4), 7);
+  readings[10] = 0.0;
+  const DataVerdict one = bench.judge(readings);
+  const DataVerdict mirrored = bench.judge(std::vector<double>(readings.rbegin(), readings.rend()));
+  CHECK(mirrored.doubts == one.doubts);
+  REQUIRE(one.taxel);
+  CHECK(mirrored.taxel == bench.array.count - 1 - *one.taxel);
+}
+
+TEST_CASE("what a dead taxel reads does not matter", "[data_verdict]") {
+  const Bench bench;
+  const InverseProblem p = make_problem(
+      bench.array, bench.pad,
+      {.smoothing_length = 1.5, .dead_taxels = {10}, .surface = {.basis = SurfaceBasis::hats}});
+  const DataJudge judge(p, bench.limits());
+  std::vector<double> readings = bench.frame(contact_at(0.4), 8);
+  for (const double value : {0.0, 0.5, 1e6}) {
+    readings[10] = value;
+    CHECK(judge.judge(readings, tikhonov_solve(p, 1e-5, readings)).consistent());
+  }
+}
+
+TEST_CASE("contacts narrower than the tractions' grid are sought on a finer one",
+          "[data_verdict]") {
+  Bench bench;
+  bench.array = {.count = 41, .pitch = 0.7, .depths = {1.5}, .reads = {Quantity::stress_x}};
+  bench.noise = 3e-4;
+  const InverseProblem coarse = make_problem(bench.array, bench.pad, {.smoothing_length = 1.5});
+  const InverseProblem fine = make_problem(
+      bench.array, bench.pad,
+      {.smoothing_length = 1.5, .surface = {.basis = SurfaceBasis::hats, .spacing = 0.375}});
+  const std::vector<double> readings =
+      bench.frame({.center = 0.35, .half_width = 0.4, .force = 0.4}, 9);
+  const std::vector<double> f = tikhonov_solve(coarse, 1e-6, readings);
+  CHECK_FALSE(DataJudge(coarse, bench.limits()).judge(readings, f).consistent());
+  CHECK(DataJudge(coarse, fine, bench.limits()).judge(readings, f).consistent());
+}
+
+TEST_CASE("a frame without a reading is consistent, one beyond doubles is not", "[data_verdict]") {
+  const Bench bench;
+  const InverseProblem p = bench.problem();
+  const std::vector<double> nothing(p.kernel.columns);
+  const DataJudge judge(p, {.noise_rms = bench.noise});
+  CHECK(judge.judge(std::vector<double>(21), nothing).consistent());
+  const double largest = std::numeric_limits<double>::max();
+  CHECK(judge.judge(std::vector<double>(21, largest), nothing).doubts == only(DataDoubt::misfit));
+}
+
+TEST_CASE("limits out of range and sizes that do not fit are refused", "[data_verdict]") {
+  const InverseProblem p = Bench{}.problem();
+  const auto refused = [&](const DataLimits& limits) {
+    CHECK_THROWS_AS(DataJudge(p, limits), std::invalid_argument);
+  };
+  refused({.noise_rms = 0.0});
+  refused({.noise_rms = std::numeric_limits<double>::infinity()});
+  refused({.friction_limit = -1.0});
+  refused({.largest_traction = 0.0});
+  refused({.largest_readings = {1.0}});
+  refused({.largest_readings = std::vector<double>(21)});
+  CHECK_THROWS_AS(DataJudge(p, Bench::two_tractions().problem(), {}), std::invalid_argument);
+  const DataJudge judge(p, {});
+  const std::vector<double> f(p.kernel.columns);
+  CHECK_THROWS_AS(judge.judge(std::vector<double>(20), f), std::invalid_argument);
+  CHECK_THROWS_AS(judge.judge(std::vector<double>(21), std::vector<double>(3)),
+                  std::invalid_argument);
+}
+
+TEST_CASE("doubts have names", "[data_verdict]") {
+  for (const DataDoubt doubt : {DataDoubt::implausible, DataDoubt::pulls, DataDoubt::bad_taxel,
+                                DataDoubt::offset, DataDoubt::misfit})
+    CHECK(data_doubt_named(name(doubt)) == doubt);
+  CHECK(name(DataDoubt::bad_taxel) == "bad_taxel");
+  CHECK_FALSE(data_doubt_named("ok"));
+}

@@ -1,0 +1,113 @@
+#include "tactile_net/lab/data_verdict.hpp"
+
+#include "tactile_net/lab/method.hpp"
+#include "tactile_net/lab/recording.hpp"
+#include "tactile_net/lab/repeating_taxels.hpp"
+#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/summary.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+Scene pressed() {
+  Scene scene;
+  scene.sensor = {.count = 15, .pitch = 1.0, .depths = {1.5}, .reads = {Quantity::stress_x}};
+  scene.contacts = {RigidContact{.center = 0.4, .half_width = 2.0, .force = 0.4}};
+  scene.forward = ForwardModel::exact;
+  scene.noise = NoiseModel{.rms = {{Quantity::stress_x, 1e-3}}};
+  scene.reconstruct.alpha = 1e-5;
+  scene.reconstruct.smoothing_length = 1.5;
+  scene.reconstruct.surface = {.basis = SurfaceBasis::hats};
+  return scene;
+}
+
+lab::FrameResult solved(const lab::SceneProblem& problem, const std::vector<double>& readings,
+                        std::vector<double>& f) {
+  const auto solver = lab::make_solver(problem, Method::tikhonov);
+  f.resize(solver->tractions());
+  lab::FrameResult result = solver->solve(readings, f);
+  result.data = lab::data_verdict(problem, readings, f);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a scene's own frame is consistent, and not with one taxel dead", "[data]") {
+  const lab::SceneProblem problem(pressed());
+  std::vector<double> readings = lab::simulate(problem.scene()).readings;
+  std::vector<double> f;
+  CHECK(solved(problem, readings, f).data->consistent());
+  readings[7] = 0.0;
+  const lab::FrameResult doubted = solved(problem, readings, f);
+  REQUIRE(doubted.data);
+  CHECK(doubted.data->taxel == 7);
+
+  lab::SolvedFrames frames;
+  frames.add(doubted);
+  CHECK(frames.doubted.at(DataDoubt::bad_taxel).count() == 1);
+  CHECK(frames.bad_taxels.at(7) == 1);
+  CHECK(frames.noise_known);
+
+  lab::Recording recording(problem, Method::tikhonov);
+  recording.add(0.0, problem, readings, f, doubted);
+  const lab::RecordingOverview overview = recording.overview();
+  CHECK(overview.doubted == 1);
+  CHECK(overview.doubts.at(DataDoubt::bad_taxel) == 1);
+  CHECK(overview.groups.front().doubted == 1);
+  CHECK(overview.groups.front().data->taxel == 7);
+}
+
+TEST_CASE("a taxel that is listed as dead is not asked", "[data]") {
+  Scene scene = pressed();
+  std::vector<double> readings = lab::simulate(scene).readings;
+  scene.dead_taxels = {7};
+  readings[7] = 0.0;
+  std::vector<double> f;
+  CHECK(solved(lab::SceneProblem(scene), readings, f).data->consistent());
+}
+
+TEST_CASE("limits are the scene's, whatever the quantity", "[data]") {
+  Scene scene = pressed();
+  scene.material.youngs_modulus = 7.0;
+  scene.sensor.reads = {Quantity::stress_x, Quantity::strain_x};
+  scene.noise = NoiseModel{.rms = {{Quantity::stress_x, 1e-3}, {Quantity::strain_x, 1e-4}},
+                           .weights_rows = true};
+  const DataLimits limits = lab::data_limits(lab::SceneProblem(scene));
+  CHECK(limits.noise_rms == 1.0);
+  CHECK(limits.largest_traction == 7.0);
+  REQUIRE(limits.largest_readings.size() == 30);
+  CHECK(limits.largest_readings.front() == 7.0);
+  CHECK(limits.largest_readings.back() == 1.0);
+  REQUIRE(limits.inner);
+  CHECK_THAT(limits.inner->first, WithinRel(-3.5, 1e-12));
+  CHECK_THAT(limits.inner->second, WithinRel(3.5, 1e-12));
+}
+
+TEST_CASE("a taxel that repeats while the others move is found, all of its channels", "[data]") {
+  const std::vector<std::size_t> dead = {0};
+  lab::RepeatingTaxels watch(8, 2, dead);
+  std::vector<double> readings(16);
+  const auto next = [&](double k) {
+    for (std::size_t i = 0; i < readings.size(); ++i)
+      if (i % 8 != 3 && i % 8 != 0) readings[i] = k + static_cast<double>(i);
+    watch.add(readings);
+  };
+  for (std::size_t k = 0; k < lab::RepeatingTaxels::least_repeats; ++k) {
+    next(static_cast<double>(k));
+    CHECK_FALSE(watch.first());
+  }
+  next(100.0);
+  CHECK(watch.first() == 3);
+  readings[11] += 1.0;  // its second channel
+  next(101.0);
+  CHECK_FALSE(watch.first());
+}
+
+TEST_CASE("frames that repeat as a whole show no single taxel", "[data]") {
+  lab::RepeatingTaxels watch(8, 1, {});
+  const std::vector<double> readings(8, 1.0);
+  for (int k = 0; k < 20; ++k) watch.add(readings);
+  CHECK_FALSE(watch.first());
+}
