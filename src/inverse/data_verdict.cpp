@@ -217,8 +217,9 @@ double DataJudge::Parts::limit(double taken) const {
 
 Freedom DataJudge::Parts::without(std::size_t taxel) const {
   std::vector<Eigen::Index> at;
-  for (std::size_t i = taxel; i < static_cast<std::size_t>(weights.size()); i += taxels)
-    if (const auto row = static_cast<Eigen::Index>(i); weights(row) > 0.0) at.push_back(row);
+  for (Eigen::Index row = 0; row < weights.size(); ++row)
+    if (sites[static_cast<std::size_t>(row)].taxel == taxel && weights(row) > 0.0)
+      at.push_back(row);
   Freedom freedom{.columns = Eigen::MatrixXd::Zero(weights.size(), std::ssize(at))};
   for (Eigen::Index j = 0; j < std::ssize(at); ++j)
     freedom.columns(at[static_cast<std::size_t>(j)], j) = 1.0;
