@@ -36,12 +36,11 @@ namespace tactile_net {
 
 class LoadWindows {
  public:
-  /// The whole surface, and windows from `narrowest` on, each width sqrt(2) times the one before, a
-  /// quarter of the width apart, with their middles between the first and the last taxel. So O(n)
-  /// windows; some ten times the decomposition of the whole surface.
+  /// The whole surface, and windows of up to six widths from `narrowest` on, each sqrt(2) times the
+  /// one before, a quarter of the width apart, with their middles between the first and the last
+  /// taxel: O(n) of them. As much as some ten decompositions of the whole problem.
   ///
-  /// @param narrowest  [m], > 0; three to four depths: what is narrower reads as if it were not, and
-  ///                   windows for it would only widen the bands
+  /// @param narrowest  [m], > 0; three to four depths: what is narrower reads as if it were not
   /// @throw std::invalid_argument  narrowest is not > 0 and finite
   LoadWindows(const InverseProblem& problem, double narrowest);
   ~LoadWindows();
