@@ -26,7 +26,7 @@ void RepeatingTaxels::add(std::span<const double> readings) {
   last_.assign(readings.begin(), readings.end());
 }
 
-std::optional<std::size_t> RepeatingTaxels::first() const noexcept {
+std::optional<std::size_t> RepeatingTaxels::first() const {
   std::vector<bool> all = living_;
   for (std::size_t i = 0; i < repeats_.size(); ++i)
     if (repeats_[i] < least_repeats) all[sites_[i].taxel] = false;

@@ -179,6 +179,6 @@ TEST_CASE("twice the surface has about twice the windows", "[load_windows]") {
                        3.0)
         .count();
   };
-  CHECK(count(33) > 1.5 * static_cast<double>(count(17)));
-  CHECK(count(33) < 2.5 * static_cast<double>(count(17)));
+  CHECK(2 * count(33) > 3 * count(17));
+  CHECK(2 * count(33) < 5 * count(17));
 }
