@@ -5,8 +5,8 @@
 // Quality: the error with each rule's alpha over that with the best of 200, for 400 contacts drawn
 // at random. Limits to hold: rgcv p95 1.2 and worst 1.5, ncp and discrepancy p95 1.35, gcv median
 // 1.05, and its disasters caught by the verdict.
-// The contest (alpha_contest.hpp): of white noise on one contact, for the default no frame above 3,
-// p95 1.2, worst 2.5. `bench_alpha page 4000` prints docs/internals/alpha.md.
+// The contest (alpha_contest.hpp): of white noise, on dense and on coarse arrays, for the default
+// no frame above 3, p95 1.2, worst 2.5. `bench_alpha page 4000` prints docs/internals/alpha.md.
 #include <Eigen/SVD>
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,6 @@
 /// @file
-/// The contest of rules for alpha: many frames of white noise on one contact, the error with each
-/// rule's alpha over that with the best.
+/// The contest of rules for alpha: many frames of white noise on one contact, or on many, the error
+/// with each rule's alpha over that with the best.
 #pragma once
 
 #include <cstddef>
@@ -10,20 +10,26 @@
 #include "tactile_net/elasticity/contact.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/sensing/array.hpp"
+#include "tactile_net/sensing/surface.hpp"
 
 namespace bench {
 
-/// One array, one contact, one size of noise.
+/// One array, its contacts, one size of noise.
 struct AlphaSetting {
   std::string array{};  ///< as the table names it
   std::string reads{};  ///< likewise
   double noise = 0.01;  ///< rms over the peak of each channel
   tactile_net::SensorArray sensor{};
   std::size_t unknowns = 1;
-  tactile_net::RigidContact contact{};
+  tactile_net::SurfaceBasis basis = tactile_net::SurfaceBasis::taxels;
+  std::vector<tactile_net::RigidContact> contacts{};  ///< frame after frame, from the first again
+
+  [[nodiscard]] bool is_coarse() const noexcept { return basis == tactile_net::SurfaceBasis::hats; }
 };
 
-/// 61 taxels at a third of their depth; four sets of readings, three sizes of noise.
+/// 61 taxels a third of their depth apart under one contact; 17 taxels their depth apart and 9
+/// twice that, with the tractions on a grid, under 400 contacts drawn at random. Four sets of
+/// readings, three sizes of noise.
 [[nodiscard]] std::vector<AlphaSetting> alpha_settings();
 
 /// How one rule did: errors over the best alpha's, ascending.

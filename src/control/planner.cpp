@@ -18,7 +18,7 @@ namespace {
 /// normal traction shows; a tangential traction turns round.
 Signs channel_signs(const InverseProblem& problem) {
   const auto kernel = as_eigen(problem.kernel);
-  const auto taxels = static_cast<Eigen::Index>(problem.taxels);
+  const auto taxels = static_cast<Eigen::Index>(line_length(problem));
   const auto values = static_cast<Eigen::Index>(problem.surface.count);
   Signs signs;
   for (Eigen::Index row = 0; row < kernel.rows(); row += taxels) {
@@ -35,7 +35,7 @@ bool is_symmetric(const Eigen::MatrixXd& kernel, const Signs& rows, const Signs&
 
 /// The weight of each channel, on all of its readings: dead taxels have rows of zeros anyway.
 Eigen::VectorXd channel_weights(const InverseProblem& problem) {
-  const auto n = static_cast<Eigen::Index>(problem.taxels);
+  const auto n = static_cast<Eigen::Index>(line_length(problem));
   Eigen::VectorXd weights = as_eigen(std::span(problem.weights));
   for (Eigen::Index row = 0; row < weights.size(); row += n) {
     const double largest = weights.segment(row, n).maxCoeff();
@@ -70,7 +70,7 @@ std::vector<double> raw_baseline(const Calibration& calibration) {
 
 /// A convolution takes a line of values to one of as many.
 bool can_be_convolution(const InverseProblem& problem) {
-  return problem.surface.count == problem.taxels;
+  return problem.surface.count == problem.taxels && problem.surface.stride == 1;
 }
 
 /// M W^-1: from weighted readings to tractions.
@@ -154,7 +154,7 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
         "structure fft needs the tractions at the taxels: surface = \"taxels\"");
 
   ProductTask task = reconstruction_task(problem, tikhonov(problem, alpha), options);
-  if (options.calibration) take_raw(task, *options.calibration, problem.taxels);
+  if (options.calibration) take_raw(task, *options.calibration, line_length(problem));
   PlannedProduct reconstruction = plan_product(task);
   PlannedEstimator planned{.candidates = std::move(reconstruction.candidates),
                            .asymmetry = reconstruction.asymmetry,
@@ -162,7 +162,10 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
   EstimatorPlan& plan = planned.plan;
   plan.label = options.label;
   plan.count = problem.taxels;
-  plan.channels = problem.kernel.rows / problem.taxels;
+  plan.channels = problem.sites.back().channel + 1;
+  if (plan.readings() != problem.sites.size() || line_length(problem) != problem.taxels)
+    for (const Site& site : problem.sites)
+      plan.taxels.push_back(static_cast<std::uint32_t>(site.taxel));
   plan.unknowns = problem.unknowns;
   plan.values = problem.surface.count;
   plan.spacing = problem.surface.spacing;

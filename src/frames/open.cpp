@@ -15,10 +15,10 @@ namespace {
 
 /// Which columns hold readings of dead taxels.
 std::vector<bool> unread_columns(const Scene& scene) {
-  std::vector<bool> unread(reading_count(scene.sensor));
-  for (std::size_t i = 0; i < unread.size(); ++i)
-    for (const std::size_t taxel : scene.dead_taxels)
-      if (i % scene.sensor.count == taxel) unread[i] = true;
+  std::vector<bool> unread;
+  for (const Site& site : sites(scene.sensor))
+    unread.push_back(std::find(scene.dead_taxels.begin(), scene.dead_taxels.end(), site.taxel) !=
+                     scene.dead_taxels.end());
   return unread;
 }
 

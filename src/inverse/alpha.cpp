@@ -60,7 +60,7 @@ const AlphaChoice& AlphaSweep::choice(AlphaRule rule) const {
 }
 
 AlphaSweep sweep_alpha(const FilterFrame& frame, std::optional<double> noise_rms) {
-  return sweep_alpha(frame, AlphaTables(frame.gamma, frame.rows), noise_rms);
+  return sweep_alpha(frame, AlphaTables(frame.gamma, frame.rows, frame.shares), noise_rms);
 }
 
 AlphaSweep sweep_alpha(const FilterFrame& frame, const AlphaTables& made,
@@ -93,7 +93,7 @@ AlphaSweep sweep_alpha(const FilterFrame& frame, const AlphaTables& made,
 
 AlphaChoice choose_alone(const FilterFrame& frame, AlphaRule rule,
                          std::optional<double> noise_rms) {
-  return choose_alone(frame, AlphaTables(frame.gamma, frame.rows), rule, noise_rms);
+  return choose_alone(frame, AlphaTables(frame.gamma, frame.rows, frame.shares), rule, noise_rms);
 }
 
 AlphaChoice choose_alone(const FilterFrame& frame, const AlphaTables& tables, AlphaRule rule,

@@ -33,11 +33,13 @@ Number curvature(const Number& alpha, const Number& eta, const Number& rho, cons
 Criteria::Criteria(const FilterFrame& frame, const AlphaTables::Parts& tables,
                    std::optional<double> noise_rms)
     : frame_(frame), tables_(tables), rows_(static_cast<double>(frame.rows)) {
-  if (frame.gamma != tables.gamma || frame.rows != tables.rows)
+  if (frame.gamma != tables.gamma || frame.shares != tables.shares || frame.rows != tables.rows)
     throw std::invalid_argument("the tables for alpha are of another family than the frame");
   if (noise_rms && !(*noise_rms >= 0.0)) throw std::invalid_argument("noise_rms must be >= 0");
   if (noise_rms && frame.scale > 0.0) noise_ = *noise_rms / frame.scale;
-  for (const double beta : frame.beta) power_of_.push_back(beta * beta);
+  power_of_ = frame.powers;
+  if (power_of_.empty())
+    for (const double beta : frame.beta) power_of_.push_back(beta * beta);
   left_.resize(frame.beta.size());
   change_.resize(frame.beta.size());
   if (frame.periodogram) {
@@ -112,11 +114,12 @@ double Criteria::zero_from_sums(AlphaRule rule, double log_alpha) const {
     residual_slope += 2.0 * kept * lost * lost * power;
     fit += lost * power;
     fit_slope += kept * lost * power;
-    traces.kept += kept;
-    if (square > 0.0) traces.left += lost;
-    traces.square += kept * kept;
-    trace_slope -= kept * lost;
-    square_slope -= 2.0 * kept * kept * lost;
+    const double share = tables_.share(i);
+    traces.kept += share * kept;
+    if (square > 0.0) traces.left += share * lost;
+    traces.square += share * kept * kept;
+    trace_slope -= share * kept * lost;
+    square_slope -= 2.0 * share * kept * kept * lost;
   }
   const double rho_slope = residual_slope / residual;
   switch (rule) {
@@ -217,10 +220,10 @@ double Criteria::difference(double log_a, double log_b) const {
   double size = 0.0;
   for (std::size_t i = 0; i < tables_.relative.size(); ++i) {
     const double g = tables_.relative[i];
-    const double a = g / (g * g + alpha_a) * frame_.beta[i];
-    const double b = g / (g * g + alpha_b) * frame_.beta[i];
-    apart += (a - b) * (a - b);
-    size += b * b;
+    const double a = g / (g * g + alpha_a);
+    const double b = g / (g * g + alpha_b);
+    apart += (a - b) * (a - b) * power_of_[i];
+    size += b * b * power_of_[i];
   }
   return std::sqrt(apart / size);
 }

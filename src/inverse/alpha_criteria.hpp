@@ -36,15 +36,21 @@ struct Traces {
 
 /// Everything relative to gamma's largest value; a row per step of alpha.
 struct AlphaTables::Parts {
-  /// @throw std::invalid_argument  there is no component
-  Parts(std::span<const double> all_gamma, std::size_t all_rows);
+  /// @throw std::invalid_argument  as `AlphaTables`
+  Parts(std::span<const double> all_gamma, std::size_t all_rows,
+        std::span<const double> all_shares);
 
   /// log alpha of a step.
   [[nodiscard]] double at(std::size_t step) const noexcept;
   [[nodiscard]] double alpha(double log_alpha) const noexcept;
   [[nodiscard]] Traces traces(double log_alpha) const noexcept;
+  /// Of component i in a trace.
+  [[nodiscard]] double share(std::size_t i) const noexcept {
+    return shares.empty() ? 1.0 : shares[i];
+  }
 
   std::vector<double> gamma{};     ///< as given
+  std::vector<double> shares{};    ///< as given
   std::vector<double> relative{};  ///< over the largest; 0 for those that outnumber the rows
   std::size_t rows = 0;
   double largest = 0.0;

@@ -29,9 +29,15 @@ double AlphaTables::Parts::alpha(double log_alpha) const noexcept {
   return root * root;
 }
 
-AlphaTables::Parts::Parts(std::span<const double> all_gamma, std::size_t all_rows)
-    : gamma(all_gamma.begin(), all_gamma.end()), relative(gamma.size()), rows(all_rows) {
+AlphaTables::Parts::Parts(std::span<const double> all_gamma, std::size_t all_rows,
+                          std::span<const double> all_shares)
+    : gamma(all_gamma.begin(), all_gamma.end()),
+      shares(all_shares.begin(), all_shares.end()),
+      relative(gamma.size()),
+      rows(all_rows) {
   if (gamma.empty()) throw std::invalid_argument("a frame without components");
+  if (!shares.empty() && shares.size() != gamma.size())
+    throw std::invalid_argument("a frame needs a share for every component, or none");
 
   // Components beyond the number of rows show in no reading, whatever rounding made of them.
   std::vector<std::size_t> order(gamma.size());
@@ -39,14 +45,15 @@ AlphaTables::Parts::Parts(std::span<const double> all_gamma, std::size_t all_row
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return gamma[a] > gamma[b]; });
   largest = gamma[order.front()];
-  order.resize(std::min(rows, order.size()));
+  if (shares.empty()) order.resize(std::min(rows, order.size()));
   double smallest = 0.0;
   unexplained = static_cast<double>(rows);
   for (const std::size_t i : order) {
     if (!(gamma[i] > 0.0)) break;
     relative[i] = smallest = gamma[i] / largest;
-    unexplained -= 1.0;
+    unexplained -= share(i);
   }
+  if (unexplained < 1e-9 * static_cast<double>(rows)) unexplained = 0.0;  // shares are rounded
 
   const double floor = std::min(resolution * static_cast<double>(std::max<std::size_t>(rows, 1)) *
                                     std::numeric_limits<double>::epsilon(),
@@ -65,14 +72,15 @@ AlphaTables::Parts::Parts(std::span<const double> all_gamma, std::size_t all_row
 Traces AlphaTables::Parts::traces(double log_alpha) const noexcept {
   const double alpha = std::exp(log_alpha);
   Traces sums{.left = unexplained};
-  for (const double one : relative) {
+  for (std::size_t i = 0; i < relative.size(); ++i) {
+    const double one = relative[i];
     if (one == 0.0) continue;
     const double kept = one * one / (one * one + alpha);
     const double left = alpha / (one * one + alpha);
-    sums.kept += kept;
-    sums.left += left;
-    sums.square += kept * kept;
-    sums.log_determinant += std::log(left);
+    sums.kept += share(i) * kept;
+    sums.left += share(i) * left;
+    sums.square += share(i) * kept * kept;
+    sums.log_determinant += share(i) * std::log(left);
   }
   return sums;
 }
@@ -105,8 +113,9 @@ void AlphaTables::Parts::fill() {
   }
 }
 
-AlphaTables::AlphaTables(std::span<const double> gamma, std::size_t rows)
-    : parts_(std::make_unique<const Parts>(gamma, rows)) {}
+AlphaTables::AlphaTables(std::span<const double> gamma, std::size_t rows,
+                         std::span<const double> shares)
+    : parts_(std::make_unique<const Parts>(gamma, rows, shares)) {}
 bool AlphaTables::few_rows() const noexcept { return parts_->few_rows; }
 
 AlphaRule default_rule(const AlphaTables& tables, bool noise_known) noexcept {

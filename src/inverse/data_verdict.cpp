@@ -93,6 +93,7 @@ struct DataJudge::Parts {
 
   DataLimits limits;
   double unit;  // of all that is weighted: the noise, where it is known
+  std::vector<Site> sites;
   std::size_t taxels, values;
   std::ptrdiff_t components;  // normal, or the tangential one too
   Eigen::VectorXd weights;
@@ -109,6 +110,7 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
                         DataLimits given)
     : limits(std::move(given)),
       unit(limits.noise_rms.value_or(1.0)),
+      sites(problem.sites),
       taxels(problem.taxels),
       values(problem.surface.count),
       components(static_cast<std::ptrdiff_t>(problem.unknowns)),
@@ -143,7 +145,8 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
   for (std::size_t i = 0; i < problem.weights.size(); ++i) {
     if (problem.weights[i] == 0.0) continue;
     rows += 1.0;
-    if (channels.empty() || channels.back() != i / taxels) channels.push_back(i / taxels);
+    const std::size_t channel = sites[i].channel;
+    if (channels.empty() || channels.back() != channel) channels.push_back(channel);
   }
   most = limit(0.0);
 }
@@ -214,8 +217,9 @@ double DataJudge::Parts::limit(double taken) const {
 
 Freedom DataJudge::Parts::without(std::size_t taxel) const {
   std::vector<Eigen::Index> at;
-  for (std::size_t i = taxel; i < static_cast<std::size_t>(weights.size()); i += taxels)
-    if (const auto row = static_cast<Eigen::Index>(i); weights(row) > 0.0) at.push_back(row);
+  for (Eigen::Index row = 0; row < weights.size(); ++row)
+    if (sites[static_cast<std::size_t>(row)].taxel == taxel && weights(row) > 0.0)
+      at.push_back(row);
   Freedom freedom{.columns = Eigen::MatrixXd::Zero(weights.size(), std::ssize(at))};
   for (Eigen::Index j = 0; j < std::ssize(at); ++j)
     freedom.columns(at[static_cast<std::size_t>(j)], j) = 1.0;
@@ -224,10 +228,11 @@ Freedom DataJudge::Parts::without(std::size_t taxel) const {
 
 Freedom DataJudge::Parts::constant_in_each_channel() const {
   Freedom freedom{.columns = Eigen::MatrixXd::Zero(weights.size(), std::ssize(channels))};
-  const auto n = static_cast<Eigen::Index>(taxels);
   for (Eigen::Index j = 0; j < freedom.columns.cols(); ++j) {
-    const auto first = static_cast<Eigen::Index>(channels[static_cast<std::size_t>(j)]) * n;
-    freedom.columns.col(j).segment(first, n) = weights.segment(first, n).normalized();
+    for (Eigen::Index i = 0; i < weights.size(); ++i)
+      if (sites[static_cast<std::size_t>(i)].channel == channels[static_cast<std::size_t>(j)])
+        freedom.columns(i, j) = weights(i);
+    freedom.columns.col(j).normalize();
   }
   return freedom;
 }
@@ -236,7 +241,7 @@ Freedom DataJudge::Parts::constant_in_each_channel() const {
 std::vector<std::size_t> DataJudge::Parts::suspects(const Eigen::VectorXd& residual) const {
   std::vector<double> squares(taxels);
   for (std::size_t i = 0; i < static_cast<std::size_t>(residual.size()); ++i)
-    squares[i % taxels] += std::pow(residual(static_cast<Eigen::Index>(i)), 2);
+    squares[sites[i].taxel] += std::pow(residual(static_cast<Eigen::Index>(i)), 2);
   std::vector<std::size_t> order(taxels);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -248,10 +253,11 @@ std::vector<std::size_t> DataJudge::Parts::suspects(const Eigen::VectorXd& resid
 void DataJudge::Parts::take_offset(const Eigen::VectorXd& allowance, const Freedom& freedom,
                                    DataVerdict& verdict) const {
   verdict.doubts.push_back(DataDoubt::offset);
-  verdict.offset.assign(static_cast<std::size_t>(weights.size()) / taxels, 0.0);
+  verdict.offset.assign(sites.back().channel + 1, 0.0);
   for (std::size_t k = 0; k < channels.size(); ++k) {
-    auto live = static_cast<Eigen::Index>(channels[k] * taxels);
-    while (weights(live) == 0.0) ++live;
+    Eigen::Index live = 0;
+    while (sites[static_cast<std::size_t>(live)].channel != channels[k] || weights(live) == 0.0)
+      ++live;
     const auto j = static_cast<Eigen::Index>(k);
     verdict.offset[channels[k]] = allowance(j) * freedom.columns(live, j) / weights(live);
   }

@@ -64,6 +64,7 @@ DftInverse& DftInverse::operator=(DftInverse&&) noexcept = default;
 
 DftInverse::DftInverse(const SensorArray& array, const Material& material, double gain_limit) {
   check(array);
+  require_even(array, "dft");
   check(material);
   if (!(gain_limit >= 1.0)) throw std::invalid_argument("the noise gain's limit must be >= 1");
   if (channel_count(array) != 1)

@@ -103,6 +103,7 @@ DftTikhonov& DftTikhonov::operator=(DftTikhonov&&) noexcept = default;
 DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
                          const ProblemOptions& options) {
   check(array, material, options);
+  require_even(array, "the Fourier basis");
   if (!options.dead_taxels.empty())
     throw std::invalid_argument("dft takes a dead taxel's zero for a reading: use tikhonov");
   require_at_taxels(options.surface);

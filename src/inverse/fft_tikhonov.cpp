@@ -171,6 +171,7 @@ FftTikhonov& FftTikhonov::operator=(FftTikhonov&&) noexcept = default;
 FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
                          const ProblemOptions& options, double alpha) {
   check(array, material, options);
+  require_even(array, "conjugate gradients by FFT");
   const Surface surface = surface_of(array, options.surface);
   const std::size_t n = surface.count;
   const std::vector<Channel> all = channels(array);
@@ -313,6 +314,45 @@ FrameStatus FftTikhonov::solve(std::span<const double> readings, std::span<doubl
   if (!all_finite(p.f)) return FrameStatus::too_large;
   std::copy(p.f.begin(), p.f.end(), tractions.begin());
   return FrameStatus::ok;
+}
+
+std::vector<double> FftTikhonov::solve_normal(std::span<const double> right) {
+  Plan& p = *plan_;
+  std::vector<double> x(right.size());
+  std::copy(right.begin(), right.end(), p.gradient.begin());
+  p.precondition(p.gradient, p.preconditioned);
+  p.direction = p.preconditioned;
+  double power = dot(p.gradient, p.preconditioned);
+  const double enough = 1e-20 * dot(right, right);
+  for (std::size_t steps = 0; steps < 1000 && dot(p.gradient, p.gradient) > enough; ++steps) {
+    p.apply(p.direction, p.image);
+    const double step = power / dot(p.image, p.image);
+    if (!std::isfinite(step)) break;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += step * p.direction[i];
+    p.apply_transposed(p.image, p.preconditioned);  // P times the direction
+    for (std::size_t i = 0; i < x.size(); ++i) p.gradient[i] -= step * p.preconditioned[i];
+    p.precondition(p.gradient, p.preconditioned);
+    const double next = dot(p.gradient, p.preconditioned);
+    const double turn = next / power;
+    power = next;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      p.direction[i] = p.preconditioned[i] + turn * p.direction[i];
+  }
+  return x;
+}
+
+std::vector<double> FftTikhonov::stacked_product(std::span<const double> tractions) {
+  std::vector<double> product(plan_->image.size());
+  plan_->apply(tractions, product);
+  return product;
+}
+
+double FftTikhonov::residual(std::span<const double> readings, std::span<const double> tractions) {
+  const std::vector<double> product = stacked_product(tractions);
+  double size = 0.0;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    size = std::hypot(size, product[i] - plan_->weights[i] * readings[i]);
+  return size;
 }
 
 const Convergence& FftTikhonov::convergence() const noexcept { return plan_->convergence; }

@@ -160,13 +160,24 @@ Eigen::MatrixXd tall(const Matrix& kernel) {
   return result;
 }
 
+/// Where W K's singular values end to count.
+double floor_of(const InverseProblem& problem, double largest) {
+  const auto size = static_cast<double>(std::max(problem.kernel.rows, problem.kernel.columns));
+  return std::max(size * epsilon * largest, problem.kernel_error);
+}
+
+/// Whether some tractions show in no reading: by singular values alone, a third of the work.
+bool hides(const InverseProblem& problem) {
+  if (problem.kernel.rows < problem.kernel.columns) return true;
+  const Eigen::VectorXd s = singular_values(as_eigen(problem.kernel));
+  return !(s(s.size() - 1) > floor_of(problem, s(0)));
+}
+
 /// W K = U S V', and where its singular values end to count.
 struct Decomposition {
   explicit Decomposition(const InverseProblem& problem)
       : svd(singular_value_decomposition(tall(problem.kernel))),
-        floor(std::max(static_cast<double>(std::max(problem.kernel.rows, problem.kernel.columns)) *
-                           epsilon * svd.values(0),
-                       problem.kernel_error)),
+        floor(floor_of(problem, svd.values(0))),
         rank((svd.values.array() > floor).count()) {}
 
   /// The vectors of those at or below `floor`.
@@ -202,12 +213,26 @@ Identifiability identifiability(const InverseProblem& problem) {
 }
 
 ModeSpace hidden_modes(const InverseProblem& problem) {
+  if (!hides(problem)) return {};
   const Decomposition decomposition(problem);
-  if (decomposition.null_basis().cols() == 0) return {};
   return Describer(problem).describe_space(decomposition.null_basis(), 1);
 }
 
+ModeSpace hidden_modes(const InverseProblem& problem, const TikhonovFamily& family) {
+  // K = U diag(gamma) V' R, and R's singular values lie between sqrt(h/D) and that times the
+  // condition of L.
+  const std::span<const double> gamma = family.singular_values();
+  const double least = std::sqrt(problem.surface.area);
+  const double ratio = problem.smoothing_length / problem.surface.spacing;
+  const double most = least * std::sqrt(1.0 + 5.0 * ratio * ratio);
+  if (problem.kernel.rows >= problem.kernel.columns &&
+      gamma.back() * least > 2.0 * floor_of(problem, gamma.front() * most))
+    return {};
+  return hidden_modes(problem);
+}
+
 std::size_t lost_by_symmetry(const SensorArray& array, std::size_t unknowns) {
+  if (!is_even(array)) return 0;
   const std::size_t even = (array.count + 1) / 2;  // dimension of the even vectors
   const std::size_t odd = array.count / 2;
   std::size_t lost = 0;

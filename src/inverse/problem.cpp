@@ -2,15 +2,72 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "inverse/checks.hpp"
 #include "inverse/stabiliser.hpp"
 #include "numeric/eigen.hpp"
+#include "tactile_net/elasticity/hat_kernel.hpp"
 #include "tactile_net/sensing/surface_kernel.hpp"
 
 namespace tactile_net {
+namespace {
+
+std::vector<bool> dead_places(const SensorArray& array, const ProblemOptions& options) {
+  std::vector<bool> dead(array.count);
+  for (const std::size_t taxel : options.dead_taxels) dead[taxel] = true;
+  return dead;
+}
+
+/// Of even taxels, which lie on values' places: every block of K is a Toeplitz matrix.
+void add_lags(const SensorArray& array, const Material& material, const ProblemOptions& options,
+              InverseProblem& problem) {
+  const Surface& surface = problem.surface;
+  const std::size_t n = surface.count;
+  for (std::size_t c = 0; const Channel& channel : channels(array)) {
+    const double weight = options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[c];
+    ++c;
+    for (std::size_t u = 0; u < problem.unknowns; ++u) {
+      const SurfaceKernel kernel =
+          surface_kernel(channel, traction_components[u], material, surface);
+      problem.kernel_error = std::hypot(problem.kernel_error, weight * kernel.error);
+      for (std::size_t i = 0; i < channel.count; ++i) {
+        const std::size_t row = channel.first + i;
+        const std::size_t at = surface.margin + i * surface.stride;
+        for (std::size_t j = 0; j < n; ++j)
+          problem.kernel(row, u * n + j) = problem.weights[row] * kernel.lags[at + n - 1 - j];
+      }
+    }
+  }
+}
+
+/// Of taxels anywhere: entry by entry.
+void add_hats(const Material& material, InverseProblem& problem) {
+  const Surface& surface = problem.surface;
+  const std::size_t n = surface.count;
+  std::map<std::tuple<Quantity, std::size_t, double>, HatKernel> made;  // by unknown and depth too
+  for (std::size_t row = 0; row < problem.sites.size(); ++row) {
+    const Site& site = problem.sites[row];
+    for (std::size_t u = 0; u < problem.unknowns; ++u) {
+      const auto [kernel, is_new] =
+          made.try_emplace({site.quantity, u, site.depth}, site.quantity, traction_components[u],
+                           material, site.depth, surface.spacing);
+      for (std::size_t j = 0; j < n; ++j) {
+        const double distance = site.y - surface.position(j);
+        const double weight = problem.weights[row];
+        problem.kernel(row, u * n + j) = weight * kernel->second(distance);
+        problem.kernel_error =
+            std::hypot(problem.kernel_error, weight * kernel->second.error_bound(distance));
+      }
+    }
+  }
+}
+
+}  // namespace
+
 void check(const SensorArray& array, const Material& material, const ProblemOptions& options) {
   check(array);
   check(material);
@@ -43,41 +100,37 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
                             const ProblemOptions& options) {
   check(array, material, options);
 
-  const Surface surface = surface_of(array, options.surface);
-  const std::size_t taxels = array.count;
-  const std::size_t n = surface.count;
-  const std::vector<Channel> all = channels(array);
-  const std::size_t rows = all.size() * taxels;
-  const std::size_t columns = options.unknowns * n;
-  InverseProblem problem{.kernel = {rows, columns, std::vector<double>(rows * columns)},
-                         .weights = std::vector<double>(rows, 1.0),
-                         .taxels = taxels,
+  InverseProblem problem{.sites = sites(array),
+                         .taxels = array.count,
                          .unknowns = options.unknowns,
-                         .surface = surface,
+                         .surface = surface_of(array, options.surface),
                          .smoothing_length = options.smoothing_length};
-
-  for (std::size_t c = 0; c < all.size(); ++c) {
-    const auto row_weights = std::span(problem.weights).subspan(c * taxels, taxels);
-    if (!options.channel_rms.empty())
-      std::fill(row_weights.begin(), row_weights.end(), 1.0 / options.channel_rms[c]);
-    for (const std::size_t taxel : options.dead_taxels) row_weights[taxel] = 0.0;
-
-    for (std::size_t u = 0; u < options.unknowns; ++u) {
-      const Traction component = traction_components[u];
-      const SurfaceKernel kernel = surface_kernel(all[c], component, material, surface);
-      const double weight = options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[c];
-      problem.kernel_error = std::hypot(problem.kernel_error, weight * kernel.error);
-      for (std::size_t i = 0; i < taxels; ++i) {
-        const std::size_t at = surface.margin + i * surface.stride;
-        for (std::size_t j = 0; j < n; ++j)
-          problem.kernel(c * taxels + i, u * n + j) = row_weights[i] * kernel.lags[at + n - 1 - j];
-      }
-    }
-  }
+  const std::vector<bool> dead = dead_places(array, options);
+  for (const Site& site : problem.sites)
+    problem.weights.push_back(dead[site.taxel] ? 0.0
+                              : options.channel_rms.empty()
+                                  ? 1.0
+                                  : 1.0 / options.channel_rms[site.channel]);
   const auto is_zero = [](double weight) { return weight == 0.0; };
   if (std::all_of(problem.weights.begin(), problem.weights.end(), is_zero))
     throw std::invalid_argument("every taxel is dead: nothing is measured");
+
+  const std::size_t n = problem.surface.count;
+  problem.kernel = Matrix{problem.sites.size(), options.unknowns * n,
+                          std::vector<double>(problem.sites.size() * options.unknowns * n)};
+  if (is_even(array))
+    add_lags(array, material, options, problem);
+  else
+    add_hats(material, problem);
   return problem;
+}
+
+std::size_t line_length(const InverseProblem& problem) {
+  std::vector<std::size_t> lengths(problem.sites.back().channel + 1);
+  for (const Site& site : problem.sites) ++lengths[site.channel];
+  const bool alike = std::all_of(lengths.begin(), lengths.end(),
+                                 [&](std::size_t one) { return one == lengths.front(); });
+  return alike ? lengths.front() : problem.sites.size();
 }
 
 Matrix normal_matrix(const InverseProblem& problem, double alpha) {

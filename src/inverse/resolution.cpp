@@ -43,19 +43,43 @@ Gains gains(std::span<const Complex> normal, std::span<const Complex> tangential
   return {.normal = 1.0 / (n * s), .tangential = 1.0 / (t * s)};
 }
 
+/// A quantity read at one depth, and what a response of it counts for.
+struct Row {
+  Quantity quantity;
+  double depth;
+  double weight;
+};
+
+/// Of an even array its channels. Of an uneven one every reading, as a `count`-th of a taxel: what
+/// a wave gives to all of them on average.
+std::vector<Row> rows_of(const SensorArray& array, const ProblemOptions& options) {
+  const auto weight = [&](std::size_t channel) {
+    return options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[channel];
+  };
+  std::vector<Row> rows;
+  if (is_even(array)) {
+    for (const Channel& channel : channels(array))
+      rows.push_back({channel.quantity, channel.depth, weight(rows.size())});
+    return rows;
+  }
+  const double share = 1.0 / std::sqrt(static_cast<double>(array.count));
+  for (const Site& site : sites(array))
+    rows.push_back({site.quantity, site.depth, share * weight(site.channel)});
+  return rows;
+}
+
 std::vector<Complex> columns_of(const SensorArray& array, const Material& material,
                                 const ProblemOptions& options, double wavenumber, bool on_grid) {
-  const std::vector<Channel> all = channels(array);
+  const std::vector<Row> rows = rows_of(array, options);
   std::vector<Complex> columns;  // one after the other
   for (std::size_t u = 0; u < options.unknowns; ++u)
-    for (std::size_t c = 0; c < all.size(); ++c) {
+    for (const Row& row : rows) {
       const Traction component = traction_components[u];
-      const bool odd = is_odd(all[c].quantity, component);
-      const double rms = options.channel_rms.empty() ? 1.0 : options.channel_rms[c];
-      columns.push_back(odd && on_grid ? 0.0
-                                       : pad_transform(all[c].quantity, component, material,
-                                                       all[c].depth, wavenumber) /
-                                             rms);
+      const bool odd = is_odd(row.quantity, component);
+      columns.push_back(odd && on_grid
+                            ? 0.0
+                            : row.weight * pad_transform(row.quantity, component, material,
+                                                         row.depth, wavenumber));
     }
   return columns;
 }

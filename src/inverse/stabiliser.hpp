@@ -39,6 +39,27 @@ namespace tactile_net {
   return l;
 }
 
+/// The triangle R of L's QR, upper bidiagonal: R'R = L'L. Its pivots are sums of positive numbers,
+/// so that the squares lose nothing.
+[[nodiscard]] inline Eigen::MatrixXd stabiliser_triangle(const InverseProblem& problem) {
+  const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
+  const auto block = static_cast<Eigen::Index>(problem.surface.count);
+  const double ratio = problem.smoothing_length / problem.surface.spacing;
+  const double coupling = problem.surface.area * ratio * ratio;
+  const Eigen::VectorXd sizes = stabiliser_sizes(problem);
+  Eigen::MatrixXd r = Eigen::MatrixXd::Zero(n, n);
+  double passed_on = 0.0;  // by elimination, from the left neighbour
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double own = sizes(i % block) * sizes(i % block) + passed_on;
+    const bool last = i % block + 1 == block;
+    const double pivot = last ? own : own + coupling;
+    r(i, i) = std::sqrt(pivot);
+    passed_on = last ? 0.0 : coupling * (own / pivot);
+    if (!last) r(i, i + 1) = -coupling / r(i, i);
+  }
+  return r;
+}
+
 /// |L f|_2^2.
 [[nodiscard]] inline double stabiliser_square(const InverseProblem& problem,
                                               const Eigen::Ref<const Eigen::VectorXd>& f) {

@@ -5,20 +5,24 @@
 #include <Eigen/Core>
 #include <utility>
 
+#include "inverse/stabiliser.hpp"
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 
 /// Generalised singular values and vectors of (K, L): with the triangle R of a QR of L, whose
 /// columns are independent and well conditioned, K R^-1 = U diag(gamma) V'. Nothing is squared.
 struct StandardForm {
-  StandardForm(const Eigen::MatrixXd& k, const Eigen::MatrixXd& l)
-      : triangle(HouseholderQr(l).triangle()) {
+  /// @param r  the triangle of L
+  StandardForm(const Eigen::MatrixXd& k, Eigen::MatrixXd r) : triangle(std::move(r)) {
     Svd svd = singular_value_decomposition(divide_upper(k, triangle));
     u = std::move(svd.u);
     v = std::move(svd.v);
     gamma = std::move(svd.values);
   }
+  explicit StandardForm(const InverseProblem& problem)
+      : StandardForm(as_eigen(problem.kernel), stabiliser_triangle(problem)) {}
 
   /// R^-1 V y: from components to tractions.
   template <class Components>

@@ -7,11 +7,26 @@
 #include <string>
 
 #include "inverse/checks.hpp"
+#include "inverse/family_factors.hpp"
 #include "inverse/stacked.hpp"
-#include "inverse/standard_form.hpp"
 
 namespace tactile_net {
 namespace {
+
+/// Cosines and sines of the frequencies 1 ... count / 2, for every channel.
+Eigen::MatrixXd fourier_rows(Eigen::Index count, Eigen::Index channels) {
+  const Eigen::Index bins = count / 2;
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2 * bins * channels, count * channels);
+  for (Eigen::Index k = 0; k < bins; ++k)
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double turn = static_cast<double>((k + 1) * i % count) / static_cast<double>(count);
+      for (Eigen::Index c = 0; c < channels; ++c) {
+        rows(2 * bins * c + k, count * c + i) = std::cos(2.0 * std::numbers::pi * turn);
+        rows(2 * bins * c + bins + k, count * c + i) = std::sin(2.0 * std::numbers::pi * turn);
+      }
+    }
+  return rows;
+}
 
 /// Of readings in the space of rows: a matrix-vector product per alpha.
 class DensePeriodogram final : public ResidualPeriodogram {
@@ -54,44 +69,20 @@ class DensePeriodogram final : public ResidualPeriodogram {
   std::size_t bins_;
 };
 
-/// Cosines and sines of the frequencies 1 ... count / 2, for every channel.
-Eigen::MatrixXd fourier_rows(Eigen::Index count, Eigen::Index channels) {
-  const Eigen::Index bins = count / 2;
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2 * bins * channels, count * channels);
-  for (Eigen::Index k = 0; k < bins; ++k)
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const double turn = static_cast<double>((k + 1) * i % count) / static_cast<double>(count);
-      for (Eigen::Index c = 0; c < channels; ++c) {
-        rows(2 * bins * c + k, count * c + i) = std::cos(2.0 * std::numbers::pi * turn);
-        rows(2 * bins * c + bins + k, count * c + i) = std::sin(2.0 * std::numbers::pi * turn);
-      }
-    }
-  return rows;
-}
-
 }  // namespace
 
-struct TikhonovFamily::Factors {
-  explicit Factors(const InverseProblem& problem)
-      : taxels(problem.taxels),
-        weights(as_eigen(std::span(problem.weights))),
-        stabiliser_condition(
-            std::hypot(1.0, 2.0 * problem.smoothing_length / problem.surface.spacing)),
-        form(as_eigen(problem.kernel), stabiliser(problem)),
-        gamma(form.gamma.begin(), form.gamma.end()) {
-    const auto block = static_cast<Eigen::Index>(taxels);
-    fourier = fourier_rows(block, form.u.rows() / block);
-    spectra = std::make_shared<const Eigen::MatrixXd>(fourier * form.u);
-  }
-
-  std::size_t taxels;
-  Eigen::VectorXd weights;
-  double stabiliser_condition;  // of L, at most
-  StandardForm form;
-  std::vector<double> gamma;
-  Eigen::MatrixXd fourier;                         // cosines, then sines, channel by channel
-  std::shared_ptr<const Eigen::MatrixXd> spectra;  // of u's columns
-};
+TikhonovFamily::Factors::Factors(const InverseProblem& problem)
+    : line(line_length(problem)),
+      weights(as_eigen(std::span(problem.weights))),
+      stabiliser_condition(
+          std::hypot(1.0, 2.0 * problem.smoothing_length / problem.surface.spacing)),
+      form(problem),
+      gamma(form.gamma.begin(), form.gamma.end()) {
+  // Noise is white in any order of the readings.
+  const auto length = static_cast<Eigen::Index>(line);
+  fourier = fourier_rows(length, form.u.rows() / length);
+  spectra = std::make_shared<const Eigen::MatrixXd>(fourier * form.u);
+}
 
 TikhonovFamily::TikhonovFamily(const InverseProblem& problem)
     : factors_(std::make_unique<const Factors>(problem)) {}
@@ -127,8 +118,29 @@ FilterFrame TikhonovFamily::analyse(std::span<const double> readings) const {
   g -= factors.form.u * beta;
   frame.outside = g.norm();
   frame.periodogram = std::make_shared<DensePeriodogram>(
-      factors.spectra, Eigen::VectorXd(factors.fourier * g), factors.taxels / 2);
+      factors.spectra, Eigen::VectorXd(factors.fourier * g), factors.line / 2);
   return frame;
+}
+
+Reconstruction TikhonovFamily::reconstruction(double alpha) const {
+  check_alpha(alpha);
+  const Factors& factors = *factors_;
+  const double root = std::sqrt(alpha);
+  const StandardForm& form = factors.form;
+  const Eigen::VectorXd sizes =
+      form.gamma.unaryExpr([=](double gamma) { return std::hypot(gamma, root); });
+  const Eigen::VectorXd filter = form.gamma.cwiseQuotient(sizes).cwiseQuotient(sizes);
+  const Eigen::MatrixXd readings = form.u.transpose() * factors.weights.asDiagonal();
+
+  // [W K; sqrt(alpha) L] has the singular values of this: its rotations are left out.
+  const Eigen::Index n = form.v.rows();
+  Eigen::MatrixXd components = form.v.transpose() * form.triangle;
+  const bool wide = n > form.v.cols();  // some show in no reading
+  Eigen::MatrixXd rotated(components.rows() + (wide ? n : 0), n);
+  rotated.topRows(components.rows()) = sizes.asDiagonal() * components;
+  if (wide) rotated.bottomRows(n) = root * (form.triangle - form.v * components);
+  return {from_eigen(form.from_components(filter.asDiagonal() * readings)),
+          StackedQr(rotated).condition()};
 }
 
 std::vector<double> TikhonovFamily::solve(const FilterFrame& frame, double alpha) const {

@@ -3,24 +3,27 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <utility>
 
 #include "inverse/checks.hpp"
-#include "inverse/stacked.hpp"
-#include "inverse/standard_form.hpp"
+#include "inverse/family_factors.hpp"
+#include "inverse/stabiliser.hpp"
 #include "tactile_net/sensing/resultant.hpp"
 
 namespace tactile_net {
 
 /// C = sigma^2 S S'.
 struct TractionCovariance::Factor {
-  /// @param map  from the free variables to the tractions
-  Factor(const InverseProblem& problem, double alpha, double prior_alpha,
-         const Eigen::MatrixXd& map)
-      : root(Eigen::MatrixXd::Zero(map.rows(), map.cols())) {
+  Factor(Eigen::MatrixXd s, double degrees_of_freedom)
+      : root(std::move(s)), degrees(degrees_of_freedom) {}
+
+  /// Of tractions that are all certain.
+  explicit Factor(Eigen::Index tractions) : root(Eigen::MatrixXd::Zero(tractions, 0)) {}
+
+  /// @param form  of the free variables
+  Factor(const StandardForm& form, double alpha, double prior_alpha) {
     check_alpha(alpha);
     check_alpha(prior_alpha);
-    if (map.cols() == 0) return;
-    const StandardForm form(as_eigen(problem.kernel) * map, stabiliser(problem) * map);
     const double smoothing = std::sqrt(alpha);
     Eigen::VectorXd size(form.gamma.size());
     for (Eigen::Index i = 0; i < size.size(); ++i) {
@@ -33,7 +36,7 @@ struct TractionCovariance::Factor {
     }
     const Eigen::MatrixXd known = form.from_components(Eigen::MatrixXd(size.asDiagonal()));
     if (form.v.rows() == form.v.cols()) {
-      root = map * known;
+      root = known;
       return;
     }
     // What no reading shows is as large as the prior says: 1 / sqrt(prior_alpha) on the complement
@@ -41,27 +44,41 @@ struct TractionCovariance::Factor {
     const Eigen::Index n = form.v.rows();
     Eigen::MatrixXd hidden = Eigen::MatrixXd::Identity(n, n) - form.v * form.v.transpose();
     hidden = solve_upper(form.triangle, hidden) / std::sqrt(prior_alpha);
-    root.resize(map.rows(), known.cols() + n);
-    root << map * known, map * hidden;
+    root.resize(n, known.cols() + n);
+    root << known, hidden;
   }
   Eigen::MatrixXd root;  // S
   double degrees = 0.0;
 };
 
+TractionCovariance::TractionCovariance(const TikhonovFamily& family, double alpha,
+                                       double prior_alpha)
+    : factor_(std::make_unique<const Factor>(family.factors().form, alpha, prior_alpha)) {}
+
 TractionCovariance::TractionCovariance(const InverseProblem& problem, double alpha,
-                                       double prior_alpha) {
-  const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
-  factor_ =
-      std::make_unique<const Factor>(problem, alpha, prior_alpha, Eigen::MatrixXd::Identity(n, n));
-}
+                                       double prior_alpha)
+    : factor_(std::make_unique<const Factor>(StandardForm(problem), alpha, prior_alpha)) {}
 
 TractionCovariance::TractionCovariance(const InverseProblem& problem, double alpha,
                                        double prior_alpha, const Constraints& constraints,
                                        std::span<const std::size_t> free) {
+  check_alpha(alpha);
+  check_alpha(prior_alpha);
   const Matrix all = edges(problem, constraints);
+  if (free.empty()) {
+    factor_ = std::make_unique<const Factor>(static_cast<Eigen::Index>(all.rows));
+    return;
+  }
   const Eigen::MatrixXd map = as_eigen(all)(Eigen::all, std::vector(free.begin(), free.end()));
-  factor_ = std::make_unique<const Factor>(problem, alpha, prior_alpha, map);
+  const StandardForm form(as_eigen(problem.kernel) * map,
+                          HouseholderQr(stabiliser(problem) * map).triangle());
+  Factor of_free(form, alpha, prior_alpha);
+  of_free.root = map * of_free.root;
+  factor_ = std::make_unique<const Factor>(std::move(of_free));
 }
+
+TractionCovariance::TractionCovariance(const Matrix& root, double degrees_of_freedom)
+    : factor_(std::make_unique<const Factor>(as_eigen(root), degrees_of_freedom)) {}
 
 TractionCovariance::~TractionCovariance() = default;
 TractionCovariance::TractionCovariance(TractionCovariance&&) noexcept = default;
@@ -85,16 +102,22 @@ double TractionCovariance::degrees_of_freedom() const noexcept { return factor_-
 NoiseEstimate estimate_noise(const InverseProblem& problem, std::span<const double> readings,
                              std::span<const double> tractions, double degrees_of_freedom,
                              std::optional<double> stated_rms) {
-  const Eigen::VectorXd weights = as_eigen(std::span(problem.weights));
-  const Eigen::VectorXd g = weights.cwiseProduct(as_eigen(readings));
+  const Eigen::VectorXd g = as_eigen(std::span(problem.weights)).cwiseProduct(as_eigen(readings));
   const double scale = std::max(g.cwiseAbs().maxCoeff(), 0.0);
-  NoiseEstimate noise{.stated_rms = stated_rms};
-  if (scale == 0.0) return noise;
-  const auto rows = static_cast<double>((weights.array() != 0.0).count());
-  const double free = std::max(rows - degrees_of_freedom, 1.0);
+  if (scale == 0.0) return {.stated_rms = stated_rms};
   const Eigen::VectorXd residual =
       as_eigen(problem.kernel) * (as_eigen(tractions) / scale) - g / scale;
-  noise.residual_rms = residual.norm() / std::sqrt(free) * scale;
+  const auto rows = std::count_if(problem.weights.begin(), problem.weights.end(),
+                                  [](double weight) { return weight != 0.0; });
+  return estimate_noise(residual.norm() * scale, static_cast<std::size_t>(rows), degrees_of_freedom,
+                        stated_rms);
+}
+
+NoiseEstimate estimate_noise(double residual, std::size_t rows, double degrees_of_freedom,
+                             std::optional<double> stated_rms) {
+  NoiseEstimate noise{.stated_rms = stated_rms};
+  const double free = std::max(static_cast<double>(rows) - degrees_of_freedom, 1.0);
+  noise.residual_rms = residual / std::sqrt(free);
   if (stated_rms) {
     const double limit =
         boost::math::quantile(boost::math::chi_squared_distribution<double>(free), 0.99) / free;
@@ -106,11 +129,15 @@ NoiseEstimate estimate_noise(const InverseProblem& problem, std::span<const doub
 }
 
 UncertainResultant resultant_of(const InverseProblem& problem, std::span<const double> tractions,
-                                const TractionCovariance& covariance, double noise_rms) {
-  const Surface& surface = problem.surface;
+                                const Covariance& covariance, double noise_rms) {
+  return resultant_of(problem.surface, tractions, covariance, noise_rms);
+}
+
+UncertainResultant resultant_of(const Surface& surface, std::span<const double> tractions,
+                                const Covariance& covariance, double noise_rms) {
   const std::size_t n = surface.count;
   const double d = surface.spacing;
-  const bool two = problem.unknowns == 2;
+  const bool two = tractions.size() > n;
   const Resultant sum =
       resultant_of(tractions.first(n), tractions.subspan(n, two ? n : std::size_t{0}), surface);
   // The gradient of each result by the tractions, made of three: F_v, F_t and the centre.

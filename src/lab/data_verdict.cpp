@@ -11,14 +11,13 @@ DataLimits data_limits(const SceneProblem& problem) {
   DataLimits limits{.noise_rms = problem.stated_noise(),
                     .friction_limit = scene.reconstruct.friction_limit,
                     .largest_traction = modulus};
-  for (const Channel& channel : channels(scene.sensor))
-    limits.largest_readings.insert(limits.largest_readings.end(), scene.sensor.count,
-                                   is_strain(channel.quantity) ? 1.0 : modulus);
+  for (const Site& site : sites(scene.sensor))
+    limits.largest_readings.push_back(is_strain(site.quantity) ? 1.0 : modulus);
 
-  const std::vector<double> taxels = positions(scene.sensor);
-  const auto [first, last] = std::minmax_element(taxels.begin(), taxels.end());
-  const double middle = 0.5 * (*first + *last);
-  const double quarter = 0.25 * (*last - *first);
+  const double first = position(scene.sensor, 0);
+  const double last = position(scene.sensor, scene.sensor.count - 1);
+  const double middle = 0.5 * (first + last);
+  const double quarter = 0.25 * (last - first);
   limits.inner = {middle - quarter, middle + quarter};
   return limits;
 }
@@ -27,7 +26,7 @@ DataJudge data_judge(const SceneProblem& problem) {
   constexpr std::size_t most_values = 512;
   const Scene& scene = problem.scene();
   const Surface& own = problem.surface();
-  const double depth = *std::min_element(scene.sensor.depths.begin(), scene.sensor.depths.end());
+  const double depth = least_depth(scene.sensor);
   ProblemOptions options = problem.options();
   options.surface = {.basis = SurfaceBasis::hats, .spacing = std::min(0.25 * depth, own.spacing)};
   const Surface finer = surface_of(scene.sensor, options.surface);

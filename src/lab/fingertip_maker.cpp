@@ -27,6 +27,11 @@ namespace {
 double half_width(std::size_t count, double pitch) {
   return 0.5 * static_cast<double>(count) * pitch;
 }
+double half_width(const SensorArray& array) {
+  if (is_even(array)) return half_width(array.count, array.pitch);
+  return std::max(std::abs(array.taxels.front().y), std::abs(array.taxels.back().y)) +
+         0.5 * array.pitch;
+}
 
 /// Where the resultant of tractions acts, whose deviations are not known.
 UncertainResultant certain(std::span<const double> normal, std::span<const double> tangential,
@@ -142,14 +147,14 @@ std::vector<double> FingertipMaker::readings_of(Fingertip& tip, const FingertipS
 void FingertipMaker::press(Fingertip& tip, const HandFinger& finger, const FingertipScene& source) {
   const ReadyScene& scene = ready(source.scene);
   const SensorArray& array = scene.problem.scene().sensor;
-  tip.finger = finger.with_pad(half_width(array.count, array.pitch));
+  tip.finger = finger.with_pad(half_width(array));
   const SceneFrame frame(scene.problem, readings_of(tip, source, scene.problem.scene()));
   std::vector<double> f(scene.solver->tractions());
   const FrameResult result = scene.solver->solve(frame.readings(), f);
   if (result.status != FrameStatus::ok) fail(tip, "the frame's tractions overflow a double");
   tip.remarks.insert(tip.remarks.end(), result.remarks.begin(), result.remarks.end());
   if (result.verdict != Verdict::ok) tip.remarks.emplace_back(remark::Doubtful{result.verdict});
-  if (scene.problem.is_large()) {
+  if (!scene.problem.has_bands()) {
     tip.remarks.emplace_back(remark::NoBands{});
     const std::span<const double> all(f);
     const Surface& surface = scene.problem.surface();

@@ -28,7 +28,10 @@ bool in_proportion(const SensorChoice& choice) {
 std::vector<HiddenReason> hidden_reasons(const Scene& scene, const SensorChoice& own) {
   std::vector<HiddenReason> reasons;
   const ModeSpace& hidden = own.identifiability.null_space;
-  const std::size_t lost = lost_by_symmetry(scene.sensor, own.unknowns);
+  const std::size_t readings = reading_count(scene.sensor);
+  const std::size_t tractions = own.unknowns * scene.sensor.count;
+  const std::size_t by_symmetry = lost_by_symmetry(scene.sensor, own.unknowns);
+  const std::size_t lost = std::max(by_symmetry, tractions > readings ? tractions - readings : 0);
   const bool proportional = in_proportion(own);
 
   if (proportional) {
@@ -46,7 +49,10 @@ std::vector<HiddenReason> hidden_reasons(const Scene& scene, const SensorChoice&
     else
       reasons.emplace_back(hidden_reason::MeanUnread{component});
   }
-  if (lost > 0) reasons.emplace_back(hidden_reason::Symmetry{scene.sensor.count, lost});
+  if (by_symmetry > 0)
+    reasons.emplace_back(hidden_reason::Symmetry{scene.sensor.count, by_symmetry});
+  else if (lost > 0)
+    reasons.emplace_back(hidden_reason::FewReadings{readings, tractions});
   if (hidden.dimension <= lost) return reasons;
   if (!scene.dead_taxels.empty()) {
     reasons.emplace_back(hidden_reason::DeadTaxels{});

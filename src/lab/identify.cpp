@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tactile_net/elasticity/pad_kernel.hpp"
+#include "tactile_net/lab/unseen_width.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 
@@ -81,10 +82,25 @@ double rms(const Scene& scene, const AssumedNoise& noise, const Channel& channel
   return stated > 0.0 ? stated : noise.share * traction * largest_response(scene, channel);
 }
 
+/// The depths at which every taxel reads: of uneven taxels the first stands for all.
+std::vector<double> depths_of(const SensorArray& array) {
+  return is_even(array) ? array.depths : std::vector{array.depths.front()};
+}
+
+SensorArray first_of(SensorArray array, std::size_t taxels) {
+  if (taxels >= array.count) return array;
+  if (!is_even(array)) {
+    array.taxels.resize(taxels);
+    return uneven_array(std::move(array.taxels));
+  }
+  array.count = taxels;
+  return array;
+}
+
 /// What the array tells of the scene; singular values are of `taxels` of its taxels.
 SensorChoice study(const Scene& scene, const SensorArray& array, std::size_t taxels,
                    const AssumedNoise& noise, double traction) {
-  SensorChoice choice{.reads = array.reads, .depths = array.depths};
+  SensorChoice choice{.reads = array.reads, .depths = depths_of(array)};
   const std::vector<Channel> all = channels(array);
   choice.unknowns = all.size() > 1 && scene.reconstruct.tangential.value_or(true) ? 2 : 1;
   ProblemOptions options{.unknowns = choice.unknowns};
@@ -95,11 +111,26 @@ SensorChoice study(const Scene& scene, const SensorArray& array, std::size_t tax
   if (choice.unknowns == 2)
     choice.tangential = resolvable_wavelength(choice.resolutions, Traction::tangential, traction);
 
-  SensorArray decomposed = array;
-  decomposed.count = taxels;
+  choice.unseen =
+      unseen_width(array, scene.material, options.channel_rms, scene.dead_taxels, traction);
+
+  const SensorArray decomposed = first_of(array, array.count * taxels / scene.sensor.count);
   if (taxels == array.count) options.dead_taxels = scene.dead_taxels;
+  options.surface = one_value_per_taxel(decomposed);
   choice.identifiability = identifiability(make_problem(decomposed, scene.material, options));
   return choice;
+}
+
+/// Taxels that all read the same, at each depth; uneven ones in their places and as much deeper
+/// than the first depth as they are.
+SensorArray reading(const SensorArray& array, const std::vector<Quantity>& reads,
+                    const std::vector<double>& depths) {
+  if (is_even(array)) return {array.count, array.pitch, depths, reads};
+  std::vector<Taxel> taxels;
+  for (const Taxel& taxel : array.taxels)
+    for (const double depth : depths)
+      taxels.push_back({taxel.y, taxel.depth * (depth / array.depths.front()), reads});
+  return uneven_array(std::move(taxels));
 }
 
 bool same(std::vector<Quantity> a, std::vector<Quantity> b) {
@@ -127,7 +158,7 @@ class Comparison {
     for (std::size_t i = 0; i < quantities.size(); ++i)
       for (std::size_t j = i + 1; j < quantities.size(); ++j)
         add({quantities[i], quantities[j]}, {depth});
-    const std::vector<double> two = scene_.sensor.depths.size() == 2
+    const std::vector<double> two = depths_of(scene_.sensor).size() == 2
                                         ? scene_.sensor.depths
                                         : std::vector<double>{0.5 * depth, depth};
     for (const Quantity quantity : quantities) add({quantity}, two);
@@ -147,19 +178,22 @@ class Comparison {
     const auto& layer = scene_.material.layer;
     for (const std::vector<Quantity>& reads : best)
       for (const double factor : {0.5, 1.5, 2.0})
-        if (const double depth = factor * scene_.sensor.depths.front();
-            !layer || depth <= layer->thickness)
-          add(reads, {depth});
+        if (!layer || factor * deepest() <= layer->thickness)
+          add(reads, {factor * scene_.sensor.depths.front()});
   }
 
  private:
-  void add(std::vector<Quantity> reads, std::vector<double> depths) {
+  [[nodiscard]] double deepest() const {
+    const std::vector<double>& depths = scene_.sensor.depths;
+    return *std::max_element(depths.begin(), depths.end());
+  }
+
+  void add(const std::vector<Quantity>& reads, const std::vector<double>& depths) {
     const SensorArray& sensor = scene_.sensor;
-    if (same(reads, sensor.reads) && depths == sensor.depths) return;
+    if (same(reads, sensor.reads) && depths == depths_of(sensor)) return;
     observer_.step({Step::Kind::alternative, survey_.alternatives.size() + 1});
-    survey_.alternatives.push_back(
-        study(scene_, {sensor.count, sensor.pitch, std::move(depths), std::move(reads)},
-              survey_.taxels, survey_.noise, survey_.traction));
+    survey_.alternatives.push_back(study(scene_, reading(sensor, reads, depths), survey_.taxels,
+                                         survey_.noise, survey_.traction));
   }
 
   const Scene& scene_;

@@ -67,15 +67,15 @@ IncompleteFrames::Pattern& IncompleteFrames::pattern(const std::vector<std::size
 
 std::optional<FrameResult> IncompleteFrames::solve(std::span<double> readings,
                                                    std::span<double> tractions) {
-  const std::size_t count = problem_.scene().sensor.count;
+  const std::vector<Site>& sites = problem_.problem().sites;
   std::vector<std::size_t> dead = problem_.scene().dead_taxels;
   for (std::size_t i = 0; i < readings.size(); ++i)
-    if (std::isnan(readings[i])) dead.push_back(i % count);
+    if (std::isnan(readings[i])) dead.push_back(sites[i].taxel);
   std::sort(dead.begin(), dead.end());
   dead.erase(std::unique(dead.begin(), dead.end()), dead.end());
-  if (dead.size() >= count) return std::nullopt;
+  if (dead.size() >= problem_.scene().sensor.count) return std::nullopt;
   for (std::size_t i = 0; i < readings.size(); ++i)
-    if (std::binary_search(dead.begin(), dead.end(), i % count)) readings[i] = 0.0;
+    if (std::binary_search(dead.begin(), dead.end(), sites[i].taxel)) readings[i] = 0.0;
   Pattern& of_frame = pattern(dead);
   of_frame.used = ++uses_;
   last_ = &of_frame;

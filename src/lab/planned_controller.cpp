@@ -37,8 +37,17 @@ std::optional<PlanAlpha> median_alpha(const SceneProblem& problem, const NextFra
 std::vector<ReadingRange> ranges_of(const Scene& scene,
                                     const std::optional<Calibration>& calibration) {
   const auto& [bits, low, high] = *scene.quantization;
-  std::vector<ReadingRange> ranges(channel_count(scene.sensor), {low, high});
-  if (!calibration) return ranges;
+  const std::vector<Channel> all = channels(scene.sensor);
+  const bool alike = std::all_of(all.begin(), all.end(), [&](const Channel& channel) {
+    return channel.count == scene.sensor.count;
+  });
+  std::vector<ReadingRange> ranges(all.size(), {low, high});
+  const auto per_reading = [&](const std::vector<ReadingRange>& of_channels) {
+    std::vector<ReadingRange> spread;
+    for (const Site& site : sites(scene.sensor)) spread.push_back(of_channels[site.channel]);
+    return spread;
+  };
+  if (!calibration) return alike ? ranges : per_reading(ranges);
   const std::size_t readings = reading_count(scene.sensor);
   std::vector<double> lowest(readings, low);
   std::vector<double> highest(readings, high);
@@ -47,7 +56,7 @@ std::vector<ReadingRange> ranges_of(const Scene& scene,
   for (std::size_t c = 0; c < ranges.size(); ++c) {
     ReadingRange& range = ranges[c];
     range = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    for (std::size_t i = c * scene.sensor.count; i < (c + 1) * scene.sensor.count; ++i) {
+    for (std::size_t i = all[c].first; i < all[c].first + all[c].count; ++i) {
       const auto [first, second] = std::minmax(lowest[i], highest[i]);
       const double rounding =
           4.0 * std::numeric_limits<double>::epsilon() *
@@ -57,7 +66,7 @@ std::vector<ReadingRange> ranges_of(const Scene& scene,
     }
     if (!(range.lowest < range.highest)) return {};
   }
-  return ranges;
+  return alike ? ranges : per_reading(ranges);
 }
 
 }  // namespace

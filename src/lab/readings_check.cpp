@@ -54,12 +54,12 @@ std::optional<double> RecordingClock::rate() const noexcept {
 struct ReadingsChecker::Parts {
   explicit Parts(Scene given)
       : scene(std::move(given)),
-        weights(channel_weights(scene)),
+        weights(reading_weights(scene)),
         tracks(reading_count(scene.sensor)),
         triples(most_groups_of(tracks.size())) {}
 
   Scene scene;
-  std::vector<double> weights;  // per channel
+  std::vector<double> weights;  // per reading
   std::vector<ReadingTrack> tracks;
   FrameTriples triples;
   ClockTrack clock;
@@ -89,7 +89,7 @@ void ReadingsChecker::add(std::optional<double> time, std::span<const double> re
     if (std::isnan(readings[i]))
       any_missing = true;
     else
-      size = std::max(size, std::abs(readings[i]) * p.weights[i / p.scene.sensor.count]);
+      size = std::max(size, std::abs(readings[i]) * p.weights[i]);
   }
   if (any_missing) p.missing.add(p.frames);
   const bool repeats = std::equal(readings.begin(), readings.end(), p.last.begin(), p.last.end());
@@ -118,13 +118,11 @@ void ReadingsChecker::Parts::say_frames(ReadingsCheck& check) const {
     findings.emplace_back(finding::FramesRepeat{repeating});
   if (missing.count() > 0) {
     finding::ValuesMissing found{.frames = missing};
-    const std::size_t count = scene.sensor.count;
-    for (std::size_t taxel = 0; taxel < count; ++taxel) {
-      std::size_t most = 0;
-      for (std::size_t i = taxel; i < tracks.size(); i += count)
-        most = std::max(most, tracks[i].missing());
-      if (2 * most > frames) found.taxels.push_back(taxel);
-    }
+    std::vector<std::size_t> most(scene.sensor.count);
+    for (std::size_t i = 0; const Site& site : sites(scene.sensor))
+      most[site.taxel] = std::max(most[site.taxel], tracks[i++].missing());
+    for (std::size_t taxel = 0; taxel < most.size(); ++taxel)
+      if (2 * most[taxel] > frames) found.taxels.push_back(taxel);
     for (const ReadingTrack& track : tracks) found.values += track.missing();
     check.missing = found.values;
     findings.emplace_back(std::move(found));
@@ -132,17 +130,16 @@ void ReadingsChecker::Parts::say_frames(ReadingsCheck& check) const {
 }
 
 void ReadingsChecker::Parts::say_channels(const Evidence& evidence, ReadingsCheck& check) const {
-  const std::vector<Channel> all = tactile_net::channels(scene.sensor);
-  for (std::size_t c = 0; c < all.size(); ++c) {
-    CheckedChannel found{.name = all[c].name};
+  for (const Channel& channel : evidence.channels) {
+    CheckedChannel found{.name = channel.name};
     bool any = false;
-    for (std::size_t i = c * evidence.count(); i < (c + 1) * evidence.count(); ++i) {
+    for (std::size_t i = channel.first; i < channel.first + channel.count; ++i) {
       if (tracks[i].present() == 0) continue;
       found.least = any ? std::min(found.least, tracks[i].least()) : tracks[i].least();
       found.largest = any ? std::max(found.largest, tracks[i].largest()) : tracks[i].largest();
       any = true;
     }
-    if (scene.noise) found.stated = scene.noise->rms.at(all[c].quantity);
+    if (scene.noise) found.stated = scene.noise->rms.at(channel.quantity);
     check.channels.push_back(std::move(found));
   }
 }

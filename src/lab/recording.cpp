@@ -179,7 +179,7 @@ RecordingOverview Recording::overview(Observer& observer) const {
                              .doubts = doubts_,
                              .doubted = doubted_,
                              .groups = groups_};
-  if (!traits(method_).has_bands || problem_.is_large()) return overview;
+  if (!traits(method_).has_bands || !problem_.has_bands()) return overview;
   for (std::size_t i = 0; i < groups_.size() && !observer.stop(); ++i) {
     FrameGroup& group = overview.groups[i];
     const auto& [problem, result] = sources_[i];

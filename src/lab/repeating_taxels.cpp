@@ -4,9 +4,8 @@
 
 namespace tactile_net::lab {
 
-RepeatingTaxels::RepeatingTaxels(std::size_t taxels, std::size_t channels,
-                                 std::span<const std::size_t> dead)
-    : taxels_(taxels), living_(taxels, true), repeats_(taxels * channels) {
+RepeatingTaxels::RepeatingTaxels(const SensorArray& array, std::span<const std::size_t> dead)
+    : sites_(sites(array)), living_(array.count, true), repeats_(sites_.size()) {
   for (const std::size_t taxel : dead) living_[taxel] = false;
 }
 
@@ -15,7 +14,7 @@ void RepeatingTaxels::add(std::span<const double> readings) {
     std::size_t living = 0;
     std::size_t same = 0;
     for (std::size_t i = 0; i < readings.size(); ++i) {
-      if (!living_[i % taxels_]) continue;
+      if (!living_[sites_[i].taxel]) continue;
       ++living;
       if (readings[i] == last_[i]) ++same;
     }
@@ -27,14 +26,13 @@ void RepeatingTaxels::add(std::span<const double> readings) {
   last_.assign(readings.begin(), readings.end());
 }
 
-std::optional<std::size_t> RepeatingTaxels::first() const noexcept {
-  for (std::size_t taxel = 0; taxel < taxels_; ++taxel) {
-    bool all = living_[taxel];
-    for (std::size_t i = taxel; i < repeats_.size(); i += taxels_)
-      all = all && repeats_[i] >= least_repeats;
-    if (all) return taxel;
-  }
-  return std::nullopt;
+std::optional<std::size_t> RepeatingTaxels::first() const {
+  std::vector<bool> all = living_;
+  for (std::size_t i = 0; i < repeats_.size(); ++i)
+    if (repeats_[i] < least_repeats) all[sites_[i].taxel] = false;
+  const auto found = std::find(all.begin(), all.end(), true);
+  return found == all.end() ? std::nullopt
+                            : std::optional(static_cast<std::size_t>(found - all.begin()));
 }
 
 }  // namespace tactile_net::lab

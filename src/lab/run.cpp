@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 #include "tactile_net/inverse/error_bound.hpp"
@@ -71,19 +70,9 @@ void measure(MethodResult& result, std::span<const double> f, const Surface& sur
 }
 
 /// |W (K f - g)| / |W g|; 0 without readings.
-double unexplained(const InverseProblem& problem, std::span<const double> readings,
-                   std::span<const double> f) {
-  double left = 0.0;
-  double all = 0.0;
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    if (problem.weights[i] == 0.0) continue;
-    const double reading = problem.weights[i] * readings[i];
-    const std::span<const double> row = problem.kernel.row(i);
-    const double rest = std::inner_product(row.begin(), row.end(), f.begin(), -reading);
-    left = std::hypot(left, rest);
-    all = std::hypot(all, reading);
-  }
-  return all > 0.0 ? left / all : 0.0;
+double unexplained(const SceneFrame& frame, std::span<const double> f) {
+  const double all = frame.residual(std::vector<double>(f.size()));
+  return all > 0.0 ? frame.residual(f) / all : 0.0;
 }
 
 /// A verdict that stands, unless the answer has a worse one already.
@@ -99,20 +88,21 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
     result.remarks.emplace_back(remark::NoBands{});
     return;
   }
-  const InverseProblem& problem = run.problem.problem();
   const FrameUncertainty bands = uncertainty(run.frame, f, answer);
   result.noise = bands.noise;
   result.resultant = bands.resultant;
-  const auto middle = bands.deviation.begin() + static_cast<std::ptrdiff_t>(problem.surface.count);
+  const auto middle =
+      bands.deviation.begin() + static_cast<std::ptrdiff_t>(run.problem.surface().count);
   result.normal.deviation.assign(bands.deviation.begin(), middle);
   result.tangential.deviation.assign(middle, bands.deviation.end());
-  result.error_bound =
-      forward_bound(problem, answer.alpha->value, run.frame.readings(), f, answer.condition->value);
+  if (answer.condition)  // else the solver has said it
+    result.error_bound = forward_bound(run.problem.problem(), answer.alpha->value,
+                                       run.frame.readings(), f, answer.condition->value);
   // Under a friction limit f = E z, and E has the condition number max(limit, 1 / limit).
   if (const auto limit = run.problem.scene().reconstruct.friction_limit;
       answer.constrained && limit)
     *result.error_bound *= std::max(*limit, 1.0 / *limit);
-  if (const double left = unexplained(problem, run.frame.readings(), f); left > 0.5) {
+  if (const double left = unexplained(run.frame, f); left > 0.5) {
     degrade(result, Verdict::oversmoothed);
     result.remarks.emplace_back(remark::Unexplained{left});
   } else if (*result.error_bound > 1e-3) {

@@ -1,12 +1,19 @@
 #include "tactile_net/lab/scene_problem.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
+#include "tactile_net/inverse/long_array_covariance.hpp"
 #include "tactile_net/lab/data_verdict.hpp"
 
 namespace tactile_net::lab {
 namespace {
+
+/// Tractions from which tikhonov's matrix comes from the family's decomposition, which rules and
+/// bands share, and not from one of its own: that takes seconds.
+constexpr std::size_t one_decomposition = 256;
 
 ProblemOptions options_of(const Scene& scene) {
   ProblemOptions options{.unknowns = unknowns(scene),
@@ -40,12 +47,14 @@ struct SceneProblem::Parts {
   std::optional<InverseProblem> problem;
   std::optional<std::pair<double, Reconstruction>> tikhonov;  // of its alpha
   std::optional<TikhonovFamily> family;
-  std::optional<DftTikhonov> circular;
+  std::optional<LongArrayFamily> sections;
+  std::optional<FftTikhonov> products;
   std::optional<AlphaTables> alpha_tables;
   std::optional<ModeSpace> hidden;
   std::optional<DataJudge> data_judge;
-  std::optional<TractionCovariance> covariance;
+  std::unique_ptr<Covariance> covariance;
   std::pair<double, double> covariance_of;  // its alpha and prior
+  std::optional<LoadWindows> load_windows;
 };
 
 SceneProblem::SceneProblem(Scene scene) : parts_(std::make_shared<Parts>(std::move(scene))) {}
@@ -54,9 +63,7 @@ const Scene& SceneProblem::scene() const noexcept { return parts_->scene; }
 
 const ProblemOptions& SceneProblem::options() const noexcept { return parts_->options; }
 
-std::size_t SceneProblem::readings() const {
-  return channels(parts_->scene.sensor).size() * parts_->scene.sensor.count;
-}
+std::size_t SceneProblem::readings() const { return reading_count(parts_->scene.sensor); }
 
 const Surface& SceneProblem::surface() const {
   if (!parts_->surface) parts_->surface = tactile_net::surface(parts_->scene);
@@ -92,21 +99,24 @@ SceneProblem SceneProblem::without(std::span<const std::size_t> taxels) const {
   };
   const std::vector<std::size_t>& dead = parts_->scene.dead_taxels;
   if (!std::all_of(dead.begin(), dead.end(), stays_dead))
-    return other;  // what is dead here has left no row to take
+    return other;                // what is dead here has left no row to take
+  if (is_large()) return other;  // no matrix is made of it
   other.parts_->problem = problem();
   InverseProblem& kept = *other.parts_->problem;
-  for (const std::size_t taxel : taxels)
-    for (std::size_t row = taxel; row < kept.weights.size(); row += kept.taxels) {
-      kept.weights[row] = 0.0;
-      for (std::size_t column = 0; column < kept.kernel.columns; ++column)
-        kept.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
-    }
+  for (std::size_t row = 0; row < kept.sites.size(); ++row) {
+    if (!stays_dead(kept.sites[row].taxel)) continue;
+    kept.weights[row] = 0.0;
+    for (std::size_t column = 0; column < kept.kernel.columns; ++column)
+      kept.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
+  }
   return other;
 }
 
 const Reconstruction& SceneProblem::tikhonov(double alpha) const {
   auto& made = parts_->tikhonov;
-  if (!made || made->first != alpha) made.emplace(alpha, tactile_net::tikhonov(problem(), alpha));
+  if (!made || made->first != alpha)
+    made.emplace(alpha, tractions() < one_decomposition ? tactile_net::tikhonov(problem(), alpha)
+                                                        : family().reconstruction(alpha));
   return made->second;
 }
 
@@ -121,18 +131,20 @@ const TikhonovFamily& SceneProblem::family() const {
   return *parts_->family;
 }
 
-DftTikhonov& SceneProblem::circular() const {
-  if (!parts_->circular) {
-    ProblemOptions options = parts_->options;
-    options.dead_taxels.clear();  // the Fourier basis cannot leave a taxel out
-    options.surface = {};         // nor add a place; alpha means the same
-    parts_->circular.emplace(parts_->scene.sensor, parts_->scene.material, options);
-  }
-  return *parts_->circular;
+const LongArrayFamily& SceneProblem::sections() const {
+  if (!parts_->sections)
+    parts_->sections.emplace(parts_->scene.sensor, parts_->scene.material, parts_->options);
+  return *parts_->sections;
+}
+
+FftTikhonov& SceneProblem::products() const {
+  if (!parts_->products)
+    parts_->products.emplace(parts_->scene.sensor, parts_->scene.material, parts_->options, 1.0);
+  return *parts_->products;
 }
 
 const AlphaTables& SceneProblem::alpha_tables(const FilterFrame& frame) const {
-  if (!parts_->alpha_tables) parts_->alpha_tables.emplace(frame.gamma, frame.rows);
+  if (!parts_->alpha_tables) parts_->alpha_tables.emplace(frame.gamma, frame.rows, frame.shares);
   return *parts_->alpha_tables;
 }
 
@@ -146,10 +158,10 @@ AlphaRule SceneProblem::alpha_rule(const FilterFrame& frame) const {
 const ModeSpace& SceneProblem::hidden() const {
   if (parts_->hidden) return *parts_->hidden;
   if (surface().basis == SurfaceBasis::taxels) {
-    parts_->hidden = hidden_modes(problem());
+    parts_->hidden = hidden_modes(problem(), family());
   } else {
     ProblemOptions options = parts_->options;
-    options.surface = {};
+    options.surface = one_value_per_taxel(scene().sensor);
     parts_->hidden = hidden_modes(make_problem(scene().sensor, scene().material, options));
   }
   return *parts_->hidden;
@@ -160,13 +172,28 @@ const DataJudge& SceneProblem::data_judge() const {
   return *parts_->data_judge;
 }
 
-const TractionCovariance& SceneProblem::covariance(double alpha, double prior) const {
+const Covariance& SceneProblem::covariance(double alpha, double prior) const {
   const std::pair of{alpha, prior};
   if (!parts_->covariance || parts_->covariance_of != of) {
-    parts_->covariance.emplace(problem(), alpha, prior);
+    if (is_large())
+      parts_->covariance =
+          std::make_unique<LongArrayCovariance>(sections(), products(), alpha, prior);
+    else
+      parts_->covariance = std::make_unique<TractionCovariance>(family(), alpha, prior);
     parts_->covariance_of = of;
   }
   return *parts_->covariance;
+}
+
+bool SceneProblem::has_load_windows() const {
+  return !is_large() && surface().basis == SurfaceBasis::hats && stated_noise().has_value();
+}
+
+const LoadWindows& SceneProblem::load_windows() const {
+  const std::vector<double>& depths = parts_->scene.sensor.depths;
+  if (!parts_->load_windows)
+    parts_->load_windows.emplace(problem(), 3.5 * *std::min_element(depths.begin(), depths.end()));
+  return *parts_->load_windows;
 }
 
 SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings)
@@ -174,7 +201,7 @@ SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings)
 
 const FilterFrame& SceneFrame::analysed() const {
   if (!analysed_)
-    analysed_ = problem_.is_large() ? problem_.circular().analyse(readings_)
+    analysed_ = problem_.is_large() ? problem_.sections().analyse(readings_)
                                     : problem_.family().analyse(readings_);
   return *analysed_;
 }
@@ -190,6 +217,19 @@ ChosenAlpha SceneFrame::alpha() const {
   if (options.alpha) return {.value = *options.alpha};
   const AlphaChoice& choice = sweep().choice(problem_.alpha_rule(analysed()));
   return {.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
+}
+
+double SceneFrame::residual(std::span<const double> tractions) const {
+  if (problem_.is_large()) return problem_.products().residual(readings_, tractions);
+  const InverseProblem& problem = problem_.problem();
+  double size = 0.0;
+  for (std::size_t i = 0; i < readings_.size(); ++i) {
+    if (problem.weights[i] == 0.0) continue;
+    const std::span<const double> row = problem.kernel.row(i);
+    size = std::hypot(size, std::inner_product(row.begin(), row.end(), tractions.begin(),
+                                               -problem.weights[i] * readings_[i]));
+  }
+  return size;
 }
 
 const AlphaChoice& SceneFrame::prior() const {

@@ -9,11 +9,12 @@ namespace {
 
 /// How much of the contacts' force lies beyond the array's ends, where no taxel sits above it.
 double force_outside(const Scene& scene) {
-  const double end = position(scene.sensor, scene.sensor.count - 1) + scene.sensor.pitch / 2;
+  const double first = position(scene.sensor, 0) - scene.sensor.pitch / 2;
+  const double last = position(scene.sensor, scene.sensor.count - 1) + scene.sensor.pitch / 2;
   double outside = 0.0;
   for (const Contact& contact : scene.contacts)
-    outside +=
-        resultant(contact, Traction::normal) - force_between(contact, Traction::normal, -end, end);
+    outside += resultant(contact, Traction::normal) -
+               force_between(contact, Traction::normal, first, last);
   return outside;
 }
 

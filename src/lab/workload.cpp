@@ -19,7 +19,7 @@ struct Sizes {
   explicit Sizes(const Scene& scene)
       : taxels(scene.sensor.count),
         channels(channel_count(scene.sensor)),
-        readings(taxels * channels),
+        readings(reading_count(scene.sensor)),
         unknowns(tactile_net::unknowns(scene)),
         values(surface(scene).count),
         tractions(values * unknowns),
@@ -152,13 +152,16 @@ class Counter {
 
   void errors() {
     const std::size_t n = sizes_.tractions;
-    const bool done = with_matrix_ && n < large;
-    const auto why = [&](Reason reason) -> Why {
+    const bool constrained = options_.nonnegative || options_.friction_limit;
+    const bool bands = with_matrix_ && (n < large || !constrained);
+    const bool hidden = with_matrix_ && n < large;
+    const auto why = [&](bool done, Reason reason) -> Why {
       return {done ? reason : !with_matrix_ ? Reason::no_matrix_method : Reason::array_too_large};
     };
-    add(Computation::bands, done, why(Reason::forces_have_deviations),
-        {.kind = Kind::inverse, .rows = n, .columns = n});
-    add(Computation::hidden_modes, done, why(Reason::hidden_must_be_said),
+    add(Computation::bands, bands, why(bands, Reason::forces_have_deviations),
+        n < large ? Cost{.kind = Kind::inverse, .rows = n, .columns = n}
+                  : Cost{Kind::conjugate_gradients});
+    add(Computation::hidden_modes, hidden, why(hidden, Reason::hidden_must_be_said),
         {.kind = Kind::singular_values, .rows = sizes_.readings, .columns = n});
   }
 

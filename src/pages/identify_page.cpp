@@ -243,7 +243,8 @@ std::vector<Figure> figures_of(const Scene& scene, const lab::Survey& survey) {
 std::vector<std::vector<std::string>> survey_cells(const lab::Survey& survey,
                                                    const std::optional<Units>& units) {
   std::vector<std::vector<std::string>> rows = {{"reads", "unknowns", "condition", "hidden",
-                                                 "hidden mean", "normal from", "tangential from"}};
+                                                 "hidden mean", "normal from", "tangential from",
+                                                 "unseen below"}};
   const auto wavelength = [&](const std::optional<double>& value) {
     return value ? report::in_unit(units, Dimension::length, *value) : std::string("none");
   };
@@ -252,11 +253,13 @@ std::vector<std::vector<std::string>> survey_cells(const lab::Survey& survey,
     std::vector<std::string> means;
     if (lab::hides_mean(choice, Traction::normal)) means.emplace_back("normal");
     if (two && lab::hides_mean(choice, Traction::tangential)) means.emplace_back("tangential");
-    rows.push_back({in_words(choice, units) + mark, std::to_string(choice.unknowns),
-                    condition_in_words(choice.identifiability),
-                    in_short(choice.identifiability.null_space, units),
-                    means.empty() ? "-" : join(means, ", "), wavelength(choice.normal),
-                    two ? wavelength(choice.tangential) : "-"});
+    rows.push_back(
+        {in_words(choice, units) + mark, std::to_string(choice.unknowns),
+         condition_in_words(choice.identifiability),
+         in_short(choice.identifiability.null_space, units),
+         means.empty() ? "-" : join(means, ", "), wavelength(choice.normal),
+         two ? wavelength(choice.tangential) : "-",
+         choice.unseen ? report::in_unit(units, Dimension::length, *choice.unseen) : "any width"});
   };
   add(survey.own, " (the scene's)");
   for (const lab::SensorChoice& choice : survey.alternatives) add(choice, "");
@@ -270,7 +273,8 @@ std::string cells_in_words(const Scene& scene, const lab::Survey& survey) {
       report::in_unit(scene, Dimension::stress, survey.traction) +
       " stands out of the noise, by its standard deviation in one frame; hidden mean: shows only "
       "at "
-      "the array's ends. Noise: " +
+      "the array's ends; unseen below: a contact of that traction between two taxels that is "
+      "narrower changes no reading by more than the noise. Noise: " +
       in_words(survey.noise) + ".";
   if (survey.taxels < scene.sensor.count)
     text += " Condition and hidden combinations of the alternatives are of " +

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/drawing/png.hpp"
 #include "tactile_net/lab/interior.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::pages {
@@ -38,24 +41,26 @@ std::string words_below(const Scene& scene) {
   const auto length = [&](double value) {
     return report::in_unit(scene, Dimension::length, value);
   };
-  const double half = surface(scene).half_width();
-  std::string depths;
-  for (const double x : scene.sensor.depths) depths += (depths.empty() ? "" : ", ") + length(x);
+  const Surface places = surface(scene);
+  const auto from_middle = [&](double y) { return length(places.centre + y); };
   const auto& layer = scene.material.layer;
-  return "<div class=\"pad-words\">" + element("span", "y = " + length(-half)) +
-         element("span", "0") + element("span", length(half)) + "</div><div class=\"pad-words\">" +
+  return "<div class=\"pad-words\">" + element("span", "y = " + from_middle(-places.half_width())) +
+         element("span", places.centre == 0.0 ? "0" : from_middle(0.0)) +
+         element("span", from_middle(places.half_width())) + "</div><div class=\"pad-words\">" +
          element("span", !layer ? "deep: a half plane"
                                 : length(layer->thickness) + " thick, " +
                                       (layer->base == Base::bonded ? "bonded to a rigid base"
                                                                    : "slides on a rigid base")) +
-         element("span", "taxels at depth x = " + depths) + "</div>\n";
+         element("span", "taxels at depth x = " + report::depths_in_words(scene)) + "</div>\n";
 }
 
 }  // namespace
 
 PadFrame pad_frame(const Scene& scene) {
   PadFrame frame;
-  frame.scale = frame.width / (2.0 * surface(scene).half_width());
+  const Surface places = surface(scene);
+  frame.middle = places.centre;
+  frame.scale = frame.width / (2.0 * places.half_width());
   frame.bottom = lab::interior_depth(scene);
   frame.thickness = std::clamp(frame.scale * frame.bottom, 90.0, 420.0);
   frame.height = frame.surface + frame.thickness + 4.0;
@@ -74,10 +79,11 @@ std::string draw_pad(const Scene& scene, std::string_view inside, std::string_vi
          px(frame.thickness) + "\"/>\n";
   svg += inside;
   const double radius = std::clamp(300.0 / static_cast<double>(scene.sensor.count), 1.2, 4.0);
-  for (const double x : scene.sensor.depths)
-    for (std::size_t i = 0; i < scene.sensor.count; ++i)
-      svg += "<circle class=\"taxel\" cx=\"" + px(frame.at(position(scene.sensor, i))) +
-             "\" cy=\"" + px(depth(x)) + "\" r=\"" + px(radius) + "\"/>";
+  std::set<std::pair<double, double>> drawn;  // several quantities may be read at one place
+  for (const Site& site : sites(scene.sensor))
+    if (drawn.emplace(site.y, site.depth).second)
+      svg += "<circle class=\"taxel\" cx=\"" + px(frame.at(site.y)) + "\" cy=\"" +
+             px(depth(site.depth)) + "\" r=\"" + px(radius) + "\"/>";
   const double y = frame.surface;
   svg += '\n' + line("surface", y);
   if (scene.material.layer) svg += line("base", y + frame.thickness);

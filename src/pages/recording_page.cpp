@@ -71,8 +71,8 @@ std::string map_of(const RecordingOverview& overview, Traction traction) {
 }
 
 Range along_the_array(const Scene& scene) {
-  const double half = surface(scene).half_width();
-  return {-half, half};
+  const Surface places = surface(scene);
+  return {places.centre - places.half_width(), places.centre + places.half_width()};
 }
 
 /// The unit of a range's numbers; without [units] no label, since a line of words stands no place.

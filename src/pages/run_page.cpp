@@ -170,7 +170,8 @@ Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
   const auto most = peaks.begin() + static_cast<std::ptrdiff_t>(frames * 19 / 20);
   std::nth_element(peaks.begin(), most, peaks.end());
   const double largest = *most;
-  const double half = surface(scene).half_width();
+  const Surface grid = surface(scene);
+  const double half = grid.half_width();
   const ScaledUnit unit =
       scene.units ? report::axis_unit(scene, Dimension::length, half) : ScaledUnit{};
   const auto clock = [&](std::size_t frame) { return brief(course.time[frame], 4) + " s"; };
@@ -183,7 +184,7 @@ Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
           .plot = std::move(plot),
           .picture = !(largest > 0.0)
                          ? ""
-                         : stretched_picture(frames, {-half, half}, unit,
+                         : stretched_picture(frames, {grid.centre - half, grid.centre + half}, unit,
                                              "Heat map of the normal traction over time", "",
                                              heat_map(frames, n, Traction::normal,
                                                       [&](std::size_t k, std::size_t i) {
@@ -250,27 +251,29 @@ void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::Tim
 /// What the taxels read, channel by channel.
 void add_readings(std::vector<Figure>& figures, const lab::Experiment& experiment) {
   const Scene& scene = experiment.scene;
-  const std::vector<double> places = positions(scene.sensor);
-  const Axis along = axis(scene, "y", Dimension::length, {&places});
-  auto begin = experiment.frame.readings.begin();
+  const std::vector<double> all = positions(scene.sensor);
+  const Axis along = axis(scene, "y", Dimension::length, {&all});
+  const std::vector<Site> where = sites(scene.sensor);
   for (const Channel& channel : channels(scene.sensor)) {
-    const auto end = begin + static_cast<std::ptrdiff_t>(places.size());
-    const std::vector<double> values(begin, end);
+    std::vector<double> places;
+    std::vector<double> values;
+    for (std::size_t i = channel.first; i < channel.first + channel.count; ++i) {
+      places.push_back(where[i].y);
+      values.push_back(experiment.frame.readings[i]);
+    }
     const std::string quantity(name(channel.quantity));
     const bool strain = quantity.starts_with("strain");
     const Axis reading =
         axis(scene, quantity, strain ? Dimension::none : Dimension::stress, {&values});
-    figures.push_back(
-        {"readings-" + channel.name,
-         std::string(readings),
-         "What the taxels read: all that the methods are given. Where it has not "
-         "died away at the array's ends, a part of the load's trace is missed.",
-         {channel.name + " at depth " + in_unit(scene, Dimension::length, channel.depth),
-          along.label,
-          reading.label + (strain ? " [1]" : ""),
-          along(places),
-          {{channel.name, reading(values), 0, true}}}});
-    begin = end;
+    figures.push_back({"readings-" + channel.name,
+                       std::string(readings),
+                       "What the taxels read: all that the methods are given. Where it has not "
+                       "died away at the array's ends, a part of the load's trace is missed.",
+                       {channel.name + " at depth " + report::depths_in_words(scene, channel),
+                        along.label,
+                        reading.label + (strain ? " [1]" : ""),
+                        along(places),
+                        {{channel.name, reading(values), 0, true}}}});
   }
 }
 

@@ -62,7 +62,7 @@ ContactEstimator::ContactEstimator(const ContactEstimator& other)
   scratch_->convolution = cloned(other.scratch_->convolution);
   scratch_->prediction_convolution = cloned(other.scratch_->prediction_convolution);
   std::copy_n(other.scratch_->baseline.data(), readings(), scratch_->baseline.data());
-  for (const std::size_t reading : other.scratch_->dead) set_dead(reading % ready_->count);
+  for (const std::size_t reading : other.scratch_->dead) set_dead(ready_->taxels[reading]);
 }
 
 ContactEstimator& ContactEstimator::operator=(const ContactEstimator& other) {
@@ -87,7 +87,6 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   Scratch& scratch = *scratch_;
   const Kernels& loops = ready.loops;
   const std::size_t n = ready.readings();
-  const std::size_t count = ready.count;
   if (readings.size() != n || estimate.tractions.size() != tractions())
     return FrameStatus::wrong_size;
 
@@ -111,7 +110,7 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
 
   bool saturated = false;
   for (std::size_t c = 0; c < ready.ranges.size(); ++c)
-    for (std::size_t i = c * count; i < (c + 1) * count; ++i)
+    for (std::size_t i = c * ready.line; i < (c + 1) * ready.line; ++i)
       saturated |= scratch.weights[i] > 0.0 &&
                    !(readings[i] > ready.ranges[c].lowest && readings[i] < ready.ranges[c].highest);
 
@@ -267,8 +266,8 @@ bool ContactEstimator::set_dead(std::size_t taxel) noexcept {
   const std::size_t n = ready.readings();
   if (!ready.prediction || taxel >= ready.count) return false;
   const std::size_t before = scratch.dead.size();
-  for (std::size_t d = taxel; d < n; d += ready.count) {
-    if (!(scratch.weights[d] > 0.0)) continue;  // left out already
+  for (std::size_t d = 0; d < n; ++d) {
+    if (ready.taxels[d] != taxel || !(scratch.weights[d] > 0.0)) continue;  // left out already
     const bool last = scratch.live == scratch.dead.size() - before + 1;
     if (last || !eliminate(d)) {
       scratch.dead.resize(before);  // rows beyond mean nothing

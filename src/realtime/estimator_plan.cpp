@@ -21,6 +21,9 @@ void check(const EstimatorPlan& plan) {
   constexpr std::size_t most = std::size_t{1} << 31;  // taxels are counted in 32 bits
   require(plan.count >= 2 && plan.count < most, "count must be >= 2");
   require(plan.channels >= 1 && plan.channels < most / plan.count, "channels must be >= 1");
+  require(std::all_of(plan.taxels.begin(), plan.taxels.end(),
+                      [&](std::uint32_t taxel) { return taxel < plan.count; }),
+          "taxels must be < count");
   require(plan.unknowns == 1 || plan.unknowns == 2, "unknowns must be 1 or 2");
   require(plan.values >= 2 && plan.values < most, "values must be >= 2");
   require(positive(plan.spacing), "spacing must be > 0");
@@ -56,8 +59,9 @@ void check(const EstimatorPlan& plan) {
   } else {
     require(plan.leverages.empty(), "leverages need a prediction");
   }
-  require(plan.ranges.empty() || plan.ranges.size() == plan.channels,
-          "ranges need one entry per channel, or none");
+  require(plan.ranges.empty() || plan.ranges.size() == plan.readings() ||
+              (plan.taxels.empty() && plan.ranges.size() == plan.channels),
+          "ranges need one entry per channel or reading, or none");
   for (const ReadingRange& range : plan.ranges)
     require(
         std::isfinite(range.lowest) && std::isfinite(range.highest) && range.lowest < range.highest,

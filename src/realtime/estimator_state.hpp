@@ -58,6 +58,8 @@ struct ContactEstimator::Ready {
         centre(plan.centre),
         friction(plan.friction_coefficient),
         ranges(plan.ranges),
+        line(plan.taxels.empty() && plan.ranges.size() == plan.channels ? plan.count : 1),
+        taxels(plan.readings()),
         weights(plan.weights),
         leverages(plan.leverages),
         accuracy(plan.accuracy + static_cast<double>(plan.readings()) * 0x1p-50),
@@ -71,6 +73,8 @@ struct ContactEstimator::Ready {
                                                 : -std::numeric_limits<double>::infinity()),
         set(std::min(chosen, widest_instruction_set())),
         loops(kernels(set)) {
+    for (std::size_t i = 0; i < taxels.size(); ++i)
+      taxels[i] = static_cast<std::uint32_t>(plan.taxel_of(i));
     if (plan.reconstruction.precision == Precision::float64)
       product64.emplace(plan.reconstruction, loops.most_lines);
     else
@@ -91,13 +95,15 @@ struct ContactEstimator::Ready {
     limit = std::min(square_limit, std::numeric_limits<double>::max() / most);
   }
 
-  [[nodiscard]] std::size_t readings() const noexcept { return channels * count; }
+  [[nodiscard]] std::size_t readings() const noexcept { return taxels.size(); }
 
   std::string label;
   std::size_t count, channels, unknowns, values;
   double spacing, centre;
   std::optional<double> friction;
   std::vector<ReadingRange> ranges;
+  std::size_t line;                   // readings that each range is of
+  std::vector<std::uint32_t> taxels;  // of every reading
   std::vector<double> weights, leverages;
   double accuracy;  // of the prediction, relative to the weighted readings
   double noise_rms, outlier_limit, residual_limit;
@@ -157,7 +163,7 @@ struct ContactEstimator::Scratch {
     }
     if (!ready.prediction) return;
     for (std::size_t i = 0; i < ready.readings(); ++i) {
-      const std::size_t taxel = i % ready.count;
+      const std::size_t taxel = ready.taxels[i];
       const bool judged = weights[i] > 0.0 && remaining[i] > least_pivot &&
                           taxel >= unjudged_ends && taxel + unjudged_ends < ready.count;
       shares[i] = judged ? 1.0 / remaining[i] : 0.0;

@@ -163,6 +163,7 @@ class Reader {
 };
 
 PlanVersion version_of(const EstimatorPlan& plan) {
+  if (!plan.taxels.empty()) return PlanVersion::taxels;
   if (plan.residual_limit > 0.0 || plan.traction_limit > 0.0 || plan.force_deviation > 0.0)
     return PlanVersion::doubts;
   if (plan.values != plan.count || plan.centre != 0.0) return PlanVersion::surface;
@@ -202,6 +203,10 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
     plan.residual_limit = in.number();
     plan.traction_limit = in.number();
     plan.force_deviation = in.number();
+  }
+  if (version >= PlanVersion::taxels) {
+    plan.taxels.resize(in.length(sizeof(std::uint32_t)));
+    for (std::uint32_t& taxel : plan.taxels) taxel = in.integer<std::uint32_t>();
   }
   if (version_of(plan) != version)
     throw std::runtime_error("the plan holds nothing of what its version is for");
@@ -249,6 +254,10 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
     payload.number(plan.residual_limit);
     payload.number(plan.traction_limit);
     payload.number(plan.force_deviation);
+  }
+  if (version >= PlanVersion::taxels) {
+    payload.size(plan.taxels.size());
+    for (const std::uint32_t taxel : plan.taxels) payload.integer(taxel);
   }
 
   Writer file;

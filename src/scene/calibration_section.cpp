@@ -33,8 +33,10 @@ class Reader {
  public:
   Reader(const Read& read, const SensorArray& array)
       : array_(array), known_(read.reads_complete && read.depths_complete && array.count > 0) {
-    for (const Channel& channel : channels(array))
-      units_.insert(units_.end(), array.count, reading_unit(read.units, channel.quantity));
+    for (const Site& site : sites(array)) {
+      units_.push_back(reading_unit(read.units, site.quantity));
+      quantities_.push_back(site.quantity);
+    }
   }
 
   /// Whether the sensor is understood: how many readings there are.
@@ -127,21 +129,23 @@ class Reader {
   }
 
   void read_quantities(Table table, const Column& column, std::vector<double>& numbers) const {
-    const std::size_t of_quantity = array_.depths.size() * array_.count;
-    for (std::size_t q = 0; q < array_.reads.size(); ++q) {
-      const auto value = table.required(name(array_.reads[q]),
-                                        "the table names every quantity that sensor.reads does");
+    for (const Quantity quantity : array_.reads) {
+      const auto value =
+          table.required(name(quantity), "the table names every quantity that sensor.reads does");
       if (!value) continue;
-      const auto number = value->number(column.rule, unit(column, q * of_quantity));
-      std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(q * of_quantity), of_quantity,
-                  number.value_or(1.0));
+      const auto first = std::find(quantities_.begin(), quantities_.end(), quantity);
+      const auto number = value->number(
+          column.rule, unit(column, static_cast<std::size_t>(first - quantities_.begin())));
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (quantities_[i] == quantity) numbers[i] = number.value_or(1.0);
     }
     table.finish();
   }
 
   const SensorArray& array_;
   bool known_;
-  std::vector<Unit> units_;  // of each reading
+  std::vector<Unit> units_;           // of each reading
+  std::vector<Quantity> quantities_;  // of each reading
 };
 
 /// The columns of a file beside the scene.

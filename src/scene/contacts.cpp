@@ -22,6 +22,10 @@ constexpr auto sampled_keys = {"normal", "tangential"};
 /// Width of the surface that belongs to the taxels; 0: not known.
 double width(const SensorArray& array) { return static_cast<double>(array.count) * array.pitch; }
 
+double middle(const SensorArray& array) {
+  return is_even(array) ? 0.0 : 0.5 * (array.taxels.front().y + array.taxels.back().y);
+}
+
 /// Both in lengths; the slack lets a contact be exactly as wide as the array in decimal fractions.
 bool exceeds(double length, double limit) { return length > limit * (1.0 + 1e-12); }
 
@@ -83,8 +87,9 @@ void check_place(const RigidContact& contact, const SensorArray& array,
     if (half_width)
       half_width->misfit("makes the contact wider than the array (count * pitch)",
                          "a smaller half_width, or more taxels");
-  } else if (center && std::abs(contact.center) - contact.half_width >= all / 2.0) {
-    center->misfit("puts the contact beside the array, which is centred on 0",
+  } else if (center && std::abs(contact.center - middle(array)) - contact.half_width >= all / 2.0) {
+    center->misfit(is_even(array) ? "puts the contact beside the array, which is centred on 0"
+                                  : "puts the contact beside the array",
                    "move it, or give the array more taxels");
   }
 }
@@ -164,6 +169,9 @@ SampledTractions read_tractions(Table& table, const SensorArray& array, const Un
   const auto normal = table.required(
       "normal", "the normal traction at every taxel, from the lowest y: normal = [0.0, 0.5, 0.0]");
   const auto tangential = table.value("tangential");
+  if (normal && !is_even(array))
+    normal->problem("is given at taxels equally far apart, and these are not",
+                    "shape = \"cylinder\", \"punch\" or \"wedge\"");
   if (normal) {
     if (auto numbers = normal->numbers(any_number, stress)) {
       check_size(normal, *numbers, array);

@@ -13,78 +13,12 @@ namespace tactile_net {
 
 namespace {
 
-constexpr std::size_t most_depths = 64;
 constexpr std::int64_t most_frames = 1'000'000;
+constexpr std::string_view equal_taxels =
+    "taxels that are equally far apart, equally deep and alike";
 constexpr Rule poisson_range{"must be from 0 to 0.5",
                              [](double nu) noexcept { return nu >= 0.0 && nu <= 0.5; }};
 constexpr Rule at_least_one{"must be >= 1", [](double x) noexcept { return x >= 1.0; }};
-
-// --- [sensor] -----------------------------------------------------------------------------------
-
-void read_quantities(const Value& value, SensorArray& array, Read& read) {
-  const auto list = value.list("quantities, such as \"strain_x\"");
-  if (!list) return;
-  if (list->empty()) value.problem("must name at least one quantity", "reads = [\"stress_x\"]");
-  read.reads_complete = !list->empty();
-  const auto names = names_of(quantities);
-  for (const Value& item : *list) {
-    const auto index = item.one_of("quantity", names);
-    if (!index) {
-      read.reads_complete = false;
-      continue;
-    }
-    const Quantity quantity = quantities[*index];
-    if (std::find(array.reads.begin(), array.reads.end(), quantity) == array.reads.end())
-      array.reads.push_back(quantity);
-    else
-      item.problem("names " + in_quotes(name(quantity)) + " twice", "remove one");
-  }
-}
-
-void read_depths(const std::optional<Value>& one, const std::optional<Value>& several,
-                 SensorArray& array, Read& read) {
-  if (one && several) {
-    several->problem("and sensor.depth exclude each other", "keep one of the two");
-    return;
-  }
-  if (one) {
-    if (const auto depth = one->number(positive, read.units.length)) array.depths = {*depth};
-  } else if (several) {
-    const auto items = several->list("numbers");
-    const auto depths = several->numbers(positive, read.units.length);
-    if (!items || !depths) return;
-    if (depths->size() > most_depths) {
-      several->problem("must hold at most 64 depths (got " + std::to_string(depths->size()) + ')');
-      return;
-    }
-    if (depths->empty()) several->problem("must hold at least one depth", "depths = [1.0, 1.5]");
-    for (std::size_t i = 0; i < depths->size(); ++i) {
-      const double depth = (*depths)[i];
-      if (std::find(array.depths.begin(), array.depths.end(), depth) == array.depths.end())
-        array.depths.push_back(depth);
-      else
-        (*items)[i].misfit("names a depth twice", "remove one");
-    }
-  }
-  read.depths_complete = !array.depths.empty();
-}
-
-void read_sensor(Table table, SensorArray& array, Read& read) {
-  if (const auto count =
-          table.required("count", "the number of taxels along the surface: count = 81")) {
-    const auto taxels = count->integer(
-        2, most_taxels, "the matrices are dense: 4096 taxels already take 128 MiB for each");
-    array.count = static_cast<std::size_t>(taxels.value_or(0));
-  }
-  if (const auto pitch = table.required("pitch", "the distance from taxel to taxel: pitch = 0.25"))
-    array.pitch = pitch->number(positive, read.units.length).value_or(0.0);
-  const auto depth =
-      table.required("depth", "how far below the surface the taxels are: depth = 1.5", {"depths"});
-  read_depths(depth, table.value("depths"), array, read);
-  read.reads = table.required("reads", "what each taxel reads: reads = [\"strain_x\"]");
-  if (read.reads) read_quantities(*read.reads, array, read);
-  table.finish();
-}
 
 // --- [material] ---------------------------------------------------------------------------------
 
@@ -149,11 +83,15 @@ Timing read_time(Table table) {
 
 // --- [forward] ----------------------------------------------------------------------------------
 
-ForwardModel read_forward(Table table) {
+ForwardModel read_forward(Table table, const SensorArray& array) {
   constexpr std::array models = {ForwardModel::exact, ForwardModel::sampled};
   auto result = ForwardModel::exact;
   if (const auto model = table.value("model"))
-    if (const auto index = model->one_of("model", names_of(models))) result = models[*index];
+    if (const auto index = model->one_of("model", names_of(models))) {
+      result = models[*index];
+      if (result == ForwardModel::sampled && !is_even(array))
+        model->problem("sums over " + std::string(equal_taxels), "model = \"exact\"");
+    }
   table.finish();
   return result;
 }
@@ -208,6 +146,9 @@ void read_alpha(const Value& alpha, const Scene& scene, const Units& units,
 /// What the methods ask of the array and the noise.
 void check_methods(const std::vector<NamedMethod>& methods, const Scene& scene, const Read& read) {
   if (!read.reads_complete || methods.empty()) return;
+  for (const NamedMethod& named : methods)
+    if (named.method == Method::dft && !is_even(scene.sensor))
+      named.value.problem("is for " + std::string(equal_taxels), "\"tikhonov\"");
   const auto& reads = scene.sensor.reads;
   const bool strains = std::any_of(reads.begin(), reads.end(), is_strain);
   const bool stresses = !std::all_of(reads.begin(), reads.end(), is_strain);
@@ -261,9 +202,8 @@ void read_constraints(Table& table, const Scene& scene, const Read& read,
 
 /// By default tractions lie at the taxels where these are dense, and for what knows no other place.
 SurfaceBasis default_basis(const Scene& scene, bool uses_dft) {
-  const SensorArray& array = scene.sensor;
-  const auto least = std::min_element(array.depths.begin(), array.depths.end());
-  const bool dense = least == array.depths.end() || array.pitch <= 0.5 * *least;
+  if (!is_even(scene.sensor)) return SurfaceBasis::hats;
+  const bool dense = scene.sensor.depths.empty() || is_dense(scene.sensor);
   return dense || uses_dft || scene.forward == ForwardModel::sampled ? SurfaceBasis::taxels
                                                                      : SurfaceBasis::hats;
 }
@@ -279,6 +219,8 @@ void read_surface(Table& table, const Scene& scene, const Read& read, bool uses_
         basis->problem(
             "gives tractions where there are no readings, and dft divides one by the other",
             "surface = \"taxels\", or methods without \"dft\"");
+      if (options.surface.basis == SurfaceBasis::taxels && !is_even(scene.sensor))
+        basis->problem("puts tractions over " + std::string(equal_taxels), "surface = \"grid\"");
     }
   const auto spacing = table.value("spacing");
   const auto margin = table.value("margin");
@@ -320,8 +262,8 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
   if (const auto alpha = table.value("alpha")) read_alpha(*alpha, scene, read.units, options);
   if (const auto length = table.value("smoothing_length"))
     options.smoothing_length = length->number(not_negative, read.units.length).value_or(0.0);
-  else if (!scene.sensor.depths.empty())
-    options.smoothing_length = scene.sensor.depths.front();
+  else
+    options.smoothing_length = scene.reconstruct.smoothing_length;
   if (const auto limit = table.value("noise_gain_limit"))
     options.noise_gain_limit = limit->number(at_least_one).value_or(options.noise_gain_limit);
   read_constraints(table, scene, read, methods, options);
@@ -347,7 +289,7 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
   }
   if (const auto table = table_of(root.required(
           "sensor", "it says where the taxels are and what they read: count, pitch, depth, reads")))
-    read_sensor(*table, scene.sensor, read);
+    scene.sensor = read_sensor(*table, folder, read);
   if (const auto table = table_of(root.required(
           "material", "it says what the pad is made of: youngs_modulus, poisson_ratio")))
     scene.material = read_material(*table, scene.sensor, read.units);
@@ -358,10 +300,12 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
     if (auto tables = contacts->tables()) read_contacts(std::move(*tables), read, scene);
   read_sensor_effects(root, read, scene);
   read_calibration(table_of(root.value("calibration")), folder, read, scene);
-  if (const auto table = table_of(root.value("forward"))) scene.forward = read_forward(*table);
+  if (const auto table = table_of(root.value("forward")))
+    scene.forward = read_forward(*table, scene.sensor);
 
   if (!scene.sensor.depths.empty())
-    scene.reconstruct.smoothing_length = scene.sensor.depths.front();
+    scene.reconstruct.smoothing_length =
+        is_even(scene.sensor) ? scene.sensor.depths.front() : least_depth(scene.sensor);
   scene.reconstruct.surface.basis = default_basis(scene, false);
   if (const auto table = table_of(root.value("reconstruct")))
     scene.reconstruct = read_reconstruct(*table, scene, read);

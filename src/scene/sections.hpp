@@ -38,6 +38,11 @@ struct Read {
   bool timed = false;  ///< there is a table [time]
 };
 
+/// The table [sensor].
+///
+/// @param folder  of the scene's file
+[[nodiscard]] SensorArray read_sensor(Table table, const std::filesystem::path& folder, Read& read);
+
 /// The table [units].
 [[nodiscard]] Units read_units(Table table);
 

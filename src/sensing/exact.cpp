@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -121,7 +122,7 @@ struct Responses {
 };
 
 /// A taxel and what is known of its kernels.
-struct Taxel {
+struct Point {
   double y;
   double depth;
   double base_error;
@@ -174,7 +175,7 @@ double magnitude(const SampledTractions& contact) noexcept {
 }
 
 /// Indenters: s = center + place(t) and f_v ds = weight(t) dt.
-Integral reading(const Taxel& taxel, const Responses<PadKernel>& kernels,
+Integral reading(const Point& taxel, const Responses<PadKernel>& kernels,
                  const RigidContact& contact, const Quadrature& rule) {
   const double p = contact.force;
   const double a = contact.half_width;
@@ -225,7 +226,7 @@ Integral reading(const Taxel& taxel, const Responses<PadKernel>& kernels,
 }
 
 /// Piecewise linear tractions are a sum of hats, each of which has its reading in closed form.
-Integral reading(const Taxel& taxel, const Responses<HatKernel>& hats,
+Integral reading(const Point& taxel, const Responses<HatKernel>& hats,
                  const SampledTractions& contact) {
   Integral sum;
   const auto add = [&](const HatKernel& hat, const std::vector<double>& values) {
@@ -260,7 +261,7 @@ std::vector<double> exact_readings(const Channel& channel, std::span<const doubl
     for (std::size_t j = 0; j < places.size(); ++j) {
       Integral g;
       for (const auto& [offset, weight] : aperture.nodes()) {
-        const Integral point = reading(Taxel{places[j] + offset, channel.depth, base});
+        const Integral point = reading(Point{places[j] + offset, channel.depth, base});
         g += {weight * point.value, weight * point.error, weight * point.magnitude};
       }
       worst.value = std::max(worst.value, std::abs(g.value));
@@ -280,11 +281,11 @@ std::vector<double> exact_readings(const Channel& channel, std::span<const doubl
   for (const Contact& contact : contacts)
     if (const auto* rigid = std::get_if<RigidContact>(&contact)) {
       if (!kernels) kernels.emplace(channel, material);
-      add(*rigid, [&](const Taxel& taxel) { return reading(taxel, *kernels, *rigid, rule); });
+      add(*rigid, [&](const Point& taxel) { return reading(taxel, *kernels, *rigid, rule); });
     } else {
       const auto& sampled = std::get<SampledTractions>(contact);
       const Responses<HatKernel> hats(channel, material, sampled.pitch);
-      add(sampled, [&](const Taxel& taxel) { return reading(taxel, hats, sampled); });
+      add(sampled, [&](const Point& taxel) { return reading(taxel, hats, sampled); });
     }
   return readings;
 }
@@ -292,11 +293,20 @@ std::vector<double> exact_readings(const Channel& channel, std::span<const doubl
 std::vector<double> exact_readings(const SensorArray& array, const Material& material,
                                    std::span<const Contact> contacts, const Quadrature& rule) {
   check(array);
-  const std::vector<double> places = positions(array);
-  std::vector<double> readings;
-  for (const Channel& channel : channels(array)) {
-    const std::vector<double> block = exact_readings(channel, places, material, contacts, rule);
-    readings.insert(readings.end(), block.begin(), block.end());
+  // Taxels of one quantity at one depth share their kernels; even arrays have them side by side.
+  const std::vector<Site> all = sites(array);
+  std::map<std::pair<std::size_t, double>, std::vector<std::size_t>> alike;  // channel, depth
+  for (std::size_t i = 0; i < all.size(); ++i) alike[{all[i].channel, all[i].depth}].push_back(i);
+
+  const std::vector<Channel> named = channels(array);
+  std::vector<double> readings(all.size());
+  for (const auto& [which, indices] : alike) {
+    const auto& [channel, depth] = which;
+    std::vector<double> places;
+    for (const std::size_t i : indices) places.push_back(all[i].y);
+    const std::vector<double> block = exact_readings(
+        {named[channel].quantity, depth, named[channel].name}, places, material, contacts, rule);
+    for (std::size_t k = 0; k < indices.size(); ++k) readings[indices[k]] = block[k];
   }
   return readings;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "numeric/require.hpp"
+#include "tactile_net/sensing/array.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
 namespace tactile_net {
@@ -19,6 +20,7 @@ namespace tactile_net {
 /// @throw std::invalid_argument  as `sampled_readings`
 std::vector<double> superpose(const SensorArray& array, const TractionField& field,
                               auto add_block) {
+  require_even(array, "the discrete sum");
   const std::size_t count = array.count;
   const std::string rule = "hold one value per taxel, " + std::to_string(count);
   require(field.normal.size() == count, "normal", rule, field.normal.size());

@@ -14,6 +14,15 @@ namespace {
 constexpr Named<SurfaceBasis> bases[] = {{SurfaceBasis::taxels, "taxels"},
                                          {SurfaceBasis::hats, "grid"}};
 
+/// Between neighbours [m].
+double widest_gap(const SensorArray& array) noexcept {
+  if (is_even(array)) return array.pitch;
+  double widest = 0.0;
+  for (std::size_t i = 1; i < array.count; ++i)
+    widest = std::max(widest, array.taxels[i].y - array.taxels[i - 1].y);
+  return widest;
+}
+
 /// ceil, but for rounding.
 double rounded_up(double ratio) { return std::ceil(ratio * (1.0 - 1e-12)); }
 
@@ -27,33 +36,52 @@ std::vector<double> positions(const Surface& surface) {
   return places;
 }
 
+double least_depth(const SensorArray& array) noexcept {
+  return *std::min_element(array.depths.begin(), array.depths.end());
+}
+
+bool is_dense(const SensorArray& array) noexcept {
+  return widest_gap(array) <= 0.5 * least_depth(array);
+}
+
+SurfaceOptions one_value_per_taxel(const SensorArray& array) noexcept {
+  if (is_even(array)) return {};
+  return {.basis = SurfaceBasis::hats, .spacing = array.pitch, .margin = 0.0};
+}
+
 Surface surface_of(const SensorArray& array, const SurfaceOptions& options) {
   check(array);
   if (options.spacing) require_positive("spacing", *options.spacing);
   if (options.margin)
     require(*options.margin >= 0.0 && std::isfinite(*options.margin), "margin",
             "be >= 0 and finite", *options.margin);
-  if (options.basis == SurfaceBasis::taxels)
+  if (options.basis == SurfaceBasis::taxels) {
+    require_even(array, "a line load over each taxel");
     return {.basis = options.basis, .count = array.count, .spacing = array.pitch};
-
-  const double depth = *std::min_element(array.depths.begin(), array.depths.end());
+  }
+  const double depth = least_depth(array);
   const double wanted =
-      options.spacing.value_or(array.pitch <= 0.5 * depth ? array.pitch : 0.25 * depth);
-  const double stride = std::max(rounded_up(array.pitch / wanted), 1.0);
-  const double spacing = array.pitch / stride;
+      options.spacing.value_or(is_dense(array) ? std::min(array.pitch, 0.5 * depth) : 0.25 * depth);
+  // Whole steps from taxel to taxel where these are even, from the first to the last where not.
+  const double first = position(array, 0);
+  const double length = is_even(array) ? array.pitch : position(array, array.count - 1) - first;
+  const double parts = is_even(array) ? static_cast<double>(array.count - 1) : 1.0;
+  const double stride = std::max(rounded_up(length / wanted), length > 0.0 ? 1.0 : 0.0);
+  const double spacing = length > 0.0 ? length / stride : wanted;
   const double reach = rounded_up(options.margin.value_or(2.0 * depth) / spacing);
-  const double margin = std::max(reach - 1.0, 0.0);  // the outermost hats end one spacing further
-  const double count = static_cast<double>(array.count - 1) * stride + 2.0 * margin + 1.0;
+  // The outermost hats end one spacing further.
+  const double margin = std::max(reach - 1.0, length > 0.0 ? 0.0 : 1.0);
+  const double count = parts * stride + 2.0 * margin + 1.0;
   if (!(count <= static_cast<double>(most_values)))
     throw std::invalid_argument("the surface would have more than " + std::to_string(most_values) +
                                 " values: choose a larger spacing or a smaller margin");
   return {.basis = options.basis,
           .count = static_cast<std::size_t>(count),
           .spacing = spacing,
-          .area = 1.0 / stride,
-          .centre = 0.0,
+          .area = is_even(array) ? 1.0 / stride : spacing / array.pitch,
+          .centre = is_even(array) ? 0.0 : first + 0.5 * length,
           .margin = static_cast<std::size_t>(margin),
-          .stride = static_cast<std::size_t>(stride)};
+          .stride = is_even(array) ? static_cast<std::size_t>(stride) : 0};
 }
 
 }  // namespace tactile_net

@@ -32,14 +32,15 @@ WorkPoint coarser(const StudyInput& input, std::size_t stride, const WorkCurve& 
                   const Knob& knob, const lab::Clock& clock) {
   const std::size_t n = input.scene().sensor.count;
   Scene scene = input.scene();
-  scene.sensor.count = knob.count;
-  scene.sensor.pitch *= static_cast<double>(stride);
+  scene.sensor = every(input.scene().sensor, stride);
   const Surface places = surface(input.scene());
   const bool on_grid = places.basis == SurfaceBasis::hats;  // which stays as it is
   if (on_grid) scene.reconstruct.surface.spacing = places.spacing;
   std::vector<double> g;
-  for (std::size_t i = 0; i < input.readings.size(); ++i)
-    if (i % n % stride == 0) g.push_back(input.readings[i]);
+  for (std::size_t i = 0; const Site& site : sites(input.scene().sensor)) {
+    if (site.taxel % stride == 0) g.push_back(input.readings[i]);
+    ++i;
+  }
   PlannerOptions options;
   options.diagnostics = false;
   const PlannedEstimator planned =

@@ -150,3 +150,12 @@ TEST_CASE("verdicts have the names that results use", "[dft]") {
   CHECK(name(DftVerdict::sign_change) == "sign_change");
   CHECK(name(DftVerdict::cut_off) == "cut_off");
 }
+
+TEST_CASE("uneven taxels have no spectrum", "[dft][uneven]") {
+  const Material silicone{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
+  const std::vector<Quantity> reads = {Quantity::stress_x};
+  const SensorArray array =
+      uneven_array({{-1e-3, 1.5e-3, reads}, {0.0, 1.5e-3, reads}, {2e-3, 1.5e-3, reads}});
+  CHECK_THROWS_WITH(DftInverse(array, silicone),
+                    ContainsSubstring("dft needs taxels equally far apart"));
+}

@@ -149,6 +149,9 @@ TEST_CASE("what is hidden can be asked for alone", "[identifiability][property]"
     CHECK(hidden.shortest == whole.shortest);
     REQUIRE(hidden.modes.size() == std::min<std::size_t>(whole.dimension, 1));
     if (whole.dimension > 0) CHECK(same_shape(hidden.modes[0], whole.modes[0], 0.0));
+    const ModeSpace known = hidden_modes(problem, TikhonovFamily(problem));
+    CHECK(known.dimension == whole.dimension);
+    CHECK(known.longest == whole.longest);
   }
   const InverseProblem strains =
       make_problem(array_of(21, {strain_x, strain_y}), {1.0, 0.5}, {.unknowns = 2});

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "tactile_net/inverse/error_bound.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
@@ -183,6 +184,19 @@ TEST_CASE("one frame solved directly equals the prepared matrix", "[tikhonov]") 
     const std::vector<double> g = random_values(problem.kernel.rows, 9);
     CHECK(relative_l2_error(tikhonov_solve(problem, 1e-4, g), solved(tikhonov(problem, 1e-4), g)) <=
           1e-12);
+  }
+}
+
+TEST_CASE("the family's matrix is the same, and so is its condition", "[tikhonov][property]") {
+  const double alpha = GENERATE(1e-6, 1e-3, 1.0);
+  for (const auto& [name, problem] : sample_problems()) {
+    CAPTURE(name, alpha);
+    const Reconstruction expected = tikhonov(problem, alpha);
+    const Reconstruction made = TikhonovFamily(problem).reconstruction(alpha);
+    CHECK_THAT(made.condition(), WithinRel(expected.condition(), 1e-9));
+    const auto a = view(made.transposed());
+    const auto b = view(expected.transposed());
+    CHECK((a - b).norm() <= 1e-13 * expected.condition() * b.norm());
   }
 }
 

@@ -85,9 +85,17 @@ TEST_CASE("limits are the scene's, whatever the quantity", "[data]") {
   CHECK_THAT(limits.inner->second, WithinRel(3.5, 1e-12));
 }
 
+namespace {
+
+SensorArray eight_reading(std::vector<Quantity> reads) {
+  return {.count = 8, .pitch = 1.0, .depths = {1.0}, .reads = std::move(reads)};
+}
+
+}  // namespace
+
 TEST_CASE("a taxel that repeats while the others move is found, all of its channels", "[data]") {
   const std::vector<std::size_t> dead = {0};
-  lab::RepeatingTaxels watch(8, 2, dead);
+  lab::RepeatingTaxels watch(eight_reading({Quantity::stress_x, Quantity::shear_xy}), dead);
   std::vector<double> readings(16);
   const auto next = [&](double k) {
     for (std::size_t i = 0; i < readings.size(); ++i)
@@ -106,7 +114,7 @@ TEST_CASE("a taxel that repeats while the others move is found, all of its chann
 }
 
 TEST_CASE("frames that repeat as a whole show no single taxel", "[data]") {
-  lab::RepeatingTaxels watch(8, 1, {});
+  lab::RepeatingTaxels watch(eight_reading({Quantity::stress_x}), {});
   const std::vector<double> readings(8, 1.0);
   for (int k = 0; k < 20; ++k) watch.add(readings);
   CHECK_FALSE(watch.first());

@@ -180,4 +180,41 @@ TEST_CASE("the circuit solves no frames, and says so", "[lab][method]") {
   CHECK_THROWS_AS(make_solver(parse(one, ""), Method::network), std::invalid_argument);
 }
 
+TEST_CASE("frames that share an alpha flicker hardly more than with a fixed one", "[lab][method]") {
+  const Scene scene = parse("\"stress_x\"",
+                            "[noise]\nrms = 0.02\n[[contact]]\nshape = \"cylinder\"\n"
+                            "center = 0.4\nhalf_width = 2.0\nforce = 6.0\n"
+                            "[time]\nrate = 100.0\nframes = 60\n");
+  const SceneProblem problem(scene);
+  const auto flicker = [&](FrameSolver& solver) {
+    SensorRecording recording(scene);
+    std::vector<double> last;
+    std::vector<double> f(solver.tractions());
+    double sum = 0.0;
+    for (int k = 0; recording.next(true); ++k) {
+      REQUIRE(solver.solve(recording.readings(), f).status == FrameStatus::ok);
+      for (std::size_t i = 0; i < f.size() && k > 30; ++i) sum += std::pow(f[i] - last[i], 2);
+      last = f;
+    }
+    return std::sqrt(sum);
+  };
+  const auto sharing = make_sharing_solver(problem, Method::tikhonov, 30);
+  const double shared = flicker(*sharing);
+  std::vector<double> room(sharing->tractions());
+  const double alpha = sharing->solve(simulate(scene).readings, room).alpha->value;
+  CHECK(shared <= 1.1 * flicker(*make_solver(problem, Method::tikhonov, alpha)));
+}
+
+TEST_CASE("a single frame shares its alpha with none", "[lab][method]") {
+  const SceneProblem problem(parse(one, ""));
+  const std::vector<double> g = bump(1);
+  std::vector<double> alone(problem.tractions());
+  std::vector<double> first(problem.tractions());
+  REQUIRE(make_solver(problem, Method::tikhonov)->solve(g, alone).status == FrameStatus::ok);
+  REQUIRE(make_sharing_solver(problem, Method::tikhonov, 20)->solve(g, first).status ==
+          FrameStatus::ok);
+  CHECK(first == alone);
+  CHECK_THROWS_AS(make_sharing_solver(problem, Method::dft, 20), std::invalid_argument);
+}
+
 }  // namespace tactile_net::lab

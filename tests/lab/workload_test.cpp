@@ -165,6 +165,10 @@ TEST_CASE("reasons tell apart what the scene asks for and what it leaves out", "
 
   std::string large_array = sensor;
   large_array.replace(large_array.find("count = 5"), 9, "count = 1200");
+  const Workload large_work = workload(parse_scene(large_array, "s"));
+  CHECK(task(large_work, bands).why.reason == Reason::forces_have_deviations);
+  CHECK(task(large_work, hidden_modes).why.reason == Reason::array_too_large);
+  large_array += "[reconstruct]\nnonnegative = true\n";
   CHECK(task(workload(parse_scene(large_array, "s")), bands).why.reason == Reason::array_too_large);
 }
 

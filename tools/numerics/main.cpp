@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "coverage_table.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tests/hard/outcomes.hpp"
 
@@ -102,6 +103,7 @@ std::string page() {
          "instead of an answer:\n\n";
   for (const Refusal& refusal : refusals)
     out << "- " << refusal.name << ", " << refusal.method << ": " << refusal.words << '\n';
+  out << coverage_section();
   return out.str();
 }
 

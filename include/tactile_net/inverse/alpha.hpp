@@ -11,17 +11,14 @@
 ///     ncp          residual most like white noise: its normalised cumulative periodogram least far
 ///                  from a straight line in the 2-norm     (Hansen, Kilmer and Kjeldsen 2006)
 ///     gml          least  g'(I - H) g / det(I - H)^(1/m)     (Wahba 1985)
-///     evidence     least  1/2 [ g'(I - H) g / sigma^2 - log det(I - H) ], sigma the noise's rms:
-///     -log
-///                  of the readings' likelihood where f is as likely as exp(-alpha |L f|^2 / 2
-///                  sigma^2) says     (MacKay 1992); gml with the noise known
-///     aicc         least  log(rho^2 / m) + 1 + 2 (tr H + 1) / (m - tr H - 2), infinite at tr H >=
-///     m - 2
-///                  (Hurvich, Simonoff and Tsai 1998)
+///     evidence     least  1/2 [ g'(I - H) g / sigma^2 - log det(I - H) ]     (MacKay 1992):
+///                  gml with the noise's rms sigma known
+///     aicc         least  log(rho^2 / m) + 1 + 2 (tr H + 1) / (m - tr H - 2), infinite where
+///                  tr H >= m - 2     (Hurvich, Simonoff and Tsai 1998)
 ///
-/// Which to take: `default_rule` of alpha_tables.hpp. Without the noise's rms
-/// a rule must tell noise from signal by the readings alone, which few readings do not allow: then
-/// the verdict is `noise_needed`.
+/// Which to take: `default_rule` of alpha_tables.hpp. Without the noise's rms a rule must tell
+/// noise from signal by the readings alone, which few readings do not allow: then the verdict is
+/// `noise_needed`.
 ///
 /// Every rule is a function of log alpha whose slope is known in closed form; the best of 200
 /// values is refined to a root of the slope. So the answer is the same in any units, to rounding.

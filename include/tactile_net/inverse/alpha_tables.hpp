@@ -19,10 +19,11 @@ class AlphaTables {
  public:
   /// The filters phi_i at the 200 alphas of a sweep. O(200 x components), five numbers for each.
   ///
-  /// @param gamma  as `FilterFrame::gamma`, of every frame
-  /// @param rows   as `FilterFrame::rows`
-  /// @throw std::invalid_argument  there is no component
-  AlphaTables(std::span<const double> gamma, std::size_t rows);
+  /// @param gamma   as `FilterFrame::gamma`, of every frame
+  /// @param rows    as `FilterFrame::rows`
+  /// @param shares  as `FilterFrame::shares`
+  /// @throw std::invalid_argument  there is no component; shares are neither none nor one for each
+  AlphaTables(std::span<const double> gamma, std::size_t rows, std::span<const double> shares = {});
   ~AlphaTables();
   AlphaTables(AlphaTables&&) noexcept;
   AlphaTables& operator=(AlphaTables&&) noexcept;

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/inverse/problem.hpp"
@@ -58,6 +59,18 @@ class FftTikhonov {
   /// @param step_limit  after which the best so far is returned, with `converged` false
   FrameStatus solve(std::span<const double> readings, std::span<double> tractions,
                     double tolerance = 1e-10, std::size_t step_limit = 200) noexcept;
+
+  /// P^-1 times `right`, in the same way, until the gradient is 1e-10 of it or after 1000 steps.
+  /// Allocates. @pre  right has one value per traction
+  [[nodiscard]] std::vector<double> solve_normal(std::span<const double> right);
+
+  /// [W K; sqrt(alpha) L] times tractions: what they would be read as, and below it what smooths
+  /// them. Allocates. @pre  there is one value per traction
+  [[nodiscard]] std::vector<double> stacked_product(std::span<const double> tractions);
+
+  /// |W (K f - g)|_2. Allocates. @pre  sizes as `solve`'s
+  [[nodiscard]] double residual(std::span<const double> readings,
+                                std::span<const double> tractions);
 
   /// Of the last frame.
   [[nodiscard]] const Convergence& convergence() const noexcept;

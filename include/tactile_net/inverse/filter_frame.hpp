@@ -40,9 +40,15 @@ class ResidualPeriodogram {
 struct FilterFrame {
   std::vector<double> gamma{};  ///< generalised singular values, >= 0; any order
   std::vector<double> beta{};   ///< the readings' coefficients, over `scale`
-  double outside = 0.0;         ///< norm of what no traction explains, over `scale`
-  double scale = 0.0;           ///< largest |W g|; 0: nothing was read
-  std::size_t rows = 0;         ///< readings that count: rows with a weight
+  /// How many components of the readings each gamma stands for; empty: one. Where an array is seen
+  /// in sections (long_array_family.hpp) a gamma stands for a part of every section.
+  std::vector<double> shares{};
+  /// What stands for the squares of beta in sums over the frame; empty: they themselves. Of
+  /// sections, where it may be negative by as much as sections deviate from the whole.
+  std::vector<double> powers{};
+  double outside = 0.0;  ///< norm of what no traction explains, over `scale`
+  double scale = 0.0;    ///< largest |W g|; 0: nothing was read
+  std::size_t rows = 0;  ///< readings that count: rows with a weight
   std::shared_ptr<const ResidualPeriodogram> periodogram{};
 };
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 
 namespace tactile_net {
 
@@ -64,6 +65,10 @@ struct Identifiability {
 /// `identifiability(problem).null_space` with its first mode alone: what a warning needs. Costs one
 /// singular value decomposition of W K, and nothing else where every combination shows.
 [[nodiscard]] ModeSpace hidden_modes(const InverseProblem& problem);
+
+/// The same where the problem's family has been made: where that shows that nothing is hidden,
+/// which is so for most arrays, at no cost.
+[[nodiscard]] ModeSpace hidden_modes(const InverseProblem& problem, const TikhonovFamily& family);
 
 /// How many combinations of tractions no kernel can show, by counting alone.
 ///

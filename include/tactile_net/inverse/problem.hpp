@@ -16,9 +16,9 @@
 ///     const SensorArray array{
 ///         .count = 41, .pitch = 0.5e-3, .depths = {1.5e-3}, .reads = {Quantity::stress_x}};
 ///     const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.45};
-///     const InverseProblem problem = make_problem(
-///         array, silicone, {.smoothing_length = 1.5e-3, .surface = {.basis =
-///         SurfaceBasis::hats}});
+///     const ProblemOptions options{.smoothing_length = 1.5e-3,
+///                                  .surface = {.basis = SurfaceBasis::hats}};
+///     const InverseProblem problem = make_problem(array, silicone, options);
 ///     const Reconstruction method = tikhonov(problem, 1e-3);  // reconstruction.hpp
 ///     const FrameStatus status = method.solve(readings, tractions);  // examples/01_tractions.cpp
 #pragma once
@@ -35,16 +35,17 @@
 namespace tactile_net {
 
 struct InverseProblem {
-  Matrix kernel{};                ///< W K, (channels x taxels) x (unknowns x surface.count)
+  Matrix kernel{};                ///< W K, readings x (unknowns x surface.count)
   std::vector<double> weights{};  ///< diagonal of W, one per row; 0 for a dead taxel
-  std::size_t taxels = 0;         ///< readings of each channel
+  std::vector<Site> sites{};      ///< where each row's reading is taken
+  std::size_t taxels = 0;         ///< places along y
   std::size_t unknowns = 1;       ///< 1: normal traction; 2: normal, then tangential
   Surface surface{};              ///< the places of each unknown's values
   double smoothing_length = 0.0;  ///< l [m], >= 0
   double kernel_error = 0.0;      ///< how far rounding may have moved W K, in the 2-norm
 };
 
-/// Of K: a decomposition of more takes minutes.
+/// Of K that a scene may ask for by a spacing of its own: a decomposition of more takes minutes.
 inline constexpr std::size_t most_columns = 4096;
 
 struct ProblemOptions {
@@ -58,16 +59,20 @@ struct ProblemOptions {
 /// @throw std::invalid_argument  the array, the material or an option is out of range
 void check(const SensorArray& array, const Material& material, const ProblemOptions& options);
 
-/// Assembles K from `surface_kernel`: one block of rows per channel, one of columns per unknown.
+/// Assembles K: one block of rows per channel, one of columns per unknown; of even arrays from
+/// `surface_kernel`, of uneven ones from a `HatKernel` for each quantity and depth.
 ///
 /// With two unknowns, one channel cannot tell them apart, and some pairs leave null modes (see
 /// `identifiability`): alpha > 0 still gives an answer, the smallest that explains the readings.
 ///
 /// @throw std::invalid_argument  array, material or an option is out of range; every taxel is dead;
 ///                               stresses and strains are mixed without `channel_rms`; two unknowns
-///                               from one channel; K would have more than `most_columns`
+///                               from one channel
 [[nodiscard]] InverseProblem make_problem(const SensorArray& array, const Material& material,
                                           const ProblemOptions& options = {});
+
+/// Readings of each channel; where channels differ in length, of all.
+[[nodiscard]] std::size_t line_length(const InverseProblem& problem);
 
 /// P = (WK)'(WK) + alpha (l^2/D^2 Q + I), the matrix of the conductance network (thesis 5.18; alpha
 /// stands for alpha h/D, and D for h): symmetric, positive definite for alpha > 0. Squares K's

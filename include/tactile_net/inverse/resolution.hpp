@@ -48,6 +48,8 @@ struct Resolution {
 /// traction is odd in stress_x, stress_y and the strains, a normal one in shear_xy. Elsewhere the
 /// sampled kernels' response is that of A but for aliases, exp(-2 pi depth / pitch + k depth).
 ///
+/// Of an uneven array: as if its taxels were spread evenly, each at its depth.
+///
 /// @throw std::invalid_argument  as `make_problem`
 [[nodiscard]] std::vector<Resolution> resolutions(const SensorArray& array,
                                                   const Material& material,

@@ -8,6 +8,7 @@
 
 #include "tactile_net/inverse/filter_frame.hpp"
 #include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
 
 namespace tactile_net {
 
@@ -40,8 +41,15 @@ class TikhonovFamily {
   /// @throw std::invalid_argument  alpha is not > 0 and finite
   [[nodiscard]] std::vector<double> solve(const FilterFrame& frame, double alpha) const;
 
- private:
+  /// The matrix of that map, for many frames with one alpha: `tikhonov`'s, from the singular
+  /// vectors that are there. O(rows x columns^2).
+  /// @throw std::invalid_argument, std::domain_error  as `tikhonov`
+  [[nodiscard]] Reconstruction reconstruction(double alpha) const;
+
   struct Factors;
+  [[nodiscard]] const Factors& factors() const noexcept { return *factors_; }
+
+ private:
   std::unique_ptr<const Factors> factors_;
 };
 

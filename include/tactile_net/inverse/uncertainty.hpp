@@ -30,15 +30,46 @@
 
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 
 namespace tactile_net {
 
-class TractionCovariance {
+/// How tractions err, one with another.
+class Covariance {
  public:
-  /// Of `tikhonov`. C is never formed. O((m + n) n^2).
+  Covariance() = default;
+  Covariance(const Covariance&) = delete;
+  Covariance& operator=(const Covariance&) = delete;
+  virtual ~Covariance() = default;
+
+  /// Standard deviation of every traction per unit of `noise_rms` [Pa].
+  [[nodiscard]] virtual std::vector<double> deviations() const = 0;
+
+  /// Standard deviation of sum_i weights_i f_i per unit of `noise_rms`.
+  [[nodiscard]] virtual double deviation(std::span<const double> weights) const = 0;
+
+  /// Covariance of a sum with weights `a` and one with weights `b`, per unit of `noise_rms`
+  /// squared.
+  [[nodiscard]] virtual double covariance(std::span<const double> a,
+                                          std::span<const double> b) const = 0;
+
+  /// tr H: how many of the readings' degrees of freedom the tractions use up.
+  [[nodiscard]] virtual double degrees_of_freedom() const noexcept = 0;
+
+ protected:
+  Covariance(Covariance&&) = default;
+  Covariance& operator=(Covariance&&) = default;
+};
+
+class TractionCovariance final : public Covariance {
+ public:
+  /// Of `tikhonov`, where its family has been made. C is never formed. O(columns^3), one product.
   ///
   /// @param prior_alpha  > 0; the same as alpha: the posterior covariance
   /// @throw std::invalid_argument  alpha or prior_alpha is not > 0 and finite
+  TractionCovariance(const TikhonovFamily& family, double alpha, double prior_alpha);
+
+  /// The same with a family of its own: O((m + n) n^2).
   TractionCovariance(const InverseProblem& problem, double alpha, double prior_alpha);
 
   /// Of `ConstrainedTikhonov`, given which variables are free: what is held at zero is taken for
@@ -47,22 +78,21 @@ class TractionCovariance {
   /// @param free  columns of `edges`, as in `ConstrainedSolution`; none: everything is certain
   TractionCovariance(const InverseProblem& problem, double alpha, double prior_alpha,
                      const Constraints& constraints, std::span<const std::size_t> free);
-  ~TractionCovariance();
+
+  /// Any other, by a root S of it.
+  ///
+  /// @param root  C = S S' per unit of the noise's variance: a row for each traction
+  /// @param degrees_of_freedom  as below
+  TractionCovariance(const Matrix& root, double degrees_of_freedom);
+  ~TractionCovariance() override;
   TractionCovariance(TractionCovariance&&) noexcept;
   TractionCovariance& operator=(TractionCovariance&&) noexcept;
 
-  /// Standard deviation of every traction per unit of `noise_rms` [Pa].
-  [[nodiscard]] std::vector<double> deviations() const;
-
-  /// Standard deviation of sum_i weights_i f_i per unit of `noise_rms`.
-  [[nodiscard]] double deviation(std::span<const double> weights) const;
-
-  /// Covariance of a sum with weights `a` and one with weights `b`, per unit of `noise_rms`
-  /// squared.
-  [[nodiscard]] double covariance(std::span<const double> a, std::span<const double> b) const;
-
-  /// tr H: how many of the readings' degrees of freedom the tractions use up.
-  [[nodiscard]] double degrees_of_freedom() const noexcept;
+  [[nodiscard]] std::vector<double> deviations() const override;
+  [[nodiscard]] double deviation(std::span<const double> weights) const override;
+  [[nodiscard]] double covariance(std::span<const double> a,
+                                  std::span<const double> b) const override;
+  [[nodiscard]] double degrees_of_freedom() const noexcept override;
 
  private:
   struct Factor;
@@ -88,6 +118,11 @@ struct NoiseEstimate {
                                            double degrees_of_freedom,
                                            std::optional<double> stated_rms = {});
 
+/// The same from the residual's size. @param rows  that have a weight
+[[nodiscard]] NoiseEstimate estimate_noise(double residual, std::size_t rows,
+                                           double degrees_of_freedom,
+                                           std::optional<double> stated_rms = {});
+
 /// A value and its standard deviation.
 struct Uncertain {
   double value = 0.0;
@@ -107,7 +142,11 @@ struct UncertainResultant {
 /// @param noise_rms  of one weighted reading
 [[nodiscard]] UncertainResultant resultant_of(const InverseProblem& problem,
                                               std::span<const double> tractions,
-                                              const TractionCovariance& covariance,
-                                              double noise_rms);
+                                              const Covariance& covariance, double noise_rms);
+
+/// The same, of the tractions on a surface: one after the other.
+[[nodiscard]] UncertainResultant resultant_of(const Surface& surface,
+                                              std::span<const double> tractions,
+                                              const Covariance& covariance, double noise_rms);
 
 }  // namespace tactile_net

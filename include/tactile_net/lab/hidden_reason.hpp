@@ -30,6 +30,11 @@ struct Symmetry {
   std::size_t taxels = 0;
   std::size_t lost = 0;  ///< combinations
 };
+/// Uneven taxels that do not all read everything are fewer readings than as many tractions.
+struct FewReadings {
+  std::size_t readings = 0;
+  std::size_t tractions = 0;
+};
 struct DeadTaxels {};
 /// The pad smooths short waves below rounding.
 struct Smoothing {
@@ -42,8 +47,8 @@ struct Smoothing {
 
 using HiddenReason =
     std::variant<hidden_reason::OneStrain, hidden_reason::Proportional, hidden_reason::OddKernels,
-                 hidden_reason::MeanUnread, hidden_reason::Symmetry, hidden_reason::DeadTaxels,
-                 hidden_reason::Smoothing>;
+                 hidden_reason::MeanUnread, hidden_reason::Symmetry, hidden_reason::FewReadings,
+                 hidden_reason::DeadTaxels, hidden_reason::Smoothing>;
 
 /// All that hold for the scene's own sensors; none where nothing is hidden.
 [[nodiscard]] std::vector<HiddenReason> hidden_reasons(const Scene& scene, const SensorChoice& own);

@@ -81,4 +81,12 @@ struct MethodTraits {
                                                        std::optional<double> alpha = {});
 [[nodiscard]] std::unique_ptr<FrameSolver> make_solver(const Scene& scene, Method method);
 
+/// For frames taken one after another: each gets the alpha that the scene's rule chooses on it and
+/// up to `frames` - 1 before it together, so that tractions flicker as with a fixed alpha.
+///
+/// @param frames  >= 1; 1: as `make_solver`
+/// @throw std::invalid_argument  the scene gives alpha, or the method is no tikhonov, as above too
+[[nodiscard]] std::unique_ptr<FrameSolver> make_sharing_solver(const SceneProblem& problem,
+                                                               Method method, std::size_t frames);
+
 }  // namespace tactile_net::lab

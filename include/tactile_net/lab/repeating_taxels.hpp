@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/sensing/array.hpp"
+
 namespace tactile_net::lab {
 
 class RepeatingTaxels {
@@ -16,17 +18,17 @@ class RepeatingTaxels {
   static constexpr std::size_t least_repeats = 5;
 
   /// @param dead  taxels that are listed, and not asked for
-  RepeatingTaxels(std::size_t taxels, std::size_t channels, std::span<const std::size_t> dead);
+  RepeatingTaxels(const SensorArray& array, std::span<const std::size_t> dead);
 
-  /// The next frame, channels x taxels. A repeat counts where at least three quarters of the living
+  /// The next frame. A repeat counts where at least three quarters of the living
   /// readings have changed: so neither coarse steps nor readings without noise are taken for it.
   void add(std::span<const double> readings);
 
   /// The first taxel of which all readings repeat in the frame last added.
-  [[nodiscard]] std::optional<std::size_t> first() const noexcept;
+  [[nodiscard]] std::optional<std::size_t> first() const;
 
  private:
-  std::size_t taxels_;
+  std::vector<Site> sites_;             // per reading
   std::vector<bool> living_;            // per taxel
   std::vector<std::size_t> repeats_{};  // per reading
   std::vector<double> last_{};

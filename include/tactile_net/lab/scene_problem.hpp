@@ -17,8 +17,10 @@
 #include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
-#include "tactile_net/inverse/dft_tikhonov.hpp"
+#include "tactile_net/inverse/fft_tikhonov.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
+#include "tactile_net/inverse/load_windows.hpp"
+#include "tactile_net/inverse/long_array_family.hpp"
 #include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
@@ -28,7 +30,8 @@
 
 namespace tactile_net::lab {
 
-/// Tractions from which P f = b is solved by FFT: a dense factorisation would take seconds.
+/// Tractions from which nothing dense is made: frames are solved by FFT, and what rules and bands
+/// ask for comes from sections of the array. A dense factorisation would take seconds.
 inline constexpr std::size_t large = 1024;
 
 /// A scene and its inverse problem. Copies share what was made; the first use of each part makes
@@ -48,7 +51,8 @@ class SceneProblem {
   [[nodiscard]] const Surface& surface() const;
   /// How many tractions a frame has: the surface's count, or twice that.
   [[nodiscard]] std::size_t tractions() const;
-  [[nodiscard]] bool is_large() const { return tractions() >= large; }
+  /// Whether it is solved by FFT, which asks for even taxels.
+  [[nodiscard]] bool is_large() const { return tractions() >= large && is_even(scene().sensor); }
   /// The noise of one weighted reading, if the scene states it.
   [[nodiscard]] std::optional<double> stated_noise() const;
   /// What the scene demands of tikhonov's tractions, if anything.
@@ -71,9 +75,12 @@ class SceneProblem {
   /// Tikhonov's method for every alpha: one singular value decomposition.
   [[nodiscard]] const TikhonovFamily& family() const;
 
-  /// The array taken for a ring, in the Fourier basis, dead taxels for living ones. Has buffers of
-  /// its own: one thread at a time.
-  [[nodiscard]] DftTikhonov& circular() const;
+  /// The same of a large problem, in sections.
+  [[nodiscard]] const LongArrayFamily& sections() const;
+
+  /// Products with a large problem's K, and its inverse. Has buffers and an alpha of its own:
+  /// whoever asks sets it, one thread at a time.
+  [[nodiscard]] FftTikhonov& products() const;
 
   /// What the rules for alpha ask of every frame. @param frame  analysed, any of this problem
   [[nodiscard]] const AlphaTables& alpha_tables(const FilterFrame& frame) const;
@@ -91,7 +98,15 @@ class SceneProblem {
 
   /// Of unconstrained tractions; made anew where alpha or prior differ from the last call's.
   /// @param prior  as `TractionCovariance`'s prior_alpha
-  [[nodiscard]] const TractionCovariance& covariance(double alpha, double prior) const;
+  [[nodiscard]] const Covariance& covariance(double alpha, double prior) const;
+  /// False where they are both large and constrained.
+  [[nodiscard]] bool has_bands() const { return !is_large() || !constraints(); }
+
+  /// What bands go by in its place where tractions lie on a grid and the noise is known: without it
+  /// nothing says which windows the readings allow.
+  [[nodiscard]] bool has_load_windows() const;
+  /// From three and a half of the least depth on.
+  [[nodiscard]] const LoadWindows& load_windows() const;
 
  private:
   struct Parts;
@@ -107,11 +122,11 @@ class SceneFrame {
   [[nodiscard]] const SceneProblem& problem() const noexcept { return problem_; }
   [[nodiscard]] std::span<const double> readings() const noexcept { return readings_; }
 
-  /// In the basis of the family's singular vectors, of a large problem in the Fourier basis.
+  /// In the basis of the family's singular vectors, of a large problem in its sections'.
   /// @throw std::invalid_argument  the readings have the wrong size or are not finite
   [[nodiscard]] const FilterFrame& analysed() const;
 
-  /// Every rule for alpha: by singular values, for a large array in the Fourier basis.
+  /// Every rule for alpha.
   [[nodiscard]] const AlphaSweep& sweep() const;
   [[nodiscard]] bool has_sweep() const noexcept { return sweep_.has_value(); }
 
@@ -119,8 +134,11 @@ class SceneFrame {
   [[nodiscard]] ChosenAlpha alpha() const;
 
   /// What sizes the bands' prior, judged without other rules: evidence where that chooses alpha,
-  /// else gml. @pre  not large
+  /// else gml.
   [[nodiscard]] const AlphaChoice& prior() const;
+
+  /// |W (K f - g)|_2.
+  [[nodiscard]] double residual(std::span<const double> tractions) const;
 
  private:
   SceneProblem problem_;

@@ -21,13 +21,14 @@ struct FrameUncertainty {
   std::vector<double> deviation{};  ///< of every traction [Pa], one standard deviation
 };
 
-/// The prior's size is the rule gml's alpha, judged without the other rules (with rgcv's two
-/// deviations hold the truth 88 % of the time, with gml's 97 to 99 %); where gml's verdict is not
-/// ok, the alpha of the tractions.
+/// Of tractions on a grid, where the noise is stated: by `LoadWindows`. Else, and under
+/// constraints, by a prior that is equal everywhere. Its size is the rule gml's alpha, judged
+/// without the other rules (with rgcv's two deviations hold the truth 88 % of the time, with gml's
+/// 97 to 99 %); where gml's verdict is not ok, the alpha of the tractions.
 ///
 /// @param tractions  that a solver of the frame's problem found [Pa]
 /// @param result     of that solver; its method is tikhonov or closed_form
-/// @pre  the problem is not large
+/// @pre  the problem has bands
 [[nodiscard]] FrameUncertainty uncertainty(const SceneFrame& frame,
                                            std::span<const double> tractions,
                                            const FrameResult& result);

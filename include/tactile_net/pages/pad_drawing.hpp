@@ -17,12 +17,13 @@ struct PadFrame {
   double width = 1000.0;
   double surface = 110.0;  ///< y of the pad's surface in the picture: above it loads are drawn
   double scale = 1.0;      ///< pixels per unit of length
+  double middle = 0.0;     ///< y of the surface's middle
   double bottom = 0.0;     ///< depth that is drawn, in the scene's unit of length
   double thickness = 0.0;  ///< of the pad as it is drawn
   double height = 0.0;     ///< of the whole picture
 
   /// The picture's x of a place y along the surface.
-  [[nodiscard]] double at(double y) const noexcept { return 0.5 * width + scale * y; }
+  [[nodiscard]] double at(double y) const noexcept { return 0.5 * width + scale * (y - middle); }
 };
 
 /// Down to a layer's base, or on a half plane to twice the deepest taxel; at least a tenth of the

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ struct ReadingRange {
 struct EstimatorPlan {
   std::string label{};       ///< what it was made for, to be printed by a controller
   std::size_t count = 0;     ///< taxels along y
-  std::size_t channels = 0;  ///< readings are channels x count
+  std::size_t channels = 0;  ///< readings are channels x count, but for uneven arrays
   std::size_t unknowns = 1;  ///< 1: normal traction; 2: the tangential one too
   std::size_t values = 0;    ///< of each traction, along y; `count` where they lie at the taxels
   double spacing = 0.0;      ///< distance of those values [m]
@@ -46,12 +47,20 @@ struct EstimatorPlan {
   double force_deviation = 0.0;  ///< of the normal force, one standard deviation [N/m]
 
   std::optional<double> friction_coefficient{};  ///< of pad and object; absent: no friction margin
-  std::vector<ReadingRange> ranges{};            ///< one per channel; empty: none saturates
+  std::vector<ReadingRange> ranges{};  ///< one per channel or per reading; empty: none saturates
   /// What is subtracted from the readings, one value each, until `set_baseline` says otherwise;
   /// empty: nothing.
   std::vector<double> baseline{};
+  /// Of an array whose taxels do not all read the same: the taxel of each reading, < count. Empty:
+  /// reading i is taxel i % count's.
+  std::vector<std::uint32_t> taxels{};
 
-  [[nodiscard]] std::size_t readings() const noexcept { return channels * count; }
+  [[nodiscard]] std::size_t readings() const noexcept {
+    return taxels.empty() ? channels * count : taxels.size();
+  }
+  [[nodiscard]] std::size_t taxel_of(std::size_t reading) const noexcept {
+    return taxels.empty() ? reading % count : taxels[reading];
+  }
   [[nodiscard]] std::size_t tractions() const noexcept { return unknowns * values; }
 };
 

@@ -22,8 +22,9 @@ enum class PlanVersion : std::uint32_t {
   baseline = 2,  ///< a baseline too
   surface = 3,   ///< tractions at places of their own
   doubts = 4,    ///< what a frame is doubted by
+  taxels = 5,    ///< taxels that do not all read the same
 };
-inline constexpr auto newest_plan_version = PlanVersion::doubts;
+inline constexpr auto newest_plan_version = PlanVersion::taxels;
 
 /// @throw std::invalid_argument  `check(plan)` does
 [[nodiscard]] std::vector<std::byte> encode_plan(const EstimatorPlan& plan);

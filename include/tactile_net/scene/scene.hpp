@@ -48,7 +48,7 @@ struct ReconstructOptions {
   std::vector<Method> methods{Method::tikhonov};
   std::optional<double> alpha{};           ///< absent: a rule chooses it
   std::optional<AlphaRule> alpha_rule{};   ///< absent: by taxels and noise, lab/scene_problem.hpp
-  SurfaceOptions surface{};                ///< where the tractions lie; the reader's default: hats
+  SurfaceOptions surface{};                ///< where the tractions lie; the reader's: see is_dense
   double smoothing_length = 0.0;           ///< l [m]; default: the first depth
   double noise_gain_limit = 1e8;           ///< dft: largest noise gain that is accepted
   bool nonnegative = false;                ///< tikhonov: f_v >= 0

@@ -4,28 +4,65 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactile_net/elasticity/quantity.hpp"
 
 namespace tactile_net {
 
-/// Equally spaced taxels along y, centred on y = 0, at one or several depths.
-///
-/// A vector of readings is channel after channel, each with `count` values; the channels are
-/// quantity by quantity in the order of `reads`, each at every depth in the order of `depths`.
-struct SensorArray {
-  std::size_t count = 0;          ///< taxels along y, >= 2
-  double pitch = 0.0;             ///< distance of neighbours [m], > 0
-  std::vector<double> depths{};   ///< below the surface [m], each > 0, at least one
+/// A place in the pad where something is read.
+struct Taxel {
+  double y = 0.0;                 ///< along the surface [m]
+  double depth = 0.0;             ///< below it [m], > 0
   std::vector<Quantity> reads{};  ///< at least one, none twice
 };
 
-/// One quantity at one depth.
+/// Equally spaced taxels along y, centred on y = 0, at one or several depths; or, made by
+/// `uneven_array`, taxels wherever they are.
+///
+/// A vector of readings is channel after channel. Even arrays have a channel for each quantity in
+/// the order of `reads`, at each depth in the order of `depths`, with `count` values. Uneven ones
+/// have a channel for each quantity, with a value for each taxel that reads it, along y.
+struct SensorArray {
+  std::size_t count = 0;          ///< taxels along y, >= 2
+  double pitch = 0.0;             ///< distance of neighbours [m], > 0; of an uneven array the mean
+  std::vector<double> depths{};   ///< below the surface [m], each > 0, at least one
+  std::vector<Quantity> reads{};  ///< at least one, none twice
+  /// Of an uneven array, y never falling; the others follow from it. Empty: an even array.
+  std::vector<Taxel> taxels{};
+};
+
+/// Taxels that need not be equally far apart, nor equally deep, nor read the same.
+///
+///     const SensorArray palm = uneven_array({{.y = -3e-3, .depth = 1.5e-3, .reads = reads}, ...});
+///
+/// @param taxels  two at least, at most one of them with the same y, depth and quantity
+/// @throw std::invalid_argument  y falls or is not finite, a depth is not > 0, a taxel reads
+///                               nothing or something twice, two at one place read the same
+[[nodiscard]] SensorArray uneven_array(std::vector<Taxel> taxels);
+
+[[nodiscard]] inline bool is_even(const SensorArray& array) noexcept {
+  return array.taxels.empty();
+}
+
+/// One quantity; in even arrays, at one depth.
 struct Channel {
   Quantity quantity = Quantity::stress_x;
+  double depth = 0.0;  ///< [m]; of taxels at several depths the least
+  std::string name{};  ///< "stress_x"; of even arrays with several depths "stress_x@1" (index into
+                       ///< `depths`)
+  std::size_t first = 0;  ///< index of its first reading
+  std::size_t count = 0;  ///< readings
+};
+
+/// Where and what one reading is of.
+struct Site {
+  double y = 0.0;      ///< [m]
   double depth = 0.0;  ///< [m]
-  std::string name{};  ///< "stress_x"; with several depths "stress_x@1" (index into `depths`)
+  Quantity quantity = Quantity::stress_x;
+  std::size_t taxel = 0;    ///< index along y, < count
+  std::size_t channel = 0;  ///< index into `channels`
 };
 
 /// @throw std::invalid_argument  a value is out of its range or not finite
@@ -36,22 +73,33 @@ void check(const SensorArray& array);
   return static_cast<double>(index) - 0.5 * static_cast<double>(count - 1);
 }
 
-/// y of taxel j [m]: centred(j, count) * pitch.
+/// y of taxel j [m]: centred(j, count) * pitch where they are even.
 [[nodiscard]] double position(const SensorArray& array, std::size_t taxel) noexcept;
 
 /// y of every taxel [m], `count` values.
 [[nodiscard]] std::vector<double> positions(const SensorArray& array);
 
-/// Quantities times depths.
-[[nodiscard]] std::size_t channel_count(const SensorArray& array) noexcept;
-
-/// Values of one frame: channels times taxels.
+/// Values of one frame.
 [[nodiscard]] std::size_t reading_count(const SensorArray& array) noexcept;
 
-/// Every channel, in the order of the readings.
+/// In the order of the readings.
 [[nodiscard]] std::vector<Channel> channels(const SensorArray& array);
 
-/// "strain_x_0" ... for every channel, in the order of the readings.
+/// Of an even array quantities times depths, of an uneven one quantities.
+[[nodiscard]] std::size_t channel_count(const SensorArray& array) noexcept;
+
+/// Of every reading.
+[[nodiscard]] std::vector<Site> sites(const SensorArray& array);
+
+/// The first of `stride` taxels, and so on; with the last one where stride divides count - 1.
+/// @param stride  >= 1
+[[nodiscard]] SensorArray every(const SensorArray& array, std::size_t stride);
+
+/// "strain_x_0" ...: of every reading its channel's name and its taxel's index.
 [[nodiscard]] std::vector<std::string> reading_names(const SensorArray& array);
+
+/// @param asks  what needs equal distances: "dft"
+/// @throw std::invalid_argument  the array is uneven
+void require_even(const SensorArray& array, std::string_view asks);
 
 }  // namespace tactile_net

@@ -31,10 +31,18 @@ enum class SurfaceBasis {
 /// The name as scenes and JSON spell it: "taxels", "grid".
 [[nodiscard]] std::string_view name(SurfaceBasis basis) noexcept;
 
+/// Of all taxels [m]. @pre  the array has a depth
+[[nodiscard]] double least_depth(const SensorArray& array) noexcept;
+
+/// Whether taxels lie no further apart than half the least depth, so that line loads over them are
+/// enough, and a grid as fine as they are. @pre  the array has a depth
+[[nodiscard]] bool is_dense(const SensorArray& array) noexcept;
+
 struct SurfaceOptions {
   SurfaceBasis basis = SurfaceBasis::taxels;
-  /// Of hats [m], > 0. It is made smaller, so that every taxel lies on a value's place. Absent: the
-  /// pitch, where that is at most half of the least depth; else a quarter of that depth.
+  /// Of hats [m], > 0. It is made smaller, so that every taxel of an even array lies on a value's
+  /// place, of an uneven one the first and the last. Absent: the pitch of a dense array, else a
+  /// quarter of the least depth.
   std::optional<double> spacing{};
   /// To where tractions reach beyond the last taxels [m], >= 0, one spacing at least; absent: two
   /// of the least depth.
@@ -50,7 +58,7 @@ struct Surface {
   double centre = 0.0;     ///< y of the middle [m]
   std::size_t margin = 0;  ///< values before the first taxel, and behind the last; the outermost
                            ///< hats end one spacing further
-  std::size_t stride = 1;  ///< taxel j lies at value margin + j stride
+  std::size_t stride = 1;  ///< taxel j lies at value margin + j stride; 0: taxels are uneven
 
   /// y of value i [m].
   [[nodiscard]] double position(std::size_t i) const noexcept {
@@ -66,8 +74,13 @@ struct Surface {
 [[nodiscard]] std::vector<double> positions(const Surface& surface);
 
 /// @throw std::invalid_argument  the array is out of range, spacing is not > 0, margin is not >= 0,
-///                               or there would be more than `most_values`
+///                               there would be more than `most_values`, or line loads are to lie
+///                               over uneven taxels
 [[nodiscard]] Surface surface_of(const SensorArray& array, const SurfaceOptions& options = {});
+
+/// As many values as taxels, to see what an array hides: line loads over even ones, hats as far
+/// apart as uneven ones are on average.
+[[nodiscard]] SurfaceOptions one_value_per_taxel(const SensorArray& array) noexcept;
 
 /// Values of one traction, at most: matrices of more would not fit a memory.
 inline constexpr std::size_t most_values = std::size_t{1} << 22;

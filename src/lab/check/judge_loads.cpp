@@ -11,10 +11,9 @@ namespace {
 
 bool is_loaded(std::span<const double> frame, const Evidence& evidence,
                const ReadingsCheck& check) {
-  const std::size_t count = evidence.count();
   std::size_t above = 0;
   for (std::size_t i = 0; i < frame.size(); ++i) {
-    const CheckedChannel& channel = check.channels[i / count];
+    const CheckedChannel& channel = check.channels[evidence.sites[i].channel];
     const double largest = std::max(std::abs(channel.least), std::abs(channel.largest));
     const double least =
         std::max(8.0 * channel.noise.value_or(channel.stated.value_or(0.0)), 0.1 * largest);
@@ -40,7 +39,7 @@ PeakFrame peak_of(std::span<const double> readings, const SolvedPattern& solved,
   for (std::size_t i = 0; i < readings.size(); ++i)
     if (evidence.living[i] && std::abs(readings[i]) > std::abs(peak.reading)) {
       peak.reading = readings[i];
-      peak.channel = i / evidence.count();
+      peak.channel = evidence.sites[i].channel;
     }
   const Surface places = surface(evidence.scene);
   const std::span<const double> normal = std::span(solved.tractions).first(places.count);

@@ -20,7 +20,7 @@ class Weighted {
     double living = 0.0;
     for (std::size_t i = 0; i < frame.size(); ++i) {
       if (!evidence_.living[i]) continue;
-      const double value = weights_[i / evidence_.count()] * frame[i];
+      const double value = weights_[evidence_.sites[i].channel] * frame[i];
       squares += value * value;
       living += 1.0;
     }
@@ -77,10 +77,10 @@ class NoContactTest {
 
  private:
   [[nodiscard]] bool is_even(std::span<const double> pattern) const {
-    const std::size_t count = evidence_.count();
     for (std::size_t channel = 0; channel < channel_noise_.size(); ++channel) {
+      const Channel& line = evidence_.channels[channel];
       std::vector<double> values;
-      for (std::size_t i = channel * count; i < (channel + 1) * count; ++i)
+      for (std::size_t i = line.first; i < line.first + line.count; ++i)
         if (evidence_.living[i]) values.push_back(pattern[i]);
       const double middle = median(values);
       if (std::abs(middle) < 2.0 * channel_noise_[channel]) continue;
@@ -134,7 +134,6 @@ struct Spread {
 
 Spread spread_of(const Evidence& evidence, Still still, const Rest& rest) {
   Spread spread;
-  const std::size_t count = evidence.count();
   const auto raw = [&](std::size_t k, std::size_t frame, std::size_t i) {
     const double d = still[k]->frames[frame][i] - rest.values[i];
     return std::isfinite(d) ? d : 0.0;
@@ -144,14 +143,15 @@ Spread spread_of(const Evidence& evidence, Still still, const Rest& rest) {
     for (const std::size_t k : rest.triples) mean[i] += raw(k, 0, i) + raw(k, 1, i) + raw(k, 2, i);
     mean[i] /= 3.0 * static_cast<double>(rest.triples.size());
   }
-  for (std::size_t channel = 0; channel < evidence.channels(); ++channel) {
+  for (const Channel& channel : evidence.channels) {
+    const std::size_t end = channel.first + channel.count;
     std::vector<double> values;
     double squares = 0.0;
     double in_time = 0.0;
     double in_space = 0.0;
-    for (std::size_t i = channel * count; i < (channel + 1) * count; ++i) {
+    for (std::size_t i = channel.first; i < end; ++i) {
       if (!evidence.living[i]) continue;
-      const bool has_neighbour = i + 1 < (channel + 1) * count && evidence.living[i + 1];
+      const bool has_neighbour = i + 1 < end && evidence.living[i + 1];
       for (const std::size_t k : rest.triples) {
         const auto at = [&](std::size_t frame, std::size_t reading) {
           return raw(k, frame, reading) - mean[reading];

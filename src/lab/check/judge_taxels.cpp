@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <span>
 
 #include "lab/check/judgement.hpp"
@@ -14,14 +15,10 @@ constexpr double noisy_times = 4.0;  // its channel's noise: what no sound taxel
 /// The taxels of which one reading is so.
 std::vector<std::size_t> taxels_where(const Evidence& evidence,
                                       const std::function<bool(std::size_t)>& is_so) {
-  std::vector<std::size_t> taxels;
-  for (std::size_t taxel = 0; taxel < evidence.count(); ++taxel)
-    for (std::size_t i = taxel; i < evidence.living.size(); i += evidence.count())
-      if (evidence.living[i] && is_so(i)) {
-        taxels.push_back(taxel);
-        break;
-      }
-  return taxels;
+  std::set<std::size_t> taxels;
+  for (std::size_t i = 0; i < evidence.living.size(); ++i)
+    if (evidence.living[i] && is_so(i)) taxels.insert(evidence.sites[i].taxel);
+  return {taxels.begin(), taxels.end()};
 }
 
 /// How far a reading went.
@@ -53,8 +50,9 @@ class Constants {
 
   /// What the nearest reading does that is not constant.
   [[nodiscard]] Side beside(std::size_t i, int step) const {
-    const auto count = static_cast<std::ptrdiff_t>(evidence_.count());
-    const auto first = static_cast<std::ptrdiff_t>(i) / count * count;
+    const Channel& channel = evidence_.channels[evidence_.sites[i].channel];
+    const auto count = static_cast<std::ptrdiff_t>(channel.count);
+    const auto first = static_cast<std::ptrdiff_t>(channel.first);
     for (auto k = static_cast<std::ptrdiff_t>(i) + step; k >= first && k < first + count;
          k += step) {
       const ReadingTrack& track = evidence_.tracks[static_cast<std::size_t>(k)];
@@ -84,14 +82,16 @@ std::vector<double> middles_of(const Evidence& evidence) {
 /// least one of those behind them, all of one sign.
 bool feels_nothing(const Evidence& evidence, const StillNoise& noise,
                    std::span<const double> middles, std::size_t i) {
-  const auto count = static_cast<std::ptrdiff_t>(evidence.count());
-  const auto taxel = static_cast<std::ptrdiff_t>(i) % count;
+  const Channel& channel = evidence.channels[evidence.sites[i].channel];
+  const auto count = static_cast<std::ptrdiff_t>(channel.count);
+  const auto taxel = static_cast<std::ptrdiff_t>(i - channel.first);
   if (taxel == 0 || taxel + 1 == count || !evidence.living[i - 1] || !evidence.living[i + 1])
     return false;
   // Between taxels far apart a load's readings may have a valley.
-  const std::vector<double>& depths = evidence.scene.sensor.depths;
-  if (evidence.scene.sensor.pitch > *std::min_element(depths.begin(), depths.end())) return false;
-  const double sigma = noise.of_channel[i / evidence.count()];
+  const std::vector<Site>& sites = evidence.sites;
+  if (sites[i + 1].y - sites[i - 1].y > 2.0 * (1.0 + 1e-9) * least_depth(evidence.scene.sensor))
+    return false;
+  const double sigma = noise.of_channel[sites[i].channel];
   std::vector<std::size_t> around = {i - 1, i + 1};
   if (taxel >= 2) around.push_back(i - 2);
   if (taxel + 2 < count) around.push_back(i + 2);
@@ -114,9 +114,9 @@ bool feels_nothing(const Evidence& evidence, const StillNoise& noise,
 /// coarsely that all of its readings seem to stick.
 std::vector<double> usual_repeating(const Evidence& evidence) {
   std::vector<double> usual;
-  for (std::size_t channel = 0; channel < evidence.channels(); ++channel) {
+  for (const Channel& channel : evidence.channels) {
     std::vector<double> shares;
-    for (std::size_t k = channel * evidence.count(); k < (channel + 1) * evidence.count(); ++k)
+    for (std::size_t k = channel.first; k < channel.first + channel.count; ++k)
       if (evidence.living[k]) shares.push_back(evidence.tracks[k].repeating());
     usual.push_back(median(std::move(shares)));
   }
@@ -127,7 +127,7 @@ constexpr double coarse = 0.5;
 /// Runs of equal values that chance does not make.
 bool sticks(const Evidence& evidence, const StillNoise& noise, std::span<const double> repeating,
             std::size_t i) {
-  const std::size_t channel = i / evidence.count();
+  const std::size_t channel = evidence.sites[i].channel;
   if (noise.of_channel[channel] == 0.0) return false;
   const double usual = std::max(repeating[channel], 1e-3);
   if (usual > coarse) return false;
@@ -141,7 +141,7 @@ bool sticks(const Evidence& evidence, const StillNoise& noise, std::span<const d
 const RangeEnd* saturated_end(const Evidence& evidence, const StillNoise& noise,
                               std::span<const double> repeating, std::size_t i) {
   const ReadingTrack& track = evidence.tracks[i];
-  const std::size_t channel = i / evidence.count();
+  const std::size_t channel = evidence.sites[i].channel;
   const double sigma = noise.of_channel[channel];
   if (sigma == 0.0 || range(track) < 10.0 * sigma || repeating[channel] > coarse) return nullptr;
   for (const RangeEnd* end : {&track.high(), &track.low()})
@@ -153,7 +153,8 @@ const RangeEnd* saturated_end(const Evidence& evidence, const StillNoise& noise,
 
 void Evidence::bury(std::span<const std::size_t> taxels) {
   for (const std::size_t taxel : taxels)
-    for (std::size_t i = taxel; i < living.size(); i += count()) living[i] = false;
+    for (std::size_t i = 0; i < living.size(); ++i)
+      if (sites[i].taxel == taxel) living[i] = false;
 }
 
 StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
@@ -165,7 +166,7 @@ StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
   evidence.bury(dead);
   evidence.bury(constant);
 
-  StillNoise noise = still_noise(evidence.triples, evidence.living, evidence.channels());
+  StillNoise noise = still_noise(evidence.triples, evidence.living, evidence.channels);
   std::vector<std::size_t> stuck = constant;
   if (noise.known()) {
     const std::vector<double> middles = middles_of(evidence);
@@ -195,18 +196,18 @@ StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
 
     finding::NoisyTaxels noisy;
     noisy.taxels = taxels_where(evidence, [&](std::size_t i) {
-      const double usual = noise.of_channel[i / evidence.count()];
+      const double usual = noise.of_channel[evidence.sites[i].channel];
       const double times = usual > 0.0 ? noise.of_reading[i] / usual : 0.0;
       if (times > std::max(noisy.times, noisy_times)) {
         noisy.times = times;
-        noisy.worst = i % evidence.count();
+        noisy.worst = evidence.sites[i].taxel;
       }
       return times > noisy_times;
     });
     evidence.bury(noisy.taxels);
     if (!noisy.taxels.empty()) {
       findings.emplace_back(noisy);
-      noise = still_noise(evidence.triples, evidence.living, evidence.channels());
+      noise = still_noise(evidence.triples, evidence.living, evidence.channels);
     }
   }
   std::sort(dead.begin(), dead.end());
@@ -215,8 +216,9 @@ StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
   if (!stuck.empty()) {
     finding::StuckTaxels found{.taxels = stuck};
     for (const std::size_t taxel : stuck)
-      for (std::size_t i = taxel; i < evidence.tracks.size(); i += evidence.count())
-        if (const ReadingTrack& track = evidence.tracks[i]; track.longest_run() > found.frames) {
+      for (std::size_t i = 0; i < evidence.tracks.size(); ++i)
+        if (const ReadingTrack& track = evidence.tracks[i];
+            evidence.sites[i].taxel == taxel && track.longest_run() > found.frames) {
           found.worst = taxel;
           found.first = track.run_begins();
           found.frames = track.longest_run();

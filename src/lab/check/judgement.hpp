@@ -21,9 +21,9 @@ struct Evidence {
   std::span<const ReadingTrack> tracks;  ///< per reading
   std::span<const FrameTriple> triples;
   std::vector<bool> living;  ///< per reading: its taxel is not dead, nor found to be broken
+  std::vector<Site> sites = tactile_net::sites(scene.sensor);           ///< per reading
+  std::vector<Channel> channels = tactile_net::channels(scene.sensor);  ///< of neighbours
 
-  [[nodiscard]] std::size_t count() const noexcept { return scene.sensor.count; }
-  [[nodiscard]] std::size_t channels() const noexcept { return tracks.size() / count(); }
   /// Takes taxels out of what the next judges look at.
   void bury(std::span<const std::size_t> taxels);
 };

@@ -62,4 +62,11 @@ std::vector<double> channel_weights(const Scene& scene) {
   return weights;
 }
 
+std::vector<double> reading_weights(const Scene& scene) {
+  const std::vector<double> of_channel = channel_weights(scene);
+  std::vector<double> weights;
+  for (const Site& site : sites(scene.sensor)) weights.push_back(of_channel[site.channel]);
+  return weights;
+}
+
 }  // namespace tactile_net::lab

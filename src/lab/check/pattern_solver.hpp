@@ -42,4 +42,7 @@ class PatternSolver {
 /// states it for each quantity, else 1.
 [[nodiscard]] std::vector<double> channel_weights(const Scene& scene);
 
+/// The same, one for each reading.
+[[nodiscard]] std::vector<double> reading_weights(const Scene& scene);
+
 }  // namespace tactile_net::lab

@@ -13,34 +13,36 @@ namespace {
 constexpr std::size_t least_still = 12;  // triples: fewer do not tell a taxel's noise
 constexpr std::size_t least_alike = 5;
 
-/// The median size of every channel's roughness, which makes channels of different units alike.
+using Lines = std::span<const Channel>;
+
+/// The median size of its channel's roughness for every reading, which makes channels of different
+/// units alike.
 std::vector<double> channel_roughness(std::span<const FrameTriple> triples,
-                                      const std::vector<bool>& living, std::size_t channels) {
-  const std::size_t count = living.size() / channels;
-  std::vector<double> all;
-  for (std::size_t channel = 0; channel < channels; ++channel) {
+                                      const std::vector<bool>& living, Lines channels) {
+  std::vector<double> all(living.size());
+  for (const Channel& channel : channels) {
     std::vector<double> sizes;
     for (const FrameTriple& triple : triples)
-      for (std::size_t i = channel * count; i < (channel + 1) * count; ++i)
+      for (std::size_t i = channel.first; i < channel.first + channel.count; ++i)
         if (const double d = triple.roughness(i); living[i] && std::isfinite(d))
           sizes.push_back(std::abs(d));
     const double middle = median(std::move(sizes));
-    all.push_back(middle > 0.0 ? middle : 1.0);
+    std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(channel.first), channel.count,
+                middle > 0.0 ? middle : 1.0);
   }
   return all;
 }
 
 /// How rough every triple is in the middle of its readings.
 std::vector<double> roughness_of(std::span<const FrameTriple> triples,
-                                 const std::vector<bool>& living, std::size_t channels) {
-  const std::size_t count = living.size() / channels;
+                                 const std::vector<bool>& living, Lines channels) {
   const std::vector<double> scale = channel_roughness(triples, living, channels);
   std::vector<double> all;
   for (const FrameTriple& triple : triples) {
     std::vector<double> sizes;
     for (std::size_t i = 0; i < living.size(); ++i)
       if (const double d = triple.roughness(i); living[i] && std::isfinite(d))
-        sizes.push_back(std::abs(d) / scale[i / count]);
+        sizes.push_back(std::abs(d) / scale[i]);
     all.push_back(median(std::move(sizes)));
   }
   return all;
@@ -88,7 +90,7 @@ std::vector<double> median_frame(std::span<const FrameTriple* const> triples,
 }  // namespace
 
 StillNoise still_noise(std::span<const FrameTriple> triples, const std::vector<bool>& living,
-                       std::size_t channels) {
+                       std::span<const Channel> channels) {
   StillNoise noise;
   const std::vector<double> roughness = roughness_of(triples, living, channels);
   std::vector<double> rough;  // readings that are cut off have no noise at all
@@ -102,11 +104,10 @@ StillNoise still_noise(std::span<const FrameTriple> triples, const std::vector<b
     if (roughness[k] <= limit) noise.still.push_back(&triples[k]);
   if (noise.still.size() < least_still) return noise;
 
-  const std::size_t count = living.size() / channels;
   noise.of_reading.resize(living.size());
-  for (std::size_t channel = 0; channel < channels; ++channel) {
+  for (const Channel& channel : channels) {
     std::vector<double> of_living;
-    for (std::size_t i = channel * count; i < (channel + 1) * count; ++i) {
+    for (std::size_t i = channel.first; i < channel.first + channel.count; ++i) {
       std::vector<double> values;
       for (const FrameTriple* triple : noise.still)
         if (const double d = triple->roughness(i); std::isfinite(d)) values.push_back(d);
@@ -114,15 +115,14 @@ StillNoise still_noise(std::span<const FrameTriple> triples, const std::vector<b
       if (living[i]) of_living.push_back(noise.of_reading[i]);
     }
     noise.of_channel.push_back(median(std::move(of_living)));
+    noise.scale.resize(channel.first + channel.count, noise.of_channel.back());
   }
   return noise;
 }
 
 Rest find_rest(std::span<const FrameTriple* const> triples, const std::vector<bool>& living,
                const StillNoise& noise) {
-  const std::size_t count = living.size() / std::max<std::size_t>(noise.of_channel.size(), 1);
-  std::vector<double> scale(living.size());
-  for (std::size_t i = 0; i < scale.size(); ++i) scale[i] = noise.of_channel[i / count];
+  const std::vector<double>& scale = noise.scale;
   if (std::find(scale.begin(), scale.end(), 0.0) != scale.end()) return {};
 
   std::vector<std::pair<double, std::size_t>> by_load;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sensing/frame_triples.hpp"
+#include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net::lab {
 
@@ -15,6 +16,7 @@ struct StillNoise {
   std::vector<const FrameTriple*> still{};  ///< in which no more than noise changes
   std::vector<double> of_reading{};         ///< rms; none: too few still triples
   std::vector<double> of_channel{};         ///< the median of its readings
+  std::vector<double> scale{};              ///< its channel's, of every reading
 
   [[nodiscard]] bool known() const noexcept { return !of_reading.empty(); }
 };
@@ -23,7 +25,8 @@ struct StillNoise {
 ///
 /// @param living  per reading: false for those that do not count
 [[nodiscard]] StillNoise still_noise(std::span<const FrameTriple> triples,
-                                     const std::vector<bool>& living, std::size_t channels);
+                                     const std::vector<bool>& living,
+                                     std::span<const Channel> channels);
 
 /// Frames that are alike, within noise.
 struct Rest {

@@ -8,13 +8,13 @@ namespace {
 
 class ConjugateGradients final : public FrameSolver {
  public:
-  /// @param alpha  absent: each frame's is chosen by the scene's rule, in the Fourier basis
+  /// @param alpha  absent: each frame's is chosen by the scene's rule
   ConjugateGradients(const SceneProblem& problem, std::optional<double> alpha)
       : problem_(problem),
         given_(alpha),
         inverse_(problem.scene().sensor, problem.scene().material, problem.options(),
                  alpha.value_or(1.0)) {
-    if (!given_) (void)problem_.circular();
+    if (!given_) (void)problem_.sections();
   }
 
   FrameResult solve(std::span<const double> readings, std::span<double> tractions) override {

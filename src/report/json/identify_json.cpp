@@ -47,7 +47,8 @@ Json choice_json(const lab::SensorChoice& choice) {
           {"nearly_null", space_json(result.nearly_null)},
           {"resolvable_wavelength",
            {{"normal", number_or_null(choice.normal)},
-            {"tangential", number_or_null(choice.tangential)}}}};
+            {"tangential", number_or_null(choice.tangential)}}},
+          {"unseen_width", number_or_null(choice.unseen)}};
 }
 
 }  // namespace

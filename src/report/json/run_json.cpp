@@ -78,6 +78,21 @@ Json alpha_sweep(const AlphaSweep& sweep) {
   return json;
 }
 
+/// Where each channel's readings are taken.
+Json taxels_json(const SensorArray& array) {
+  Json json = Json::object();
+  const std::vector<Channel> all = channels(array);
+  for (const Channel& channel : all)
+    json[channel.name] = {{"index", Json::array()}, {"y", Json::array()}, {"depth", Json::array()}};
+  for (const Site& site : sites(array)) {
+    Json& channel = json[all[site.channel].name];
+    channel["index"].push_back(site.taxel);
+    channel["y"].push_back(site.y);
+    channel["depth"].push_back(site.depth);
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string experiment_json(const lab::Experiment& experiment) {
@@ -89,12 +104,12 @@ std::string experiment_json(const lab::Experiment& experiment) {
                    {"tangential", list_or_null(truth.tangential)},
                    {"force", experiment.frame.force}};
   json["readings"] = Json::object();
-  auto begin = experiment.frame.readings.begin();
+  const std::span<const double> readings = experiment.frame.readings;
   for (const Channel& channel : channels(scene.sensor)) {
-    const auto end = begin + static_cast<std::ptrdiff_t>(scene.sensor.count);
-    json["readings"][channel.name] = std::vector<double>(begin, end);
-    begin = end;
+    const auto line = readings.subspan(channel.first, channel.count);
+    json["readings"][channel.name] = std::vector<double>(line.begin(), line.end());
   }
+  if (!is_even(scene.sensor)) json["taxels"] = taxels_json(scene.sensor);
   json["reconstructions"] = Json::array();
   for (const lab::MethodResult& result : experiment.results)
     json["reconstructions"].push_back(reconstruction(experiment, result));

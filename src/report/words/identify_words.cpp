@@ -48,6 +48,10 @@ std::string say(const reason::Symmetry& r, const std::optional<Units>&) {
          " lost exactly: of the readings that are even or odd about the centre, those that it "
          "could show in are one fewer than their unknowns.";
 }
+std::string say(const reason::FewReadings& r, const std::optional<Units>&) {
+  return "The array has " + std::to_string(r.readings) + " readings, and " +
+         std::to_string(r.tractions) + " tractions would be as many as its taxels can have.";
+}
 std::string say(const reason::DeadTaxels&, const std::optional<Units>&) {
   return "Dead taxels read nothing: what only they would show is lost.";
 }
@@ -66,6 +70,16 @@ std::string told(const lab::SensorChoice& choice, const std::optional<Units>& un
   std::string text = down_to(Traction::normal, choice.normal);
   if (choice.unknowns == 2) text += ", " + down_to(Traction::tangential, choice.tangential);
   return text;
+}
+
+/// What falls between two taxels.
+std::string unseen(const lab::SensorChoice& choice, double traction,
+                   const std::optional<Units>& units) {
+  const std::string pressing = in_unit(units, Dimension::stress, traction);
+  const std::string nothing = " between two taxels changes no reading by more than the noise";
+  if (!choice.unseen) return "A contact of " + pressing + nothing + ", however wide it is.";
+  return "A contact of " + pressing + " that is narrower than " + length(*choice.unseen, units) +
+         nothing + ".";
 }
 
 /// The quantities that one choice reads and the other does not.
@@ -139,6 +153,7 @@ std::vector<std::string> verdict_in_words(const lab::Survey& survey,
   text.push_back("Of ripples with an amplitude of " +
                  in_unit(units, Dimension::stress, survey.traction) + ", under noise of " +
                  in_words(survey.noise) + ", these sensors tell " + told(survey.own, units) + ".");
+  text.push_back(unseen(survey.own, survey.traction, units));
   for (std::string& sentence : advice_in_words(survey, units)) text.push_back(std::move(sentence));
   return text;
 }

@@ -1,5 +1,8 @@
 #include "tactile_net/report/words/scene_words.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
@@ -38,13 +41,32 @@ std::string in_words(const SampledTractions& contact, const Scene&) {
 
 std::string sensor_in_words(const Scene& scene) {
   std::vector<std::string> reads;
-  std::vector<std::string> depths;
-  for (const Quantity quantity : scene.sensor.reads) reads.emplace_back(name(quantity));
-  for (const double depth : scene.sensor.depths)
-    depths.push_back(in_unit(scene, Dimension::length, depth));
-  return std::to_string(scene.sensor.count) + " taxels, pitch " +
-         in_unit(scene, Dimension::length, scene.sensor.pitch) + ", reading " + join(reads, ", ") +
-         " at depth " + join(depths, " and ");
+  const SensorArray& sensor = scene.sensor;
+  for (const Quantity quantity : sensor.reads) reads.emplace_back(name(quantity));
+  const auto length = [&](double value) { return in_unit(scene, Dimension::length, value); };
+  return std::to_string(sensor.count) + " taxels, " +
+         (is_even(sensor) ? "pitch " + length(sensor.pitch)
+                          : "from y = " + length(position(sensor, 0)) + " to " +
+                                length(position(sensor, sensor.count - 1))) +
+         ", reading " + join(reads, ", ") + " at depth " + depths_in_words(scene);
+}
+
+std::string depths_in_words(const Scene& scene, const std::optional<Channel>& channel) {
+  const auto length = [&](double value) { return in_unit(scene, Dimension::length, value); };
+  if (is_even(scene.sensor)) {
+    if (channel) return length(channel->depth);
+    std::vector<std::string> depths;
+    for (const double depth : scene.sensor.depths) depths.push_back(length(depth));
+    return join(depths, " and ");
+  }
+  double least = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (const Site& site : sites(scene.sensor)) {
+    if (channel && site.quantity != channel->quantity) continue;
+    least = std::min(least, site.depth);
+    largest = std::max(largest, site.depth);
+  }
+  return least == largest ? length(least) : length(least) + " to " + length(largest);
 }
 
 std::string truth_in_words(const Scene& scene) {

@@ -16,13 +16,13 @@ class Stuck final : public SensorEffect {
  public:
   Stuck(const StuckTaxels& stuck, const SensorArray& array) {
     require_taxels(stuck.indices, array);
-    for (std::size_t first = 0; const Channel& channel : channels(array)) {
-      const std::vector<double>& values = value_of(stuck.values, channel.quantity, "values");
+    for (std::size_t reading = 0; const Site& site : sites(array)) {
+      const std::vector<double>& values = value_of(stuck.values, site.quantity, "values");
       require(values.size() == stuck.indices.size(), "values", "be as many as indices",
               values.size());
       for (std::size_t i = 0; i < values.size(); ++i)
-        stuck_.push_back({first + stuck.indices[i], values[i]});
-      first += array.count;
+        if (stuck.indices[i] == site.taxel) stuck_.push_back({reading, values[i]});
+      ++reading;
     }
   }
   void apply(const Instant&, std::span<double> readings) override {
@@ -39,18 +39,18 @@ class Stuck final : public SensorEffect {
 
 class Dead final : public SensorEffect {
  public:
-  Dead(const DeadTaxels& dead, const SensorArray& array)
-      : indices_(dead.indices), count_(array.count) {
+  Dead(const DeadTaxels& dead, const SensorArray& array) {
     require_taxels(dead.indices, array);
+    for (std::size_t reading = 0; const Site& site : sites(array)) {
+      if (std::find(dead.indices.begin(), dead.indices.end(), site.taxel) != dead.indices.end())
+        readings_.push_back(reading);
+      ++reading;
+    }
   }
-  void apply(const Instant&, std::span<double> readings) override {
-    for (; !readings.empty(); readings = readings.subspan(count_))
-      kill(readings.first(count_), indices_);
-  }
+  void apply(const Instant&, std::span<double> readings) override { kill(readings, readings_); }
 
  private:
-  std::vector<std::size_t> indices_;
-  std::size_t count_;
+  std::vector<std::size_t> readings_;
 };
 
 }  // namespace

@@ -7,13 +7,15 @@ namespace {
 
 class Leaks final : public SensorEffect {
  public:
-  Leaks(double fraction, std::size_t count) : fraction_(fraction), count_(count) {}
+  Leaks(double fraction, const SensorArray& array)
+      : fraction_(fraction), channels_(channels(array)) {}
   void apply(const Instant&, std::span<double> readings) override {
-    for (; !readings.empty(); readings = readings.subspan(count_)) {
+    for (const Channel& channel : channels_) {
+      const auto line = readings.subspan(channel.first, channel.count);
       double from_left = 0.0;
-      for (std::size_t j = 0; j < count_; ++j) {
-        const double to_right = j + 1 < count_ ? fraction_ * (readings[j] - readings[j + 1]) : 0.0;
-        readings[j] += from_left - to_right;
+      for (std::size_t j = 0; j < line.size(); ++j) {
+        const double to_right = j + 1 < line.size() ? fraction_ * (line[j] - line[j + 1]) : 0.0;
+        line[j] += from_left - to_right;
         from_left = to_right;
       }
     }
@@ -21,7 +23,7 @@ class Leaks final : public SensorEffect {
 
  private:
   double fraction_;
-  std::size_t count_;
+  std::vector<Channel> channels_;
 };
 
 }  // namespace
@@ -30,7 +32,7 @@ std::unique_ptr<SensorEffect> make_effect(const Crosstalk& crosstalk, const Sens
   const double fraction = crosstalk.fraction;
   require(fraction >= 0.0 && fraction <= 0.5, "fraction", "be from 0 to 0.5", fraction);
   if (fraction == 0.0) return nullptr;
-  return std::make_unique<Leaks>(crosstalk.fraction, array.count);
+  return std::make_unique<Leaks>(crosstalk.fraction, array);
 }
 
 }  // namespace tactile_net

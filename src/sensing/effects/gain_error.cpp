@@ -11,10 +11,12 @@ class Gains final : public SensorEffect {
   Gains(const GainError& error, const SensorArray& array) {
     if (!error.values.empty()) require_one_per_taxel(error.values, array, "values");
     require_not_negative("rms", error.rms);
-    for (std::size_t c = 0; c < channel_count(array); ++c) {
-      NormalStream draw(error.seed, c, Draws::gain_error);
-      for (std::size_t j = 0; j < array.count; ++j)
-        factor_.push_back(1.0 + (error.values.empty() ? error.rms * draw() : error.values[j]));
+    std::vector<NormalStream> draws;  // per channel
+    for (const Site& site : sites(array)) {
+      if (site.channel == draws.size())
+        draws.emplace_back(error.seed, site.channel, Draws::gain_error);
+      factor_.push_back(
+          1.0 + (error.values.empty() ? error.rms * draws.back()() : error.values[site.taxel]));
     }
   }
   void apply(const Instant&, std::span<double> readings) override {

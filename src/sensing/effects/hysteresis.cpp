@@ -10,7 +10,7 @@ namespace {
 class Plays final : public SensorEffect {
  public:
   Plays(const Hysteresis& hysteresis, const SensorArray& array)
-      : weights_(hysteresis.weights), count_(array.count) {
+      : weights_(hysteresis.weights), channel_(channel_of_readings(array)) {
     double all = 0.0;
     for (const double weight : weights_) {
       require_positive("weight", weight);
@@ -24,13 +24,13 @@ class Plays final : public SensorEffect {
       for (const double threshold : thresholds_.back())
         require_not_negative("threshold", threshold);
     }
-    plays_.assign(thresholds_.size() * count_ * weights_.size(), 0.0);
+    plays_.assign(channel_.size() * weights_.size(), 0.0);
   }
   void rest(std::span<double>) override {}
   void apply(const Instant&, std::span<double> readings) override {
     auto play = plays_.begin();
     for (std::size_t i = 0; i < readings.size(); ++i) {
-      const std::vector<double>& thresholds = thresholds_[i / count_];
+      const std::vector<double>& thresholds = thresholds_[channel_[i]];
       const double in = readings[i];
       for (std::size_t k = 0; k < weights_.size(); ++k, ++play) {
         *play = std::clamp(*play, in - thresholds[k], in + thresholds[k]);
@@ -42,7 +42,7 @@ class Plays final : public SensorEffect {
 
  private:
   std::vector<double> weights_;
-  std::size_t count_;
+  std::vector<std::size_t> channel_;             // per reading
   std::vector<std::vector<double>> thresholds_;  // per channel
   std::vector<double> plays_;                    // readings x operators
 };

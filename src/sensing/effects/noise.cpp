@@ -11,8 +11,8 @@ namespace {
 
 class Noise final : public SensorEffect {
  public:
-  Noise(const NoiseModel& noise, const SensorArray& array) : count_(array.count) {
-    for (const Channel& channel : channels(array)) {
+  Noise(const NoiseModel& noise, const SensorArray& array) : channels_(channels(array)) {
+    for (const Channel& channel : channels_) {
       rms_.push_back(value_of(noise.rms, channel.quantity, "rms"));
       require_not_negative("rms", rms_.back());
       streams_.emplace_back(noise.seed, streams_.size(), Draws::noise);
@@ -20,12 +20,12 @@ class Noise final : public SensorEffect {
   }
   void apply(const Instant&, std::span<double> readings) override {
     for (std::size_t c = 0; c < rms_.size(); ++c)
-      for (double& reading : readings.subspan(c * count_, count_))
+      for (double& reading : readings.subspan(channels_[c].first, channels_[c].count))
         reading += rms_[c] * streams_[c]();
   }
 
  private:
-  std::size_t count_;
+  std::vector<Channel> channels_;
   std::vector<double> rms_;
   std::vector<NormalStream> streams_;
 };

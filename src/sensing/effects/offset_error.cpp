@@ -17,7 +17,7 @@ class Offsets final : public SensorEffect {
       NormalStream draw(error.seed, c++, Draws::offset_error);
       const double rms = value_of(error.rms, channel.quantity, "rms");
       require_not_negative("rms", rms);
-      for (std::size_t j = 0; j < array.count; ++j) offset_.push_back(rms * draw());
+      for (std::size_t j = 0; j < channel.count; ++j) offset_.push_back(rms * draw());
     }
   }
   void apply(const Instant&, std::span<double> readings) override {

@@ -35,16 +35,23 @@ inline void require_not_negative(const std::string& what, double value) {
   require(std::isfinite(value) && value >= 0.0, what, "be >= 0 and finite", value);
 }
 
-/// One value per reading, channels x count, from one per quantity and taxel.
+/// Which channel each reading is of.
+inline std::vector<std::size_t> channel_of_readings(const SensorArray& array) {
+  std::vector<std::size_t> all;
+  for (const Site& site : sites(array)) all.push_back(site.channel);
+  return all;
+}
+
+/// One value per reading, from one per quantity and taxel.
 ///
 /// @throw std::invalid_argument  a quantity is missing, or has not one value per taxel
 inline std::vector<double> of_readings(const PerQuantity<std::vector<double>>& values,
                                        const SensorArray& array, const std::string& what) {
   std::vector<double> all;
-  for (const Channel& channel : channels(array)) {
-    const std::vector<double>& own = value_of(values, channel.quantity, what);
+  for (const Site& site : sites(array)) {
+    const std::vector<double>& own = value_of(values, site.quantity, what);
     require_one_per_taxel(own, array, what);
-    all.insert(all.end(), own.begin(), own.end());
+    all.push_back(own[site.taxel]);
   }
   return all;
 }

@@ -9,9 +9,9 @@ namespace {
 
 class Limits final : public SensorEffect {
  public:
-  Limits(const Saturation& saturation, const SensorArray& array) : count_(array.count) {
-    for (const Channel& channel : channels(array)) {
-      range_.push_back(value_of(saturation.range, channel.quantity, "range"));
+  Limits(const Saturation& saturation, const SensorArray& array) {
+    for (const Site& site : sites(array)) {
+      range_.push_back(value_of(saturation.range, site.quantity, "range"));
       require(range_.back().low < range_.back().high, "range", "begin below its end",
               range_.back().low);
     }
@@ -20,7 +20,7 @@ class Limits final : public SensorEffect {
     readings_ = readings.size();
     limited_ = 0;
     for (std::size_t i = 0; i < readings.size(); ++i) {
-      const auto [low, high] = range_[i / count_];
+      const auto [low, high] = range_[i];
       if (readings[i] < low)
         readings[i] = low;
       else if (readings[i] > high)
@@ -36,8 +36,7 @@ class Limits final : public SensorEffect {
   }
 
  private:
-  std::size_t count_;
-  std::vector<Range> range_;  // per channel
+  std::vector<Range> range_;  // per reading
   std::size_t limited_ = 0;
   std::size_t readings_ = 0;
 };

@@ -9,19 +9,19 @@ namespace {
 class NoiseOfTaxels final : public SensorEffect {
  public:
   NoiseOfTaxels(const TaxelNoise& noise, const SensorArray& array)
-      : rms_(of_readings(noise.rms, array, "rms")), count_(array.count) {
+      : rms_(of_readings(noise.rms, array, "rms")), channel_(channel_of_readings(array)) {
     for (const double rms : rms_) require_not_negative("rms", rms);
-    for (std::size_t c = 0; c < rms_.size() / count_; ++c)
+    for (std::size_t c = 0; c < channel_count(array); ++c)
       streams_.emplace_back(noise.seed, c, Draws::taxel_noise);
   }
   void apply(const Instant&, std::span<double> readings) override {
     for (std::size_t i = 0; i < readings.size(); ++i)
-      readings[i] += rms_[i] * streams_[i / count_]();
+      readings[i] += rms_[i] * streams_[channel_[i]]();
   }
 
  private:
   std::vector<double> rms_;
-  std::size_t count_;
+  std::vector<std::size_t> channel_;  // per reading
   std::vector<NormalStream> streams_;
 };
 

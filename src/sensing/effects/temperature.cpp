@@ -11,23 +11,22 @@ namespace {
 class Drifting final : public SensorEffect {
  public:
   Drifting(const TemperatureDrift& drift, const SensorArray& array)
-      : gain_(drift.gain), change_(drift.change), count_(array.count) {
+      : gain_(drift.gain), change_(drift.change) {
     require(change_.times.size() == change_.values.size() && !change_.times.empty(), "change",
             "hold one value per time, and one at least", change_.values.size());
-    for (const Channel& channel : channels(array))
-      offset_.push_back(value_of(drift.offset, channel.quantity, "offset"));
+    for (const Site& site : sites(array))
+      offset_.push_back(value_of(drift.offset, site.quantity, "offset"));
   }
   void apply(const Instant& at, std::span<double> readings) override {
     const double change = change_(at.time);
     for (std::size_t i = 0; i < readings.size(); ++i)
-      readings[i] += change * (gain_ * readings[i] + offset_[i / count_]);
+      readings[i] += change * (gain_ * readings[i] + offset_[i]);
   }
 
  private:
   double gain_;
   PiecewiseLinear change_;
-  std::size_t count_;
-  std::vector<double> offset_;  // per channel
+  std::vector<double> offset_;  // per reading
 };
 
 }  // namespace

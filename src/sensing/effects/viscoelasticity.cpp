@@ -34,13 +34,10 @@ double zero_beyond(const Spectrum& spectrum, Spectrum::const_iterator own) {
 class Creeping final : public SensorEffect {
  public:
   Creeping(std::vector<CreepTerm> terms, const SensorArray& array) : terms_(std::move(terms)) {
-    const std::vector<Channel> all = channels(array);
-    for (std::size_t c = 0; c < all.size(); ++c)
-      if (is_strain(all[c].quantity)) blocks_.push_back({c * array.count, {}, {}});
-    for (Block& block : blocks_) {
-      block.before.assign(array.count, 0.0);
-      block.states.assign(terms_.size() * array.count, 0.0);
-    }
+    for (const Channel& channel : channels(array))
+      if (is_strain(channel.quantity))
+        blocks_.push_back({channel.first, std::vector<double>(channel.count),
+                           std::vector<double>(terms_.size() * channel.count)});
   }
   void rest(std::span<double>) override {}
   void apply(const Instant& at, std::span<double> readings) override {

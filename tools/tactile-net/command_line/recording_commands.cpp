@@ -107,6 +107,9 @@ void add_solve(AllCommands& all) {
                      "Where a reading is missing (empty, NaN, NA): fail; skip the frame, whose "
                      "row is then empty; or estimate it from the other taxels, as if those "
                      "without a reading were dead");
+  command.add_option("--share-alpha", options.share_alpha, number(),
+                     "Choose alpha for each frame and the ones before it together, so many in "
+                     "all, such as 20: tractions flicker less (default: for each frame alone)");
   add_json(command, options.results.json,
            "Write a summary as JSON, with verdict and alpha of the frames that the page shows");
 }

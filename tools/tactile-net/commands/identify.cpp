@@ -29,9 +29,10 @@ double traction_of(const IdentifyOptions& options, const Scene& scene, const Str
   say_opening(streams.err, file.name(), file.source());
   std::vector<double> readings(file.source().columns().size());
   std::vector<double> largest(channel_count(scene.sensor));
+  const std::vector<Site> where = sites(scene.sensor);
   while (file.source().next(readings))
     for (std::size_t i = 0; i < readings.size(); ++i)
-      if (double& most = largest[i / scene.sensor.count]; std::abs(readings[i]) > most)
+      if (double& most = largest[where[i].channel]; std::abs(readings[i]) > most)
         most = std::abs(readings[i]);
   return lab::traction_behind(scene, largest);
 }

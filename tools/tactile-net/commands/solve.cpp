@@ -134,12 +134,13 @@ class Outputs {
 /// Turns each frame of readings into one of tractions.
 class Solving {
  public:
-  Solving(const lab::SceneProblem& problem, Method method, lab::Missing missing)
+  Solving(const lab::SceneProblem& problem, Method method, lab::Missing missing,
+          const std::optional<std::size_t>& share_alpha)
       : problem_(problem),
         missing_(missing),
-        solver_(lab::make_solver(problem, method)),
-        repeating_(problem.scene().sensor.count, channels(problem.scene().sensor).size(),
-                   problem.scene().dead_taxels),
+        solver_(share_alpha ? lab::make_sharing_solver(problem, method, *share_alpha)
+                            : lab::make_solver(problem, method)),
+        repeating_(problem.scene().sensor, problem.scene().dead_taxels),
         doubts_(problem) {
     if (missing == lab::Missing::estimate) incomplete_.emplace(problem, method);
   }
@@ -223,10 +224,16 @@ void run(const SolveOptions& options, const Streams& streams) {
     throw WrongUsage("--missing",
                      "estimate needs the method tikhonov or closed_form: dft takes a "
                      "dead taxel for a living one that reads 0");
-  Solving solving(problem, method, missing);
-  if (!options.uncertainty.empty() && (!lab::traits(method).has_bands || problem.is_large()))
-    throw WrongUsage("--uncertainty", "needs the method tikhonov or closed_form, and fewer than " +
-                                          std::to_string(lab::large) + " tractions");
+  if (options.share_alpha && *options.share_alpha == 0)
+    throw WrongUsage("--share-alpha", "must be at least 1 frame");
+  if (options.share_alpha && (problem.scene().reconstruct.alpha || !lab::traits(method).has_bands))
+    throw WrongUsage("--share-alpha",
+                     "needs an alpha that a rule chooses, for tikhonov or closed_form");
+  Solving solving(problem, method, missing, options.share_alpha);
+  if (!options.uncertainty.empty() && (!lab::traits(method).has_bands || !problem.has_bands()))
+    throw WrongUsage("--uncertainty",
+                     "needs the method tikhonov or closed_form, and under constraints fewer than " +
+                         std::to_string(lab::large) + " tractions");
   for (const std::string& warning : report::in_words(solving.solver().remarks()))
     streams.err << name(options.method) << ": warning: " << warning << '\n';
 

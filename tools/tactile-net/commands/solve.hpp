@@ -2,6 +2,8 @@
 /// The command `solve`: recorded readings to tractions, frame by frame.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include "commands/results.hpp"
@@ -19,6 +21,7 @@ struct SolveOptions {
   ResultOptions results{};
   std::string columns{};
   lab::Missing missing = lab::Missing::fail;
+  std::optional<std::size_t> share_alpha{};
 };
 
 /// @throw InputError  a frame is bad; the answers of those before it are in NAME.partial, which the

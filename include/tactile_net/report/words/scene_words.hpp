@@ -2,6 +2,7 @@
 /// A scene as text for people.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace tactile_net::report {
 
 /// "81 taxels, pitch 0.25, reading strain_x at depth 1.5"
 [[nodiscard]] std::string sensor_in_words(const Scene& scene);
+/// "1.5 mm", "1 and 1.5", of uneven taxels "1.2 mm to 1.5 mm".
+/// @param channel  of its taxels; absent: of all
+[[nodiscard]] std::string depths_in_words(const Scene& scene,
+                                          const std::optional<Channel>& channel = {});
 /// Where the tractions lie, if on a grid; else empty.
 [[nodiscard]] std::string surface_in_words(const Scene& scene);
 /// "the truth at the taxels"

@@ -1,0 +1,26 @@
+/// @file
+/// What a family of solutions is made of. Private.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "inverse/standard_form.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
+
+namespace tactile_net {
+
+struct TikhonovFamily::Factors {
+  explicit Factors(const InverseProblem& problem);
+
+  std::size_t line;  // readings whose spectrum is taken together
+  Eigen::VectorXd weights;
+  double stabiliser_condition;  // of L, at most
+  StandardForm form;
+  std::vector<double> gamma;
+  Eigen::MatrixXd fourier;                         // cosines, then sines, channel by channel
+  std::shared_ptr<const Eigen::MatrixXd> spectra;  // of u's columns
+};
+
+}  // namespace tactile_net

@@ -1,0 +1,198 @@
+#include "tactile_net/inverse/load_windows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "inverse/checks.hpp"
+#include "inverse/stabiliser.hpp"
+#include "inverse/standard_form.hpp"
+#include "numeric/require.hpp"
+
+namespace tactile_net {
+namespace {
+
+using Eigen::Index;
+
+/// Alphas that halve, of loads from a tenth of the noise up to what double precision still tells
+/// from it. Posteriors of few readings are wide in log alpha: the sum over them is the integral.
+constexpr Index alpha_steps = 61;
+constexpr double largest_alpha = 64.0;  // over the largest gamma squared
+constexpr double least_noise = 1e-14;   // over the largest reading: below, rounding is larger
+constexpr double negligible = 1e-6;     // a probability
+constexpr double widest = 6.0;          // over the narrowest: what is wider takes most of the time
+
+/// Values of one traction in a row.
+struct Range {
+  Index first = 0;
+  Index count = 0;
+};
+
+/// Level after level, each of one width.
+std::vector<std::vector<Range>> ranges(const Surface& surface, double narrowest) {
+  const auto n = static_cast<Index>(surface.count);
+  const double whole = static_cast<double>(n + 1) * surface.spacing;
+  const double to_array = static_cast<double>(surface.margin);
+  const double last = static_cast<double>(n - 1);
+  std::vector<std::vector<Range>> levels;
+  for (double width = narrowest; width < std::min(whole, widest * narrowest);
+       width *= std::sqrt(2.0)) {
+    // Hats fall to 0 one spacing beyond the outermost values: they are one less than spacings.
+    const Index count = std::clamp<Index>(std::lround(width / surface.spacing) - 1, 1, n);
+    if (count == n) break;
+    const double step = std::max(0.25 * width / surface.spacing, 1.0);
+    const Index places = static_cast<Index>(std::ceil(static_cast<double>(n - count) / step)) + 1;
+    std::vector<Range> level;
+    for (Index k = 0; k < places; ++k) {
+      const Index from_end = (n - count) * std::min(k, places - 1 - k) / (places - 1);
+      const Index first = 2 * k < places ? from_end : n - count - from_end;  // a mirrored array's
+      const double middle = static_cast<double>(first) + 0.5 * static_cast<double>(count - 1);
+      if (middle >= to_array && middle <= last - to_array) level.push_back({first, count});
+    }
+    if (!level.empty()) levels.push_back(std::move(level));
+  }
+  levels.push_back({{0, n}});
+  return levels;
+}
+
+}  // namespace
+
+struct LoadWindows::Windows {
+  struct Window {
+    std::vector<Index> columns{};  // of K: the window's values, of each traction
+    Eigen::MatrixXd u{};           // of its standard form
+    Eigen::MatrixXd from_components{};
+    Eigen::MatrixXd hidden{};     // what no reading shows, the root of its covariance times alpha
+    Eigen::VectorXd gamma2{};     // squares
+    Eigen::MatrixXd lost{};       // 1 - phi: alphas x components
+    Eigen::VectorXd log_prior{};  // of each alpha, with the log of det(I - H)^(1/2)
+  };
+
+  Windows(const InverseProblem& problem, double narrowest)
+      : weights(as_eigen(std::span(problem.weights))) {
+    const Eigen::MatrixXd k = as_eigen(problem.kernel);
+    const Eigen::MatrixXd l = stabiliser(problem);
+    const auto block = static_cast<Index>(problem.surface.count);
+    const auto levels = ranges(problem.surface, narrowest);
+    for (auto level = levels.rbegin(); level != levels.rend(); ++level)  // the whole surface first
+      for (const Range& range : *level) {
+        Window window;
+        for (std::size_t unknown = 0; unknown < problem.unknowns; ++unknown)
+          for (Index i = 0; i < range.count; ++i)
+            window.columns.push_back(static_cast<Index>(unknown) * block + range.first + i);
+        fill(window, k, l, -std::log(static_cast<double>(level->size())));
+        all.push_back(std::move(window));
+      }
+  }
+
+  void fill(Window& window, const Eigen::MatrixXd& k, const Eigen::MatrixXd& l, double log_prior) {
+    const StandardForm form(
+        k(Eigen::all, window.columns),
+        HouseholderQr(Eigen::MatrixXd(l(Eigen::all, window.columns))).triangle());
+    const Index n = form.v.rows();
+    const Index components = form.v.cols();
+    if (alphas.size() == 0) {
+      alphas.resize(alpha_steps);
+      for (Index a = 0; a < alpha_steps; ++a)
+        alphas(a) =
+            form.gamma(0) * form.gamma(0) * largest_alpha * std::ldexp(1.0, -static_cast<int>(a));
+    }
+    window.from_components =
+        form.from_components(Eigen::MatrixXd(Eigen::MatrixXd::Identity(components, components)));
+    window.hidden.resize(n, 0);
+    if (components < n)
+      window.hidden = solve_upper(form.triangle, Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n) -
+                                                                 form.v * form.v.transpose()));
+    window.gamma2 = form.gamma.cwiseAbs2();
+    window.u = form.u;
+    window.lost.resize(alpha_steps, components);
+    for (Index a = 0; a < alpha_steps; ++a)
+      window.lost.row(a) = alphas(a) / (window.gamma2.array() + alphas(a));
+    window.log_prior = 0.5 * window.lost.array().log().rowwise().sum() + log_prior;
+  }
+
+  Eigen::VectorXd weights;
+  Eigen::VectorXd alphas;
+  std::vector<Window> all;  // the whole surface first
+};
+
+LoadWindows::LoadWindows(const InverseProblem& problem, double narrowest) {
+  require_positive("narrowest", narrowest);
+  windows_ = std::make_unique<const Windows>(problem, narrowest);
+}
+LoadWindows::~LoadWindows() = default;
+LoadWindows::LoadWindows(LoadWindows&&) noexcept = default;
+LoadWindows& LoadWindows::operator=(LoadWindows&&) noexcept = default;
+
+std::size_t LoadWindows::count() const noexcept { return windows_->all.size(); }
+
+TractionCovariance LoadWindows::covariance(std::span<const double> readings,
+                                           std::span<const double> tractions, double alpha,
+                                           double noise_rms) const {
+  const Windows& windows = *windows_;
+  const auto n = static_cast<Index>(windows.all.front().columns.size());
+  check_readings(readings, static_cast<std::size_t>(windows.weights.size()));
+  check_readings(tractions, static_cast<std::size_t>(n));
+  check_alpha(alpha);
+  require_positive("noise_rms", noise_rms);
+
+  Eigen::VectorXd g = windows.weights.cwiseProduct(as_eigen(readings));
+  const double sigma = std::max(noise_rms, least_noise * g.cwiseAbs().maxCoeff());
+  g /= sigma;
+  const Eigen::VectorXd f = as_eigen(tractions) / sigma;
+
+  std::vector<Eigen::VectorXd> beta;
+  Eigen::MatrixXd likely(alpha_steps, std::ssize(windows.all));  // logs first
+  for (const auto& window : windows.all) {
+    beta.push_back(window.u.transpose() * g);
+    const Eigen::VectorXd power = beta.back().cwiseAbs2();
+    const double outside = (g - window.u * beta.back()).squaredNorm();
+    likely.col(std::ssize(beta) - 1) =
+        window.log_prior.array() - 0.5 * ((window.lost * power).array() + outside);
+  }
+  likely = (likely.array() - likely.maxCoeff()).exp();
+  likely /= likely.sum();
+
+  // S, C = S S', by its blocks of columns.
+  std::vector<Eigen::VectorXd> columns;
+  for (Index w = 0; w < likely.cols(); ++w) {
+    if (!(likely.col(w).sum() > negligible)) continue;
+    const auto& window = windows.all[static_cast<std::size_t>(w)];
+    const auto add = [&](const Eigen::MatrixXd& inside) {
+      for (Index i = 0; i < inside.cols(); ++i) {
+        columns.emplace_back(Eigen::VectorXd::Zero(n));
+        columns.back()(window.columns) = inside.col(i);
+      }
+    };
+    Eigen::VectorXd seen = Eigen::VectorXd::Zero(window.gamma2.size());
+    double hidden = 0.0;
+    for (Index a = 0; a < alpha_steps; ++a) {
+      const double p = likely(a, w);
+      if (!(p > negligible)) continue;
+      const Eigen::VectorXd over = (window.gamma2.array() + windows.alphas(a)).inverse();
+      seen += p * over;
+      hidden += p / windows.alphas(a);
+      const Eigen::VectorXd mean =
+          window.from_components * (window.gamma2.cwiseSqrt().array() * over.array() *
+                                    beta[static_cast<std::size_t>(w)].array())
+                                       .matrix();
+      columns.emplace_back(-f);
+      columns.back()(window.columns) += mean;
+      columns.back() *= std::sqrt(p);
+    }
+    add(window.from_components * seen.cwiseSqrt().asDiagonal());
+    add(window.hidden * std::sqrt(hidden));
+  }
+  Matrix root{static_cast<std::size_t>(n), columns.size(), {}};
+  root.values.resize(root.rows * root.columns);
+  Eigen::Map<RowMajor> s(root.values.data(), n, std::ssize(columns));
+  for (Index i = 0; i < s.cols(); ++i)
+    s.col(i) = columns[static_cast<std::size_t>(i)] * (sigma / noise_rms);
+
+  const auto& gamma2 = windows.all.front().gamma2.array();
+  return {root, (gamma2 / (gamma2 + alpha)).sum()};
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "scene/references.hpp"
+#include "scene/sections.hpp"
+#include "scene/taxel_file.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr std::size_t most_depths = 64;
+constexpr std::string_view which_taxels =
+    "the matrices are dense: 4096 taxels already take 128 MiB for each";
+
+void read_quantities(const Value& value, SensorArray& array, Read& read) {
+  const auto list = value.list("quantities, such as \"strain_x\"");
+  if (!list) return;
+  if (list->empty()) value.problem("must name at least one quantity", "reads = [\"stress_x\"]");
+  read.reads_complete = !list->empty();
+  const auto names = names_of(quantities);
+  for (const Value& item : *list) {
+    const auto index = item.one_of("quantity", names);
+    if (!index) {
+      read.reads_complete = false;
+      continue;
+    }
+    const Quantity quantity = quantities[*index];
+    if (std::find(array.reads.begin(), array.reads.end(), quantity) == array.reads.end())
+      array.reads.push_back(quantity);
+    else
+      item.problem("names " + in_quotes(name(quantity)) + " twice", "remove one");
+  }
+}
+
+void read_depths(const std::optional<Value>& one, const std::optional<Value>& several,
+                 SensorArray& array, Read& read) {
+  if (one && several) {
+    several->problem("and sensor.depth exclude each other", "keep one of the two");
+    return;
+  }
+  if (one) {
+    if (const auto depth = one->number(positive, read.units.length)) array.depths = {*depth};
+  } else if (several) {
+    const auto items = several->list("numbers");
+    const auto depths = several->numbers(positive, read.units.length);
+    if (!items || !depths) return;
+    if (depths->size() > most_depths) {
+      several->problem("must hold at most 64 depths (got " + std::to_string(depths->size()) + ')');
+      return;
+    }
+    if (depths->empty()) several->problem("must hold at least one depth", "depths = [1.0, 1.5]");
+    for (std::size_t i = 0; i < depths->size(); ++i) {
+      const double depth = (*depths)[i];
+      if (std::find(array.depths.begin(), array.depths.end(), depth) == array.depths.end())
+        array.depths.push_back(depth);
+      else
+        (*items)[i].misfit("names a depth twice", "remove one");
+    }
+  }
+  read.depths_complete = !array.depths.empty();
+}
+
+/// Equally far apart.
+void read_even(Table& table, SensorArray& array, Read& read) {
+  if (const auto count = table.required(
+          "count", "the number of taxels along the surface: count = 81", {"positions", "taxels"})) {
+    const auto taxels = count->integer(2, most_taxels, which_taxels);
+    array.count = static_cast<std::size_t>(taxels.value_or(0));
+  }
+  if (const auto pitch = table.required("pitch", "the distance from taxel to taxel: pitch = 0.25"))
+    array.pitch = pitch->number(positive, read.units.length).value_or(0.0);
+  const auto depth =
+      table.required("depth", "how far below the surface the taxels are: depth = 1.5", {"depths"});
+  read_depths(depth, table.value("depths"), array, read);
+  read.reads = table.required("reads", "what each taxel reads: reads = [\"strain_x\"]");
+  if (read.reads) read_quantities(*read.reads, array, read);
+}
+
+/// One number for all taxels, or one for each.
+std::optional<std::vector<double>> read_taxel_depths(const Value& depth, std::size_t count,
+                                                     const Unit& length) {
+  if (!depth.is_list()) {
+    const auto one = depth.number(positive, length);
+    return one ? std::optional(std::vector<double>(count, *one)) : std::nullopt;
+  }
+  auto each = depth.numbers(positive, length);
+  if (each && each->size() != count) {
+    depth.problem("must be one number, or one for each taxel: " + std::to_string(count) + " (got " +
+                  std::to_string(each->size()) + ')');
+    return std::nullopt;
+  }
+  return each;
+}
+
+/// What the table says of every taxel of a list or a file.
+struct Common {
+  std::optional<Value> depth;
+  std::vector<Quantity> reads;
+};
+
+std::vector<Taxel> read_positions(const Value& positions, const Common& common,
+                                  const Unit& length) {
+  const auto items = positions.list("numbers");
+  const auto places = positions.numbers(any_number, length);
+  if (!items || !places) return {};
+  if (places->size() < 2 || places->size() > static_cast<std::size_t>(most_taxels)) {
+    positions.problem("must hold from 2 to " + std::to_string(most_taxels) + " taxels (got " +
+                          std::to_string(places->size()) + ')',
+                      "from the lowest y: positions = [-3.0, -1.0, 0.0, 2.5]");
+    return {};
+  }
+  const auto depths =
+      common.depth ? read_taxel_depths(*common.depth, places->size(), length) : std::nullopt;
+  if (!depths) return {};
+  std::vector<Taxel> taxels;
+  std::size_t misfits = 0;
+  for (std::size_t i = 0; i < places->size(); ++i) {
+    taxels.push_back({(*places)[i], (*depths)[i], common.reads});
+    if (i == 0 || misfits == most_misfits) continue;
+    const double before = (*places)[i - 1];
+    if ((*places)[i] < before || ((*places)[i] == before && (*depths)[i] == (*depths)[i - 1])) {
+      (*items)[i].misfit((*places)[i] < before ? "is below the taxel before it"
+                                               : "is the place of the taxel before it, as deep",
+                         "y must rise from taxel to taxel");
+      ++misfits;
+    }
+  }
+  return misfits == 0 ? taxels : std::vector<Taxel>{};
+}
+
+std::vector<Taxel> read_file(const Value& value, const std::filesystem::path& folder,
+                             const Common& common, const Unit& length) {
+  const References references{folder.empty() ? "." : folder};
+  const std::string file = value.text().value_or("");
+  if (file.empty()) {
+    if (value.is_text()) value.problem("must name a file", "taxels = \"palm.csv\"");
+    return {};
+  }
+  if (!references.allow(file)) {
+    value.misfit("must name a file beside the scene's or below its folder",
+                 "a scene from somewhere else could have any file read");
+    return {};
+  }
+  Taxel missing{.reads = common.reads};
+  if (common.depth) missing.depth = common.depth->number(positive, length).value_or(0.0);
+  try {
+    return read_taxel_file(references.folder / file, missing, length,
+                           static_cast<std::size_t>(most_taxels));
+  } catch (const std::runtime_error& error) {
+    value.problem("names a file that is not in order: " + std::string(error.what()),
+                  "a header \"y,depth,reads\", then a row for each taxel, from the lowest y: "
+                  "-3.0,1.5,stress_x shear_xy");
+    return {};
+  }
+}
+
+/// Wherever they are.
+SensorArray read_uneven(Table& table, const std::optional<Value>& positions,
+                        const std::optional<Value>& file, const std::filesystem::path& folder,
+                        Read& read) {
+  for (const std::string_view key : {"count", "pitch"})
+    table.not_here(key, "is of taxels equally far apart, and these have places of their own",
+                   "remove it");
+  table.not_here("depths", "is of even arrays, which have every taxel at each depth",
+                 "depth = [1.5, 1.2, ...], one for each taxel");
+  SensorArray named;
+  Common common{.depth = positions ? table.required("depth",
+                                                    "how far below the surface the taxels are: "
+                                                    "depth = 1.5, or one number for each")
+                                   : table.value("depth"),
+                .reads = {}};
+  read.reads = positions ? table.required("reads", "what each taxel reads: reads = [\"strain_x\"]")
+                         : table.value("reads");
+  if (read.reads) read_quantities(*read.reads, named, read);
+  common.reads = named.reads;
+  if (read.reads && !read.reads_complete) return {};
+  if (positions && (!read.reads || file)) {
+    if (file) file->problem("and sensor.positions exclude each other", "keep one of the two");
+    return {};
+  }
+  const Unit& length = read.units.length;
+  std::vector<Taxel> taxels = positions ? read_positions(*positions, common, length)
+                                        : read_file(*file, folder, common, length);
+  if (taxels.empty()) return {};
+  if (!read.reads) read.reads = file;
+  try {
+    SensorArray array = uneven_array(std::move(taxels));
+    read.reads_complete = read.depths_complete = true;
+    return array;
+  } catch (const std::invalid_argument& error) {
+    (positions ? *positions : *file).problem("is no array: " + std::string(error.what()));
+    return {};
+  }
+}
+
+}  // namespace
+
+SensorArray read_sensor(Table table, const std::filesystem::path& folder, Read& read) {
+  const auto positions = table.value("positions");
+  const auto file = table.value("taxels");
+  SensorArray array;
+  if (positions || file)
+    array = read_uneven(table, positions, file, folder, read);
+  else
+    read_even(table, array, read);
+  table.finish();
+  return array;
+}
+
+}  // namespace tactile_net

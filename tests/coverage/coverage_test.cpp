@@ -1,0 +1,55 @@
+// A part of the table in docs/internals/numerics.md, whose rows have four times as many contacts.
+#include "tests/coverage/coverage.hpp"
+
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+using namespace tactile_net::coverage;
+
+namespace {
+
+constexpr std::size_t contacts_each = 100;
+
+}  // namespace
+
+TEST_CASE("two deviations hold the truth of a contact inside a coarse array", "[coverage]") {
+  struct Case {
+    Setting setting;
+    double least;  // share of contacts
+  };
+  const Contacts contacts(contacts_each, Place::inside, false);
+  for (const auto& [setting, least] :
+       {Case{{.pitch = 2.0}, 0.92}, Case{{.pitch = 1.0, .unknowns = 2}, 0.92},
+        Case{{.pitch = 4.0}, 0.9}}) {
+    CAPTURE(setting.pitch, setting.unknowns);
+    REQUIRE(basis(setting) == SurfaceBasis::hats);
+    const Score found = score(setting, contacts);
+    CHECK(found.force_within >= least);
+    CHECK(found.centre_within >= least);
+    CHECK(found.field_within >= least);
+    if (setting.unknowns == 2) CHECK(found.tangential_within >= least);
+    // Nor is a band an excuse: the deviation is of the error's size.
+    if (setting.pitch <= 2.0)
+      CHECK(at_share(found.force_deviations, 0.5) <= 5.0 * at_share(found.force_errors, 0.5));
+  }
+}
+
+TEST_CASE("two deviations hold the force of a contact that hangs over a coarse array's end",
+          "[coverage]") {
+  const Contacts contacts(contacts_each, Place::overhangs, false);
+  for (const double pitch : {1.0, 2.0, 4.0}) {
+    CAPTURE(pitch);
+    CHECK(score({.pitch = pitch}, contacts).force_within >= 0.93);
+  }
+}
+
+TEST_CASE("two deviations hold the truth of a contact inside a dense array", "[coverage]") {
+  const Contacts contacts(contacts_each, Place::inside, false);
+  for (const bool grid : {false, true}) {
+    CAPTURE(grid);
+    const Score found = score({.pitch = 0.5, .grid = grid}, contacts);
+    CHECK(found.force_within >= 0.92);
+    CHECK(found.centre_within >= 0.92);
+    CHECK(found.field_within >= 0.92);
+  }
+}

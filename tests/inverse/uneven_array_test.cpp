@@ -1,0 +1,259 @@
+// Taxels that lie where they lie: what must hold whatever their places.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/sensing/exact.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+const Material silicone{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
+constexpr double depth = 1.5e-3;
+
+/// The taxels of an even array at one depth, one by one, moved by `offset`.
+std::vector<Taxel> taxels_of(const SensorArray& array, double offset = 0.0) {
+  std::vector<Taxel> taxels;
+  for (const double y : positions(array))
+    taxels.push_back({y + offset, array.depths.front(), array.reads});
+  return taxels;
+}
+
+const SensorArray even{.count = 9,
+                       .pitch = 2.0 * depth,
+                       .depths = {depth},
+                       .reads = {Quantity::stress_x, Quantity::shear_xy}};
+
+/// Sixteen taxels of a palm: places, depths and quantities differ.
+SensorArray palm() {
+  const std::vector<double> places = {-12.0, -9.5, -7.8, -5.0, -3.9, -2.0, -0.6, 0.9,
+                                      2.2,   3.0,  4.9,  6.1,  7.7,  9.2,  10.6, 12.0};
+  std::vector<Taxel> taxels;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Taxel taxel{.y = 1e-3 * places[i], .depth = depth * (i % 3 == 0 ? 0.8 : 1.0)};
+    if (i % 4 != 3) taxel.reads.push_back(Quantity::stress_x);
+    if (i % 2 == 1) taxel.reads.push_back(Quantity::shear_xy);
+    taxels.push_back(std::move(taxel));
+  }
+  return uneven_array(std::move(taxels));
+}
+
+ProblemOptions on_grid(std::size_t unknowns, std::optional<double> spacing = {}) {
+  return {.unknowns = unknowns,
+          .smoothing_length = depth,
+          .surface = {.basis = SurfaceBasis::hats, .spacing = spacing}};
+}
+
+std::vector<double> pressed(const SensorArray& array, const RigidContact& contact,
+                            const Material& material = silicone) {
+  return exact_readings(array, material, std::vector<Contact>{contact});
+}
+
+UncertainResultant solve(const InverseProblem& problem, std::span<const double> readings,
+                         double sigma) {
+  const TikhonovFamily family(problem);
+  const FilterFrame frame = family.analyse(readings);
+  const double alpha = choose_alone(frame, AlphaRule::evidence, sigma).alpha;
+  const TractionCovariance covariance(problem, alpha, alpha);
+  return resultant_of(problem, family.solve(frame, alpha), covariance, sigma);
+}
+
+double largest(std::span<const double> values) {
+  double most = 0.0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("an even array taxel by taxel has the same readings and the same K", "[uneven]") {
+  const SensorArray listed = uneven_array(taxels_of(even));
+  CHECK(reading_names(listed) == reading_names(even));
+  const RigidContact contact{.center = 0.7e-3, .half_width = depth, .force = 20.0, .friction = 0.4};
+  const std::vector<double> g = pressed(even, contact);
+  const std::vector<double> same = pressed(listed, contact);
+  const InverseProblem one = make_problem(even, silicone, on_grid(2));
+  const InverseProblem other = make_problem(listed, silicone, on_grid(2, one.surface.spacing));
+  REQUIRE(other.surface.count == one.surface.count);
+  CHECK_THAT(other.surface.area, WithinRel(one.surface.area, 1e-12));
+  const double peak = largest(one.kernel.values);
+  for (std::size_t i = 0; i < g.size(); ++i)
+    CHECK_THAT(same[i], WithinAbs(g[i], 1e-12 * largest(g)));
+  for (std::size_t i = 0; i < one.kernel.values.size(); ++i)
+    REQUIRE_THAT(other.kernel.values[i], WithinAbs(one.kernel.values[i], 1e-12 * peak));
+  CHECK(other.kernel_error <
+        1e-12 * peak * std::sqrt(static_cast<double>(one.kernel.values.size())));
+}
+
+TEST_CASE("a taxel that does not read a quantity is a row less, and nothing else", "[uneven]") {
+  std::vector<Taxel> taxels = taxels_of(even);
+  taxels[2].reads = {Quantity::shear_xy};
+  taxels[5].reads = {Quantity::stress_x};
+  const SensorArray mixed = uneven_array(taxels);
+  const InverseProblem whole = make_problem(uneven_array(taxels_of(even)), silicone, on_grid(2));
+  const InverseProblem part = make_problem(mixed, silicone, on_grid(2));
+  REQUIRE(part.sites.size() == 16);
+  for (std::size_t row = 0; row < part.sites.size(); ++row) {
+    const Site& site = part.sites[row];
+    const std::size_t of_whole = site.channel * even.count + site.taxel;
+    for (std::size_t j = 0; j < part.kernel.columns; ++j)
+      REQUIRE(part.kernel(row, j) == whole.kernel(of_whole, j));
+  }
+}
+
+TEST_CASE("moving array and contact together moves the centre, and changes no force", "[uneven]") {
+  constexpr double offset = 0.0625;
+  const SensorArray here = palm();
+  std::vector<Taxel> moved = here.taxels;
+  for (Taxel& taxel : moved) taxel.y += offset;
+  const SensorArray there = uneven_array(moved);
+  RigidContact contact{.center = 1.1e-3, .half_width = depth, .force = 20.0, .friction = 0.3};
+  const std::vector<double> g = pressed(here, contact);
+  contact.center += offset;
+  const std::vector<double> h = pressed(there, contact);
+  const double sigma = 0.01 * largest(g);
+  const UncertainResultant first = solve(make_problem(here, silicone, on_grid(2)), g, sigma);
+  const UncertainResultant second = solve(make_problem(there, silicone, on_grid(2)), h, sigma);
+  CHECK_THAT(second.normal.value, WithinRel(first.normal.value, 1e-9));
+  CHECK_THAT(second.normal.deviation, WithinRel(first.normal.deviation, 1e-9));
+  CHECK_THAT(second.tangential->value, WithinRel(first.tangential->value, 1e-8));
+  CHECK_THAT(second.centre->value - offset, WithinAbs(first.centre->value, 1e-9));
+  CHECK_THAT(second.centre->deviation, WithinRel(first.centre->deviation, 1e-6));
+}
+
+TEST_CASE("a mirrored array sees the mirror image", "[uneven]") {
+  const SensorArray here = palm();
+  std::vector<Taxel> mirrored(here.taxels.rbegin(), here.taxels.rend());
+  for (Taxel& taxel : mirrored) taxel.y = -taxel.y;
+  const SensorArray there = uneven_array(mirrored);
+  RigidContact contact{.center = 1.1e-3, .half_width = depth, .force = 20.0, .friction = 0.3};
+  const UncertainResultant first =
+      solve(make_problem(here, silicone, on_grid(2)), pressed(here, contact), 50.0);
+  contact.center = -contact.center;
+  contact.friction = -contact.friction;
+  const UncertainResultant second =
+      solve(make_problem(there, silicone, on_grid(2)), pressed(there, contact), 50.0);
+  CHECK_THAT(second.normal.value, WithinRel(first.normal.value, 1e-9));
+  CHECK_THAT(second.tangential->value, WithinRel(-first.tangential->value, 1e-8));
+  CHECK_THAT(second.centre->value, WithinRel(-first.centre->value, 1e-8));
+}
+
+TEST_CASE("a dead taxel takes all that it reads with it", "[uneven]") {
+  const SensorArray array = palm();
+  ProblemOptions options = on_grid(2);
+  options.dead_taxels = {1, 6};
+  const InverseProblem problem = make_problem(array, silicone, options);
+  for (std::size_t row = 0; row < problem.sites.size(); ++row) {
+    const std::size_t taxel = problem.sites[row].taxel;
+    CHECK((problem.weights[row] == 0.0) == (taxel == 1 || taxel == 6));
+  }
+}
+
+TEST_CASE("an uneven array tells forces within its bands", "[uneven]") {
+  for (const std::size_t unknowns : {std::size_t{1}, std::size_t{2}}) {
+    std::vector<Taxel> taxels = palm().taxels;
+    if (unknowns == 1)
+      for (Taxel& taxel : taxels) taxel.reads = {Quantity::stress_x};
+    const SensorArray array = uneven_array(taxels);
+    const InverseProblem problem = make_problem(array, silicone, on_grid(unknowns));
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    std::vector<double> errors;
+    int within = 0;
+    constexpr int trials = 60;
+    for (int k = 0; k < trials; ++k) {
+      const RigidContact contact{.center = 7e-3 * uniform(generator),
+                                 .half_width = depth * (1.2 + 0.8 * uniform(generator)),
+                                 .friction = unknowns == 2 ? 0.6 * uniform(generator) : 0.0};
+      std::vector<double> g = pressed(array, contact);
+      const double sigma = 0.01 * largest(g);
+      std::normal_distribution<double> noise(0.0, sigma);
+      for (double& reading : g) reading += noise(generator);
+      const Uncertain force = solve(problem, g, sigma).normal;
+      errors.push_back(std::abs(force.value / contact.force - 1.0));
+      if (std::abs(force.value - contact.force) <= 2.0 * force.deviation) ++within;
+    }
+    std::sort(errors.begin(), errors.end());
+    CAPTURE(unknowns, errors[trials / 2], errors[trials * 9 / 10], within);
+    CHECK(errors[trials / 2] < (unknowns == 1 ? 0.05 : 0.12));
+    CHECK(within >= 0.92 * trials);
+  }
+}
+
+TEST_CASE("arrays at the edge of sense give finite, stable answers", "[uneven][hard]") {
+  const std::vector<Quantity> normal = {Quantity::stress_x};
+  Material layer = silicone;
+  layer.layer = Layer{.thickness = 3e-3, .base = Base::bonded};
+  std::vector<Taxel> many;
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int i = 0; i < 1000; ++i)
+    many.push_back(
+        {1e-4 * (i + 0.9 * uniform(generator)), depth * (0.8 + 0.4 * uniform(generator)), normal});
+  struct Case {
+    const char* name;
+    std::vector<Taxel> taxels;
+    Material material;
+    SurfaceOptions surface{.basis = SurfaceBasis::hats};
+    std::size_t unknowns = 1;
+  };
+  const SurfaceOptions hats{.basis = SurfaceBasis::hats};
+  const std::vector<Case> cases = {
+      {"two taxels", {{-1e-3, depth, normal}, {1e-3, depth, normal}}, silicone},
+      {"one place, three depths",
+       {{0.0, 1e-3, normal}, {0.0, 2e-3, normal}, {0.0, 3e-3, normal}},
+       silicone},
+      {"1e-6 of a depth apart",
+       {{-2e-3, depth, normal}, {0.0, depth, normal}, {1e-6 * depth, depth, normal}},
+       silicone},
+      {"one taxel per quantity",
+       {{-1e-3, depth, normal}, {1e-3, depth, {Quantity::shear_xy}}},
+       silicone,
+       hats,
+       2},
+      {"at the base of a layer", {{-1e-3, 3e-3, normal}, {2e-3, 3e-3, normal}}, layer},
+      {"no margin",
+       {{-3e-3, depth, normal}, {0.0, depth, normal}, {2e-3, depth, normal}},
+       silicone,
+       {.basis = SurfaceBasis::hats, .margin = 0.0}},
+      {"a margin of ten depths",
+       {{-3e-3, depth, normal}, {0.0, depth, normal}, {2e-3, depth, normal}},
+       silicone,
+       {.basis = SurfaceBasis::hats, .margin = 10.0 * depth}},
+      {"spacing 100 times finer than the taxels",
+       {{-3e-3, depth, normal}, {0.0, depth, normal}, {2.5e-3, depth, normal}},
+       silicone,
+       {.basis = SurfaceBasis::hats, .spacing = 2.5e-5}},
+      {"a thousand", many, silicone, {.basis = SurfaceBasis::hats, .spacing = 4e-4}}};
+  for (const Case& one : cases) {
+    CAPTURE(one.name);
+    const SensorArray array = uneven_array(one.taxels);
+    const double middle = 0.5 * (one.taxels.front().y + one.taxels.back().y);
+    const RigidContact contact{.center = middle, .half_width = depth, .force = 20.0};
+    const std::vector<double> g = pressed(array, contact, one.material);
+    const double sigma = 0.01 * largest(g);
+    const InverseProblem problem =
+        make_problem(array, one.material,
+                     {.unknowns = one.unknowns,
+                      .smoothing_length = depth,
+                      .channel_rms = std::vector<double>(channel_count(array), sigma),
+                      .surface = one.surface});
+    const UncertainResultant found = solve(problem, g, 1.0);
+    CHECK(std::isfinite(found.normal.value));
+    CHECK(found.normal.deviation > 0.0);
+    CHECK(std::abs(found.normal.value - contact.force) <= 3.0 * found.normal.deviation);
+  }
+}
+
+TEST_CASE("line loads over uneven taxels are refused", "[uneven]") {
+  CHECK_THROWS_WITH(make_problem(palm(), silicone),
+                    ContainsSubstring("needs taxels equally far apart"));
+}

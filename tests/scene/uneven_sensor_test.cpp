@@ -1,0 +1,152 @@
+// [sensor] with taxels that have places of their own.
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+const std::string pad = "[material]\nyoungs_modulus = 1\npoisson_ratio = 0.4\n";
+
+std::string positions(const std::string& list, const std::string& more = "depth = 1.5\n") {
+  return "[sensor]\npositions = [" + list + "]\nreads = [\"stress_x\"]\n" + more + pad;
+}
+
+std::string refusal(const std::string& text, const std::string& file = "scene.toml") {
+  try {
+    (void)parse_scene(text, file);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+/// A folder of its own with a file of taxels.
+class TaxelFile {
+ public:
+  explicit TaxelFile(const std::string& text)
+      : folder_(std::filesystem::temp_directory_path() / ("taxels-" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(folder_);
+    std::ofstream(folder_ / "palm.csv") << text;
+  }
+  ~TaxelFile() { std::filesystem::remove_all(folder_); }
+  TaxelFile(const TaxelFile&) = delete;
+  TaxelFile& operator=(const TaxelFile&) = delete;
+
+  /// @param sensor  more lines of [sensor]; @param head  what stands before it
+  [[nodiscard]] std::string refusal(const std::string& sensor = {},
+                                    const std::string& head = {}) const {
+    return ::refusal(scene(sensor, head), (folder_ / "scene.toml").string());
+  }
+  [[nodiscard]] Scene read(const std::string& sensor = {}, const std::string& head = {}) const {
+    return parse_scene(scene(sensor, head), (folder_ / "scene.toml").string());
+  }
+
+ private:
+  static std::string scene(const std::string& sensor, const std::string& head) {
+    return head + "[sensor]\ntaxels = \"palm.csv\"\n" + sensor + pad;
+  }
+  std::filesystem::path folder_;
+};
+
+}  // namespace
+
+TEST_CASE("positions with one depth, or one for each", "[scene][uneven]") {
+  const Scene one = parse_scene(positions("-3, 0.5, 2"), "scene.toml");
+  REQUIRE(one.sensor.taxels.size() == 3);
+  CHECK(one.sensor.taxels[1].y == 0.5);
+  CHECK(one.sensor.taxels[2].depth == 1.5);
+  CHECK(one.reconstruct.surface.basis == SurfaceBasis::hats);
+  const Scene each =
+      parse_scene(positions("-3, 0.5, 0.5", "depth = [1.5, 1.2, 2.0]\n"), "scene.toml");
+  CHECK(each.sensor.taxels[1].depth == 1.2);
+  CHECK(each.reconstruct.smoothing_length == 1.2);
+  const Scene in_millimetres =
+      parse_scene("[units]\nlength = \"mm\"\n" + positions("-3, 0.5"), "scene.toml");
+  CHECK(in_millimetres.sensor.taxels[0].y == -3e-3);
+  CHECK(in_millimetres.sensor.taxels[0].depth == 1.5e-3);
+}
+
+TEST_CASE("what is wrong with positions is said where it stands", "[scene][uneven]") {
+  CHECK_THAT(refusal(positions("-3, 2, 1")), ContainsSubstring("scene.toml:2:21") &&
+                                                 ContainsSubstring("below the taxel before it"));
+  CHECK_THAT(refusal(positions("-3, 1, 1")), ContainsSubstring("the place of the taxel before it"));
+  CHECK_THAT(refusal(positions("1")), ContainsSubstring("from 2 to 4096 taxels"));
+  CHECK_THAT(refusal(positions("1, nan")), ContainsSubstring("must be a finite number"));
+  CHECK_THAT(refusal(positions("1, 2", "depth = [1, 2, 3]\n")),
+             ContainsSubstring("one for each taxel: 2 (got 3)"));
+  CHECK_THAT(refusal(positions("1, 2", "depth = 1\ncount = 2\n")),
+             ContainsSubstring("sensor.count"));
+  CHECK_THAT(refusal(positions("1, 2", "depth = 1\npitch = 2\n")),
+             ContainsSubstring("sensor.pitch"));
+  CHECK_THAT(refusal(positions("1, 2", "depths = [1, 2]\n")),
+             ContainsSubstring("one for each taxel"));
+  CHECK_THAT(refusal(positions("1, 2", "")), ContainsSubstring("sensor.depth"));
+  CHECK_THAT(
+      refusal(positions("1, 2", "depth = 4\n") + "layer = { thickness = 3, base = \"bonded\" }"),
+      ContainsSubstring("must be at least the sensors' depth"));
+}
+
+TEST_CASE("what needs even taxels is refused with the reason", "[scene][uneven]") {
+  const std::string scene = positions("-3, 0.5, 2");
+  const auto equal = ContainsSubstring("equally far apart");
+  CHECK_THAT(refusal(scene + "[forward]\nmodel = \"sampled\"\n"), equal);
+  CHECK_THAT(refusal(scene + "[reconstruct]\nsurface = \"taxels\"\n"), equal);
+  CHECK_THAT(refusal(scene + "[reconstruct]\nmethods = [\"dft\"]\n"), equal);
+  CHECK_THAT(refusal(scene + "[[contact]]\nshape = \"tractions\"\nnormal = [0, 1, 0]\n"), equal);
+}
+
+TEST_CASE("taxels from a file, each with what it reads", "[scene][uneven]") {
+  const TaxelFile file(
+      "# a palm\ny,depth,reads\n-2,1.5,stress_x shear_xy\n0,1.2,stress_x\n"
+      "\n0,1.5,stress_x\n3,1.5,shear_xy\n");
+  const Scene scene = file.read();
+  CHECK(reading_names(scene.sensor) == std::vector<std::string>{"stress_x_0", "stress_x_1",
+                                                                "stress_x_2", "shear_xy_0",
+                                                                "shear_xy_3"});
+  CHECK(unknowns(scene) == 2);
+  const Scene in_millimetres = file.read("", "[units]\nlength = \"mm\"\n");
+  CHECK(in_millimetres.sensor.taxels[3].y == 3e-3);
+}
+
+TEST_CASE("the scene says what the file leaves out", "[scene][uneven]") {
+  const TaxelFile file("y [mm]\n-2\n0\n3\n");
+  const Scene scene =
+      file.read("depth = 1.5\nreads = [\"strain_x\"]\n", "[units]\nlength = \"mm\"\n");
+  CHECK(scene.sensor.taxels[2].depth == 1.5e-3);
+  CHECK(scene.sensor.reads == std::vector{Quantity::strain_x});
+  CHECK_THAT(file.refusal("reads = [\"strain_x\"]\n", "[units]\nlength = \"mm\"\n"),
+             ContainsSubstring("no column depth"));
+  CHECK_THAT(file.refusal("depth = 1.5\n", "[units]\nlength = \"mm\"\n"),
+             ContainsSubstring("no column reads"));
+  CHECK_THAT(file.refusal("depth = 1.5\nreads = [\"strain_x\"]\n"),
+             ContainsSubstring("another unit than the scene's, m"));
+}
+
+TEST_CASE("a file of taxels that is not in order is refused with its line", "[scene][uneven]") {
+  const auto said = [](const std::string& text) { return TaxelFile(text).refusal(); };
+  CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n-1,1,stress_x\n"),
+             ContainsSubstring("line 3: y is below"));
+  CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n0,1,stress_x\n"),
+             ContainsSubstring("at one place and read the same, stress_x"));
+  CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n1,nan,stress_x\n"),
+             ContainsSubstring("line 3: depth is not a finite number"));
+  CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n1,0,stress_x\n"),
+             ContainsSubstring("line 3: depth is not > 0"));
+  CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n1,1,pressure\n"),
+             ContainsSubstring("line 3: reads names something else"));
+  CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n1,1\n"),
+             ContainsSubstring("line 3: it has 2 fields"));
+  CHECK_THAT(said("x_mm,z_mm,type\n0,1,stress_x\n"),
+             ContainsSubstring("line 1: a column has another name than y, depth, reads"));
+  CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n"), ContainsSubstring("1 taxels: from 2"));
+  CHECK_THAT(said(""), ContainsSubstring("it is empty"));
+  CHECK_THAT(refusal("[sensor]\ntaxels = \"../palm.csv\"\n" + pad),
+             ContainsSubstring("beside the scene's"));
+}
