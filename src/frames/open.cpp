@@ -74,13 +74,8 @@ std::optional<double> ReadingsFile::share_read() const noexcept {
 }
 
 std::unique_ptr<FrameSink> make_sink(OutputFile& file, const std::string& path,
-                                     std::span<const std::string> columns, bool with_time,
-                                     std::string_view word) {
-  if (!is_npy_name(path)) {
-    std::vector<std::string> all(columns.begin(), columns.end());
-    if (!word.empty()) all.emplace_back(word);
-    return std::make_unique<CsvSink>(file.stream(), all, with_time);
-  }
+                                     std::span<const std::string> columns, bool with_time) {
+  if (!is_npy_name(path)) return std::make_unique<CsvSink>(file.stream(), columns, with_time);
   if (file.is_direct())
     throw CannotCreate(path + ": error: a .npy file cannot go to a pipe or a device");
   return std::make_unique<NpySink>(file.stream(), columns.size());

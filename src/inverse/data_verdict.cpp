@@ -1,8 +1,6 @@
 #include "tactile_net/inverse/data_verdict.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -10,34 +8,19 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "inverse/data_memory.hpp"
 #include "inverse/nonnegative.hpp"
+#include "inverse/significance.hpp"
 #include "numeric/eigen.hpp"
-#include "numeric/named.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 
 namespace tactile_net {
 namespace {
 
-constexpr Named<DataDoubt> doubts[] = {{DataDoubt::implausible, "implausible"},
-                                       {DataDoubt::pulls, "pulls"},
-                                       {DataDoubt::bad_taxel, "bad_taxel"},
-                                       {DataDoubt::offset, "offset"},
-                                       {DataDoubt::misfit, "misfit"}};
-
 constexpr double false_alarms = 1e-3;   ///< of honest frames, each test
 constexpr double usual_friction = 1.0;  ///< of rubber on what it touches, at most
 constexpr std::size_t most_suspects = 4;
 constexpr std::size_t iteration_limit = 300;
-
-double chi_squared_limit(double degrees, double alarms) {
-  return boost::math::quantile(
-      boost::math::complement(boost::math::chi_squared_distribution<double>(degrees), alarms));
-}
-
-double variance_ratio_limit(double above, double below, double alarms) {
-  return boost::math::quantile(
-      boost::math::complement(boost::math::fisher_f_distribution<double>(above, below), alarms));
-}
 
 bool positive(double value) { return value > 0.0 && std::isfinite(value); }
 
@@ -52,20 +35,11 @@ struct Fit {
   double norm = 0.0;  ///< of the residual
   double free = 0.0;  ///< columns that are
   Eigen::VectorXd residual{};
-  Eigen::VectorXd allowance{};  ///< of the freedom's columns
+  Eigen::VectorXd allowance{};          ///< of the freedom's columns
+  std::vector<Eigen::Index> pressed{};  ///< columns of the cone, without freedom
 };
 
 }  // namespace
-
-std::string_view name(DataDoubt doubt) noexcept { return name_in<doubts>(doubt); }
-
-std::optional<DataDoubt> data_doubt_named(std::string_view text) noexcept {
-  return named_in<doubts>(text);
-}
-
-bool DataVerdict::has(DataDoubt doubt) const noexcept {
-  return std::find(doubts.begin(), doubts.end(), doubt) != doubts.end();
-}
 
 struct DataJudge::Parts {
   Parts(const InverseProblem& problem, const InverseProblem& contacts, DataLimits given);
@@ -78,7 +52,8 @@ struct DataJudge::Parts {
   [[nodiscard]] Fit with_constants(const Eigen::VectorXd& y, Freedom freedom) const;
   [[nodiscard]] Eigen::VectorXd nearest_contact(std::span<const double> f) const;
   void explain(const Eigen::VectorXd& y, std::span<const double> tractions,
-               DataVerdict& verdict) const;
+               DataMemory::Kept* memory, DataVerdict& verdict) const;
+  void remember(const Fit& fit, DataMemory::Kept& memory) const;
   void look_for_constant(const Eigen::VectorXd& y, const Eigen::VectorXd& contact,
                          DataVerdict& verdict) const;
   [[nodiscard]] bool is_turned_round(const Eigen::VectorXd& y,
@@ -183,6 +158,8 @@ Fit DataJudge::Parts::fit(const Eigen::VectorXd& y, double enough, const Freedom
       a, y, bounded, iteration_limit, {.residual = enough, .gradient = gradient});
   Fit fit{.residual = y - a * found.z, .allowance = found.z.tail(freedom.columns.cols())};
   fit.norm = fit.residual.norm();
+  for (std::size_t j = 0; j < kept.size(); ++j)
+    if (found.z(static_cast<Eigen::Index>(j)) > 0.0) fit.pressed.push_back(kept[j]);
   fit.free = static_cast<double>(std::count(found.free.begin(), found.free.end(), true));
   return fit;
 }
@@ -313,16 +290,37 @@ bool DataJudge::Parts::is_turned_round(const Eigen::VectorXd& y,
   return turned.norm <= most && squares - turned_squares + 2.0 * (base.free - turned.free) > margin;
 }
 
+void DataJudge::Parts::remember(const Fit& fit, DataMemory::Kept& memory) const {
+  const auto presses = [&](Side side) {
+    return std::any_of(fit.pressed.begin(), fit.pressed.end(), [&](Eigen::Index j) {
+      return places[static_cast<std::size_t>(j) % places.size()] == side;
+    });
+  };
+  memory.keep(cone(Eigen::all, fit.pressed), constant_in_each_channel().columns,
+              !limits.inner || !presses(Side::first_end) || !presses(Side::last_end));
+}
+
 void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double> tractions,
-                               DataVerdict& verdict) const {
+                               DataMemory::Kept* memory, DataVerdict& verdict) const {
   const double rms = unit / std::sqrt(rows);  // of a norm
   verdict.residual_limit = most * rms;
+  if (memory != nullptr) {
+    const auto known = memory->explain(y, most);
+    const auto constants = static_cast<double>(channels.size());
+    // A contact that leaves an end alone explains the frame, and a constant would gain nothing.
+    if (known && known->leaves_an_end &&
+        known->gain < chi_squared_limit(constants, 0.1 * false_alarms)) {
+      verdict.residual_rms = known->left * rms;
+      return;
+    }
+  }
   const Eigen::VectorXd contact = nearest_contact(tractions);
   double left = (y - kernel * contact).norm();
   Fit base;
-  if (left > most) {
+  if (left > most || memory != nullptr) {
     base = fit(y, most);
     left = base.norm;
+    if (memory != nullptr && left <= most && !base.pressed.empty()) remember(base, *memory);
   }
   verdict.residual_rms = left * rms;
   if (left <= most) {
@@ -371,8 +369,8 @@ DataJudge::~DataJudge() = default;
 DataJudge::DataJudge(DataJudge&&) noexcept = default;
 DataJudge& DataJudge::operator=(DataJudge&&) noexcept = default;
 
-DataVerdict DataJudge::judge(std::span<const double> readings,
-                             std::span<const double> tractions) const {
+DataVerdict DataJudge::judge(std::span<const double> readings, std::span<const double> tractions,
+                             DataMemory* memory) const {
   const Parts& p = *parts_;
   check_size(readings, static_cast<std::size_t>(p.weights.size()));
   if (std::ssize(tractions) != p.kernel.cols())
@@ -391,7 +389,7 @@ DataVerdict DataJudge::judge(std::span<const double> readings,
   } else if (p.is_turned_round(y, tractions)) {
     verdict.doubts.push_back(DataDoubt::pulls);
   } else if (verdict.noise_known) {
-    p.explain(y, tractions, verdict);
+    p.explain(y, tractions, memory != nullptr ? memory->kept_.get() : nullptr, verdict);
   }
   return verdict;
 }

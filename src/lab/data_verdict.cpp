@@ -39,9 +39,9 @@ DataJudge data_judge(const SceneProblem& problem) {
 
 std::optional<DataVerdict> data_verdict(const SceneProblem& problem,
                                         std::span<const double> readings,
-                                        std::span<const double> tractions) {
+                                        std::span<const double> tractions, DataMemory* memory) {
   if (problem.is_large()) return std::nullopt;
-  return problem.data_judge().judge(readings, tractions);
+  return problem.data_judge().judge(readings, tractions, memory);
 }
 
 void doubt(DataVerdict& data, std::optional<std::size_t> bad_taxel) {

@@ -66,7 +66,7 @@ CsvTable read_csv_table(const std::filesystem::path& path) {
     else
       table.rows.push_back(std::move(row));
   }
-  if (table.header.line == 0) throw std::runtime_error("it is empty");
+  if (table.header.line == 0) throw std::runtime_error("it has 0 rows, not even a header");
   return table;
 }
 

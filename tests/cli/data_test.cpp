@@ -33,8 +33,14 @@ std::string word(const ProcessResult& result) {
   return row.substr(from, row.find('\n') - from);
 }
 
+/// Its output is the file of bands.
 ProcessResult solve(const std::string& readings) {
-  return tool({"solve", finger, "--readings", "-"}, readings);
+  const Folder folder;
+  ProcessResult result = tool({"solve", finger, "--readings", "-", "-o", folder / "t.csv",
+                               "--uncertainty", folder / "u.csv"},
+                              readings);
+  result.output = read_text(folder / "u.csv");
+  return result;
 }
 
 }  // namespace

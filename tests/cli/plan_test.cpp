@@ -1,5 +1,4 @@
 // The command `plan`: from a scene to the file that a controller loads.
-#include <cctype>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -21,9 +20,7 @@ std::vector<double> first_frame(const std::string& file) {
   std::getline(text, line);
   std::vector<double> values;
   std::istringstream row(line);
-  for (std::string field; std::getline(row, field, ',');)
-    if (!std::isalpha(static_cast<unsigned char>(field.front())))  // the word of the data
-      values.push_back(std::stod(field));
+  for (std::string field; std::getline(row, field, ',');) values.push_back(std::stod(field));
   return values;
 }
 

@@ -1,5 +1,4 @@
 // [units] and [calibration] through the command: raw numbers in, SI out.
-#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -25,8 +24,7 @@ std::vector<std::vector<double>> rows(const std::string& text) {
     std::istringstream row(line);
     result.emplace_back();
     for (std::string field; std::getline(row, field, ',');)
-      if (!std::isalpha(static_cast<unsigned char>(field.front())))  // the word of the data
-        result.back().push_back(std::stod(field));
+      result.back().push_back(std::stod(field));
   }
   return result;
 }

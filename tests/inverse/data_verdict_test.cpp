@@ -252,3 +252,28 @@ TEST_CASE("doubts have names", "[data_verdict]") {
   CHECK(name(DataDoubt::bad_taxel) == "bad_taxel");
   CHECK_FALSE(data_doubt_named("ok"));
 }
+
+TEST_CASE("a memory of the frames before changes no doubt", "[data_verdict]") {
+  const Bench bench;
+  const InverseProblem p = bench.problem();
+  const DataJudge judge(p, bench.limits());
+  DataMemory memory;
+  std::size_t doubted = 0;
+  for (std::size_t k = 0; k < 24; ++k) {
+    std::vector<double> readings = bench.frame(contact_at(0.1 * static_cast<double>(k)), k);
+    const auto change = [&](const auto& to) {
+      for (double& reading : readings) reading = to(reading);
+    };
+    if (k % 6 == 2) change([](double g) { return g + 0.01; });
+    if (k % 6 == 3) change([](double g) { return -g; });
+    if (k % 6 == 4) readings[11] = 0.0;
+    const std::vector<double> f = tikhonov_solve(p, 1e-5, readings);
+    const DataVerdict alone = judge.judge(readings, f);
+    const DataVerdict after = judge.judge(readings, f, &memory);
+    CAPTURE(k);
+    CHECK(after.doubts == alone.doubts);
+    CHECK(after.taxel == alone.taxel);
+    if (!alone.consistent()) ++doubted;
+  }
+  CHECK(doubted == 12);
+}

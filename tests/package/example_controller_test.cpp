@@ -1,5 +1,4 @@
 // docs/examples/controller, built against the installed package, on recorded frames.
-#include <cctype>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -25,9 +24,7 @@ Table table(const std::string& text) {
   while (std::getline(in, line)) {
     std::istringstream row(line);
     rows.emplace_back();
-    for (std::string field; std::getline(row, field, ',');)
-      if (!std::isalpha(static_cast<unsigned char>(field.front())))  // the word of the data
-        rows.back().push_back(std::stod(field));
+    for (std::string field; std::getline(row, field, ',');) rows.back().push_back(std::stod(field));
   }
   return rows;
 }

@@ -146,7 +146,7 @@ TEST_CASE("a file of taxels that is not in order is refused with its line", "[sc
   CHECK_THAT(said("x_mm,z_mm,type\n0,1,stress_x\n"),
              ContainsSubstring("line 1: a column has another name than y, depth, reads"));
   CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n"), ContainsSubstring("1 taxels: from 2"));
-  CHECK_THAT(said(""), ContainsSubstring("it is empty"));
+  CHECK_THAT(said(""), ContainsSubstring("it has 0 rows"));
   CHECK_THAT(refusal("[sensor]\ntaxels = \"../palm.csv\"\n" + pad),
              ContainsSubstring("beside the scene's"));
 }

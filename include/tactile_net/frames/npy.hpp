@@ -85,7 +85,6 @@ class NpyFrames final : public FrameSource {
 class NpySink final : public FrameSink {
  public:
   NpySink(std::ostream& out, std::size_t columns);
-  using FrameSink::add;
   void add(std::string_view time, std::span<const double> values) override;
   void flush() override;
   void finish() override;

@@ -59,11 +59,10 @@ class ReadingsFile {
   const CalibratedFrames* calibrated_ = nullptr;  // the source, if it is one
 };
 
-/// @param path  as given to `file`: ending in .npy makes one, without a column of times or words
-/// @param word  name of a last column of words; empty: none
+/// @param path  as given to `file`: ending in .npy makes one, without a column of times
 /// @throw CannotCreate  .npy and a file that cannot be gone back in: a pipe
 [[nodiscard]] std::unique_ptr<FrameSink> make_sink(OutputFile& file, const std::string& path,
                                                    std::span<const std::string> columns,
-                                                   bool with_time, std::string_view word = {});
+                                                   bool with_time);
 
 }  // namespace tactile_net::frames

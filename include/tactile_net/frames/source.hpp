@@ -71,11 +71,6 @@ class FrameSink {
   /// @param time    text of the column `t`; not used without one
   /// @param values  one per column; NaN is an empty field in CSV
   virtual void add(std::string_view time, std::span<const double> values) = 0;
-  /// A row that ends in a word, which formats without words leave out.
-  virtual void add(std::string_view time, std::span<const double> values,
-                   std::string_view /*word*/) {
-    add(time, values);
-  }
   /// Hands on everything so far. @throw std::runtime_error  it could not be written
   virtual void flush() = 0;
   /// To be called once, after the last frame.

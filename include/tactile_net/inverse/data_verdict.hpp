@@ -71,6 +71,21 @@ struct DataLimits {
   std::optional<std::pair<double, double>> inner{};
 };
 
+/// What explained the last frames: those that follow one another are mostly explained by the same
+/// places, pressed a little more or less, and so need no search. Of one judge, and one thread.
+class DataMemory {
+ public:
+  DataMemory();
+  ~DataMemory();
+  DataMemory(DataMemory&&) noexcept;
+  DataMemory& operator=(DataMemory&&) noexcept;
+
+ private:
+  friend class DataJudge;
+  struct Kept;
+  std::unique_ptr<Kept> kept_;
+};
+
 /// Made once for a problem; const, so threads may share one.
 class DataJudge {
  public:
@@ -86,14 +101,16 @@ class DataJudge {
   DataJudge(DataJudge&&) noexcept;
   DataJudge& operator=(DataJudge&&) noexcept;
 
-  /// One frame: a product by K where the tractions found are nearly a contact's own, else a few
-  /// non-negative least squares of a handful of free columns each. Allocates.
+  /// One frame: a product by K where the tractions found are nearly a contact's own, or the memory
+  /// knows one; else a few non-negative least squares of a handful of free columns each. Allocates.
   ///
   /// @param readings   g, one per row of K, finite
   /// @param tractions  that a method found for them [Pa]
+  /// @param memory     of this judge; the doubts are the same without one
   /// @throw std::invalid_argument  a size does not fit
   [[nodiscard]] DataVerdict judge(std::span<const double> readings,
-                                  std::span<const double> tractions) const;
+                                  std::span<const double> tractions,
+                                  DataMemory* memory = nullptr) const;
 
  private:
   struct Parts;

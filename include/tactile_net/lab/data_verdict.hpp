@@ -25,9 +25,11 @@ namespace tactile_net::lab {
 ///
 /// @param problem    that the frame was solved with
 /// @param tractions  that a method found [Pa]
+/// @param memory     of frames of the same problem
 [[nodiscard]] std::optional<DataVerdict> data_verdict(const SceneProblem& problem,
                                                       std::span<const double> readings,
-                                                      std::span<const double> tractions);
+                                                      std::span<const double> tractions,
+                                                      DataMemory* memory = nullptr);
 
 /// Adds what frames before have shown of a taxel (repeating_taxels.hpp).
 void doubt(DataVerdict& data, std::optional<std::size_t> bad_taxel);

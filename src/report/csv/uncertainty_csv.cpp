@@ -19,6 +19,7 @@ std::vector<std::string> uncertainty_columns(std::size_t count, bool with_tangen
     columns.push_back(traction.insert(traction.find('_'), "_deviation"));
   columns.emplace_back("alpha");
   columns.emplace_back("verdict");
+  columns.emplace_back("data");
   return columns;
 }
 

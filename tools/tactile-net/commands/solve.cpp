@@ -49,11 +49,12 @@ class UncertaintyFile {
     sink_.add(
         time,
         report::uncertainty_values(lab::uncertainty(frame, tractions, result), result.alpha->value),
-        lab::name(result.verdict));
+        {lab::name(result.verdict),
+         result.data ? report::data_word(*result.data) : std::string("unknown")});
   }
   void skip(std::string_view time) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    sink_.add(time, std::vector<double>(columns_.size() - 1, unknown), "missing");
+    sink_.add(time, std::vector<double>(columns_.size() - 2, unknown), {"missing", "missing"});
   }
   void finish() { sink_.finish(); }
   [[nodiscard]] frames::OutputFile& output() noexcept { return output_; }
@@ -74,9 +75,8 @@ class Outputs {
         tractions_(in_folder_ ? results->tractions() : options.output, &streams.out),
         unknown_(tractions, std::numeric_limits<double>::quiet_NaN()) {
     const std::size_t count = problem.surface().count;
-    sink_ =
-        frames::make_sink(tractions_, options.output,
-                          frames::traction_columns(count, tractions > count), with_time, "data");
+    sink_ = frames::make_sink(tractions_, options.output,
+                              frames::traction_columns(count, tractions > count), with_time);
     if (!options.uncertainty.empty())
       uncertainty_.emplace(options.uncertainty, problem, with_time, streams);
   }
@@ -89,15 +89,14 @@ class Outputs {
   void add(std::string_view time, const lab::SceneProblem& problem,
            std::span<const double> readings, std::span<const double> tractions,
            const lab::FrameResult& result) {
-    sink_->add(time, tractions,
-               result.data ? report::data_word(*result.data) : std::string("unknown"));
+    sink_->add(time, tractions);
     if (uncertainty_) uncertainty_->add({problem, readings}, tractions, result, time);
     if (results_ != nullptr) results_->add(time, problem, readings, tractions, result);
   }
   /// A frame without an answer: its row is there, so that row k of the answers is frame k of the
   /// recording.
   void skip(std::string_view time) {
-    sink_->add(time, unknown_, "missing");
+    sink_->add(time, unknown_);
     if (uncertainty_) uncertainty_->skip(time);
     if (results_ != nullptr) results_->skip();
   }
@@ -173,7 +172,7 @@ class Solving {
            lab::FrameResult result, bool incomplete = false) {
     if (result.status != FrameStatus::ok)
       source.refuse("the frame's tractions overflow a double", "scale the readings");
-    result.data = lab::data_verdict(problem, readings, tractions);
+    result.data = lab::data_verdict(problem, readings, tractions, incomplete ? nullptr : &memory_);
     if (result.data) lab::doubt(*result.data, repeating_.first());
     outputs.add(source.time(), problem, readings, tractions, result);
     solved_.add(result, incomplete);
@@ -196,6 +195,7 @@ class Solving {
   lab::Missing missing_;
   std::unique_ptr<lab::FrameSolver> solver_;
   lab::RepeatingTaxels repeating_;
+  DataMemory memory_{};  // of `problem_`
   std::optional<lab::IncompleteFrames> incomplete_;
   lab::SolvedFrames solved_;
   lab::SolvingDoubts doubts_;

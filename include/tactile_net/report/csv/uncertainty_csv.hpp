@@ -11,10 +11,10 @@
 namespace tactile_net::report {
 
 /// Forces, centre and angle, each with its deviation, the misfit, the deviation of every traction,
-/// alpha, and the verdict, which is a word.
+/// alpha, the verdict and the data's, which are words.
 [[nodiscard]] std::vector<std::string> uncertainty_columns(std::size_t count, bool with_tangential);
 
-/// The values of those columns but the last; NaN: not known.
+/// The values of those columns but the last two; NaN: not known.
 [[nodiscard]] std::vector<double> uncertainty_values(const lab::FrameUncertainty& uncertainty,
                                                      double alpha);
 

@@ -1,0 +1,42 @@
+#include "inverse/data_memory.hpp"
+
+#include <algorithm>
+
+#include "numeric/decompositions.hpp"
+
+namespace tactile_net {
+
+DataMemory::DataMemory() : kept_(std::make_unique<Kept>()) {}
+DataMemory::~DataMemory() = default;
+DataMemory::DataMemory(DataMemory&&) noexcept = default;
+DataMemory& DataMemory::operator=(DataMemory&&) noexcept = default;
+
+std::optional<DataMemory::Kept::Explained> DataMemory::Kept::explain(const Eigen::VectorXd& y,
+                                                                     double enough) {
+  for (auto set = sets.begin(); set != sets.end(); ++set) {
+    const Eigen::VectorXd z = set->inverse * y;
+    if (z.minCoeff() < 0.0) continue;
+    const double left = (y - set->columns * z).norm();
+    if (left > enough) continue;
+    const Explained found{left, (set->constants.transpose() * y).squaredNorm(), set->leaves_an_end};
+    std::rotate(sets.begin(), set, set + 1);
+    return found;
+  }
+  return std::nullopt;
+}
+
+void DataMemory::Kept::keep(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& constants,
+                            bool leaves_an_end) {
+  constexpr double dependent = 1e-10;
+  const Svd svd = singular_value_decomposition(columns);
+  if (!(svd.values.minCoeff() > dependent * svd.values(0))) return;
+  const Eigen::MatrixXd rest = constants - svd.u * (svd.u.transpose() * constants);
+  const Svd added = singular_value_decomposition(rest);
+  const Eigen::Index rank = (added.values.array() > dependent).count();
+  if (sets.size() == most) sets.pop_back();
+  sets.insert(sets.begin(),
+              {columns, svd.v * svd.values.cwiseInverse().asDiagonal() * svd.u.transpose(),
+               added.u.leftCols(rank), leaves_an_end});
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,38 @@
+/// @file
+/// Contacts that explained the last frames. Private.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "tactile_net/inverse/data_verdict.hpp"
+
+namespace tactile_net {
+
+/// Sets of the cone's columns, the last one that helped first.
+struct DataMemory::Kept {
+  static constexpr std::size_t most = 4;
+
+  struct Set {
+    Eigen::MatrixXd columns;
+    Eigen::MatrixXd inverse;    // from y to what each column takes, by least squares
+    Eigen::MatrixXd constants;  // orthonormal: what a constant in each channel adds to the columns
+    bool leaves_an_end = false;
+  };
+  struct Explained {
+    double left = 0.0;  // norm of the residual
+    double gain = 0.0;  // what constants would take from its square
+    bool leaves_an_end = false;
+  };
+
+  /// By one of them, none of whose columns pulls, up to a residual of `enough`.
+  std::optional<Explained> explain(const Eigen::VectorXd& y, double enough);
+
+  /// @param constants  what a constant in each channel is, a column each
+  void keep(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& constants, bool leaves_an_end);
+
+  std::vector<Set> sets{};
+};
+
+}  // namespace tactile_net
