@@ -18,14 +18,11 @@ void CsvSink::add(std::string_view time, std::span<const double> values) {
   flush_block();
 }
 
-void CsvSink::add(std::string_view time, std::span<const double> values,
-                  std::initializer_list<std::string_view> words) {
+void CsvSink::add(std::string_view time, std::span<const double> values, std::string_view word) {
   if (with_time_) text_.append(time) += ',';
   append_row(text_, values);
-  for (const std::string_view word : words) {
-    text_.back() = ',';
-    text_.append(word) += '\n';
-  }
+  text_.back() = ',';
+  text_.append(word) += '\n';
   flush_block();
 }
 

@@ -119,7 +119,7 @@ TEST_CASE("bands of recorded frames hold what truly pressed", "[cli]") {
   std::size_t all = 0;
   for (std::size_t frame = 0; frame < truth.size(); ++frame) {
     CAPTURE(pad.name, frame);
-    REQUIRE(bands[frame].size() == 12 + 2 * pad.count);
+    REQUIRE(bands[frame].size() == 13 + 2 * pad.count);
     CHECK(bands[frame].back() > 0.0);  // alpha; the verdict behind it is a word
     for (std::size_t j = 0; j < 2 * pad.count; ++j) {
       ++all;

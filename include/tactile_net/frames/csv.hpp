@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <initializer_list>
 #include <iosfwd>
 #include <memory>
 #include <span>
@@ -76,9 +75,8 @@ class CsvSink final : public FrameSink {
  public:
   CsvSink(std::ostream& out, std::span<const std::string> columns, bool with_time);
   void add(std::string_view time, std::span<const double> values) override;
-  /// A row whose last columns are words.
-  void add(std::string_view time, std::span<const double> values,
-           std::initializer_list<std::string_view> words);
+  /// A row whose last column is a word.
+  void add(std::string_view time, std::span<const double> values, std::string_view word);
   void flush() override;
 
  private:

@@ -17,13 +17,14 @@ std::vector<std::string> uncertainty_columns(std::size_t count, bool with_tangen
   columns.emplace_back("model_rms");
   for (std::string& traction : frames::traction_columns(count, with_tangential))
     columns.push_back(traction.insert(traction.find('_'), "_deviation"));
+  columns.emplace_back("data");
   columns.emplace_back("alpha");
   columns.emplace_back("verdict");
-  columns.emplace_back("data");
   return columns;
 }
 
-std::vector<double> uncertainty_values(const lab::FrameUncertainty& uncertainty, double alpha) {
+std::vector<double> uncertainty_values(const lab::FrameUncertainty& uncertainty,
+                                       const std::optional<DataVerdict>& data, double alpha) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> values;
   const auto add = [&](const std::optional<Uncertain>& number) {
@@ -38,6 +39,9 @@ std::vector<double> uncertainty_values(const lab::FrameUncertainty& uncertainty,
   values.push_back(uncertainty.noise.residual_rms);
   values.push_back(uncertainty.noise.model_rms);
   values.insert(values.end(), uncertainty.deviation.begin(), uncertainty.deviation.end());
+  values.push_back(!data                ? unknown
+                   : data->consistent() ? 0.0
+                                        : 1.0 + static_cast<double>(data->doubts.front()));
   values.push_back(alpha);
   return values;
 }

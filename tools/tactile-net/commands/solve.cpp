@@ -26,7 +26,6 @@
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
 #include "tactile_net/report/words/check_words.hpp"
-#include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
@@ -46,15 +45,14 @@ class UncertaintyFile {
 
   void add(const lab::SceneFrame& frame, std::span<const double> tractions,
            const lab::FrameResult& result, std::string_view time) {
-    sink_.add(
-        time,
-        report::uncertainty_values(lab::uncertainty(frame, tractions, result), result.alpha->value),
-        {lab::name(result.verdict),
-         result.data ? report::data_word(*result.data) : std::string("unknown")});
+    sink_.add(time,
+              report::uncertainty_values(lab::uncertainty(frame, tractions, result), result.data,
+                                         result.alpha->value),
+              lab::name(result.verdict));
   }
   void skip(std::string_view time) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    sink_.add(time, std::vector<double>(columns_.size() - 2, unknown), {"missing", "missing"});
+    sink_.add(time, std::vector<double>(columns_.size() - 1, unknown), "missing");
   }
   void finish() { sink_.finish(); }
   [[nodiscard]] frames::OutputFile& output() noexcept { return output_; }

@@ -11,11 +11,13 @@
 namespace tactile_net::report {
 
 /// Forces, centre and angle, each with its deviation, the misfit, the deviation of every traction,
-/// alpha, the verdict and the data's, which are words.
+/// the worst doubt about the readings (`data`: 0 none, else 1 + DataDoubt), alpha, and the verdict,
+/// which is a word.
 [[nodiscard]] std::vector<std::string> uncertainty_columns(std::size_t count, bool with_tangential);
 
-/// The values of those columns but the last two; NaN: not known.
+/// The values of those columns but the last; NaN: not known.
 [[nodiscard]] std::vector<double> uncertainty_values(const lab::FrameUncertainty& uncertainty,
+                                                     const std::optional<DataVerdict>& data,
                                                      double alpha);
 
 }  // namespace tactile_net::report
