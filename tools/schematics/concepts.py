@@ -14,7 +14,7 @@ svg { color: #1c1c1c; --pad: #f3e3d3; --body: #d9d9d9; --normal: #1f5fa8; --drag
 text { fill: currentColor } .quiet { fill: var(--quiet) }
 path { fill: none; stroke: currentColor; stroke-width: 1.5; stroke-linecap: round; stroke-linejoin: round }
 .pad { fill: var(--pad); stroke: none } .body { fill: var(--body); stroke: none } .base { stroke-width: 5 }
-.taxel { fill: currentColor; stroke: none } .size { stroke: var(--quiet); stroke-width: 1.2 }
+.taxel { fill: currentColor; stroke: none } .band { fill: var(--normal); fill-opacity: 0.18; stroke: none } .size { stroke: var(--quiet); stroke-width: 1.2 }
 .normal { stroke: var(--normal); stroke-width: 2 } .drag { stroke: var(--drag); stroke-width: 2 }
 text.normal { fill: var(--normal); stroke: none } text.drag { fill: var(--drag); stroke: none }
 """
@@ -123,6 +123,79 @@ def low_pass():
     return 720, 310, out
 
 
+def surface_grid():
+    """Why tractions lie on a grid of their own
+
+    Nine taxels, twice as far apart as they lie deep, and a contact between two of them. A line load over each taxel cannot be
+    where the contact is, and misses a part of its force; tractions on a grid find it, with a band that is wide where no taxel looks.
+    """
+    depth, pitch, load, centre, half, sigma = 1.5, 3.0, 50.0, 1.5, 1.8, 0.2  # mm, N/m, kPa
+    taxels = [pitch * (j - 4) for j in range(9)]
+
+    def pressure(y):
+        return 2 * load / (math.pi * half**2) * math.sqrt(max(0.0, half**2 - (y - centre) ** 2))
+
+    def kernel(u):
+        """sigma_x below a line load of 1 (Flamant)."""
+        return 2 * depth**3 / math.pi / (depth**2 + u * u) ** 2
+
+    def integral(weight, a, b, steps=60):
+        return sum(weight(a + (b - a) * (k + 0.5) / steps) for k in range(steps)) * (b - a) / steps
+
+    def minimiser(columns, spacing, smoothing, ends):
+        """f and its deviations for K'K + alpha h/D (l^2/h^2 Q + I), by elimination; alpha as the command chooses it."""
+        readings = [integral(lambda s, y=y: kernel(y - s) * pressure(s), centre - half, centre + half) for y in taxels]
+        n, alpha, slope = len(columns), 2.2e-3 * spacing / pitch, (smoothing / spacing) ** 2
+        rows = [[sum(a * b for a, b in zip(columns[i], columns[j])) for j in range(n)] for i in range(n)]
+        for i in range(n):
+            inner = (i > 0) + (i + 1 < n)
+            rows[i][i] += alpha * (1 + slope * (2 if ends else inner))
+            for j in (i - 1, i + 1):
+                if 0 <= j < n:
+                    rows[i][j] -= alpha * slope
+            rows[i] += [sum(a * g for a, g in zip(columns[i], readings))] + [float(i == j) for j in range(n)]
+        for i in range(n):
+            pivot = rows[i][i]
+            rows[i] = [v / pivot for v in rows[i]]
+            for k in range(n):
+                if k != i:
+                    factor = rows[k][i]
+                    rows[k] = [v - factor * w for v, w in zip(rows[k], rows[i])]
+        return [row[n] for row in rows], [sigma * math.sqrt(rows[i][n + 1 + i]) for i in range(n)]
+
+    spacing = depth / 4
+    grid = [spacing * (k - 39) for k in range(79)]
+    hats = [[integral(lambda s, y=y, g=g: kernel(y - s) * (1 - abs(s - g) / spacing), g - spacing, g + spacing, 20) for y in taxels] for g in grid]
+    found, deviation = minimiser(hats, spacing, depth, True)
+    lines, _ = minimiser([[kernel(y - g) * pitch for y in taxels] for g in taxels], pitch, depth, False)
+
+    left, bottom, width, height = 70, 235, 620, 190
+
+    def at(y, value):
+        return left + width * (y + 9) / 18, bottom - height * value / 24
+
+    shown = [k for k in range(79) if abs(grid[k]) <= 9]
+    upper = [at(grid[k], found[k] + 2 * deviation[k]) for k in shown]
+    lower = [at(grid[k], found[k] - 2 * deviation[k]) for k in reversed(shown)]
+    truth = [at(centre + half * k / 40, pressure(centre + half * k / 40)) for k in range(-40, 41)]
+    out = [path("body", "M", truth[0], "L", *truth[1:], "Z"),
+           path("band", "M", upper[0], "L", *upper[1:], *lower, "Z"),
+           path("normal", "M", at(grid[shown[0]], found[shown[0]]), "L", *[at(grid[k], found[k]) for k in shown[1:]])]
+    for y, f in zip(taxels, lines):
+        x, top = at(y, f)
+        out += [path("drag", "M", (x, bottom), "V", str(round(top, 1))), f'<circle class="taxel" cx="{number(x)}" cy="{bottom + 48}" r="5"/>']
+    force = sum(lines) * pitch
+    out += [path("size", "M", at(-9, 0), "L", at(9, 0)), text(*at(-8.8, 21.5), "a contact between two taxels: 50 N/m", kind="quiet"),
+            text(*at(-8.8, 18.5), f"found over the taxels: {force:.0f} N/m", kind="drag"),
+            text(*at(-8.8, 15.5), f"found on a grid: {sum(found) * spacing:.0f} N/m, with two deviations", kind="normal"),
+            text(left + width, bottom + 75, "taxels, twice as far apart as they lie deep", "end")]
+    for tick in range(-6, 7, 3):
+        x, y = at(tick, 0)
+        out.append(text(x, y + 22, f"{tick}".replace("-", "−"), "middle", "quiet"))
+    out.append(text(left + width, bottom + 22, "$y$ [mm]", "end", "quiet"))
+    return 780, 330, out
+
+
 def finger():
     """A finger of a hand file, with its symbols
 
@@ -203,7 +276,7 @@ def finger():
 if __name__ == "__main__":
     folder = pathlib.Path(__file__).resolve().parents[2] / "docs" / "concepts"
     folder.mkdir(parents=True, exist_ok=True)
-    for name, picture in {"pad": pad, "low-pass": low_pass, "finger": finger}.items():
+    for name, picture in {"pad": pad, "low-pass": low_pass, "grid": surface_grid, "finger": finger}.items():
         title, description = (" ".join(part.split()) for part in picture.__doc__.split("\n\n"))
         width, height, body = picture()
         svg = (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" role="img">\n'
