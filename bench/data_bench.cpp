@@ -223,7 +223,7 @@ int main(int argc, char** argv) {
   std::size_t all = 0;
   std::size_t missed = 0;
   for (const Array& array : arrays)
-    for (const std::size_t unknowns : {1, 2})
+    for (const std::size_t unknowns : {1U, 2U})
       for (const double noise : {0.001, 0.01, 0.05}) {
         Contest contest({array, unknowns, noise});
         std::size_t here = 0;
