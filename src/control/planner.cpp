@@ -1,11 +1,11 @@
 #include "tactile_net/control/planner.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "control/product_planner.hpp"
+#include "inverse/significance.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
@@ -125,8 +125,7 @@ double force_deviation(const InverseProblem& problem, double alpha) {
 double noise_limit(const std::vector<double>& weights) {
   const auto rows = static_cast<double>(
       std::count_if(weights.begin(), weights.end(), [](double weight) { return weight > 0.0; }));
-  const boost::math::chi_squared_distribution<double> squares(rows);
-  return std::sqrt(boost::math::quantile(boost::math::complement(squares, 1e-3)) / rows);
+  return std::sqrt(chi_squared_limit(rows, 1e-3) / rows);
 }
 
 std::string why_no_fft(const InverseProblem& problem, const ProductTask& task,

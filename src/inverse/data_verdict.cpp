@@ -76,6 +76,7 @@ struct DataJudge::Parts {
   Eigen::MatrixXd cone;                 // W K E, columns of unit norm
   double rows = 0.0;                    // with a weight
   double most = 0.0;                    // limit(0)
+  double constant_gain = 0.0;           // square that a constant in each channel takes of noise
   std::vector<Side> places{};           // of the values of contacts
   std::vector<Side> found_places{};     // of the values of tractions
   std::vector<std::size_t> channels{};  // with a live row
@@ -124,6 +125,7 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
     if (channels.empty() || channels.back() != channel) channels.push_back(channel);
   }
   most = limit(0.0);
+  constant_gain = chi_squared_limit(static_cast<double>(channels.size()), 0.1 * false_alarms);
 }
 
 std::vector<DataJudge::Parts::Side> DataJudge::Parts::sides(const Surface& surface) const {
@@ -257,15 +259,15 @@ void DataJudge::Parts::look_for_constant(const Eigen::VectorXd& y, const Eigen::
                                          DataVerdict& verdict) const {
   if (!limits.inner) return;
   const auto constants = static_cast<double>(channels.size());
-  const double needed = chi_squared_limit(constants, 0.1 * false_alarms);
   const Freedom freedom = constant_in_each_channel();
   Eigen::VectorXd inner = contact;
   for (Eigen::Index j = 0; j < inner.size(); ++j)
     if (found_places[static_cast<std::size_t>(j) % values] != Side::middle) inner(j) = 0.0;
   // Cheap, and rarely less than the gain itself.
-  if ((freedom.columns.transpose() * (y - kernel * inner)).squaredNorm() < 0.5 * needed) return;
+  if ((freedom.columns.transpose() * (y - kernel * inner)).squaredNorm() < 0.5 * constant_gain)
+    return;
   const Fit best = with_constants(y, freedom);
-  const double enough = std::sqrt(best.norm * best.norm + needed);
+  const double enough = std::sqrt(best.norm * best.norm + constant_gain);
   if (best.norm > limit(constants) || fit(y, enough, {.first_end = false}).norm <= enough ||
       fit(y, enough, {.last_end = false}).norm <= enough || best.free > fit(y).free + 1.0)
     return;
@@ -306,10 +308,8 @@ void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double>
   verdict.residual_limit = most * rms;
   if (memory != nullptr) {
     const auto known = memory->explain(y, most);
-    const auto constants = static_cast<double>(channels.size());
     // A contact that leaves an end alone explains the frame, and a constant would gain nothing.
-    if (known && known->leaves_an_end &&
-        known->gain < chi_squared_limit(constants, 0.1 * false_alarms)) {
+    if (known && known->leaves_an_end && known->gain < constant_gain) {
       verdict.residual_rms = known->left * rms;
       return;
     }

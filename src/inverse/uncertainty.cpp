@@ -1,12 +1,12 @@
 #include "tactile_net/inverse/uncertainty.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <utility>
 
 #include "inverse/checks.hpp"
 #include "inverse/family_factors.hpp"
+#include "inverse/significance.hpp"
 #include "inverse/stabiliser.hpp"
 #include "tactile_net/sensing/resultant.hpp"
 
@@ -119,8 +119,7 @@ NoiseEstimate estimate_noise(double residual, std::size_t rows, double degrees_o
   const double free = std::max(static_cast<double>(rows) - degrees_of_freedom, 1.0);
   noise.residual_rms = residual / std::sqrt(free);
   if (stated_rms) {
-    const double limit =
-        boost::math::quantile(boost::math::chi_squared_distribution<double>(free), 0.99) / free;
+    const double limit = chi_squared_limit(free, 0.01) / free;
     const double ratio = *stated_rms / noise.residual_rms;
     if (1.0 > limit * ratio * ratio)
       noise.model_rms = noise.residual_rms * std::sqrt(1.0 - ratio * ratio);

@@ -190,9 +190,8 @@ bool SceneProblem::has_load_windows() const {
 }
 
 const LoadWindows& SceneProblem::load_windows() const {
-  const std::vector<double>& depths = parts_->scene.sensor.depths;
   if (!parts_->load_windows)
-    parts_->load_windows.emplace(problem(), 3.5 * *std::min_element(depths.begin(), depths.end()));
+    parts_->load_windows.emplace(problem(), 3.5 * least_depth(parts_->scene.sensor));
   return *parts_->load_windows;
 }
 
