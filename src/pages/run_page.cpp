@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "pages/axis.hpp"
 #include "pages/parts.hpp"
@@ -12,6 +14,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/pages/pad_drawing.hpp"
+#include "tactile_net/report/csv/run_csv.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -369,6 +372,15 @@ Page report_html(const lab::Experiment& experiment, const Made& made) {
   if (experiment.relaxation) html += network_section(*experiment.relaxation);
   html += colophon("The scene, the files, the command", scene_html(scene), page.files, made);
   page.html = page_html(scene.file + " - tactile-net", html);
+  return page;
+}
+
+Page run_page(const lab::Experiment& experiment, const std::string& by) {
+  drawing::Files files = report::run_files(experiment);
+  Made made{.by = by, .files = {"result.json"}};
+  for (const auto& [name, content] : files) made.files.push_back(name);
+  Page page = report_html(experiment, made);
+  std::move(files.begin(), files.end(), std::back_inserter(page.files));
   return page;
 }
 

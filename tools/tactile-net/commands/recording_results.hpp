@@ -16,7 +16,7 @@ namespace tactile_net::tool {
 
 class RecordingResults {
  public:
-  /// Before anything is computed. @throw CannotCreate  also as `existing_in`
+  /// Before anything is computed. @throw CannotCreate  also as `report::existing_in`
   RecordingResults(const ResultOptions& options, const lab::SceneProblem& problem, Method method,
                    const Streams& streams);
 

@@ -1,13 +1,10 @@
 #include "commands/results.hpp"
 
-#include <fstream>
 #include <iterator>
 #include <ostream>
-#include <system_error>
 
-#include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/text.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/folder.hpp"
 #include "tactile_net/system/printable.hpp"
 #include "terminal/printable_stream.hpp"
 
@@ -15,7 +12,8 @@ namespace tactile_net::tool {
 Results::Results(const ResultOptions& options, const Streams& streams)
     : path_(options.folder), streams_(streams), tables_(options.json != "-") {
   if (!path_.empty())
-    folder_ = std::make_unique<frames::OutputFolder>(path_, existing_in(path_, options.force));
+    folder_ =
+        std::make_unique<frames::OutputFolder>(path_, report::existing_in(path_, options.force));
   json_ = output_if(options.json, streams);
 }
 
@@ -44,19 +42,6 @@ void Results::write(const Result& result, Progress& progress) {
   if (folder_ && (tables_ || !result.print))
     say_report(result.print ? streams_.out : streams_.err, path_);
   streams_.out.flush();
-}
-
-frames::Existing existing_in(const std::filesystem::path& folder, bool force) {
-  const std::filesystem::path report = folder / "report.html";
-  std::error_code ignored;
-  if (force) return frames::Existing::replaced;
-  if (!std::filesystem::is_regular_file(report, ignored)) return frames::Existing::kept;
-  std::string begin(1024, '\0');
-  std::ifstream(report, std::ios::binary).read(begin.data(), std::ssize(begin));
-  if (begin.find(drawing::written_by) != std::string::npos) return frames::Existing::replaced;
-  throw frames::CannotCreate(report.string() +
-                             ": error: was not written by tactile-net: name another folder, or "
-                             "--force to replace it");
 }
 
 std::unique_ptr<frames::OutputFile> output_if(const std::string& path, const Streams& streams) {

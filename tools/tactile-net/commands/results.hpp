@@ -51,12 +51,6 @@ class Results {
   std::unique_ptr<frames::OutputFile> json_;
 };
 
-/// Whether the results in a folder are those of an earlier run, by their report.html. Without one,
-/// what stands there is somebody's own, and stays unless `force` says otherwise.
-///
-/// @throw CannotCreate  report.html is somebody's own
-[[nodiscard]] frames::Existing existing_in(const std::filesystem::path& folder, bool force);
-
 /// A file that may not have been asked for: null for an empty path. "-": standard output.
 [[nodiscard]] std::unique_ptr<frames::OutputFile> output_if(const std::string& path,
                                                             const Streams& streams);

@@ -1,14 +1,12 @@
 #include "commands/run.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "commands/input.hpp"
 #include "failure.hpp"
 #include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/pages/run_page.hpp"
-#include "tactile_net/report/csv/run_csv.hpp"
 #include "tactile_net/report/json/run_json.hpp"
 #include "tactile_net/report/json/workload_json.hpp"
 #include "tactile_net/report/words/table.hpp"
@@ -39,15 +37,6 @@ void explain(const Scene& scene, const RunOptions& options, const Streams& strea
                 progress);
 }
 
-drawing::Page page_of(const lab::Experiment& experiment, const Streams& streams) {
-  drawing::Files files = report::run_files(experiment);
-  pages::Made made{.by = streams.command, .files = {"result.json"}};
-  for (const auto& [name, content] : files) made.files.push_back(name);
-  drawing::Page page = pages::report_html(experiment, made);
-  std::move(files.begin(), files.end(), std::back_inserter(page.files));
-  return page;
-}
-
 }  // namespace
 
 void run(const RunOptions& options, const Streams& streams) {
@@ -63,7 +52,7 @@ void run(const RunOptions& options, const Streams& streams) {
                                               progress);
   results.write({.print = [&](std::ostream& out) { report::print_experiment(out, experiment); },
                  .json = [&] { return report::experiment_json(experiment); },
-                 .page = [&] { return page_of(experiment, streams); }},
+                 .page = [&] { return pages::run_page(experiment, streams.command); }},
                 progress);
   if (!experiment.succeeded()) throw CheckFailed("not every method has an answer that holds");
 }

@@ -17,12 +17,8 @@
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
-#include "tactile_net/lab/data_verdict.hpp"
-#include "tactile_net/lab/missing.hpp"
-#include "tactile_net/lab/readings_check.hpp"
-#include "tactile_net/lab/repeating_taxels.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
-#include "tactile_net/lab/summary.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
 #include "tactile_net/report/words/check_words.hpp"
@@ -129,75 +125,25 @@ class Outputs {
 };
 
 /// Turns each frame of readings into one of tractions.
-class Solving {
- public:
-  Solving(const lab::SceneProblem& problem, Method method, lab::Missing missing,
-          const std::optional<std::size_t>& share_alpha)
-      : problem_(problem),
-        missing_(missing),
-        solver_(share_alpha ? lab::make_sharing_solver(problem, method, *share_alpha)
-                            : lab::make_solver(problem, method)),
-        repeating_(problem.scene().sensor, problem.scene().dead_taxels),
-        doubts_(problem) {
-    if (missing == lab::Missing::estimate) incomplete_.emplace(problem, method);
-  }
-
-  [[nodiscard]] const lab::FrameSolver& solver() const noexcept { return *solver_; }
-  [[nodiscard]] const lab::SolvedFrames& solved() const noexcept { return solved_; }
-  [[nodiscard]] lab::Findings doubts() const { return doubts_.findings(); }
-
-  void solve(frames::ReadingsFile& file, Outputs& outputs, const Streams& streams) {
-    Progress progress(streams);
-    frames::FrameSource& source = file.source();
-    std::vector<double> readings(source.columns().size());
-    std::vector<double> tractions(solver_->tractions());
-    while (source.next(readings)) {
-      outputs.read(source.time(), readings);
-      repeating_.add(readings);
-      if (missing_ == lab::Missing::fail ||
-          std::none_of(readings.begin(), readings.end(), [](double g) { return std::isnan(g); }))
-        add(source, outputs, problem_, readings, tractions, solver_->solve(readings, tractions));
-      else
-        add_incomplete(source, outputs, readings, tractions);
-      if (file.live()) outputs.flush();  // somebody waits at the other end
-      if (progress.due()) progress.frames(solved_.frames, file.share_read());
+void solve(lab::RecordingSolver& solver, frames::ReadingsFile& file, Outputs& outputs,
+           const Streams& streams) {
+  Progress progress(streams);
+  frames::FrameSource& source = file.source();
+  std::vector<double> readings(source.columns().size());
+  std::vector<double> tractions(solver.tractions());
+  while (source.next(readings)) {
+    outputs.read(source.time(), readings);
+    if (const auto result = solver.solve(readings, tractions)) {
+      if (result->status != FrameStatus::ok)
+        source.refuse("the frame's tractions overflow a double", "scale the readings");
+      outputs.add(source.time(), solver.problem(), readings, tractions, *result);
+    } else {
+      outputs.skip(source.time());
     }
+    if (file.live()) outputs.flush();  // somebody waits at the other end
+    if (progress.due()) progress.frames(solver.solved().frames, file.share_read());
   }
-
- private:
-  void add(const frames::FrameSource& source, Outputs& outputs, const lab::SceneProblem& problem,
-           std::span<const double> readings, std::span<const double> tractions,
-           lab::FrameResult result, bool incomplete = false) {
-    if (result.status != FrameStatus::ok)
-      source.refuse("the frame's tractions overflow a double", "scale the readings");
-    result.data = lab::data_verdict(problem, readings, tractions, incomplete ? nullptr : &memory_);
-    if (result.data) lab::doubt(*result.data, repeating_.first());
-    outputs.add(source.time(), problem, readings, tractions, result);
-    solved_.add(result, incomplete);
-    if (result.alpha) doubts_.add(problem, readings, tractions, result.alpha->value);
-  }
-
-  void add_incomplete(const frames::FrameSource& source, Outputs& outputs,
-                      std::span<double> readings, std::span<double> tractions) {
-    if (incomplete_) {
-      if (const auto result = incomplete_->solve(readings, tractions)) {
-        add(source, outputs, incomplete_->problem(), readings, tractions, *result, true);
-        return;
-      }
-    }
-    outputs.skip(source.time());
-    solved_.skip();
-  }
-
-  lab::SceneProblem problem_;
-  lab::Missing missing_;
-  std::unique_ptr<lab::FrameSolver> solver_;
-  lab::RepeatingTaxels repeating_;
-  DataMemory memory_{};  // of `problem_`
-  std::optional<lab::IncompleteFrames> incomplete_;
-  lab::SolvedFrames solved_;
-  lab::SolvingDoubts doubts_;
-};
+}
 
 /// The same error, and where what came before it is to be found.
 InputError with_frames_before(const InputError& error, std::size_t frames,
@@ -227,12 +173,13 @@ void run(const SolveOptions& options, const Streams& streams) {
   if (options.share_alpha && (problem.scene().reconstruct.alpha || !lab::traits(method).has_bands))
     throw WrongUsage("--share-alpha",
                      "needs an alpha that a rule chooses, for tikhonov or closed_form");
-  Solving solving(problem, method, missing, options.share_alpha);
+  lab::RecordingSolver solver(problem, method,
+                              {.missing = missing, .share_alpha = options.share_alpha});
   if (!options.uncertainty.empty() && (!lab::traits(method).has_bands || !problem.has_bands()))
     throw WrongUsage("--uncertainty",
                      "needs the method tikhonov or closed_form, and under constraints fewer than " +
                          std::to_string(lab::large) + " tractions");
-  for (const std::string& warning : report::in_words(solving.solver().remarks()))
+  for (const std::string& warning : report::in_words(solver.remarks()))
     streams.err << name(options.method) << ": warning: " << warning << '\n';
 
   frames::ReadingsFile file(
@@ -243,12 +190,12 @@ void run(const SolveOptions& options, const Streams& streams) {
   std::optional<RecordingResults> results;
   if (!options.results.folder.empty() || !options.results.json.empty())
     results.emplace(options.results, problem, method, streams);
-  Outputs outputs(options, problem, solving.solver().tractions(), file.source().has_time(),
+  Outputs outputs(options, problem, solver.tractions(), file.source().has_time(),
                   results ? &*results : nullptr, streams);
   const double start = lab::monotonic_time();
-  const lab::SolvedFrames& solved = solving.solved();
+  const lab::SolvedFrames& solved = solver.solved();
   try {
-    solving.solve(file, outputs, streams);
+    solve(solver, file, outputs, streams);
   } catch (const InputError& error) {
     if (outputs.in_folder()) throw;  // which goes as a whole
     throw with_frames_before(error, solved.frames, outputs.commit_partial());
@@ -257,13 +204,13 @@ void run(const SolveOptions& options, const Streams& streams) {
   say_closing(streams.err, file.name(), file.source());
   for (const std::string& sentence : report::in_words(solved))
     streams.err << name(options.method) << ": note: " << sentence << '\n';
-  const lab::Findings findings = results ? results->findings() : solving.doubts();
+  const lab::Findings findings = results ? results->findings() : solver.doubts();
   for (const lab::Finding& doubt : findings)
     streams.err << name(options.method) << ": note: " << report::in_words(doubt, problem.scene())
                 << "\nhint: " << report::advice(doubt, problem.scene())
                 << "; tactile-net check says more\n";
   if (!results) return;
-  const lab::Remarks remarks = solving.solver().remarks();
+  const lab::Remarks remarks = solver.remarks();
   const bool any = solved.frames > solved.skipped.count();
   results->write(solved,
                  {.readings = options.readings,

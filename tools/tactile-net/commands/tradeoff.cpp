@@ -15,6 +15,7 @@
 #include "tactile_net/frames/folder_lock.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/pages/tradeoff_page.hpp"
+#include "tactile_net/report/folder.hpp"
 #include "tactile_net/report/json/tradeoff_json.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
@@ -175,7 +176,7 @@ void run(const TradeoffOptions& options, const Streams& streams) {
   std::optional<frames::FolderLock> lock;
   auto existing = frames::Existing::replaced;
   if (!folder.empty()) {
-    existing = existing_in(folder, options.results.force || options.resume);
+    existing = report::existing_in(folder, options.results.force || options.resume);
     lock.emplace(folder);
     make_folder(folder);
   }

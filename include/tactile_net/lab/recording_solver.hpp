@@ -1,0 +1,73 @@
+/// @file
+/// Frame after frame of a recording, solved and judged: what every front end does with readings,
+/// wherever they come from.
+///
+///     lab::RecordingSolver solver(problem, Method::tikhonov);
+///     std::vector<double> f(solver.tractions());
+///     while (source.next(readings))
+///       if (const auto result = solver.solve(readings, f)) use(f, *result);
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "tactile_net/lab/finding.hpp"
+#include "tactile_net/lab/method.hpp"
+#include "tactile_net/lab/missing.hpp"
+#include "tactile_net/lab/readings_check.hpp"
+#include "tactile_net/lab/repeating_taxels.hpp"
+#include "tactile_net/lab/scene_problem.hpp"
+#include "tactile_net/lab/summary.hpp"
+
+namespace tactile_net::lab {
+
+struct RecordingSolverOptions {
+  Missing missing = Missing::fail;
+  /// Of how many frames that follow one another a rule chooses alpha together, >= 1; absent: as
+  /// `make_solver`.
+  std::optional<std::size_t> share_alpha{};
+};
+
+/// Remembers what frames before have shown. Not thread-safe.
+class RecordingSolver {
+ public:
+  /// @throw std::invalid_argument, std::domain_error  as `make_solver`, `make_sharing_solver` and
+  ///                                                  `IncompleteFrames`
+  RecordingSolver(SceneProblem problem, Method method, RecordingSolverOptions options = {});
+
+  [[nodiscard]] std::size_t tractions() const { return solver_->tractions(); }
+  /// What holds before any frame.
+  [[nodiscard]] Remarks remarks() const { return solver_->remarks(); }
+
+  /// The next frame, with the verdict of its readings.
+  ///
+  /// @param readings   channels x count; where values may be missing NaN is one, and 0 afterwards
+  /// @param tractions  `tractions()` values [Pa]; untouched unless there is an answer
+  /// @return  absent: values are missing, and the frame has no answer. A status that is not ok: the
+  ///          frame is bad, and does not count
+  [[nodiscard]] std::optional<FrameResult> solve(std::span<double> readings,
+                                                 std::span<double> tractions);
+
+  /// That the last frame with an answer was solved with: the recording's, or one with taxels left
+  /// out.
+  [[nodiscard]] const SceneProblem& problem() const noexcept;
+
+  [[nodiscard]] const SolvedFrames& solved() const noexcept { return solved_; }
+  /// What is suspicious about the readings so far.
+  [[nodiscard]] Findings doubts() const { return doubts_.findings(); }
+
+ private:
+  SceneProblem problem_;
+  Missing missing_;
+  std::unique_ptr<FrameSolver> solver_;
+  std::unique_ptr<IncompleteFrames> incomplete_;  // where missing values are estimated
+  RepeatingTaxels repeating_;
+  DataMemory memory_{};  // of `problem_`
+  SolvedFrames solved_{};
+  SolvingDoubts doubts_;
+  bool was_incomplete_ = false;
+};
+
+}  // namespace tactile_net::lab

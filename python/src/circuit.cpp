@@ -1,0 +1,74 @@
+// A scene's circuit: its deck, and what can be said of it before it is built.
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+#include <nanobind/stl/vector.h>
+
+#include <sstream>
+
+#include "page_folder.hpp"
+#include "rooms.hpp"
+#include "shared_scene.hpp"
+#include "tactile_net/lab/certification.hpp"
+#include "tactile_net/pages/certificate_page.hpp"
+#include "tactile_net/report/json/network_json.hpp"
+#include "tactile_net/report/words/deck_words.hpp"
+#include "tactile_net/report/words/table.hpp"
+#include "watcher.hpp"
+
+namespace tactile_net::python {
+namespace {
+
+namespace nb = nanobind;
+
+std::string text(const lab::Certification& self) {
+  std::ostringstream out;
+  report::print_certificate(out, self);
+  return out.str();
+}
+
+lab::Certification certify(const SharedScene& shared, const nb::object& progress) {
+  Watcher watcher(progress);
+  const nb::gil_scoped_release released;
+  return lab::certify(shared.scene(), watcher);
+}
+
+std::string netlist(const SharedScene& shared) {
+  const nb::gil_scoped_release released;
+  return report::deck_text(lab::simulated_circuit(shared.scene()), Answer::printed);
+}
+
+std::string report_of(const lab::Certification& self, const std::string& folder, bool force) {
+  const nb::gil_scoped_release released;
+  return write_page({.path = folder, .force = force},
+                    pages::certificate_html(self, {.files = {"certificate.json"}}),
+                    "certificate.json", report::certificate_json(self));
+}
+
+}  // namespace
+
+void bind_circuit(nb::module_& module) {
+  nb::class_<lab::Certification>(module, "Certification")
+      .def_prop_ro(
+          "realization",
+          [](const lab::Certification& self) { return name(self.certificate().realization); })
+      .def_prop_ro(
+          "stability",
+          [](const lab::Certification& self) { return name(self.certificate().stability); })
+      .def_prop_ro(
+          "tolerance_margin",
+          [](const lab::Certification& self) { return self.certificate().tolerance_margin; })
+      .def_prop_ro("settling_seconds",
+                   [](const lab::Certification& self) -> std::optional<double> {
+                     const auto& dynamics = self.certificate().dynamics;
+                     return dynamics ? dynamics->settling_seconds : std::nullopt;
+                   })
+      .def("text", &text)
+      .def("json", &report::certificate_json)
+      .def("report", &report_of, nb::arg("folder"), nb::arg("force"));
+  module.def("certify", &certify, nb::arg("scene"), nb::arg("progress").none());
+  module.def("netlist", &netlist, nb::arg("scene"));
+}
+
+}  // namespace tactile_net::python

@@ -1,0 +1,243 @@
+// The per-frame call of a controller. Its price is what a Python call costs, so its arrays go the
+// short way (frame_buffer.hpp), and the GIL is kept: giving it up could cost 5 ms to get it back.
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <stdexcept>
+
+#include "arrays.hpp"
+#include "bad_frame.hpp"
+#include "frame_buffer.hpp"
+#include "plan.hpp"
+#include "rooms.hpp"
+#include "tactile_net/control/fft_convolution.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
+
+namespace tactile_net::python {
+namespace {
+
+using PlanPointer = std::shared_ptr<const Plan>;
+
+class Estimator {
+ public:
+  explicit Estimator(PlanPointer plan)
+      : plan_(std::move(plan)),
+        estimator_(plan_->plan, fft_convolutions()),
+        readings_(estimator_.readings()),
+        tractions_(estimator_.tractions()) {}
+
+  /// @param out  None: a new array
+  nb::object update(const nb::object& frame, const nb::object& out) {
+    const Turn turn(*this);
+    const FrameBuffer readings(frame.ptr(), readings_.size(), "frame");
+    nb::object answer = out.is_none() ? fresh() : out;
+    const FrameBuffer tractions(answer.ptr(), tractions_.size(), "out", true);
+    solve(readings.values(), tractions.values());
+    return answer;
+  }
+
+  void step() {
+    const Turn turn(*this);
+    solve(readings_, tractions_);
+  }
+
+  /// @param frames  a row each
+  Array update_batch(const Rows& frames) {
+    if (frames.shape(1) != readings_.size())
+      throw std::invalid_argument("frames must have " + std::to_string(readings_.size()) +
+                                  " readings each, got " + std::to_string(frames.shape(1)));
+    const std::size_t count = frames.shape(0);
+    const std::size_t width = tractions_.size();
+    std::vector<double> tractions(count * width);
+    {
+      const Turn turn(*this);
+      const nb::gil_scoped_release released;
+      std::vector<ContactEstimate> estimates(count);
+      for (std::size_t i = 0; i < count; ++i)
+        estimates[i].tractions = std::span(tractions).subspan(i * width, width);
+      const FrameStatus status = estimator_.update_batch({frames.data(), frames.size()}, estimates);
+      if (status != FrameStatus::ok) throw bad_frame_among(frames);
+      if (count > 0) contact_ = estimates.back();
+    }
+    contact_.tractions = {};
+    return owned(std::move(tractions), {count, width});
+  }
+
+  void set_baseline(const nb::object& frame) {
+    const Turn turn(*this);
+    const FrameBuffer readings(frame.ptr(), readings_.size(), "baseline");
+    const FrameStatus status = estimator_.set_baseline(readings.values());
+    if (status != FrameStatus::ok) throw bad_frame(status, readings.values(), 0);
+    baseline_.assign(readings.values().begin(), readings.values().end());
+  }
+
+  void set_dead(std::size_t taxel) {
+    const Turn turn(*this);
+    if (!estimator_.set_dead(taxel))
+      throw std::invalid_argument(
+          "taxel " + std::to_string(taxel) +
+          " cannot be left out: the plan has no diagnostics, it "
+          "has no such taxel, " +
+          std::to_string(ContactEstimator::most_dead_taxels) +
+          " are dead already, or the others cannot tell what it reads (make a new plan)");
+    if (std::find(dead_.begin(), dead_.end(), taxel) == dead_.end()) dead_.push_back(taxel);
+  }
+
+  void revive() {
+    const Turn turn(*this);
+    estimator_.revive();
+    dead_.clear();
+  }
+
+  [[nodiscard]] const PlanPointer& plan() const noexcept { return plan_; }
+  [[nodiscard]] const ContactEstimate& contact() const noexcept { return contact_; }
+  [[nodiscard]] std::vector<double>& readings() noexcept { return readings_; }
+  [[nodiscard]] std::vector<double>& tractions() noexcept { return tractions_; }
+  [[nodiscard]] const std::vector<double>& baseline() const noexcept { return baseline_; }
+  [[nodiscard]] const std::vector<std::size_t>& dead() const noexcept { return dead_; }
+  [[nodiscard]] std::string_view instruction_set() const noexcept {
+    return name(estimator_.instruction_set());
+  }
+
+ private:
+  /// One thread at a time: the others are refused, for waiting is no plan in a control loop.
+  class Turn {
+   public:
+    explicit Turn(Estimator& estimator) : busy_(estimator.busy_) {
+      if (busy_.test_and_set(std::memory_order_acquire))
+        throw std::runtime_error(
+            "this estimator is at work in another thread: give each thread its own (copy.copy)");
+    }
+    ~Turn() { busy_.clear(std::memory_order_release); }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+   private:
+    std::atomic_flag& busy_;
+  };
+
+  void solve(std::span<const double> readings, std::span<double> tractions) {
+    contact_.tractions = tractions;
+    const FrameStatus status = estimator_.update(readings, contact_);
+    contact_.tractions = {};
+    if (status != FrameStatus::ok) throw bad_frame(status, readings, 0);
+  }
+
+  [[nodiscard]] nb::object fresh() const {
+    const EstimatorPlan& plan = plan_->plan;
+    return nb::cast(owned(std::vector<double>(tractions_.size()), {plan.unknowns, plan.values}));
+  }
+
+  [[nodiscard]] BadFrame bad_frame_among(const Rows& frames) {
+    ContactEstimate estimate;
+    estimate.tractions = tractions_;
+    for (std::size_t i = 0; i < frames.shape(0); ++i)
+      if (const FrameStatus status = estimator_.update(row(frames, i), estimate);
+          status != FrameStatus::ok)
+        return bad_frame(status, row(frames, i), i);
+    return {"a frame is bad", 0};
+  }
+
+  PlanPointer plan_;
+  ContactEstimator estimator_;
+  std::vector<double> readings_;
+  std::vector<double> tractions_;
+  ContactEstimate contact_{};
+  std::vector<double> baseline_{};  // empty: the plan's
+  std::vector<std::size_t> dead_{};
+  std::atomic_flag busy_{};
+};
+
+/// The estimator's own memory, which lives as long as the array does.
+nb::object readings_of(const nb::object& self) {
+  auto& estimator = nb::cast<Estimator&>(self);
+  const EstimatorPlan& plan = estimator.plan()->plan;
+  double* const values = estimator.readings().data();
+  if (!plan.taxels.empty()) return nb::cast(Array(values, {plan.readings()}, self));
+  return nb::cast(Array(values, {plan.channels, plan.count}, self));
+}
+
+nb::object tractions_of(const nb::object& self) {
+  auto& estimator = nb::cast<Estimator&>(self);
+  const EstimatorPlan& plan = estimator.plan()->plan;
+  return nb::cast(Array(estimator.tractions().data(), {plan.unknowns, plan.values}, self));
+}
+
+nb::object baseline_of(const Estimator& self) {
+  return self.baseline().empty() ? nb::none() : nb::cast(owned(self.baseline()));
+}
+
+std::optional<std::ptrdiff_t> outlier_of(const ContactEstimate& self) {
+  return self.outlier < 0 ? std::nullopt : std::optional(self.outlier);
+}
+
+void bind_contact(nb::module_& module) {
+  nb::class_<ContactEstimate>(module, "ContactEstimate")
+      .def_ro("normal_force", &ContactEstimate::normal_force, "F_v [N/m]")
+      .def_ro("tangential_force", &ContactEstimate::tangential_force,
+              "F_t [N/m]; nan where only normal tractions are solved for")
+      .def_ro("centre", &ContactEstimate::centre, "y of the force [m]; nan without contact")
+      .def_ro("angle", &ContactEstimate::angle, "atan2(F_t, F_v) [rad]; nan as the two above")
+      .def_ro("friction_margin", &ContactEstimate::friction_margin,
+              "mu F_v - |F_t| [N/m], below 0 it slips; nan without a friction coefficient")
+      .def_ro("residual_rms", &ContactEstimate::residual_rms,
+              "what the tractions leave unexplained of a weighted reading; nan without diagnostics")
+      .def_ro("contact", &ContactEstimate::contact, "F_v > 0: centre and angle mean something")
+      .def_ro("pulls", &ContactEstimate::pulls, "the pad is pulled, which no contact does")
+      .def_ro("implausible", &ContactEstimate::implausible, "a strain of more than 1")
+      .def_ro("misfit", &ContactEstimate::misfit, "the residual is more than noise explains")
+      .def_ro("saturated", &ContactEstimate::saturated, "a reading is at its range's end")
+      .def_prop_ro("outlier", &outlier_of,
+                   "index of the reading that the others explain least, or None");
+}
+
+}  // namespace
+
+void bind_estimator(nb::module_& module) {
+  bind_contact(module);
+  nb::class_<Estimator>(module, "Estimator",
+                        "The per-frame call of a controller: readings in, tractions out.\n\n"
+                        "One thread at a time: another one is refused with a RuntimeError.")
+      .def(nb::init<PlanPointer>(), nb::arg("plan"))
+      .def("update", &Estimator::update, nb::arg("frame"), nb::arg("out") = nb::none(),
+           nb::sig("def update(self, frame: numpy.typing.NDArray[numpy.float64], "
+                   "out: numpy.typing.NDArray[numpy.float64] | None = None) "
+                   "-> numpy.typing.NDArray[numpy.float64]"),
+           "One frame. C-contiguous float64 arrays, whatever their shape; out is filled and "
+           "returned.\n\nRaises FrameError where a reading is not finite; out is then untouched.")
+      .def("step", &Estimator::step,
+           "One frame, from the estimator's own `readings` into its own `tractions`.")
+      .def("update_batch", &Estimator::update_batch, nb::arg("frames").noconvert(),
+           "As `update` on each row, and the same bits; other threads go on meanwhile.")
+      .def("set_baseline", &Estimator::set_baseline, nb::arg("frame"),
+           nb::sig("def set_baseline(self, frame: numpy.typing.NDArray[numpy.float64]) -> None"),
+           "What the sensors read without contact; subtracted from every frame from now on.")
+      .def("set_dead", &Estimator::set_dead, nb::arg("taxel"),
+           "Leaves a taxel out from the next frame on.")
+      .def("revive", &Estimator::revive, "All taxels count again.")
+      .def_prop_ro("plan", &Estimator::plan)
+      .def_prop_ro(
+          "contact", [](const Estimator& self) { return self.contact(); },
+          "Force, place and doubts of the last frame.")
+      .def_prop_ro("readings", &readings_of,
+                   nb::sig("def readings(self) -> numpy.typing.NDArray[numpy.float64]"),
+                   "The estimator's own memory, for `step`.")
+      .def_prop_ro("tractions", &tractions_of,
+                   nb::sig("def tractions(self) -> numpy.typing.NDArray[numpy.float64]"),
+                   "The estimator's own memory, which `step` fills.")
+      .def_prop_ro("baseline", &baseline_of,
+                   nb::sig("def baseline(self) -> numpy.typing.NDArray[numpy.float64] | None"),
+                   "As it was set; None: the plan's own.")
+      .def_prop_ro(
+          "dead", [](const Estimator& self) { return nb::tuple(nb::cast(self.dead())); },
+          nb::sig("def dead(self) -> tuple[int, ...]"), "Taxels that are left out.")
+      .def_prop_ro("instruction_set", &Estimator::instruction_set);
+}
+
+}  // namespace tactile_net::python

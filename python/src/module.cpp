@@ -1,0 +1,19 @@
+// What Python calls: types and errors as the library has them, arrays, no rule of its own.
+#include <nanobind/stl/string_view.h>
+
+#include "rooms.hpp"
+#include "tactile_net/numeric/version.hpp"
+
+NB_MODULE(_core, module) {
+  using namespace tactile_net::python;
+  module.doc() = "The library behind tactile_net. Private: its names may change.";
+  module.attr("__version__") = tactile_net::version();
+  bind_errors();
+  bind_scene(module);
+  bind_solving(module);
+  bind_run(module);
+  bind_survey(module);
+  bind_circuit(module);
+  bind_plan(module);
+  bind_estimator(module);
+}

@@ -1,0 +1,20 @@
+/// @file
+/// A controller's plan as Python holds it.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "tactile_net/realtime/estimator_plan.hpp"
+
+namespace tactile_net::python {
+
+/// Never changes, so that estimators may share it.
+struct Plan {
+  EstimatorPlan plan{};
+  std::string why{};             ///< what was chosen, and against what; empty: read from a file
+  bool for_raw_numbers = false;  ///< of the scene's calibration
+  bool needs_baseline = false;   ///< an unloaded frame, before the first update
+};
+
+}  // namespace tactile_net::python

@@ -1,0 +1,109 @@
+// A scene put through all that it names.
+#include "tactile_net/lab/run.hpp"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+#include <nanobind/stl/vector.h>
+
+#include <sstream>
+
+#include "arrays.hpp"
+#include "page_folder.hpp"
+#include "rooms.hpp"
+#include "shared_scene.hpp"
+#include "tactile_net/lab/simulator_choice.hpp"
+#include "tactile_net/pages/run_page.hpp"
+#include "tactile_net/report/json/run_json.hpp"
+#include "tactile_net/report/words/data_words.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
+#include "tactile_net/report/words/table.hpp"
+#include "watcher.hpp"
+
+namespace tactile_net::python {
+namespace {
+
+/// Normal, then tangential where there is any: a row each.
+nb::object stacked(const std::vector<double>& normal, const std::vector<double>& tangential) {
+  if (normal.empty()) return nb::none();
+  std::vector<double> both = normal;
+  both.insert(both.end(), tangential.begin(), tangential.end());
+  return nb::cast(owned(std::move(both), {tangential.empty() ? 1U : 2U, normal.size()}));
+}
+
+nb::object pair_of(const std::optional<Uncertain>& number) {
+  return number ? nb::cast(nb::make_tuple(number->value, number->deviation)) : nb::none();
+}
+
+/// One method's answer by the names of Python's MethodResult.
+nb::dict answer(const lab::Experiment& experiment, const lab::MethodResult& result) {
+  nb::dict found;
+  found["method"] = name(result.method);
+  found["verdict"] = lab::name(result.verdict);
+  found["tractions"] = stacked(result.normal.traction, result.tangential.traction);
+  found["deviation"] = stacked(result.normal.deviation, result.tangential.deviation);
+  found["alpha"] = result.alpha ? nb::cast(result.alpha->value) : nb::none();
+  found["alpha_source"] = result.alpha ? nb::cast(lab::source(*result.alpha)) : nb::none();
+  found["force"] = result.force;
+  found["relative_error"] = result.normal.relative_l2;
+  found["error_bound"] = result.error_bound ? nb::cast(*result.error_bound) : nb::none();
+  found["data"] = result.data ? nb::cast(report::data_word(*result.data)) : nb::none();
+  const auto& resultant = result.resultant;
+  found["normal_force"] = resultant ? pair_of(resultant->normal) : nb::none();
+  found["tangential_force"] = resultant ? pair_of(resultant->tangential) : nb::none();
+  found["centre"] = resultant ? pair_of(resultant->centre) : nb::none();
+  found["remarks"] = report::remarks_in_words(experiment, result);
+  found["failure"] = report::failure_in_words(experiment, result);
+  return found;
+}
+
+std::vector<nb::dict> answers(const lab::Experiment& self) {
+  std::vector<nb::dict> all;
+  for (const lab::MethodResult& result : self.results) all.push_back(answer(self, result));
+  return all;
+}
+
+std::string text(const lab::Experiment& self) {
+  std::ostringstream out;
+  report::print_experiment(out, self);
+  return out.str();
+}
+
+lab::Experiment run(const SharedScene& shared, std::optional<std::size_t> frame, bool compare_rules,
+                    bool report, const nb::object& progress) {
+  Watcher watcher(progress);
+  const nb::gil_scoped_release released;
+  const std::unique_ptr<Simulator> simulator = lab::make_simulator();
+  return lab::run(frame ? at_frame(shared.scene(), *frame) : shared.scene(), *simulator,
+                  {.compare_rules = compare_rules, .report = report}, watcher);
+}
+
+std::string report_of(const lab::Experiment& self, const std::string& folder, bool force) {
+  const nb::gil_scoped_release released;
+  return write_page({.path = folder, .force = force}, pages::run_page(self, ""), "result.json",
+                    report::experiment_json(self));
+}
+
+}  // namespace
+
+void bind_run(nb::module_& module) {
+  nb::class_<lab::Experiment>(module, "Experiment")
+      .def_prop_ro("succeeded", &lab::Experiment::succeeded)
+      .def("truth",
+           [](const lab::Experiment& self) {
+             return stacked(self.frame.truth.normal, self.frame.truth.tangential);
+           })
+      .def("readings", [](const lab::Experiment& self) { return owned(self.frame.readings); })
+      .def_prop_ro("force", [](const lab::Experiment& self) { return self.frame.force; })
+      .def("notes", [](const lab::Experiment& self) { return report::in_words(self.frame); })
+      .def("answers", &answers)
+      .def("cells", [](const lab::Experiment& self) { return report::comparison_cells(self); })
+      .def("text", &text)
+      .def("json", &report::experiment_json)
+      .def("report", &report_of, nb::arg("folder"), nb::arg("force"));
+  module.def("run", &run, nb::arg("scene"), nb::arg("frame").none(), nb::arg("compare_rules"),
+             nb::arg("report"), nb::arg("progress").none());
+}
+
+}  // namespace tactile_net::python

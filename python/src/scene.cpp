@@ -1,0 +1,228 @@
+// A scene: what it says, what its sensor would read, and the matrices behind it.
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+#include "arrays.hpp"
+#include "rooms.hpp"
+#include "shared_scene.hpp"
+#include "tactile_net/frames/open.hpp"
+#include "tactile_net/lab/method.hpp"
+#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/summary.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/json/workload_json.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/summary_words.hpp"
+#include "tactile_net/report/words/workload_words.hpp"
+#include "tactile_net/scene/scene_effects.hpp"
+#include "watcher.hpp"
+
+namespace tactile_net::python {
+namespace {
+
+std::vector<std::string> channel_names(const SharedScene& self) {
+  std::vector<std::string> names;
+  for (const Channel& channel : channels(self.scene().sensor)) names.push_back(channel.name);
+  return names;
+}
+
+/// y, depth, quantity, taxel and channel of every reading, in their order.
+nb::tuple sites_of(const SharedScene& self) {
+  std::vector<double> y;
+  std::vector<double> depth;
+  std::vector<std::string> quantity;
+  std::vector<std::size_t> taxel;
+  std::vector<std::size_t> channel;
+  for (const Site& site : sites(self.scene().sensor)) {
+    y.push_back(site.y);
+    depth.push_back(site.depth);
+    quantity.emplace_back(name(site.quantity));
+    taxel.push_back(site.taxel);
+    channel.push_back(site.channel);
+  }
+  return nb::make_tuple(owned(std::move(y)), owned(std::move(depth)), quantity, taxel, channel);
+}
+
+std::vector<std::string> words(const SharedScene& self) {
+  const Scene& scene = self.scene();
+  std::vector<std::string> all{report::sensor_in_words(scene), report::material_in_words(scene)};
+  if (std::string surface = report::surface_in_words(scene); !surface.empty())
+    all.push_back(std::move(surface));
+  for (std::string& contact : report::contacts_in_words(scene)) all.push_back(std::move(contact));
+  if (scene.time) all.push_back(report::time_in_words(scene));
+  return all;
+}
+
+/// Name, whether it is simulated, and what it does or its absence saves.
+std::vector<std::tuple<std::string, bool, std::string>> effects_of(const SharedScene& self) {
+  std::vector<std::tuple<std::string, bool, std::string>> all;
+  for (const lab::Workload::Effect& effect : lab::workload(self.scene()).effects)
+    all.emplace_back(effect.row->name, effect.simulated,
+                     report::effect_in_words(effect, self.scene()));
+  return all;
+}
+
+std::string explain(const SharedScene& self) {
+  std::ostringstream text;
+  report::print_workload(text, self.scene(), lab::workload(self.scene()));
+  return text.str();
+}
+
+/// t, readings, normal and tangential tractions of every frame, and what the effects have to say.
+nb::tuple simulate(const SharedScene& self, const nb::object& progress) {
+  std::vector<double> t;
+  std::vector<double> readings;
+  std::vector<double> normal;
+  std::vector<double> tangential;
+  lab::RecordedFrames recorded;
+  Watcher watcher(progress);
+  const std::size_t count = surface(self.scene()).count;
+  const bool drags = any_friction(self.scene());
+  {
+    const nb::gil_scoped_release released;
+    lab::SensorRecording recording(self.scene());
+    while (recording.next()) {
+      watcher.step({.kind = lab::Step::Kind::frame, .count = t.size()});
+      t.push_back(recording.time());
+      readings.insert(readings.end(), recording.readings().begin(), recording.readings().end());
+      const TractionField& truth = recording.truth();
+      normal.insert(normal.end(), truth.normal.begin(), truth.normal.end());
+      if (drags) {
+        tangential.insert(tangential.end(), truth.tangential.begin(), truth.tangential.end());
+        tangential.resize(normal.size());
+      }
+      recorded.add(recording);
+    }
+  }
+  const std::size_t frames = t.size();
+  const std::size_t width = reading_count(self.scene().sensor);
+  const auto notes = report::in_words(recorded);
+  const nb::object dragged =
+      drags ? nb::cast(owned(std::move(tangential), {frames, count})) : nb::none();
+  return nb::make_tuple(owned(std::move(t)), owned(std::move(readings), {frames, width}),
+                        owned(std::move(normal), {frames, count}), dragged, notes);
+}
+
+/// t or None, the readings of every frame, and what was taken for granted.
+nb::tuple read(const SharedScene& self, const std::string& path, const std::string& columns,
+               bool accept_missing) {
+  std::vector<double> t;
+  std::vector<double> readings;
+  std::vector<std::string> notes;
+  const std::size_t width = reading_count(self.scene().sensor);
+  std::size_t frames = 0;
+  Watcher watcher;
+  {
+    const nb::gil_scoped_release released;
+    frames::ReadingsFile file(path, self.scene(), nullptr,
+                              {.columns = columns, .accept_missing = accept_missing});
+    frames::FrameSource& source = file.source();
+    std::vector<double> frame(width);
+    while (source.next(frame)) {
+      watcher.frame();
+      readings.insert(readings.end(), frame.begin(), frame.end());
+      double seconds = std::numeric_limits<double>::quiet_NaN();
+      if (source.has_time() && (read_number(source.time(), seconds) || true)) t.push_back(seconds);
+      ++frames;
+    }
+    notes.assign(source.opening_notes().begin(), source.opening_notes().end());
+    for (std::string& note : source.closing_notes()) notes.push_back(std::move(note));
+  }
+  const nb::object times = t.empty() ? nb::none() : nb::cast(owned(std::move(t)));
+  return nb::make_tuple(times, owned(std::move(readings), {frames, width}), notes);
+}
+
+Array raw(const SharedScene& self, const Rows& readings) {
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < readings.shape(0); ++i) {
+    const std::vector<double> one = raw_numbers(self.scene(), row(readings, i));
+    numbers.insert(numbers.end(), one.begin(), one.end());
+  }
+  return owned(std::move(numbers), {readings.shape(0), readings.shape(1)});
+}
+
+Array as_array(Matrix matrix) {
+  return owned(std::move(matrix.values), {matrix.rows, matrix.columns});
+}
+
+/// K: neither weighted by the noise nor with dead taxels left out.
+Array kernel_matrix(SharedScene& self) {
+  Matrix kernel;
+  {
+    const nb::gil_scoped_release released;
+    const Scene& scene = self.scene();
+    ProblemOptions options = self.lock().problem.options();
+    options.dead_taxels.clear();
+    options.channel_rms.assign(channel_count(scene.sensor), 1.0);
+    kernel = make_problem(scene.sensor, scene.material, options).kernel;
+  }
+  return as_array(std::move(kernel));
+}
+
+Array normal_matrix_of(SharedScene& self, double alpha) {
+  Matrix matrix;
+  {
+    const nb::gil_scoped_release released;
+    const auto locked = self.lock();
+    matrix = normal_matrix(locked.problem.problem(), alpha);
+  }
+  return as_array(std::move(matrix));
+}
+
+std::vector<std::string> methods_of(const SharedScene& self) {
+  std::vector<std::string> names;
+  for (const Method method : self.scene().reconstruct.methods) names.emplace_back(name(method));
+  return names;
+}
+
+std::optional<std::pair<double, std::size_t>> timing(const SharedScene& self) {
+  if (!self.scene().time) return std::nullopt;
+  return std::pair(self.scene().time->rate, self.scene().time->frames);
+}
+
+}  // namespace
+
+void bind_scene(nb::module_& module) {
+  nb::class_<SharedScene>(module, "Scene")
+      .def(nb::init<std::string, std::string>(), nb::arg("text"), nb::arg("file"))
+      .def_prop_ro("text", &SharedScene::text)
+      .def_prop_ro("file", &SharedScene::file)
+      .def_prop_ro("title", [](const SharedScene& self) { return self.scene().title; })
+      .def_prop_ro("count", [](const SharedScene& self) { return self.scene().sensor.count; })
+      .def_prop_ro("readings",
+                   [](const SharedScene& self) { return reading_count(self.scene().sensor); })
+      .def_prop_ro("even", [](const SharedScene& self) { return is_even(self.scene().sensor); })
+      .def_prop_ro("unknowns", [](const SharedScene& self) { return unknowns(self.scene()); })
+      .def_prop_ro("channels", &channel_names)
+      .def_prop_ro("reading_names",
+                   [](const SharedScene& self) { return reading_names(self.scene().sensor); })
+      .def_prop_ro("methods", &methods_of)
+      .def_prop_ro("timing", &timing)
+      .def_prop_ro("si", [](const SharedScene& self) { return self.scene().units.has_value(); })
+      .def_prop_ro("spacing", [](const SharedScene& self) { return surface(self.scene()).spacing; })
+      .def("y", [](const SharedScene& self) { return owned(positions(surface(self.scene()))); })
+      .def("taxels", [](const SharedScene& self) { return owned(positions(self.scene().sensor)); })
+      .def("sites", &sites_of)
+      .def("words", &words)
+      .def("effects", &effects_of)
+      .def("explain", &explain)
+      .def("workload_json",
+           [](const SharedScene& self) {
+             return report::workload_json(self.scene(), lab::workload(self.scene()));
+           })
+      .def("simulate", &simulate, nb::arg("progress").none())
+      .def("read", &read, nb::arg("path"), nb::arg("columns"), nb::arg("accept_missing"))
+      .def("raw_numbers", &raw, nb::arg("readings").noconvert())
+      .def("kernel_matrix", &kernel_matrix)
+      .def("normal_matrix", &normal_matrix_of, nb::arg("alpha"));
+}
+
+}  // namespace tactile_net::python

@@ -1,0 +1,148 @@
+#include "solved_recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include "bad_frame.hpp"
+#include "tactile_net/frames/csv.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/pages/recording_page.hpp"
+#include "tactile_net/report/csv/recording_csv.hpp"
+#include "tactile_net/report/json/solve_json.hpp"
+#include "tactile_net/report/words/check_words.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
+#include "tactile_net/report/words/summary_words.hpp"
+
+namespace tactile_net::python {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+void add(std::vector<double>& numbers, const std::optional<Uncertain>& number) {
+  numbers.push_back(number ? number->value : unknown);
+  numbers.push_back(number ? number->deviation : unknown);
+}
+
+}  // namespace
+
+SolvedRecording::SolvedRecording(ScenePointer shared, Method method,
+                                 const lab::RecordingSolverOptions& options,
+                                 std::vector<double> times, const Rows& readings, Watcher& watcher)
+    : shared_(std::move(shared)),
+      method_(method),
+      missing_(options.missing),
+      times_(std::move(times)),
+      readings_(readings.data(), readings.data() + readings.size()),
+      recording_(shared_->lock().problem, method),
+      checker_(shared_->scene()) {
+  const auto locked = shared_->lock();
+  lab::RecordingSolver solver(locked.problem, method, options);
+  width_ = solver.tractions();
+  remarks_ = solver.remarks();
+  tractions_.assign(readings.shape(0) * width_, unknown);
+  const std::size_t size = readings.shape(1);
+  for (std::size_t i = 0; i < readings.shape(0); ++i) {
+    watcher.frame();
+    const std::span frame(readings_.data() + i * size, size);
+    const std::span answer(tractions_.data() + i * width_, width_);
+    checker_.add(time(i), frame);
+    const auto result = solver.solve(frame, answer);
+    if (result && result->status != FrameStatus::ok) throw bad_frame(result->status, frame, i);
+    results_.push_back(result);
+    problems_.push_back(solver.problem());
+    if (result)
+      recording_.add(time(i), solver.problem(), frame, answer, *result);
+    else
+      recording_.skip();
+  }
+  solved_ = solver.solved();
+  doubts_ = solver.doubts();
+}
+
+std::optional<double> SolvedRecording::time(std::size_t frame) const {
+  if (times_.empty() || std::isnan(times_[frame])) return std::nullopt;
+  return times_[frame];
+}
+
+std::vector<std::string> SolvedRecording::notes() const {
+  std::vector<std::string> all = report::in_words(remarks_);
+  for (std::string& sentence : report::in_words(solved_)) all.push_back(std::move(sentence));
+  for (const lab::Finding& doubt : doubts_)
+    all.push_back(report::in_words(doubt, shared_->scene()) + "; " +
+                  report::advice(doubt, shared_->scene()));
+  return all;
+}
+
+bool SolvedRecording::has_bands() const {
+  return lab::traits(method_).has_bands && shared_->lock().problem.has_bands();
+}
+
+Bands SolvedRecording::bands(Watcher& watcher) {
+  const auto locked = shared_->lock();
+  Bands bands;
+  const std::size_t size = frames() == 0 ? 0 : readings_.size() / frames();
+  for (std::size_t i = 0; i < frames(); ++i) {
+    watcher.frame();
+    lab::FrameUncertainty one;
+    if (results_[i])
+      one = lab::uncertainty(
+          lab::SceneFrame(problems_[i], std::span(readings_).subspan(i * size, size)),
+          std::span(tractions_).subspan(i * width_, width_), *results_[i]);
+    else
+      one = {.resultant = {.normal = {unknown, unknown}},
+             .deviation = std::vector<double>(width_, unknown)};
+    bands.deviation.insert(bands.deviation.end(), one.deviation.begin(), one.deviation.end());
+    add(bands.normal_force, one.resultant.normal);
+    add(bands.tangential_force, one.resultant.tangential);
+    add(bands.centre, one.resultant.centre);
+  }
+  return bands;
+}
+
+lab::RecordingOverview SolvedRecording::overview(Watcher& watcher) const {
+  const auto locked = shared_->lock();
+  lab::RecordingOverview overview = recording_.overview(watcher);
+  overview.findings = checker_.result(watcher).findings;
+  return overview;
+}
+
+std::string SolvedRecording::json(const lab::RecordingOverview& overview,
+                                  const std::string& name) const {
+  const bool any = solved_.frames > solved_.skipped.count();
+  return report::solve_json(overview, solved_,
+                            {.readings = name,
+                             .missing = missing_,
+                             .remarks = any ? solved_.last.remarks : remarks_,
+                             .seconds = unknown});
+}
+
+std::string SolvedRecording::json(const std::string& name, Watcher& watcher) {
+  return json(overview(watcher), name);
+}
+
+std::string SolvedRecording::tractions_csv() const {
+  std::ostringstream out;
+  const std::size_t count = surface(shared_->scene()).count;
+  frames::CsvSink sink(out, frames::traction_columns(count, width_ > count), !times_.empty());
+  for (std::size_t i = 0; i < frames(); ++i)
+    sink.add(time(i) ? shortest(times_[i]) : std::string(),
+             std::span(tractions_).subspan(i * width_, width_));
+  sink.finish();
+  return out.str();
+}
+
+std::string SolvedRecording::report(const PageFolder& folder, const std::string& name,
+                                    Watcher& watcher) {
+  const lab::RecordingOverview shown = overview(watcher);
+  drawing::Page page =
+      pages::recording_page(shown, name, report::in_words(remarks_),
+                            {.files = {"result.json", "shown.csv", "tractions.csv"}});
+  page.files.emplace_back("shown.csv", report::recording_csv(shown));
+  page.files.emplace_back("tractions.csv", tractions_csv());
+  return write_page(folder, page, "result.json", json(shown, name));
+}
+
+}  // namespace tactile_net::python

@@ -1,0 +1,149 @@
+// Readings into tractions.
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "bad_frame.hpp"
+#include "rooms.hpp"
+#include "solved_recording.hpp"
+#include "solver.hpp"
+#include "tactile_net/report/words/data_words.hpp"
+
+namespace tactile_net::python {
+
+Array Solver::solve(const Rows& readings) {
+  const std::size_t frames = readings.shape(0);
+  std::vector<double> tractions(frames * tractions_);
+  {
+    Watcher watcher;
+    const nb::gil_scoped_release released;
+    for (std::size_t i = 0; i < frames; ++i) {
+      watcher.frame();
+      const std::span answer(tractions.data() + i * tractions_, tractions_);
+      const auto locked = shared_->lock();
+      const lab::FrameResult result = solver_->solve(row(readings, i), answer);
+      if (result.status != FrameStatus::ok) throw bad_frame(result.status, row(readings, i), i);
+    }
+  }
+  return owned(std::move(tractions), {frames, tractions_});
+}
+
+namespace {
+
+Method method_of(const std::string& name) {
+  if (const auto method = method_named(name)) return *method;
+  throw std::invalid_argument("there is no method '" + name +
+                              "': dft, tikhonov, closed_form or network");
+}
+
+lab::Missing missing_of(const std::string& name) {
+  if (const auto missing = lab::missing_named(name)) return *missing;
+  throw std::invalid_argument("missing must be fail, skip or estimate (got '" + name + "')");
+}
+
+SolvedRecording solve(const ScenePointer& shared, const std::string& method,
+                      const std::string& missing, std::optional<std::size_t> share_alpha,
+                      const std::vector<double>& times, const Rows& readings,
+                      const nb::object& progress) {
+  Watcher watcher(progress);
+  const lab::RecordingSolverOptions options{.missing = missing_of(missing),
+                                            .share_alpha = share_alpha};
+  const Method chosen = method_of(method);
+  const nb::gil_scoped_release released;
+  return {shared, chosen, options, times, readings, watcher};
+}
+
+/// One value a frame, of those that have an answer; else `none`.
+template <class Value, class Of>
+std::vector<Value> of_frames(const SolvedRecording& self, Value none, Of of) {
+  std::vector<Value> all;
+  for (const auto& result : self.results()) all.push_back(result ? of(*result) : none);
+  return all;
+}
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+Array alphas(const SolvedRecording& self) {
+  return owned(of_frames(self, unknown, [](const lab::FrameResult& result) {
+    return result.alpha ? result.alpha->value : unknown;
+  }));
+}
+
+std::vector<std::string> verdicts(const SolvedRecording& self) {
+  return of_frames(self, std::string("missing"), [](const lab::FrameResult& result) {
+    return std::string(lab::name(result.verdict));
+  });
+}
+
+std::vector<std::string> data(const SolvedRecording& self) {
+  return of_frames(self, std::string("missing"), [](const lab::FrameResult& result) {
+    return result.data ? report::data_word(*result.data) : std::string("not_judged");
+  });
+}
+
+/// Deviation, normal force, tangential force, centre; None: the method has none.
+nb::object bands_of(SolvedRecording& self) {
+  Watcher watcher;
+  std::optional<Bands> bands;
+  {
+    const nb::gil_scoped_release released;
+    if (self.has_bands()) bands = self.bands(watcher);
+  }
+  if (!bands) return nb::none();
+  const std::size_t frames = self.frames();
+  return nb::make_tuple(owned(std::move(bands->deviation), {frames, self.width()}),
+                        owned(std::move(bands->normal_force), {frames, 2}),
+                        owned(std::move(bands->tangential_force), {frames, 2}),
+                        owned(std::move(bands->centre), {frames, 2}));
+}
+
+std::string json_of(SolvedRecording& self, const std::string& name) {
+  Watcher watcher;
+  const nb::gil_scoped_release released;
+  return self.json(name, watcher);
+}
+
+std::string report_of(SolvedRecording& self, const std::string& folder, bool force,
+                      const std::string& name) {
+  Watcher watcher;
+  const nb::gil_scoped_release released;
+  return self.report({.path = folder, .force = force}, name, watcher);
+}
+
+}  // namespace
+
+void bind_solving(nb::module_& module) {
+  nb::class_<Solver>(module, "Solver")
+      .def(
+          "__init__",
+          [](Solver* self, const ScenePointer& scene, const std::string& method,
+             std::optional<double> alpha) {
+            const Method chosen = method_of(method);
+            const nb::gil_scoped_release released;
+            new (self) Solver(scene, chosen, alpha);
+          },
+          nb::arg("scene"), nb::arg("method"), nb::arg("alpha").none())
+      .def_prop_ro("tractions", &Solver::tractions)
+      .def("solve", &Solver::solve, nb::arg("readings").noconvert());
+  nb::class_<SolvedRecording>(module, "SolvedRecording")
+      .def("tractions",
+           [](const SolvedRecording& self) {
+             return owned(self.tractions(), {self.frames(), self.width()});
+           })
+      .def("alpha", &alphas)
+      .def("verdict", &verdicts)
+      .def("data", &data)
+      .def("notes", &SolvedRecording::notes)
+      .def("bands", &bands_of)
+      .def("json", &json_of, nb::arg("name"))
+      .def("report", &report_of, nb::arg("folder"), nb::arg("force"), nb::arg("name"));
+  module.def("solve", &solve, nb::arg("scene"), nb::arg("method"), nb::arg("missing"),
+             nb::arg("share_alpha").none(), nb::arg("times"), nb::arg("readings").noconvert(),
+             nb::arg("progress").none());
+}
+
+}  // namespace tactile_net::python

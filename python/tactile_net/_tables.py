@@ -1,0 +1,149 @@
+"""The words of a scene, as dataclasses; docs/scene.md says what each means and in which range it lies.
+
+Nothing is checked here: they are written as TOML, and the one reader of scenes judges them.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = [
+    "Contact",
+    "Cylinder",
+    "Layer",
+    "Material",
+    "Noise",
+    "Punch",
+    "Reconstruct",
+    "SampledTractions",
+    "Sensor",
+    "Timing",
+    "Wedge",
+    "as_table",
+]
+
+Numbers = Sequence[float] | NDArray[np.float64]
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Sensor:
+    """[sensor]: `count` even taxels `pitch` apart, or uneven ones at `positions`."""
+
+    reads: Sequence[str]
+    count: int | None = None
+    pitch: float | None = None
+    depth: float | Numbers | None = None
+    depths: Numbers | None = None
+    positions: Numbers | None = None
+    taxels: str | None = None
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Layer:
+    """A pad of this thickness on a rigid base, "bonded" to it or "frictionless"."""
+
+    thickness: float
+    base: str | None = None
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Material:
+    """[material]: a half plane without `layer`."""
+
+    youngs_modulus: float
+    poisson_ratio: float
+    layer: Layer | None = None
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class _Rigid:
+    force: float | None = None
+    half_width: float | None = None
+    center: float | None = None
+    friction: float | None = None
+    trajectory: Sequence[Mapping[str, float]] | None = None
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Cylinder(_Rigid):
+    """[[contact]] of a rigid cylinder."""
+
+    shape: str = dataclasses.field(default="cylinder", init=False)
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Punch(_Rigid):
+    """[[contact]] of a flat punch, infinite at its ends unless `edge` > 0."""
+
+    edge: float | None = None
+    shape: str = dataclasses.field(default="punch", init=False)
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Wedge(_Rigid):
+    """[[contact]] of a rigid wedge."""
+
+    shape: str = dataclasses.field(default="wedge", init=False)
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class SampledTractions:
+    """[[contact]] given by a traction at each taxel."""
+
+    normal: Numbers
+    tangential: Numbers | None = None
+    shape: str = dataclasses.field(default="tractions", init=False)
+
+
+Contact = Cylinder | Punch | Wedge | SampledTractions | Mapping[str, Any]
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Timing:
+    """[time]: frames per second, and how many."""
+
+    rate: float
+    frames: int | None = None
+    duration: float | None = None
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Noise:
+    """[noise]: white, of one rms for all readings or one for each quantity."""
+
+    rms: float | Mapping[str, float]
+    seed: int | None = None
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Reconstruct:
+    """[reconstruct]: how the tractions are found again; `alpha` is a number or the name of a rule."""
+
+    methods: Sequence[str] | None = None
+    alpha: float | str | None = None
+    surface: str | None = None
+    spacing: float | None = None
+    margin: float | None = None
+    smoothing_length: float | None = None
+    noise_gain_limit: float | None = None
+    tangential: bool | None = None
+    nonnegative: bool | None = None
+    friction_limit: float | None = None
+    contact_friction: float | None = None
+
+
+def as_table(value: Any) -> Any:
+    """A dataclass as the dictionary that it says; all else as it is."""
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        fields = ((f.name, as_table(getattr(value, f.name))) for f in dataclasses.fields(value))
+        return {name: inner for name, inner in fields if inner is not None}
+    if isinstance(value, (list, tuple)):
+        return [as_table(one) for one in value]
+    if isinstance(value, Mapping):
+        return {key: as_table(inner) for key, inner in value.items()}
+    return value

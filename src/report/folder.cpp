@@ -1,0 +1,24 @@
+#include "tactile_net/report/folder.hpp"
+
+#include <fstream>
+#include <string>
+#include <system_error>
+
+#include "tactile_net/drawing/html.hpp"
+
+namespace tactile_net::report {
+
+frames::Existing existing_in(const std::filesystem::path& folder, bool force) {
+  const std::filesystem::path report = folder / "report.html";
+  std::error_code ignored;
+  if (force) return frames::Existing::replaced;
+  if (!std::filesystem::is_regular_file(report, ignored)) return frames::Existing::kept;
+  std::string begin(1024, '\0');
+  std::ifstream(report, std::ios::binary).read(begin.data(), std::ssize(begin));
+  if (begin.find(drawing::written_by) != std::string::npos) return frames::Existing::replaced;
+  throw frames::CannotCreate(report.string() +
+                             ": error: was not written by tactile-net: name another folder, or "
+                             "--force to replace it");
+}
+
+}  // namespace tactile_net::report
