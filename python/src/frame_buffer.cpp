@@ -11,13 +11,16 @@ namespace {
 
 namespace nb = nanobind;
 
+std::string text_of(const nb::object& object) {
+  return nb::cast<std::string>(nb::str(nb::handle(object)));
+}
+
 /// What somebody passed: "float32 (9, 9)", "list".
 std::string described(PyObject* object) {
   const nb::handle given(object);
   if (nb::hasattr(given, "dtype") && nb::hasattr(given, "shape"))
-    return nb::cast<std::string>(nb::str(given.attr("dtype"))) + " " +
-           nb::cast<std::string>(nb::str(given.attr("shape")));
-  return nb::cast<std::string>(nb::str(given.type().attr("__name__")));
+    return text_of(given.attr("dtype")) + " " + text_of(given.attr("shape"));
+  return text_of(given.type().attr("__name__"));
 }
 
 [[noreturn]] void refuse(PyObject* object, std::size_t size, const char* what, bool writable,

@@ -7,7 +7,7 @@
 NB_MODULE(_core, module) {
   using namespace tactile_net::python;
   module.doc() = "The library behind tactile_net. Private: its names may change.";
-  module.attr("__version__") = tactile_net::version();
+  module.attr("version") = tactile_net::version();
   bind_errors();
   bind_scene(module);
   bind_solving(module);

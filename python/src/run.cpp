@@ -24,12 +24,15 @@
 namespace tactile_net::python {
 namespace {
 
+using Answer = nb::typed<nb::dict, nb::str, nb::any>;
+
 /// Normal, then tangential where there is any: a row each.
-nb::object stacked(const std::vector<double>& normal, const std::vector<double>& tangential) {
-  if (normal.empty()) return nb::none();
+std::optional<Array> stacked(const std::vector<double>& normal,
+                             const std::vector<double>& tangential) {
+  if (normal.empty()) return std::nullopt;
   std::vector<double> both = normal;
   both.insert(both.end(), tangential.begin(), tangential.end());
-  return nb::cast(owned(std::move(both), {tangential.empty() ? 1U : 2U, normal.size()}));
+  return owned(std::move(both), {tangential.empty() ? 1U : 2U, normal.size()});
 }
 
 nb::object pair_of(const std::optional<Uncertain>& number) {
@@ -37,8 +40,8 @@ nb::object pair_of(const std::optional<Uncertain>& number) {
 }
 
 /// One method's answer by the names of Python's MethodResult.
-nb::dict answer(const lab::Experiment& experiment, const lab::MethodResult& result) {
-  nb::dict found;
+Answer answer(const lab::Experiment& experiment, const lab::MethodResult& result) {
+  Answer found;
   found["method"] = name(result.method);
   found["verdict"] = lab::name(result.verdict);
   found["tractions"] = stacked(result.normal.traction, result.tangential.traction);
@@ -58,8 +61,8 @@ nb::dict answer(const lab::Experiment& experiment, const lab::MethodResult& resu
   return found;
 }
 
-std::vector<nb::dict> answers(const lab::Experiment& self) {
-  std::vector<nb::dict> all;
+std::vector<Answer> answers(const lab::Experiment& self) {
+  std::vector<Answer> all;
   for (const lab::MethodResult& result : self.results) all.push_back(answer(self, result));
   return all;
 }

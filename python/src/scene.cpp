@@ -35,7 +35,9 @@ std::vector<std::string> channel_names(const SharedScene& self) {
 }
 
 /// y, depth, quantity, taxel and channel of every reading, in their order.
-nb::tuple sites_of(const SharedScene& self) {
+std::tuple<Array, Array, std::vector<std::string>, std::vector<std::size_t>,
+           std::vector<std::size_t>>
+sites_of(const SharedScene& self) {
   std::vector<double> y;
   std::vector<double> depth;
   std::vector<std::string> quantity;
@@ -48,7 +50,7 @@ nb::tuple sites_of(const SharedScene& self) {
     taxel.push_back(site.taxel);
     channel.push_back(site.channel);
   }
-  return nb::make_tuple(owned(std::move(y)), owned(std::move(depth)), quantity, taxel, channel);
+  return {owned(std::move(y)), owned(std::move(depth)), quantity, taxel, channel};
 }
 
 std::vector<std::string> words(const SharedScene& self) {
@@ -77,7 +79,8 @@ std::string explain(const SharedScene& self) {
 }
 
 /// t, readings, normal and tangential tractions of every frame, and what the effects have to say.
-nb::tuple simulate(const SharedScene& self, const nb::object& progress) {
+std::tuple<Array, Array, Array, std::optional<Array>, std::vector<std::string>> simulate(
+    const SharedScene& self, const nb::object& progress) {
   std::vector<double> t;
   std::vector<double> readings;
   std::vector<double> normal;
@@ -104,16 +107,18 @@ nb::tuple simulate(const SharedScene& self, const nb::object& progress) {
   }
   const std::size_t frames = t.size();
   const std::size_t width = reading_count(self.scene().sensor);
-  const auto notes = report::in_words(recorded);
-  const nb::object dragged =
-      drags ? nb::cast(owned(std::move(tangential), {frames, count})) : nb::none();
-  return nb::make_tuple(owned(std::move(t)), owned(std::move(readings), {frames, width}),
-                        owned(std::move(normal), {frames, count}), dragged, notes);
+  std::optional<Array> dragged;
+  if (drags) dragged = owned(std::move(tangential), {frames, count});
+  return {owned(std::move(t)), owned(std::move(readings), {frames, width}),
+          owned(std::move(normal), {frames, count}), std::move(dragged),
+          report::in_words(recorded)};
 }
 
 /// t or None, the readings of every frame, and what was taken for granted.
-nb::tuple read(const SharedScene& self, const std::string& path, const std::string& columns,
-               bool accept_missing) {
+std::tuple<std::optional<Array>, Array, std::vector<std::string>> read(const SharedScene& self,
+                                                                       const std::string& path,
+                                                                       const std::string& columns,
+                                                                       bool accept_missing) {
   std::vector<double> t;
   std::vector<double> readings;
   std::vector<std::string> notes;
@@ -136,8 +141,9 @@ nb::tuple read(const SharedScene& self, const std::string& path, const std::stri
     notes.assign(source.opening_notes().begin(), source.opening_notes().end());
     for (std::string& note : source.closing_notes()) notes.push_back(std::move(note));
   }
-  const nb::object times = t.empty() ? nb::none() : nb::cast(owned(std::move(t)));
-  return nb::make_tuple(times, owned(std::move(readings), {frames, width}), notes);
+  std::optional<Array> times;
+  if (!t.empty()) times = owned(std::move(t));
+  return {std::move(times), owned(std::move(readings), {frames, width}), std::move(notes)};
 }
 
 Array raw(const SharedScene& self, const Rows& readings) {

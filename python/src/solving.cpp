@@ -2,6 +2,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <limits>
@@ -45,16 +46,17 @@ lab::Missing missing_of(const std::string& name) {
   throw std::invalid_argument("missing must be fail, skip or estimate (got '" + name + "')");
 }
 
-SolvedRecording solve(const ScenePointer& shared, const std::string& method,
-                      const std::string& missing, std::optional<std::size_t> share_alpha,
-                      const std::vector<double>& times, const Rows& readings,
-                      const nb::object& progress) {
+std::shared_ptr<SolvedRecording> solve(const ScenePointer& shared, const std::string& method,
+                                       const std::string& missing,
+                                       std::optional<std::size_t> share_alpha,
+                                       const std::vector<double>& times, const Rows& readings,
+                                       const nb::object& progress) {
   Watcher watcher(progress);
   const lab::RecordingSolverOptions options{.missing = missing_of(missing),
                                             .share_alpha = share_alpha};
   const Method chosen = method_of(method);
   const nb::gil_scoped_release released;
-  return {shared, chosen, options, times, readings, watcher};
+  return std::make_shared<SolvedRecording>(shared, chosen, options, times, readings, watcher);
 }
 
 /// One value a frame, of those that have an answer; else `none`.
@@ -86,19 +88,19 @@ std::vector<std::string> data(const SolvedRecording& self) {
 }
 
 /// Deviation, normal force, tangential force, centre; None: the method has none.
-nb::object bands_of(SolvedRecording& self) {
+std::optional<std::tuple<Array, Array, Array, Array>> bands_of(SolvedRecording& self) {
   Watcher watcher;
   std::optional<Bands> bands;
   {
     const nb::gil_scoped_release released;
     if (self.has_bands()) bands = self.bands(watcher);
   }
-  if (!bands) return nb::none();
+  if (!bands) return std::nullopt;
   const std::size_t frames = self.frames();
-  return nb::make_tuple(owned(std::move(bands->deviation), {frames, self.width()}),
-                        owned(std::move(bands->normal_force), {frames, 2}),
-                        owned(std::move(bands->tangential_force), {frames, 2}),
-                        owned(std::move(bands->centre), {frames, 2}));
+  return std::tuple(owned(std::move(bands->deviation), {frames, self.width()}),
+                    owned(std::move(bands->normal_force), {frames, 2}),
+                    owned(std::move(bands->tangential_force), {frames, 2}),
+                    owned(std::move(bands->centre), {frames, 2}));
 }
 
 std::string json_of(SolvedRecording& self, const std::string& name) {

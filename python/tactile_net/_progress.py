@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 Progress: TypeAlias = bool | Callable[[str], None]
 
@@ -18,9 +19,9 @@ def listening(progress: Progress) -> Iterator[Callable[[str], None] | None]:
         yield progress
     else:
         try:
-            from tqdm.auto import tqdm
+            auto: Any = importlib.import_module("tqdm.auto")
         except ImportError:
             yield None
             return
-        with tqdm(bar_format="{desc} {elapsed}") as bar:
+        with auto.tqdm(bar_format="{desc} {elapsed}") as bar:
             yield bar.set_description_str

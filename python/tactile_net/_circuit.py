@@ -1,0 +1,121 @@
+"""What can be said of sensors and circuits before there is a reading."""
+
+from __future__ import annotations
+
+import json
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any
+
+from . import _core, _html
+from ._progress import Progress, listening
+
+if TYPE_CHECKING:
+    from ._scene import Scene
+
+__all__ = ["Certification", "Survey"]
+
+
+class Survey:
+    """What a scene's sensors can tell, beside what others in their place could. Made by `Scene.identify`."""
+
+    scene: Scene
+    normal: float | None
+    """The shortest wavelength of normal traction that is told from noise [m]; None: none is."""
+    tangential: float | None
+    """The same of tangential traction; None with one unknown too."""
+    hides: bool
+    """Whether a combination of tractions, or a traction's mean, shows in no reading."""
+    words: tuple[str, ...]
+    """The verdict, and what to read instead, a sentence each."""
+
+    def __init__(self, scene: Scene, traction: float | None, noise: float | None, progress: Progress = False) -> None:
+        self.scene = scene
+        self._options = traction, noise
+        core = self._identify(progress)
+        self._core: _core.Survey | None = core
+        self.normal, self.tangential, self.hides = core.normal, core.tangential, core.hides
+        self.words = tuple(core.words())
+        self._cells = core.cells()
+        self._json = core.json()
+
+    def _identify(self, progress: Progress = False) -> _core.Survey:
+        with listening(progress) as heard:
+            return _core.identify(self.scene._core, *self._options, heard)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_core": None}
+
+    @property
+    def table(self) -> list[dict[str, str]]:
+        """The scene's sensors and the alternatives, a row each, by the names of the columns."""
+        head, *rows = self._cells
+        return [dict(zip(head, row)) for row in rows]
+
+    def to_json(self) -> str:
+        """As `tactile-net identify --json` writes it."""
+        return self._json
+
+    def to_dict(self) -> dict[str, Any]:
+        document: dict[str, Any] = json.loads(self._json)
+        return document
+
+    def report(self, folder: str | PathLike[str], *, force: bool = False) -> str:
+        """Writes the page of `tactile-net identify --out`, and returns the path of report.html."""
+        self._core = self._core or self._identify()
+        self._core.report(fspath(folder), force)
+        return f"{fspath(folder)}/report.html"
+
+    def __str__(self) -> str:
+        return "\n".join(self.words)
+
+    def _repr_html_(self) -> str:
+        return _html.paragraphs(self.words) + _html.table(self._cells)
+
+
+class Certification:
+    """What can be said of a scene's circuit before it is built. Made by `Scene.certify`."""
+
+    scene: Scene
+    realization: str
+    stability: str
+    """"stable", "unstable", "not_definite", "lossless" or "not_modelled"."""
+    tolerance_margin: float | None
+    """Errors of all resistors up to this, relative, are proven to leave it stable; None: nothing is proven."""
+    settling_seconds: float | None
+    """None: it does not settle, or nobody knows."""
+
+    def __init__(self, scene: Scene, progress: Progress = False) -> None:
+        self.scene = scene
+        core = self._certify(progress)
+        self._core: _core.Certification | None = core
+        self.realization, self.stability = core.realization, core.stability
+        self.tolerance_margin, self.settling_seconds = core.tolerance_margin, core.settling_seconds
+        self._text = core.text()
+        self._json = core.json()
+
+    def _certify(self, progress: Progress = False) -> _core.Certification:
+        with listening(progress) as heard:
+            return _core.certify(self.scene._core, heard)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_core": None}
+
+    def to_json(self) -> str:
+        """As `tactile-net certify --json` writes it."""
+        return self._json
+
+    def to_dict(self) -> dict[str, Any]:
+        document: dict[str, Any] = json.loads(self._json)
+        return document
+
+    def report(self, folder: str | PathLike[str], *, force: bool = False) -> str:
+        """Writes the page of `tactile-net certify --out`, and returns the path of report.html."""
+        self._core = self._core or self._certify()
+        self._core.report(fspath(folder), force)
+        return f"{fspath(folder)}/report.html"
+
+    def __str__(self) -> str:
+        return self._text
+
+    def _repr_html_(self) -> str:
+        return _html.preformatted(self._text)

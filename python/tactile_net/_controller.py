@@ -1,0 +1,179 @@
+"""A controller's plan, and the call of its every frame."""
+
+from __future__ import annotations
+
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from . import _core, _html
+from ._arrays import Floats, frames_of
+
+__all__ = ["ContactEstimate", "Estimator", "Plan"]
+
+ContactEstimate = _core.ContactEstimate
+
+
+class Plan:
+    """All that a controller needs to turn a frame of readings into tractions. Made by `Scene.plan`, or loaded."""
+
+    def __init__(self, core: _core.Plan) -> None:
+        self._core = core
+
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> Plan:
+        """Raises OSError, and ValueError where the file is no plan, cut off, corrupted or of another version."""
+        content = Path(path).read_bytes()
+        try:
+            return cls.from_bytes(content)
+        except ValueError as error:
+            raise ValueError(f"{path}: {error}") from None
+
+    @classmethod
+    def from_bytes(cls, content: bytes) -> Plan:
+        """Any bytes at all are safe to pass. Raises ValueError, as `load`."""
+        return cls(_core.plan_from(bytes(content), "", False, False))
+
+    def to_bytes(self) -> bytes:
+        return self._core.to_bytes()
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Writes the file that `tactile-net plan -o` writes; a C++ controller loads it too."""
+        Path(path).write_bytes(self.to_bytes())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _plan, (self.to_bytes(), self.why, self.for_raw_numbers, self.needs_baseline)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Plan) and self.to_bytes() == other.to_bytes()
+
+    def __hash__(self) -> int:
+        return hash(self.to_bytes())
+
+    @property
+    def label(self) -> str:
+        """What it was made for."""
+        return self._core.label
+
+    @property
+    def reading_shape(self) -> tuple[int, ...]:
+        """Of a frame: (C, N), channels and taxels; of uneven arrays (R,)."""
+        return (self._core.channels, self._core.count) if self._core.even else (self._core.readings,)
+
+    @property
+    def traction_shape(self) -> tuple[int, int]:
+        """(U, M): normal, then tangential, at `y`."""
+        return self._core.unknowns, self._core.values
+
+    @property
+    def y(self) -> Floats:
+        """Of the tractions [m]."""
+        return self._core.y()
+
+    @property
+    def spacing(self) -> float:
+        """Of `y` [m]."""
+        return self._core.spacing
+
+    @property
+    def alpha(self) -> float:
+        return self._core.alpha
+
+    @property
+    def accuracy(self) -> float:
+        """That was asked for."""
+        return self._core.accuracy
+
+    @property
+    def error_bound(self) -> float:
+        """Proven for every frame: relative to the tractions and to what they leave unexplained."""
+        return self._core.error_bound
+
+    @property
+    def structure(self) -> str:
+        """How the product is computed: "dense", "low_rank", "parity", "parity_low_rank" or "fft"."""
+        return self._core.structure
+
+    @property
+    def precision(self) -> str:
+        return self._core.precision
+
+    @property
+    def streamed_bytes(self) -> int:
+        """That a frame reads: what its time is made of."""
+        return self._core.streamed_bytes
+
+    @property
+    def diagnostics(self) -> bool:
+        """Whether frames come with residual, outliers and doubts, and taxels may die at run time."""
+        return self._core.diagnostics
+
+    @property
+    def for_raw_numbers(self) -> bool:
+        """The scene's calibration is in it: frames are a file's numbers, not readings."""
+        return self._core.for_raw_numbers
+
+    @property
+    def needs_baseline(self) -> bool:
+        """`Estimator.set_baseline` is to be called with an unloaded frame before the first update."""
+        return self._core.needs_baseline
+
+    @property
+    def why(self) -> str:
+        """What was chosen, and against what; empty where the plan was loaded."""
+        return self._core.why
+
+    def __repr__(self) -> str:
+        readings, tractions = (" x ".join(map(str, shape)) for shape in (self.reading_shape, self.traction_shape))
+        return f"<Plan {self.structure} {self.precision}: {readings} readings -> {tractions} tractions, alpha {self.alpha:g}>"
+
+    def _repr_html_(self) -> str:
+        return _html.preformatted(f"{self!r}\n{self.why}")
+
+
+def _plan(content: bytes, why: str, for_raw_numbers: bool, needs_baseline: bool) -> Plan:
+    return Plan(_core.plan_from(content, why, for_raw_numbers, needs_baseline))
+
+
+class Estimator(_core.Estimator):
+    """The per-frame call of a controller: readings in, tractions and the contact's force out.
+
+    `update` takes and fills C-contiguous float64 arrays as they are; `step` works on the estimator's own `readings`
+    and `tractions`, at the least price. One thread at a time: another one is refused with a RuntimeError.
+    """
+
+    def __init__(self, plan: Plan) -> None:
+        super().__init__(plan._core)
+        self._made_of = plan
+
+    @property
+    def plan(self) -> Plan:  # type: ignore[override]
+        return self._made_of
+
+    def update_batch(self, frames: Any) -> Floats:
+        """As `update` on each of (T, C, N) or (T, C*N) frames, and the same bits; returns (T, U, M).
+
+        Other Python threads go on meanwhile. `contact` is then that of the last frame. Raises FrameError, which
+        names the first frame that is bad.
+        """
+        rows, lead = frames_of(frames, self._made_of.reading_shape, "frames")
+        return super().update_batch(rows).reshape(*lead, *self._made_of.traction_shape)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _estimator, (self._made_of, self.baseline, self.dead)
+
+    def __copy__(self) -> Estimator:
+        """For another thread: the same plan, baseline and dead taxels."""
+        return _estimator(self._made_of, self.baseline, self.dead)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Estimator:
+        return self.__copy__()
+
+
+def _estimator(plan: Plan, baseline: Floats | None, dead: tuple[int, ...]) -> Estimator:
+    estimator = Estimator(plan)
+    for taxel in dead:  # first: what they read does not matter then
+        estimator.set_dead(taxel)
+    if baseline is not None:
+        estimator.set_baseline(baseline)
+    return estimator

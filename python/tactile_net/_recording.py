@@ -1,0 +1,237 @@
+"""Frames of readings, and what they were solved to."""
+
+from __future__ import annotations
+
+import dataclasses
+from functools import cached_property
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core, _html
+from ._arrays import Floats
+from ._optional import optional
+from ._progress import Progress, listening
+
+if TYPE_CHECKING:
+    from ._scene import Scene
+
+__all__ = ["Recording", "Solution"]
+
+_COMPONENTS = ("normal", "tangential")
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Recording:
+    """Frames of one scene's sensor, simulated or read from a file."""
+
+    scene: Scene
+    readings: Floats
+    """(T, C, N): frames, channels, taxels; of uneven arrays (T, R): frames, readings."""
+    t: Floats | None = None
+    """Of each frame [s]; None: the file has no times."""
+    truth: Floats | None = None
+    """(T, U, M): the tractions that pressed, at `y` [Pa]; None where nobody knows."""
+    notes: tuple[str, ...] = ()
+    """What was taken for granted, or cut off."""
+
+    @property
+    def y(self) -> Floats:
+        """Of the tractions [m]."""
+        return self.scene.y
+
+    @property
+    def taxels(self) -> Floats:
+        """y of the taxels [m]."""
+        return self.scene.taxels
+
+    def __len__(self) -> int:
+        return len(self.readings)
+
+    def __repr__(self) -> str:
+        return f"<Recording of {len(self)} frames of {self.readings[0:1].size} readings>"
+
+    def solve(self, method: str = "tikhonov", **options: Any) -> Solution:
+        """As `Scene.solve`."""
+        return self.scene.solve(self, method, **options)
+
+    def to_xarray(self) -> Any:
+        """An xarray.Dataset: `readings` over (t, channel, taxel), `truth` over (t, component, y)."""
+        xarray = optional("xarray", "tables")
+        scene = self.scene
+        t = np.arange(len(self), dtype=float) if self.t is None else self.t
+        if scene.even:
+            variables: dict[str, Any] = {"readings": (("t", "channel", "taxel"), self.readings)}
+            coordinates = {"t": t, "channel": list(scene.channels), "taxel": scene.taxels}
+        else:
+            variables = {"readings": (("t", "reading"), self.readings)}
+            coordinates = {"t": t, "reading": list(scene.reading_names)}
+        if self.truth is not None:
+            variables["truth"] = (("t", "component", "y"), self.truth)
+            coordinates |= {"component": list(_COMPONENTS[: self.truth.shape[1]]), "y": scene.y}
+        return xarray.Dataset(variables, coordinates, {"scene": scene.text})
+
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame, a frame a row, a reading a column, over t."""
+        pandas = optional("pandas", "tables")
+        index = None if self.t is None else pandas.Index(self.t, name="t")
+        rows = self.readings.reshape(len(self), -1)
+        return pandas.DataFrame(rows, index=index, columns=list(self.scene.reading_names))
+
+
+class Solution:
+    """Tractions of every frame, and how far to trust them. Made by `Scene.solve`."""
+
+    recording: Recording
+    method: str
+    tractions: Floats
+    """(T, U, M) [Pa]: normal, then tangential; nan where a frame has no answer."""
+    verdict: NDArray[np.str_]
+    """Of each frame: "ok", or what is wrong with the answer; "missing": there is none."""
+    data: NDArray[np.str_]
+    """Of each frame's readings: "ok", "noise_unknown", or why no contact can have caused them."""
+    alpha: Floats
+    """Of each frame; nan where the method has none."""
+    notes: tuple[str, ...]
+
+    def __init__(self, recording: Recording, method: str, missing: str, share_alpha: int | None, progress: Progress = False) -> None:
+        self.recording = recording
+        self.method = method
+        self._missing = missing
+        self._share_alpha = share_alpha
+        core = self._solve(progress)
+        self._core: _core.SolvedRecording | None = core
+        self.tractions = self._shaped(core.tractions())
+        self.verdict = np.array(core.verdict(), dtype=np.str_)
+        self.data = np.array(core.data(), dtype=np.str_)
+        self.alpha = core.alpha()
+        self.notes = tuple(core.notes())
+
+    def _solve(self, progress: Progress = False) -> _core.SolvedRecording:
+        recording = self.recording
+        times = [] if recording.t is None else recording.t.tolist()
+        rows = np.ascontiguousarray(recording.readings.reshape(len(recording), -1))
+        with listening(progress) as heard:
+            return _core.solve(recording.scene._core, self.method, self._missing, self._share_alpha, times, rows, heard)
+
+    def _solved(self) -> _core.SolvedRecording:
+        if self._core is None:  # it was pickled, as arrays
+            self._core = self._solve()
+        return self._core
+
+    def _shaped(self, rows: Floats) -> Floats:
+        return rows.reshape(len(rows), -1, len(self.y))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_core": None}
+
+    @property
+    def scene(self) -> Scene:
+        return self.recording.scene
+
+    @property
+    def y(self) -> Floats:
+        """Of the tractions [m]."""
+        return self.scene.y
+
+    @property
+    def t(self) -> Floats | None:
+        return self.recording.t
+
+    @cached_property
+    def _bands(self) -> tuple[Floats, Floats, Floats, Floats] | None:
+        return self._solved().bands()
+
+    @property
+    def deviation(self) -> Floats | None:
+        """(T, U, M): one standard deviation of each traction [Pa]; None where the method has none.
+
+        It holds what noise and smoothing do, if pad and noise are as the scene says. Computed when first asked for.
+        """
+        return None if self._bands is None else self._shaped(self._bands[0])
+
+    @property
+    def normal_force(self) -> Floats:
+        """(T,) [N/m]"""
+        return np.asarray(self.scene.spacing * self.tractions[:, 0].sum(axis=1))
+
+    @property
+    def normal_force_deviation(self) -> Floats | None:
+        """(T,): one standard deviation [N/m]; None as `deviation`."""
+        return None if self._bands is None else self._bands[1][:, 1]
+
+    @property
+    def tangential_force(self) -> Floats | None:
+        """(T,) [N/m]; None where only normal tractions are solved for."""
+        return self.scene.spacing * self.tractions[:, 1].sum(axis=1) if self.tractions.shape[1] > 1 else None
+
+    @property
+    def tangential_force_deviation(self) -> Floats | None:
+        return None if self._bands is None or self.tangential_force is None else self._bands[2][:, 1]
+
+    @property
+    def centre(self) -> Floats:
+        """(T,): where the normal force acts [m]; nan where nothing presses."""
+        moment = self.scene.spacing * (self.tractions[:, 0] * self.y).sum(axis=1)
+        force = self.normal_force
+        return np.asarray(np.divide(moment, force, out=np.full_like(force, np.nan), where=force > 0))
+
+    @property
+    def centre_deviation(self) -> Floats | None:
+        return None if self._bands is None else self._bands[3][:, 1]
+
+    @property
+    def peak(self) -> int:
+        """The frame that presses hardest, of those with the verdict ok if there is one."""
+        force = np.where(self.verdict == "ok", self.normal_force, -np.inf)
+        return int(np.nanargmax(force if np.isfinite(force).any() else np.nan_to_num(self.normal_force)))
+
+    def to_json(self, name: str = "readings") -> str:
+        """As `tactile-net solve --json` writes it."""
+        return self._solved().json(name)
+
+    def report(self, folder: str | PathLike[str], *, force: bool = False, name: str = "readings") -> str:
+        """Writes the page that `tactile-net solve --out` writes, and returns the path of report.html.
+
+        Raises OSError where a report.html stands that tactile-net has not written, unless `force`.
+        """
+        self._solved().report(fspath(folder), force, name)
+        return f"{fspath(folder)}/report.html"
+
+    def to_xarray(self) -> Any:
+        """The recording's Dataset with `tractions`, `deviation`, `verdict` and `alpha`."""
+        dataset = self.recording.to_xarray()
+        dims = ("t", "component", "y")
+        components = list(_COMPONENTS[: self.tractions.shape[1]])
+        dataset = dataset.assign_coords(y=self.y, component=components)
+        dataset["tractions"] = (dims, self.tractions)
+        if self.deviation is not None:
+            dataset["deviation"] = (dims, self.deviation)
+        return dataset.assign(verdict=("t", self.verdict), alpha=("t", self.alpha))
+
+    def to_dataframe(self) -> Any:
+        """A frame a row: forces, centre, their deviations, alpha, verdicts; over t."""
+        pandas = optional("pandas", "tables")
+        names = ("normal_force", "tangential_force", "centre")
+        columns: dict[str, Any] = {}
+        for name in [*names, *(f"{name}_deviation" for name in names)]:
+            if (values := getattr(self, name)) is not None:
+                columns[name] = values
+        columns |= {"alpha": self.alpha, "verdict": self.verdict, "data": self.data}
+        return pandas.DataFrame(columns, index=None if self.t is None else pandas.Index(self.t, name="t"))
+
+    def __len__(self) -> int:
+        return len(self.tractions)
+
+    def __repr__(self) -> str:
+        ok = int((self.verdict == "ok").sum())
+        return f"<Solution of {len(self)} frames by {self.method}, {ok} with the verdict ok>"
+
+    def _repr_html_(self) -> str:
+        html = _html.paragraphs([repr(self)[1:-1] + ".", *self.notes])
+        if len(self) == 0:
+            return html
+        shown = self.tractions[self.peak]
+        return html + _html.paragraphs([f"Frame {self.peak}, which presses hardest:"]) + _html.curves(self.y, list(zip(_COMPONENTS, shown)))

@@ -1,0 +1,169 @@
+"""A scene put through all that it names, and what came of it."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any
+
+from . import _core, _html
+from ._arrays import Floats
+from ._optional import optional
+from ._progress import Progress, listening
+
+if TYPE_CHECKING:
+    from ._scene import Scene
+
+__all__ = ["MethodResult", "Result", "run"]
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class MethodResult:
+    """One method's answer to one frame."""
+
+    method: str
+    verdict: str
+    """"ok", or what is wrong with the answer; "failed": there is none, and `failure` says why."""
+    tractions: Floats | None
+    """(U, M) [Pa]: normal, then tangential if the method solves for it; None: no answer."""
+    deviation: Floats | None
+    """The same of one standard deviation; None: not known."""
+    alpha: float | None
+    alpha_source: str | None
+    """"given", or the name of the rule that chose it."""
+    force: float
+    """spacing x sum of the normal traction [N/m]"""
+    relative_error: float
+    """|f - truth| / |truth| of the normal traction, in the 2-norm; nan without a load."""
+    error_bound: float | None
+    """How far rounding may have moved the answer, relative; None: no bound is known."""
+    data: str | None
+    """Of the readings: "ok", "noise_unknown", or why no contact can have caused them."""
+    normal_force: tuple[float, float] | None
+    """Value and deviation [N/m]; None: not known. So of the next two."""
+    tangential_force: tuple[float, float] | None
+    centre: tuple[float, float] | None
+    remarks: tuple[str, ...]
+    """What to know before trusting it, a sentence each."""
+    failure: str
+    """Why there is no answer that holds; empty: there is one."""
+
+    @property
+    def normal(self) -> Floats:
+        """(M,) [Pa]. Raises ValueError without an answer."""
+        if self.tractions is None:
+            raise ValueError(f"{self.method} has no answer: {self.failure}")
+        return self.tractions[0]
+
+    @property
+    def tangential(self) -> Floats | None:
+        """(M,) [Pa]; None where the method does not solve for it."""
+        return self.tractions[1] if self.tractions is not None and len(self.tractions) > 1 else None
+
+
+class Result:
+    """Every method's answer beside the truth. `result["tikhonov"]` is one of them."""
+
+    scene: Scene
+    frame: int | None
+    truth: Floats
+    """(U, M): the tractions that pressed, at `y` [Pa]."""
+    readings: Floats
+    """(C, N), of uneven arrays (R,): what the methods were given."""
+    methods: dict[str, MethodResult]
+    notes: tuple[str, ...]
+    """What is to be said of the readings."""
+    succeeded: bool
+    """Every method has an answer that holds, and the circuit agrees with the direct solve."""
+
+    def __init__(self, scene: Scene, frame: int | None, compare_rules: bool, progress: Progress) -> None:
+        self.scene = scene
+        self.frame = frame
+        self._compare_rules = compare_rules
+        core = self._run(False, progress)
+        self._core: _core.Experiment | None = core
+        self._drawn = False
+        truth = core.truth()
+        assert truth is not None, "a scene has a surface"
+        self.truth = truth
+        self.readings = core.readings().reshape(scene.reading_shape)
+        self.methods = {}
+        for answer in core.answers():
+            fields = dict(answer) | {"remarks": tuple(answer["remarks"])}
+            self.methods[fields["method"]] = MethodResult(**fields)
+        self.notes = tuple(core.notes())
+        self.succeeded = core.succeeded
+        self._text = core.text()
+        self._json = core.json()
+        self._cells = core.cells()
+
+    def _run(self, report: bool, progress: Progress = False) -> _core.Experiment:
+        with listening(progress) as heard:
+            return _core.run(self.scene._core, self.frame, self._compare_rules, report, heard)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_core": None, "_drawn": False}
+
+    @property
+    def y(self) -> Floats:
+        """Of the tractions [m]."""
+        return self.scene.y
+
+    def __getitem__(self, method: str) -> MethodResult:
+        return self.methods[method]
+
+    def to_json(self) -> str:
+        """As `tactile-net run --json` writes it, without times."""
+        return self._json
+
+    def to_dict(self) -> dict[str, Any]:
+        document: dict[str, Any] = json.loads(self._json)
+        return document
+
+    def to_dataframe(self) -> Any:
+        """A method a row: verdict, alpha, force, errors."""
+        pandas = optional("pandas", "tables")
+        names = ("verdict", "alpha", "alpha_source", "force", "relative_error", "error_bound", "data", "failure")
+        rows = {name: {key: getattr(result, key) for key in names} for name, result in self.methods.items()}
+        return pandas.DataFrame.from_dict(rows, orient="index", columns=list(names))
+
+    def to_xarray(self) -> Any:
+        """An xarray.Dataset: `truth` over (component, y), `tractions` over (method, component, y)."""
+        xarray = optional("xarray", "tables")
+        coordinates = {"y": self.y, "component": ["normal", "tangential"][: len(self.truth)]}
+        parts = [xarray.Dataset({"truth": (("component", "y"), self.truth)}, coordinates, {"scene": self.scene.text})]
+        for name, result in self.methods.items():
+            if result.tractions is not None:
+                at = {"y": self.y, "component": ["normal", "tangential"][: len(result.tractions)], "method": [name]}
+                parts.append(xarray.Dataset({"tractions": (("method", "component", "y"), result.tractions[None])}, at))
+        return xarray.merge(parts, join="outer", compat="no_conflicts")
+
+    def report(self, folder: str | PathLike[str], *, force: bool = False) -> str:
+        """Writes the page that `tactile-net run --out` writes, and returns the path of report.html.
+
+        Raises OSError where a report.html stands that tactile-net has not written, unless `force`.
+        """
+        if self._core is None or (self.scene.timing is not None and not self._drawn):
+            self._core, self._drawn = self._run(True), True  # over the scene's time too
+        self._core.report(fspath(folder), force)
+        return f"{fspath(folder)}/report.html"
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __repr__(self) -> str:
+        return "<Result: " + ", ".join(f"{name} {result.verdict}" for name, result in self.methods.items()) + ">"
+
+    def _repr_html_(self) -> str:
+        found = [(name, result.tractions[0]) for name, result in self.methods.items() if result.tractions is not None]
+        return _html.table(self._cells) + _html.curves(self.y, [("truth", self.truth[0]), *found])
+
+
+def run(scene: Scene, *, frame: int | None = None, compare_rules: bool = False, progress: Progress = False) -> Result:
+    """Simulates the scene, solves it by every method that it names, and compares.
+
+    frame: which of a scene with [time]; None: the last. compare_rules: all rules for alpha, though one would do.
+    A method that cannot take the scene is a result that says so. Circuits are run by ngspice, where it is installed.
+    """
+    return Result(scene, frame, compare_rules, progress)

@@ -1,0 +1,393 @@
+"""A scene: what the sensor is, what presses on it, how tractions are found again."""
+
+from __future__ import annotations
+
+import copy
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any, Literal, NamedTuple, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core, _html
+from ._arrays import Floats, frames_of
+from ._circuit import Certification, Survey
+from ._controller import Plan
+from ._progress import Progress, listening
+from ._recording import Recording, Solution
+from ._result import Result, run
+from ._tables import Contact, Material, Noise, Reconstruct, Sensor, Timing, as_table
+from ._toml import text_of
+from .errors import InputError
+
+__all__ = ["Scene", "Sites", "Solver"]
+
+
+class Sites(NamedTuple):
+    """Where and what each reading is of, in the order of the readings."""
+
+    y: Floats
+    depth: Floats
+    quantity: NDArray[np.str_]
+    taxel: NDArray[np.int_]
+    channel: NDArray[np.int_]
+
+
+class Solver:
+    """A method of a scene, made ready: readings in, tractions out. Made by `Scene.solver`."""
+
+    def __init__(self, scene: Scene, method: str, alpha: float | None) -> None:
+        self.scene = scene
+        self.method = method
+        self.alpha = alpha
+        """For every frame; None: the scene's, or each frame's by its rule."""
+        self._core = _core.Solver(scene._core, method, alpha)
+
+    @overload
+    def __call__(self, readings: Any, *, full: Literal[False] = False) -> Floats: ...
+    @overload
+    def __call__(self, readings: Any, *, full: Literal[True]) -> tuple[Floats, Solution]: ...
+    def __call__(self, readings: Any, *, full: bool = False) -> Floats | tuple[Floats, Solution]:
+        """(..., C, N) or (..., C*N) readings, of uneven arrays (..., R), to (..., U, M) tractions [Pa].
+
+        full: also the Solution, with verdicts, bands and notes of every frame, one after another.
+        Raises FrameError for a frame that is not finite.
+        """
+        rows, lead = frames_of(readings, self.scene.reading_shape)
+        if not full:
+            return self._core.solve(rows).reshape(*lead, -1, len(self.scene.y))
+        scene = self.scene if self.alpha is None else self.scene.replace({"reconstruct.alpha": self.alpha})
+        solution = scene.solve(rows, self.method)
+        return solution.tractions.reshape(*lead, *solution.tractions.shape[1:]), solution
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Solver, (self.scene, self.method, self.alpha)
+
+    def __repr__(self) -> str:
+        return f"<Solver {self.method} of {self.scene.file}>"
+
+
+class Scene:
+    """One experiment as docs/scene.md describes it: a TOML text, judged by the library's reader.
+
+    scene = tn.Scene(
+        sensor=tn.Sensor(count=81, pitch=0.25e-3, depth=1.5e-3, reads=["stress_x"]),
+        material=tn.Material(youngs_modulus=0.2e6, poisson_ratio=0.45),
+        contacts=[tn.Cylinder(force=1.0, half_width=2e-3)],
+    )
+
+    Tables are dataclasses or dictionaries; any other table of a scene goes by its name, as in `crosstalk={...}`.
+    It never changes, compares and hashes by its text, and is pickled as it. Threads may share one; they then wait for
+    one another, so for speed give each its own.
+    """
+
+    _core: _core.Scene
+
+    def __init__(
+        self,
+        *,
+        sensor: Sensor | Mapping[str, Any],
+        material: Material | Mapping[str, Any],
+        contacts: Iterable[Contact] = (),
+        time: Timing | Mapping[str, Any] | None = None,
+        noise: Noise | Mapping[str, Any] | None = None,
+        reconstruct: Reconstruct | Mapping[str, Any] | None = None,
+        title: str | None = None,
+        file: str = "scene",
+        **tables: Mapping[str, Any] | None,
+    ) -> None:
+        named: dict[str, Any] = {"title": title, "sensor": sensor, "material": material, "contact": list(contacts) or None}
+        named |= {"time": time, "noise": noise, "reconstruct": reconstruct} | tables
+        self._core = _read(text_of(as_table(named)), file)
+
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> Scene:
+        """Raises InputError with everything that is wrong with the file; OSError where there is none."""
+        return cls.parse(Path(path).read_bytes(), file=fspath(path))
+
+    @classmethod
+    def parse(cls, text: str | bytes, *, file: str = "scene") -> Scene:
+        """From TOML. file: its name in messages; what the scene refers to is beside it. Raises InputError."""
+        scene = cls.__new__(cls)
+        scene._core = _read(text, file)
+        return scene
+
+    @classmethod
+    def from_dict(cls, table: Mapping[str, Any], *, file: str = "scene") -> Scene:
+        """From the tables of the file, as `to_dict` gives them. Raises InputError; TypeError for what TOML cannot hold."""
+        return cls.parse(text_of(as_table(table)), file=file)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The tables of the file, without its comments."""
+        return tomllib.loads(self.text.removeprefix("\ufeff"))
+
+    def replace(self, changes: Mapping[str, Any]) -> Scene:
+        """A new scene with other values, by their dotted paths: `{"sensor.depth": 2e-3, "contact.0.force": 2.0}`.
+
+        None takes a key out. Raises InputError, and KeyError where there is no such contact.
+        """
+        table = copy.deepcopy(self.to_dict())
+        for path, value in changes.items():
+            *way, last = path.split(".")
+            place: Any = table
+            for step in way:
+                place = _within(place, step, path)
+            if isinstance(place, list):
+                place[_index(place, last, path)] = as_table(value)
+            elif value is None:
+                place.pop(last, None)
+            else:
+                place[last] = as_table(value)
+        return Scene.from_dict(table, file=self.file)
+
+    # What it says.
+
+    @property
+    def text(self) -> str:
+        """The TOML."""
+        return self._core.text
+
+    @property
+    def file(self) -> str:
+        return self._core.file
+
+    @property
+    def title(self) -> str:
+        return self._core.title
+
+    @property
+    def count(self) -> int:
+        """Taxels along y."""
+        return self._core.count
+
+    @property
+    def even(self) -> bool:
+        """Taxels are equally far apart, equally deep, and all read the same."""
+        return self._core.even
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """A quantity each, of even arrays at each depth: "stress_x", "stress_x@1"."""
+        return tuple(self._core.channels)
+
+    @property
+    def reading_names(self) -> tuple[str, ...]:
+        """Of each reading, as the columns of a recording: "stress_x_0"."""
+        return tuple(self._core.reading_names)
+
+    @property
+    def reading_shape(self) -> tuple[int, ...]:
+        """Of a frame: (C, N), channels and taxels; of uneven arrays (R,)."""
+        return (len(self._core.channels), self._core.count) if self.even else (self._core.readings,)
+
+    @property
+    def unknowns(self) -> int:
+        """1: normal tractions are solved for; 2: tangential ones too."""
+        return self._core.unknowns
+
+    @property
+    def methods(self) -> tuple[str, ...]:
+        """That `run` compares."""
+        return tuple(self._core.methods)
+
+    @property
+    def timing(self) -> tuple[float, int] | None:
+        """Frames per second, and how many; None: one frame, of loads that have always been there."""
+        return self._core.timing
+
+    @cached_property
+    def y(self) -> Floats:
+        """(M,): where tractions lie on the surface [m]."""
+        return _read_only(self._core.y())
+
+    @property
+    def spacing(self) -> float:
+        """Of `y` [m]: forces are spacing x sum of tractions."""
+        return self._core.spacing
+
+    @cached_property
+    def taxels(self) -> Floats:
+        """(N,): y of the taxels [m]."""
+        return _read_only(self._core.taxels())
+
+    @cached_property
+    def sites(self) -> Sites:
+        """Where and what each reading is of."""
+        y, depth, quantity, taxel, channel = self._core.sites()
+        return Sites(y, depth, np.array(quantity), np.array(taxel), np.array(channel))
+
+    def explain(self) -> str:
+        """Which effects are simulated, what is computed and why, and what it takes: `tactile-net run --explain`."""
+        return self._core.explain()
+
+    def kernel_matrix(self) -> Floats:
+        """K: readings are K f, for tractions f of the surface, normal ones first. (R, U*M)
+
+        Neither weighted by the noise nor without dead taxels.
+        """
+        return self._core.kernel_matrix()
+
+    def normal_matrix(self, alpha: float) -> Floats:
+        """P = (WK)'(WK) + alpha (l^2/D^2 Q + I): the matrix of the circuit. (U*M, U*M)"""
+        return self._core.normal_matrix(alpha)
+
+    # What it does.
+
+    def simulate(self, *, progress: Progress = False) -> Recording:
+        """What the sensor would read, every frame of it, and the tractions that pressed."""
+        with listening(progress) as heard:
+            t, readings, normal, tangential, notes = self._core.simulate(heard)
+        truth = np.stack([normal] if tangential is None else [normal, tangential], axis=1)
+        return Recording(self, readings.reshape(-1, *self.reading_shape), t, truth, tuple(notes))
+
+    def read(self, path: str | PathLike[str], *, columns: str = "", missing: bool = True) -> Recording:
+        """A file of frames, CSV or .npy, with the scene's units and calibration applied: readings in SI.
+
+        columns: where the readings stand, where that is not found by name: "2-42", "t=1,4-44".
+        missing: values that are missing are nan; else they are refused. Raises InputError.
+        """
+        t, readings, notes = self._core.read(fspath(path), columns, missing)
+        return Recording(self, readings.reshape(-1, *self.reading_shape), t, None, tuple(notes))
+
+    def solver(self, method: str = "tikhonov", *, alpha: float | None = None) -> Solver:
+        """A method made ready: "tikhonov", "closed_form" or "dft". alpha: in place of the scene's.
+
+        Raises ValueError where the method cannot take the scene, UnsolvableError where its answer would be noise.
+        """
+        return Solver(self, method, alpha)
+
+    def solve(
+        self,
+        recording: Any,
+        method: str = "tikhonov",
+        *,
+        missing: Literal["fail", "skip", "estimate"] = "fail",
+        share_alpha: int | None = None,
+        progress: Progress = False,
+    ) -> Solution:
+        """Every frame of a Recording, or of an array of readings, with verdicts and bands.
+
+        missing: what becomes of frames with nan. "estimate": solved from the taxels that are there.
+        share_alpha: how many frames that follow one another choose alpha together.
+        """
+        if not isinstance(recording, Recording):
+            rows, _ = frames_of(recording, self.reading_shape)
+            recording = Recording(self, rows.reshape(-1, *self.reading_shape))
+        elif recording.scene != self:
+            rows, _ = frames_of(recording.readings, self.reading_shape)
+            recording = Recording(self, rows.reshape(-1, *self.reading_shape), recording.t)
+        return Solution(recording, method, missing, share_alpha, progress)
+
+    def run(self, *, frame: int | None = None, compare_rules: bool = False, progress: Progress = False) -> Result:
+        """As `tactile_net.run`."""
+        return run(self, frame=frame, compare_rules=compare_rules, progress=progress)
+
+    def identify(
+        self, *, traction: float | None = None, noise: float | None = None, progress: Progress = False
+    ) -> Survey:
+        """What these sensors can tell, and which others could.
+
+        traction: amplitude of the ripples to be told [Pa]; None: the contacts' peak.
+        noise: over the largest reading of such a ripple; None: the scene's.
+        """
+        return Survey(self, traction, noise, progress)
+
+    def plan(
+        self,
+        *,
+        accuracy: float = 1e-7,
+        readings: Any = None,
+        structure: str | None = None,
+        precision: Literal["float64", "float32"] | None = None,
+        diagnostics: bool = True,
+        allow_fft: bool = False,
+        friction: float | None = None,
+        progress: Progress = False,
+    ) -> Plan:
+        """The plan of a controller: the cheapest product that is proven to be accurate enough.
+
+        readings: recorded frames to choose alpha on, where the scene has a rule; None: its own contacts.
+        structure, precision: None: the cheapest. diagnostics: residual, outliers, dead taxels at run time.
+        friction: of pad and object, for the friction margin; None: the scene's limit.
+        """
+        rows = None if readings is None else frames_of(getattr(readings, "readings", readings), self.reading_shape)[0]
+        with listening(progress) as heard:
+            core = _core.plan(
+                self._core, accuracy, rows, structure, precision, diagnostics, allow_fft, friction, heard
+            )
+        return Plan(core)
+
+    def certify(self, realization: str | None = None, *, progress: Progress = False) -> Certification:
+        """Whether the scene's circuit settles, how fast, and what errors of its parts it bears."""
+        return Certification(self._realized(realization), progress)
+
+    def netlist(self, realization: str | None = None) -> str:
+        """The circuit as a deck for `ngspice -b`: "ideal", "nic", "least_squares", ...; None: the scene's."""
+        return _core.netlist(self._realized(realization)._core)
+
+    def raw_numbers(self, readings: Any) -> Floats:
+        """Readings as a file of this scene has them: in its units, before its calibration. As their shape."""
+        rows, lead = frames_of(readings, self.reading_shape)
+        return self._core.raw_numbers(rows).reshape(*lead, *self.reading_shape)
+
+    def _realized(self, realization: str | None) -> Scene:
+        return self if realization is None else self.replace({"network.realization": realization})
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scene) and (self.text, self.file) == (other.text, other.file)
+
+    def __hash__(self) -> int:
+        return hash((self.text, self.file))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _parsed, (self.text, self.file)
+
+    def __repr__(self) -> str:
+        return f"Scene.parse({self.text!r}, file={self.file!r})"
+
+    def __str__(self) -> str:
+        return "\n".join(filter(None, (self.title, *self._core.words())))
+
+    def _repr_html_(self) -> str:
+        effects = [("effect", "simulated", "what it does")]
+        effects += [(name, "yes" if present else "no", words) for name, present, words in self._core.effects()]
+        return _html.paragraphs(str(self).splitlines()) + _html.table([row for row in effects if row[1] != "no"])
+
+
+def _parsed(text: str, file: str) -> Scene:
+    return Scene.parse(text, file=file)
+
+
+def _read(text: str | bytes, file: str) -> _core.Scene:
+    if isinstance(text, str):
+        try:
+            text = text.encode()
+        except UnicodeEncodeError as error:  # half a character: no file can hold it
+            raise InputError(f"{file}: error: is not Unicode: {error}") from None
+    try:
+        return _core.Scene(text.decode(), file)
+    except UnicodeDecodeError as error:
+        raise InputError(f"{file}: error: is not UTF-8: {error}") from None
+
+
+def _read_only(values: Floats) -> Floats:
+    values.flags.writeable = False
+    return values
+
+
+def _within(place: Any, step: str, path: str) -> Any:
+    if isinstance(place, list):
+        return place[_index(place, step, path)]
+    if not isinstance(place, dict):
+        raise KeyError(f"{path}: {step} is within no table")
+    return place.setdefault(step, {})
+
+
+def _index(place: Sequence[Any], step: str, path: str) -> int:
+    if not step.isdecimal() or int(step) >= len(place):
+        raise KeyError(f"{path}: there is no number {step} of {len(place)}")
+    return int(step)
