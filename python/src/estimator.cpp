@@ -205,7 +205,7 @@ void bind_estimator(nb::module_& module) {
                         "The per-frame call of a controller: readings in, tractions out.\n\n"
                         "One thread at a time: another one is refused with a RuntimeError.")
       .def(nb::init<PlanPointer>(), nb::arg("plan"))
-      .def("update", &Estimator::update, nb::arg("frame"), nb::arg("out") = nb::none(),
+      .def("update", &Estimator::update, nb::arg("frame").none(), nb::arg("out") = nb::none(),
            nb::sig("def update(self, frame: numpy.typing.NDArray[numpy.float64], "
                    "out: numpy.typing.NDArray[numpy.float64] | None = None) "
                    "-> numpy.typing.NDArray[numpy.float64]"),
@@ -215,7 +215,7 @@ void bind_estimator(nb::module_& module) {
            "One frame, from the estimator's own `readings` into its own `tractions`.")
       .def("update_batch", &Estimator::update_batch, nb::arg("frames").noconvert(),
            "As `update` on each row, and the same bits; other threads go on meanwhile.")
-      .def("set_baseline", &Estimator::set_baseline, nb::arg("frame"),
+      .def("set_baseline", &Estimator::set_baseline, nb::arg("frame").none(),
            nb::sig("def set_baseline(self, frame: numpy.typing.NDArray[numpy.float64]) -> None"),
            "What the sensors read without contact; subtracted from every frame from now on.")
       .def("set_dead", &Estimator::set_dead, nb::arg("taxel"),

@@ -19,7 +19,7 @@ def plain(values: ArrayLike, what: str) -> Floats:
     array = np.asarray(values)
     if array.dtype.kind not in "fiu":
         raise ValueError(f"{what} must be numbers, got {array.dtype} {array.shape}")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    return np.asarray(array, dtype=np.float64, order="C")
 
 
 def frames_of(readings: Any, shape: tuple[int, ...], what: str = "readings") -> tuple[Floats, tuple[int, ...]]:

@@ -112,7 +112,7 @@ class Solution:
     def _solve(self, progress: Progress = False) -> _core.SolvedRecording:
         recording = self.recording
         times = [] if recording.t is None else recording.t.tolist()
-        rows = np.ascontiguousarray(recording.readings.reshape(len(recording), -1))
+        rows = np.ascontiguousarray(recording.readings.reshape(len(recording), len(recording.scene.reading_names)))
         with listening(progress) as heard:
             return _core.solve(recording.scene._core, self.method, self._missing, self._share_alpha, times, rows, heard)
 
@@ -122,7 +122,7 @@ class Solution:
         return self._core
 
     def _shaped(self, rows: Floats) -> Floats:
-        return rows.reshape(len(rows), -1, len(self.y))
+        return rows.reshape(len(rows), rows.shape[1] // len(self.y), len(self.y))
 
     def __getstate__(self) -> dict[str, Any]:
         return self.__dict__ | {"_core": None}

@@ -7,6 +7,8 @@ import json
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from . import _core, _html
 from ._arrays import Floats
 from ._optional import optional
@@ -54,7 +56,7 @@ class MethodResult:
         """(M,) [Pa]. Raises ValueError without an answer."""
         if self.tractions is None:
             raise ValueError(f"{self.method} has no answer: {self.failure}")
-        return self.tractions[0]
+        return np.asarray(self.tractions[0])
 
     @property
     def tangential(self) -> Floats | None:

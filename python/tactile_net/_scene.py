@@ -59,7 +59,8 @@ class Solver:
         """
         rows, lead = frames_of(readings, self.scene.reading_shape)
         if not full:
-            return self._core.solve(rows).reshape(*lead, -1, len(self.scene.y))
+            values = len(self.scene.y)
+            return self._core.solve(rows).reshape(*lead, self._core.tractions // values, values)
         scene = self.scene if self.alpha is None else self.scene.replace({"reconstruct.alpha": self.alpha})
         solution = scene.solve(rows, self.method)
         return solution.tractions.reshape(*lead, *solution.tractions.shape[1:]), solution

@@ -1,0 +1,93 @@
+"""The tests of the Python package: of the installed wheel, never of the source tree, and without a network."""
+
+from __future__ import annotations
+
+import os
+import socket
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import settings
+
+import tactile_net as tn
+
+PROJECT = Path(__file__).resolve().parents[2]
+SCENES = sorted(
+    path
+    for path in (PROJECT / "scenes").rglob("*.toml")
+    if path.parent.name != "hands" and path.name != "hand.toml"
+)
+
+settings.register_profile("suite", deadline=None, derandomize=True, max_examples=60)
+settings.load_profile("suite")
+
+
+def pytest_configure() -> None:
+    assert Path(tn.__file__).is_relative_to(sys.prefix), f"these test an installed wheel, not {tn.__file__}"
+
+
+@pytest.fixture(autouse=True, scope="session")
+def no_network() -> None:
+    connect = socket.socket.connect
+
+    def local(self: socket.socket, address: Any) -> None:
+        if self.family != socket.AF_UNIX and not str(address[0]).startswith("127."):
+            raise OSError(f"a test reaches for the network: {address}")
+        connect(self, address)
+
+    socket.socket.connect = local  # type: ignore[method-assign]
+
+
+@pytest.fixture(scope="session")
+def command() -> Callable[..., str]:
+    """Runs the command that was built of the same objects; returns what it prints."""
+    program = os.environ["TACTILE_NET_COMMAND"]
+
+    def run(*arguments: Any, status: int = 0) -> str:
+        done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+        assert done.returncode == status, done.stderr
+        return done.stdout
+
+    return run
+
+
+@pytest.fixture(params=SCENES, ids=lambda path: str(path.relative_to(PROJECT / "scenes")))
+def shipped(request: pytest.FixtureRequest) -> Path:
+    """Every scene in scenes/."""
+    path: Path = request.param
+    return path
+
+
+@pytest.fixture
+def scene() -> tn.Scene:
+    """A small one, quick to solve."""
+    return tn.Scene(
+        sensor=tn.Sensor(count=21, pitch=0.5e-3, depth=1.5e-3, reads=["stress_x"]),
+        material=tn.Material(youngs_modulus=0.2e6, poisson_ratio=0.45),
+        contacts=[tn.Cylinder(force=1.0, half_width=2e-3)],
+        noise=tn.Noise(rms=1.0),
+        reconstruct=tn.Reconstruct(alpha=1e-3),
+    )
+
+
+@pytest.fixture
+def two(scene: tn.Scene) -> tn.Scene:
+    """Two channels, both tractions, time."""
+    return scene.replace(
+        {"sensor.reads": ["stress_x", "shear_xy"], "contact.0.friction": 0.3, "time": {"rate": 100.0, "frames": 5}}
+    )
+
+
+@pytest.fixture
+def uneven() -> tn.Scene:
+    return tn.Scene.load(PROJECT / "scenes/coarse/strip.toml")
+
+
+@pytest.fixture
+def frame(scene: tn.Scene) -> Any:
+    return np.ascontiguousarray(scene.simulate().readings[0])
