@@ -16,8 +16,12 @@ endif()
 # A second build takes seconds where ccache is installed.
 find_program(TACTILE_NET_CCACHE ccache DOC "Launcher of the compiler; not required")
 if(PROJECT_IS_TOP_LEVEL AND TACTILE_NET_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-      CCACHE_SLOPPINESS=pch_defines,time_macros ${TACTILE_NET_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros)
+  # Trees side by side in build/ that compile a file alike do it once, where no debugger asks in which tree.
+  if(CMAKE_BUILD_TYPE STREQUAL Release)
+    list(APPEND CMAKE_CXX_COMPILER_LAUNCHER CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1)
+  endif()
+  list(APPEND CMAKE_CXX_COMPILER_LAUNCHER ${TACTILE_NET_CCACHE})
 endif()
 
 # tactile_net_sanitize(target [sanitizer,...]): instruments the target's own sources, and stops at the first finding.

@@ -133,13 +133,18 @@ class Result:
     def to_xarray(self) -> Any:
         """An xarray.Dataset: `truth` over (component, y), `tractions` over (method, component, y)."""
         xarray = optional("xarray", "tables")
-        coordinates = {"y": self.y, "component": ["normal", "tangential"][: len(self.truth)]}
-        parts = [xarray.Dataset({"truth": (("component", "y"), self.truth)}, coordinates, {"scene": self.scene.text})]
-        for name, result in self.methods.items():
-            if result.tractions is not None:
-                at = {"y": self.y, "component": ["normal", "tangential"][: len(result.tractions)], "method": [name]}
-                parts.append(xarray.Dataset({"tractions": (("method", "component", "y"), result.tractions[None])}, at))
-        return xarray.merge(parts, join="outer", compat="no_conflicts")
+        found = {name: result.tractions for name, result in self.methods.items() if result.tractions is not None}
+        components = max(map(len, [self.truth, *found.values()]))
+        tractions = np.full((len(found), components, len(self.y)), np.nan)
+        for row, values in zip(tractions, found.values()):
+            row[: len(values)] = values
+        truth = np.zeros((components, len(self.y)))
+        truth[: len(self.truth)] = self.truth
+        return xarray.Dataset(
+            {"truth": (("component", "y"), truth), "tractions": (("method", "component", "y"), tractions)},
+            {"method": list(found), "component": ["normal", "tangential"][:components], "y": self.y},
+            {"scene": self.scene.text},
+        )
 
     def report(self, folder: str | PathLike[str], *, force: bool = False) -> str:
         """Writes the page that `tactile-net run --out` writes, and returns the path of report.html.

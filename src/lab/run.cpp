@@ -218,7 +218,7 @@ Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& optio
   Experiment experiment{
       .scene = scene,
       .work = workload(scene, {.compare_rules = options.compare_rules, .report = options.report}),
-      .frame = simulate(scene),
+      .frame = simulate(scene, observer),
       .sampled_force = 0.0,
       .sweep = {},
       .results = {},

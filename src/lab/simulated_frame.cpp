@@ -79,9 +79,10 @@ bool SensorRecording::next(bool wanted) {
   return false;
 }
 
-SimulatedFrame simulate(const Scene& scene) {
+SimulatedFrame simulate(const Scene& scene, Observer& observer) {
   SensorRecording recording(scene);
-  for (std::size_t frame = 0; recording.next(frame == scene.frame);) ++frame;
+  for (std::size_t frame = 0; recording.next(frame == scene.frame); ++frame)
+    observer.step({.kind = Step::Kind::frame, .count = frame});
   const double force = total_force(scene);
   return {.truth = recording.truth(),
           .readings = {recording.readings().begin(), recording.readings().end()},

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "tactile_net/lab/observer.hpp"
 #include "tactile_net/scene/scene.hpp"
 #include "tactile_net/sensing/spectral.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
@@ -70,6 +71,7 @@ struct SimulatedFrame {
   std::vector<CutOffNote> notes{};  ///< what the effects have to say
 };
 
-[[nodiscard]] SimulatedFrame simulate(const Scene& scene);
+/// @param observer  hears of every frame up to the scene's
+[[nodiscard]] SimulatedFrame simulate(const Scene& scene, Observer& observer = silent);
 
 }  // namespace tactile_net::lab
