@@ -8,6 +8,7 @@ The blocks of a page run one after another in the same copy, so that a later one
   toml     parsed; a whole scene goes through `run --explain`, a whole hand through `grasp`; file=NAME writes it there
            for the blocks below, append=NAME adds it
   json     parsed
+  python   parsed; tools/python test runs it from the installed package, with what is printed below it in a block ```text
   cpp      compiled elsewhere (CMakeLists.txt)
   text     anything else, not looked at
 
@@ -19,6 +20,7 @@ numbers below 1e-9, which are rounding, may be any. `--write` puts what is print
 differs: read the change before it is kept.
 """
 
+import ast
 import difflib
 import json
 import math
@@ -147,12 +149,19 @@ class Runner:
             return f"not JSON: {error}"
         return None
 
+    def python(self, block):
+        try:
+            ast.parse(block.text)
+        except SyntaxError as error:
+            return f"not Python: {error}"
+        return None
+
 
 def main():
     command, project, page = (pathlib.Path(a).resolve() for a in sys.argv[1:4])
     document = Document(page)
     lines = page.read_text(encoding="utf-8").splitlines()
-    known = {"sh", "console", "toml", "json", "cpp", "text"}
+    known = {"sh", "console", "toml", "json", "python", "cpp", "text"}
     ran = 0
     with tempfile.TemporaryDirectory() as scratch:
         copy = pathlib.Path(scratch) / "project"
