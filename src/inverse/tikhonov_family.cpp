@@ -103,6 +103,15 @@ double TikhonovFamily::stacked_condition(double alpha) const noexcept {
   return factors_->stabiliser_condition * condition(alpha);
 }
 
+double TikhonovFamily::degrees_of_freedom(double alpha) const noexcept {
+  double sum = 0.0;
+  for (const double gamma : factors_->gamma) {
+    const double root = gamma / std::hypot(gamma, std::sqrt(alpha));
+    sum += root * root;
+  }
+  return sum;
+}
+
 FilterFrame TikhonovFamily::analyse(std::span<const double> readings) const {
   const Factors& factors = *factors_;
   check_readings(readings, static_cast<std::size_t>(factors.weights.size()));

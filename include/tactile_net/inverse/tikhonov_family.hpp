@@ -33,6 +33,9 @@ class TikhonovFamily {
   /// on R's, sqrt(1 + 4 l^2/h^2), because the eigenvalues of Q lie between 0 and 4.
   [[nodiscard]] double stacked_condition(double alpha) const noexcept;
 
+  /// tr H: how many of the readings' degrees of freedom the tractions of one alpha use up.
+  [[nodiscard]] double degrees_of_freedom(double alpha) const noexcept;
+
   /// The frame in the basis of the singular vectors. O(rows x columns).
   /// @throw std::invalid_argument  readings have the wrong size or are not finite
   [[nodiscard]] FilterFrame analyse(std::span<const double> readings) const;

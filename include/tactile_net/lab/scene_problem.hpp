@@ -102,10 +102,14 @@ class SceneProblem {
   /// False where they are both large and constrained.
   [[nodiscard]] bool has_bands() const { return !is_large() || !constraints(); }
 
-  /// What bands go by in its place where tractions lie on a grid and the noise is known: without it
-  /// nothing says which windows the readings allow.
+  /// The same on a grid that reaches beyond the array's ends: of line loads over taxels one as fine
+  /// as they are, else this one itself.
+  [[nodiscard]] const SceneProblem& reaching_beyond() const;
+
+  /// What bands go by in its place: on a grid where the noise is stated, since coarse arrays have
+  /// too few readings to tell it from the load; on dense arrays, which do, up to 384 tractions.
   [[nodiscard]] bool has_load_windows() const;
-  /// From three and a half of the least depth on.
+  /// Of `reaching_beyond`, from three and a half of the least depth on.
   [[nodiscard]] const LoadWindows& load_windows() const;
 
  private:
