@@ -18,11 +18,17 @@ scene = tn.Scene(
 random = np.random.default_rng(1)
 inside, forces, stated = [], [], []
 for seed in range(100):
-    contact = {"force": random.uniform(20, 200), "half_width": random.uniform(1e-3, 4e-3), "center": random.uniform(-4e-3, 4e-3)}
+    contact = {
+        "force": random.uniform(20, 200),
+        "half_width": random.uniform(1e-3, 4e-3),
+        "center": random.uniform(-4e-3, 4e-3),
+    }
     one = scene.replace({f"contact.0.{key}": value for key, value in contact.items()} | {"noise.seed": seed})
     recording = one.simulate()
     solution = recording.solve()
-    assert recording.truth is not None and solution.deviation is not None and solution.normal_force_deviation is not None
+    assert (
+        recording.truth is not None and solution.deviation is not None and solution.normal_force_deviation is not None
+    )
     inside.append(np.abs(solution.tractions - recording.truth) <= 2 * solution.deviation)
     forces.append(solution.normal_force[0] - contact["force"])
     stated.append(solution.normal_force_deviation[0])

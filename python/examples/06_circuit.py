@@ -14,7 +14,10 @@ scene = tn.Scene.load("scenes/circuits/least-squares.toml")
 for realization in ("least_squares", "crossbar", "nic"):
     certification = scene.certify(realization)
     margin = certification.tolerance_margin
-    print(f"{realization}: {certification.stability}, proven to bear errors of its parts up to", "none" if margin is None else f"{100 * margin:.2g} %")
+    print(
+        f"{realization}: {certification.stability}, proven to bear errors of its parts up to",
+        "none" if margin is None else f"{100 * margin:.2g} %",
+    )
 
 # %% [markdown]
 # Its deck is plain SPICE, and says which voltages to expect.

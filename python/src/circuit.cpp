@@ -7,10 +7,12 @@
 
 #include <sstream>
 
+#include "arrays.hpp"
 #include "page_folder.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
 #include "tactile_net/lab/certification.hpp"
+#include "tactile_net/lab/simulator_choice.hpp"
 #include "tactile_net/pages/certificate_page.hpp"
 #include "tactile_net/report/json/network_json.hpp"
 #include "tactile_net/report/words/deck_words.hpp"
@@ -37,6 +39,25 @@ lab::Certification certify(const SharedScene& shared, const nb::object& progress
 std::string netlist(const SharedScene& shared) {
   const nb::gil_scoped_release released;
   return report::deck_text(lab::simulated_circuit(shared.scene()), Answer::printed);
+}
+
+/// What ngspice made of a scene's circuit.
+struct ScenesRelaxation {
+  ScenePointer shared;
+  lab::Relaxation relaxation;
+};
+
+ScenesRelaxation relax(const ScenePointer& shared, const nb::object& progress) {
+  Watcher watcher(progress);
+  const nb::gil_scoped_release released;
+  const std::unique_ptr<Simulator> simulator = lab::make_simulator();
+  return {shared, lab::relax(lab::simulated_circuit(shared->scene()), *simulator, watcher)};
+}
+
+std::string words(const ScenesRelaxation& self) {
+  std::ostringstream out;
+  report::print_relaxation(out, self.relaxation);
+  return out.str();
 }
 
 std::string report_of(const lab::Certification& self, const std::string& folder, bool force) {
@@ -67,6 +88,20 @@ void bind_circuit(nb::module_& module) {
       .def("text", &text)
       .def("json", &report::certificate_json)
       .def("report", &report_of, nb::arg("folder"), nb::arg("force"));
+  nb::class_<ScenesRelaxation>(module, "Relaxation")
+      .def_prop_ro("realization",
+                   [](const ScenesRelaxation& self) { return name(self.relaxation.realization); })
+      .def_prop_ro("agrees", [](const ScenesRelaxation& self) { return self.relaxation.agrees(); })
+      .def_prop_ro("difference",
+                   [](const ScenesRelaxation& self) { return self.relaxation.difference; })
+      .def("voltages", [](const ScenesRelaxation& self) { return owned(self.relaxation.voltages); })
+      .def("tractions",
+           [](const ScenesRelaxation& self) { return owned(self.relaxation.tractions); })
+      .def("text", &words)
+      .def("json", [](const ScenesRelaxation& self) {
+        return report::relaxation_json(self.shared->scene(), self.relaxation);
+      });
+  module.def("relax", &relax, nb::arg("scene"), nb::arg("progress").none());
   module.def("certify", &certify, nb::arg("scene"), nb::arg("progress").none());
   module.def("netlist", &netlist, nb::arg("scene"));
 }

@@ -8,7 +8,7 @@ else in those of the scene; arrays are float64.
 """
 
 from . import errors, plot
-from ._circuit import Certification, Survey
+from ._circuit import Certification, Relaxation, Survey
 from ._controller import ContactEstimate, Estimator, Plan
 from ._core import version as __version__
 from ._recording import Recording, Solution
@@ -46,6 +46,7 @@ __all__ = [
     "Punch",
     "Reconstruct",
     "Recording",
+    "Relaxation",
     "Result",
     "SampledTractions",
     "Scene",

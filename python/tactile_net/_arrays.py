@@ -15,7 +15,9 @@ Floats = NDArray[np.float64]
 def plain(values: ArrayLike, what: str) -> Floats:
     """As float64; refuses what would lose a mask, an imaginary part or a meaning."""
     if isinstance(values, np.ma.MaskedArray):
-        raise ValueError(f"{what} is a masked array, whose mask would be lost: fill it first, with nan where values are missing")
+        raise ValueError(
+            f"{what} is a masked array, whose mask would be lost: fill it first, with nan where values are missing"
+        )
     array = np.asarray(values)
     if array.dtype.kind not in "fiu":
         raise ValueError(f"{what} must be numbers, got {array.dtype} {array.shape}")

@@ -7,12 +7,13 @@ from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
 from . import _core, _html
+from ._arrays import Floats
 from ._progress import Progress, listening
 
 if TYPE_CHECKING:
     from ._scene import Scene
 
-__all__ = ["Certification", "Survey"]
+__all__ = ["Certification", "Relaxation", "Survey"]
 
 
 class Survey:
@@ -113,6 +114,45 @@ class Certification:
         self._core = self._core or self._certify()
         self._core.report(fspath(folder), force)
         return f"{fspath(folder)}/report.html"
+
+    def __str__(self) -> str:
+        return self._text
+
+    def _repr_html_(self) -> str:
+        return _html.preformatted(self._text)
+
+
+class Relaxation:
+    """What ngspice made of a scene's circuit, beside the direct solve. Made by `Scene.relax`."""
+
+    scene: Scene
+    realization: str
+    voltages: Floats
+    """Of the nodes [V]"""
+    tractions: Floats
+    """(U, M): what they stand for [Pa]"""
+    difference: float
+    """|f - f of the direct solve| over the latter, in the 2-norm."""
+    agrees: bool
+    """Rounding and the op-amps explain the difference."""
+
+    def __init__(self, scene: Scene, progress: Progress = False) -> None:
+        self.scene = scene
+        with listening(progress) as heard:
+            core = _core.relax(scene._core, heard)
+        self.realization, self.difference, self.agrees = core.realization, core.difference, core.agrees
+        self.voltages = core.voltages()
+        self.tractions = core.tractions().reshape(-1, len(scene.y))
+        self._text = core.text()
+        self._json = core.json()
+
+    def to_json(self) -> str:
+        """As `tactile-net relax --json` writes it."""
+        return self._json
+
+    def to_dict(self) -> dict[str, Any]:
+        document: dict[str, Any] = json.loads(self._json)
+        return document
 
     def __str__(self) -> str:
         return self._text

@@ -48,7 +48,9 @@ def curves(y: Floats, named: Sequence[tuple[str, Floats]]) -> str:
         seen = np.isfinite(values)
         points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(across(y[seen]), down(values[seen])))
         drawn.append(f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1.5"/>')
-        drawn.append(f'<text x="{_MARGIN + 120 * i}" y="{_MARGIN}" font-size="12" fill="{colour}">{escape(name)}</text>')
+        drawn.append(
+            f'<text x="{_MARGIN + 120 * i}" y="{_MARGIN}" font-size="12" fill="{colour}">{escape(name)}</text>'
+        )
     return (
         f'<svg viewBox="0 0 {_WIDTH} {_HEIGHT}" width="{_WIDTH}" role="img" '
         f'aria-label="{escape(", ".join(name for name, _ in named))}">' + "".join(drawn) + "</svg>"

@@ -96,7 +96,9 @@ class Solution:
     """Of each frame; nan where the method has none."""
     notes: tuple[str, ...]
 
-    def __init__(self, recording: Recording, method: str, missing: str, share_alpha: int | None, progress: Progress = False) -> None:
+    def __init__(
+        self, recording: Recording, method: str, missing: str, share_alpha: int | None, progress: Progress = False
+    ) -> None:
         self.recording = recording
         self.method = method
         self._missing = missing
@@ -234,4 +236,8 @@ class Solution:
         if len(self) == 0:
             return html
         shown = self.tractions[self.peak]
-        return html + _html.paragraphs([f"Frame {self.peak}, which presses hardest:"]) + _html.curves(self.y, list(zip(_COMPONENTS, shown)))
+        return (
+            html
+            + _html.paragraphs([f"Frame {self.peak}, which presses hardest:"])
+            + _html.curves(self.y, list(zip(_COMPONENTS, shown)))
+        )

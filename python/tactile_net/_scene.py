@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from . import _core, _html
 from ._arrays import Floats, frames_of
-from ._circuit import Certification, Survey
+from ._circuit import Certification, Relaxation, Survey
 from ._controller import Plan
 from ._progress import Progress, listening
 from ._recording import Recording, Solution
@@ -101,7 +101,12 @@ class Scene:
         file: str = "scene",
         **tables: Mapping[str, Any] | None,
     ) -> None:
-        named: dict[str, Any] = {"title": title, "sensor": sensor, "material": material, "contact": list(contacts) or None}
+        named: dict[str, Any] = {
+            "title": title,
+            "sensor": sensor,
+            "material": material,
+            "contact": list(contacts) or None,
+        }
         named |= {"time": time, "noise": noise, "reconstruct": reconstruct} | tables
         self._core = _read(text_of(as_table(named)), file)
 
@@ -317,14 +322,16 @@ class Scene:
         """
         rows = None if readings is None else frames_of(getattr(readings, "readings", readings), self.reading_shape)[0]
         with listening(progress) as heard:
-            core = _core.plan(
-                self._core, accuracy, rows, structure, precision, diagnostics, allow_fft, friction, heard
-            )
+            core = _core.plan(self._core, accuracy, rows, structure, precision, diagnostics, allow_fft, friction, heard)
         return Plan(core)
 
     def certify(self, realization: str | None = None, *, progress: Progress = False) -> Certification:
         """Whether the scene's circuit settles, how fast, and what errors of its parts it bears."""
         return Certification(self._realized(realization), progress)
+
+    def relax(self, realization: str | None = None, *, progress: Progress = False) -> Relaxation:
+        """Runs the scene's circuit in ngspice, which must be installed. Raises SimulatorError."""
+        return Relaxation(self._realized(realization), progress)
 
     def netlist(self, realization: str | None = None) -> str:
         """The circuit as a deck for `ngspice -b`: "ideal", "nic", "least_squares", ...; None: the scene's."""

@@ -100,7 +100,9 @@ WANTED = "must be a C-contiguous float64 array of 21, got "
         (lambda f: np.frombuffer(bytes(169), dtype=np.uint8)[1:].view(np.float64), "float64"),
     ],
 )
-def test_frames_that_would_have_to_be_converted_are_refused(estimator: tn.Estimator, frame: Any, make: Any, words: str) -> None:
+def test_frames_that_would_have_to_be_converted_are_refused(
+    estimator: tn.Estimator, frame: Any, make: Any, words: str
+) -> None:
     with pytest.raises(ValueError, match=f"frame {WANTED}.*{words}"):
         estimator.update(make(frame))
     if (out := make(np.zeros((1, 21)))) is not None:
@@ -211,7 +213,10 @@ def test_plans_say_what_they_are(scene: tn.Scene, tmp_path: Path) -> None:
     assert loaded == plan and hash(loaded) == hash(plan) and loaded.why == ""
     assert pickle.loads(pickle.dumps(plan)).why == plan.why
     assert plan.structure in plan._repr_html_()
-    assert scene.plan(structure="dense").structure == "dense" and scene.plan(precision="float32", accuracy=1.0).precision == "float32"
+    assert (
+        scene.plan(structure="dense").structure == "dense"
+        and scene.plan(precision="float32", accuracy=1.0).precision == "float32"
+    )
     fft = scene.plan(structure="fft")
     frame = scene.simulate().readings[0]
     assert np.allclose(tn.Estimator(fft).update(frame), scene.solver()(frame), rtol=1e-6, atol=1e-2)
@@ -241,11 +246,15 @@ def test_any_bytes_are_a_plan_or_an_error(content: bytes) -> None:
         tn.Plan.from_bytes(content)
 
 
-BYTES = tn.Scene(
-    sensor=tn.Sensor(count=5, pitch=1e-3, depth=1e-3, reads=["stress_x"]),
-    material=tn.Material(youngs_modulus=1e5, poisson_ratio=0.45),
-    reconstruct=tn.Reconstruct(alpha=1e-3),
-).plan().to_bytes()
+BYTES = (
+    tn.Scene(
+        sensor=tn.Sensor(count=5, pitch=1e-3, depth=1e-3, reads=["stress_x"]),
+        material=tn.Material(youngs_modulus=1e5, poisson_ratio=0.45),
+        reconstruct=tn.Reconstruct(alpha=1e-3),
+    )
+    .plan()
+    .to_bytes()
+)
 
 
 @given(st.integers(0, len(BYTES) - 1), st.integers(1, 255))

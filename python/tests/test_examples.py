@@ -22,7 +22,12 @@ def test_an_example_runs(example: Path, tmp_path: Path) -> None:
     (tmp_path / "scenes").symlink_to(PROJECT / "scenes")
     environment = os.environ | {"MPLBACKEND": "Agg"}
     done = subprocess.run(
-        [sys.executable, "-B", "-W", "error", example], cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300
+        [sys.executable, "-B", "-W", "error", example],
+        cwd=tmp_path,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=300,
     )
     assert done.returncode == 0, done.stderr
     assert "nan" not in done.stdout and len(done.stdout.splitlines()) >= 3

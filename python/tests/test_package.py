@@ -36,7 +36,9 @@ def test_numpy_is_all_that_is_needed() -> None:
 def test_the_module_needs_no_library_of_its_own() -> None:
     listed = subprocess.run(["ldd", str(_core.__file__)], capture_output=True, text=True, check=True).stdout
     names = {line.split()[0].partition(".so")[0] for line in listed.splitlines()}
-    assert names <= {"linux-vdso", "libstdc++", "libm", "libgcc_s", "libc", "libpthread", "/lib64/ld-linux-x86-64"}, names
+    assert names <= {"linux-vdso", "libstdc++", "libm", "libgcc_s", "libc", "libpthread", "/lib64/ld-linux-x86-64"}, (
+        names
+    )
 
 
 def test_licences_travel_with_it() -> None:

@@ -49,6 +49,21 @@ def test_a_method_that_cannot_take_the_scene_is_a_result(monkeypatch: pytest.Mon
         _ = failed["network"].normal
 
 
+def test_a_simulator_that_fails_says_what_it_was_given(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = tn.Scene.load(PROJECT / "scenes/nic.toml")
+    broken = tmp_path / "ngspice"
+    broken.write_text("#!/bin/sh\necho singular matrix\nexit 1\n")
+    broken.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    with pytest.raises(tn.SimulatorError) as caught:
+        scene.relax()
+    assert isinstance(caught.value, RuntimeError)
+    assert caught.value.deck.startswith("* tactile-net") and "singular matrix" in caught.value.log
+    monkeypatch.setenv("PATH", "/nowhere")
+    with pytest.raises(tn.SimulatorError, match="ngspice"):
+        scene.relax()
+
+
 def test_a_result_is_pickled_as_arrays(two: tn.Scene, tmp_path: Path) -> None:
     result = two.run()
     again = pickle.loads(pickle.dumps(result))

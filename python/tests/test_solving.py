@@ -55,7 +55,9 @@ def test_methods_agree(scene: tn.Scene) -> None:
         scene.solver("magic")
     with pytest.raises(ValueError, match="circuit|network"):
         scene.solver("network")
-    assert np.array_equal(pickle.loads(pickle.dumps(scene.solver(alpha=1e-2)))(readings), scene.solver(alpha=1e-2)(readings))
+    assert np.array_equal(
+        pickle.loads(pickle.dumps(scene.solver(alpha=1e-2)))(readings), scene.solver(alpha=1e-2)(readings)
+    )
 
 
 def test_uneven_arrays(uneven: tn.Scene) -> None:
