@@ -1,4 +1,7 @@
-"""What a frame's call costs from Python, beside NumPy's products: tools/python bench."""
+"""What a frame's call costs from Python, beside NumPy's products: tools/python bench.
+
+A batch is the C++ call in a loop; what `step` and `update` take beyond it is Python's price.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +32,7 @@ def _seconds(call: Callable[[], object], repeats: int) -> float:
 
 def importing(what: str) -> float:
     """Milliseconds, the least of some."""
-    script = f"import time; begin = time.perf_counter(); import numpy; middle = time.perf_counter(); import {what}; print(time.perf_counter() - middle)"
+    script = f"import time, numpy; begin = time.perf_counter(); import {what}; print(time.perf_counter() - begin)"
     runs = [
         subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True) for _ in range(15)
     ]
@@ -55,7 +58,7 @@ for diagnostics in (False, True):
     update = nanoseconds(lambda: estimator.update(frame, out))
     print(f"diagnostics {diagnostics}: update_batch {batch:.0f} ns a frame, step {step:.0f}, update {update:.0f}")
 print(f"an empty Python function: {nanoseconds(lambda: None):.0f} ns")
-print(
-    f"numpy.dot(M, g, out=f): {nanoseconds(lambda: np.dot(matrix, flat, out=out[0])):.0f} ns; G @ M.T of 1000: {nanoseconds(lambda: many @ matrix.T, 1000):.0f} ns a frame"
-)
+dot = nanoseconds(lambda: np.dot(matrix, flat, out=out[0]))
+product = nanoseconds(lambda: many @ matrix.T, 1000)
+print(f"numpy.dot(M, g, out=f): {dot:.0f} ns; G @ M.T of 1000: {product:.0f} ns a frame")
 print(f"import: {importing('tactile_net'):.1f} ms beside NumPy")

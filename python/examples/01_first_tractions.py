@@ -22,11 +22,9 @@ print(recording, *recording.notes, sep="\n")
 # %%
 solution = recording.solve()
 print(solution, *solution.notes, sep="\n")
-assert solution.normal_force_deviation is not None
 for k, force in enumerate(solution.normal_force):
-    print(
-        f"frame {k}: {force:6.1f} +- {solution.normal_force_deviation[k]:.1f} N/m at {1e3 * solution.centre[k]:.2f} mm, {solution.verdict[k]}"
-    )
+    deviation, centre = solution.normal_force_deviation[k], 1e3 * solution.centre[k]
+    print(f"frame {k}: {force:6.1f} +- {deviation:.1f} N/m at {centre:.2f} mm, {solution.verdict[k]}")
 
 # %%
 figure, (above, below) = plt.subplots(2, figsize=(8, 7), layout="constrained")

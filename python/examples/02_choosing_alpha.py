@@ -39,9 +39,8 @@ figure, ax = plt.subplots(figsize=(8, 4), layout="constrained")
 ax.loglog(alphas, errors, color="0.4")
 for rule in ("rgcv", "gml", "aicc", "evidence", "discrepancy", "ncp"):
     answer = tn.run(scene.replace({"reconstruct.alpha": rule}))["tikhonov"]
-    assert answer.alpha is not None and answer.tractions is not None
-    print(f"{rule:12} alpha {answer.alpha:.1e}, error {error(answer.tractions):.3f}, {answer.verdict}")
-    ax.plot(answer.alpha, error(answer.tractions), "o", label=rule)
+    print(f"{rule:12} alpha {answer.alpha:.1e}, error {error(answer.normal):.3f}, {answer.verdict}")
+    ax.plot(answer.alpha, error(answer.normal), "o", label=rule)
 ax.set_xlabel("alpha")
 ax.set_ylabel("|f - truth| / |truth|")
 ax.legend(frameon=False)

@@ -125,7 +125,8 @@ class Plan:
 
     def __repr__(self) -> str:
         readings, tractions = (" x ".join(map(str, shape)) for shape in (self.reading_shape, self.traction_shape))
-        return f"<Plan {self.structure} {self.precision}: {readings} readings -> {tractions} tractions, alpha {self.alpha:g}>"
+        kind = f"{self.structure} {self.precision}"
+        return f"<Plan {kind}: {readings} readings -> {tractions} tractions, alpha {self.alpha:g}>"
 
     def _repr_html_(self) -> str:
         return _html.preformatted(f"{self!r}\n{self.why}")

@@ -147,12 +147,23 @@ class Solution:
         return self._solved().bands()
 
     @property
-    def deviation(self) -> Floats | None:
-        """(T, U, M): one standard deviation of each traction [Pa]; None where the method has none.
+    def has_bands(self) -> bool:
+        """Whether the method knows how sure it is: tikhonov and closed_form do."""
+        return self._bands is not None
 
-        It holds what noise and smoothing do, if pad and noise are as the scene says. Computed when first asked for.
+    def _band(self, which: int) -> Floats:
+        if self._bands is None:
+            raise ValueError(f"{self.method} knows no deviation of its answers: tikhonov and closed_form do")
+        return self._bands[which]
+
+    @property
+    def deviation(self) -> Floats:
+        """(T, U, M): one standard deviation of each traction [Pa]. Computed when first asked for.
+
+        It holds what noise and smoothing do, if pad and noise are as the scene says. ValueError without `has_bands`; so
+        do the next deviations.
         """
-        return None if self._bands is None else self._shaped(self._bands[0])
+        return self._shaped(self._band(0))
 
     @property
     def normal_force(self) -> Floats:
@@ -160,18 +171,21 @@ class Solution:
         return np.asarray(self.scene.spacing * self.tractions[:, 0].sum(axis=1))
 
     @property
-    def normal_force_deviation(self) -> Floats | None:
-        """(T,): one standard deviation [N/m]; None as `deviation`."""
-        return None if self._bands is None else self._bands[1][:, 1]
+    def normal_force_deviation(self) -> Floats:
+        """(T,): one standard deviation [N/m]"""
+        return self._band(1)[:, 1]
 
     @property
-    def tangential_force(self) -> Floats | None:
-        """(T,) [N/m]; None where only normal tractions are solved for."""
-        return self.scene.spacing * self.tractions[:, 1].sum(axis=1) if self.tractions.shape[1] > 1 else None
+    def tangential_force(self) -> Floats:
+        """(T,) [N/m]; nan where only normal tractions are solved for."""
+        if self.tractions.shape[1] == 1:
+            return np.full(len(self), np.nan)
+        return np.asarray(self.scene.spacing * self.tractions[:, 1].sum(axis=1))
 
     @property
-    def tangential_force_deviation(self) -> Floats | None:
-        return None if self._bands is None or self.tangential_force is None else self._bands[2][:, 1]
+    def tangential_force_deviation(self) -> Floats:
+        """(T,): one standard deviation [N/m]; nan as above."""
+        return self._band(2)[:, 1]
 
     @property
     def centre(self) -> Floats:
@@ -181,8 +195,9 @@ class Solution:
         return np.asarray(np.divide(moment, force, out=np.full_like(force, np.nan), where=force > 0))
 
     @property
-    def centre_deviation(self) -> Floats | None:
-        return None if self._bands is None else self._bands[3][:, 1]
+    def centre_deviation(self) -> Floats:
+        """(T,): one standard deviation [m]; nan as above."""
+        return self._band(3)[:, 1]
 
     @property
     def peak(self) -> int:
@@ -209,18 +224,17 @@ class Solution:
         components = list(_COMPONENTS[: self.tractions.shape[1]])
         dataset = dataset.assign_coords(y=self.y, component=components)
         dataset["tractions"] = (dims, self.tractions)
-        if self.deviation is not None:
+        if self.has_bands:
             dataset["deviation"] = (dims, self.deviation)
         return dataset.assign(verdict=("t", self.verdict), alpha=("t", self.alpha))
 
     def to_dataframe(self) -> Any:
         """A frame a row: forces, centre, their deviations, alpha, verdicts; over t."""
         pandas = optional("pandas", "tables")
-        names = ("normal_force", "tangential_force", "centre")
-        columns: dict[str, Any] = {}
-        for name in [*names, *(f"{name}_deviation" for name in names)]:
-            if (values := getattr(self, name)) is not None:
-                columns[name] = values
+        names = ["normal_force", "tangential_force", "centre"]
+        if self.has_bands:
+            names += [f"{name}_deviation" for name in names]
+        columns: dict[str, Any] = {name: getattr(self, name) for name in names}
         columns |= {"alpha": self.alpha, "verdict": self.verdict, "data": self.data}
         return pandas.DataFrame(columns, index=None if self.t is None else pandas.Index(self.t, name="t"))
 

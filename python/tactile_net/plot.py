@@ -57,7 +57,7 @@ def tractions(solution: Solution, frame: int | None = None, ax: Any = None) -> A
     """One frame's tractions with bands of two deviations; None: of the frame that presses hardest."""
     ax = _axes(ax)
     frame = solution.peak if frame is None else frame
-    deviation = None if solution.deviation is None else solution.deviation[frame]
+    deviation = solution.deviation[frame] if solution.has_bands else None
     _answers(ax, 1e3 * solution.y, f"frame {frame}", solution.tractions[frame], deviation)
     return _surface(ax)
 

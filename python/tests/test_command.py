@@ -104,7 +104,6 @@ def test_answers_to_a_recording(
     said = columns(bands)
     assert solution.verdict.tolist() == said["verdict"]
     assert np.array_equal(solution.alpha, [float(v) for v in said["alpha"]])
-    assert solution.deviation is not None and solution.normal_force_deviation is not None
     assert np.array_equal(
         solution.deviation.reshape(rows.shape),
         numbers(bands, "deviation_", "normal_deviation_", "tangential_deviation_"),

@@ -75,17 +75,24 @@ def test_uneven_arrays(uneven: tn.Scene) -> None:
 def test_a_solution_knows_how_sure_it_is(two: tn.Scene) -> None:
     recording = two.simulate()
     solution = recording.solve()
-    assert solution.deviation is not None and recording.truth is not None
+    assert recording.truth is not None
     assert solution.deviation.shape == solution.tractions.shape == recording.truth.shape
     inside = np.abs(solution.tractions - recording.truth) <= 2 * solution.deviation
     assert inside.mean() > 0.8
-    assert solution.tangential_force is not None and solution.tangential_force_deviation is not None
+    assert np.all(np.abs(solution.tangential_force - 0.3) < 4 * solution.tangential_force_deviation + 0.02)
     assert np.all(np.abs(solution.normal_force - 1.0) < 4 * solution.normal_force_deviation + 0.02)
-    assert solution.centre_deviation is not None and np.all(np.abs(solution.centre) < 4 * solution.centre_deviation)
+    assert np.all(np.abs(solution.centre) < 4 * solution.centre_deviation)
     tractions, full = two.solver()(recording.readings, full=True)
     assert np.array_equal(tractions, solution.tractions) and full.verdict.tolist() == solution.verdict.tolist()
     single, _ = two.solver()(recording.readings[0], full=True)
     assert single.shape == tractions[0].shape
+
+
+def test_dft_knows_no_deviation(scene: tn.Scene) -> None:
+    solution = scene.replace({"reconstruct": None}).simulate().solve("dft")
+    assert not solution.has_bands and np.isnan(solution.tangential_force).all() and np.isnan(solution.alpha).all()
+    with pytest.raises(ValueError, match="dft knows no deviation"):
+        _ = solution.centre_deviation
 
 
 def test_a_solution_is_pickled_as_arrays(two: tn.Scene, tmp_path: Path) -> None:
