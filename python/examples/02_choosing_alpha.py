@@ -40,7 +40,7 @@ ax.loglog(alphas, errors, color="0.4")
 for rule in ("rgcv", "gml", "aicc", "evidence", "discrepancy", "ncp"):
     answer = tn.run(scene.replace({"reconstruct.alpha": rule}))["tikhonov"]
     print(f"{rule:12} alpha {answer.alpha:.1e}, error {error(answer.normal):.3f}, {answer.verdict}")
-    ax.plot(answer.alpha, error(answer.normal), "o", label=rule)
+    ax.plot([answer.alpha or np.nan], [error(answer.normal)], "o", label=rule)
 ax.set_xlabel("alpha")
 ax.set_ylabel("|f - truth| / |truth|")
 ax.legend(frameon=False)

@@ -178,7 +178,9 @@ std::optional<std::ptrdiff_t> outlier_of(const ContactEstimate& self) {
 }
 
 void bind_contact(nb::module_& module) {
-  nb::class_<ContactEstimate>(module, "ContactEstimate")
+  nb::class_<ContactEstimate>(
+      module, "ContactEstimate",
+      "What is known of one frame's contact. It stays as it is when the next frame comes.")
       .def_ro("normal_force", &ContactEstimate::normal_force, "F_v [N/m]")
       .def_ro("tangential_force", &ContactEstimate::tangential_force,
               "F_t [N/m]; nan where only normal tractions are solved for")

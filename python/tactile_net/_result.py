@@ -131,7 +131,7 @@ class Result:
         return pandas.DataFrame.from_dict(rows, orient="index", columns=list(names))
 
     def to_xarray(self) -> Any:
-        """An xarray.Dataset: `truth` over (component, y), `tractions` over (method, component, y)."""
+        """An xarray.Dataset: `truth` over (component, y), `tractions` over (by, component, y)."""
         xarray = optional("xarray", "tables")
         found = {name: result.tractions for name, result in self.methods.items() if result.tractions is not None}
         components = max(map(len, [self.truth, *found.values()]))
@@ -141,8 +141,8 @@ class Result:
         truth = np.zeros((components, len(self.y)))
         truth[: len(self.truth)] = self.truth
         return xarray.Dataset(
-            {"truth": (("component", "y"), truth), "tractions": (("method", "component", "y"), tractions)},
-            {"method": list(found), "component": ["normal", "tangential"][:components], "y": self.y},
+            {"truth": (("component", "y"), truth), "tractions": (("by", "component", "y"), tractions)},
+            {"by": list(found), "component": ["normal", "tangential"][:components], "y": self.y},
             {"scene": self.scene.text},
         )
 

@@ -142,6 +142,8 @@ class Scene:
             place: Any = table
             for step in way:
                 place = _within(place, step, path)
+            if not isinstance(place, (list, dict)):
+                raise KeyError(f"{path}: {way[-1]} is no table")
             if isinstance(place, list):
                 place[_index(place, last, path)] = as_table(value)
             elif value is None:
@@ -391,7 +393,7 @@ def _within(place: Any, step: str, path: str) -> Any:
     if isinstance(place, list):
         return place[_index(place, step, path)]
     if not isinstance(place, dict):
-        raise KeyError(f"{path}: {step} is within no table")
+        raise KeyError(f"{path}: {step} is in no table")
     return place.setdefault(step, {})
 
 

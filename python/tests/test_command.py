@@ -36,6 +36,19 @@ def numbers(path: Path, *named: str) -> NDArray[np.float64]:
     return np.array([[float(v) if v else np.nan for v in values] for values in chosen]).T
 
 
+def values(path: Path) -> list[list[float | str]]:
+    """What a CSV says: 0.0 is 0."""
+
+    def value(cell: str) -> float | str:
+        try:
+            return float(cell)
+        except ValueError:
+            return cell
+
+    with open(path, newline="") as file:
+        return [[value(cell) for cell in row] for row in csv.reader(file)]
+
+
 def without_times(value: Any) -> Any:
     """A document without what a clock has told."""
     if isinstance(value, dict):
@@ -49,12 +62,12 @@ def same_page(ours: Path, theirs: Path) -> None:
     def page(folder: Path) -> str:
         html = (folder / "report.html").read_text()
         html = re.sub(r"<p>Made by <code>[^<]*</code></p>\n", "", html)
-        return re.sub(r">(?:-|[\d.]+ (?:ns|µs|ms|s))<|took [\d.]+ \w+", "", html)
+        return re.sub(r">(?:-|[\d.]+ (?:ns|µs|ms|s))<|(?:took|simulated in) [\d.]+ \w+", "", html)
 
     assert {p.name for p in ours.iterdir()} == {p.name for p in theirs.iterdir()}
     for path in theirs.iterdir():
         if path.suffix == ".csv":
-            assert (ours / path.name).read_text() == path.read_text(), path.name
+            assert values(ours / path.name) == values(path), path.name
     assert page(ours) == page(theirs)
 
 
@@ -113,6 +126,8 @@ def test_answers_to_a_recording(
     solution.report(tmp_path / "ours", name=str(readings))
     same_page(tmp_path / "ours", theirs)
     documents = [json.loads((folder / "result.json").read_text()) for folder in (tmp_path / "ours", theirs)]
+    for document in documents:  # a file has columns that nobody reads; an array has none
+        del document["columns_ignored"]
     assert without_times(documents[0]) == without_times(documents[1])
 
 
@@ -138,13 +153,13 @@ def test_missing_readings(command: Callable[..., str], tmp_path: Path) -> None:
 @pytest.mark.parametrize("shipped", [p for p in SCENES if p.parent.name != "circuits"], indirect=True, ids=str)
 def test_plans(command: Callable[..., str], shipped: Path, tmp_path: Path) -> None:
     scene = tn.Scene.load(shipped)
-    try:
-        plan = scene.plan(accuracy=1e-5)
-    except (ValueError, tn.UnsolvableError) as error:
-        command("plan", shipped, "--accuracy", "1e-5", status=1)
-        assert str(error)
-        return
-    command("plan", shipped, "--accuracy", "1e-5", "-o", tmp_path / "pad.plan")
+    if shipped.parent == RECORDED:  # no contact: alpha is chosen on the frames
+        readings = RECORDED / f"{shipped.stem.removesuffix('-contact')}.csv"
+        plan = scene.plan(accuracy=1e-5, readings=scene.read(readings))
+        asked = ["--readings", readings]
+    else:
+        plan, asked = scene.plan(accuracy=1e-5), []
+    command("plan", shipped, *asked, "--accuracy", "1e-5", "-o", tmp_path / "pad.plan")
     assert plan.to_bytes() == (tmp_path / "pad.plan").read_bytes()
     assert tn.Plan.load(tmp_path / "pad.plan") == plan
     assert plan.y.shape == scene.y.shape and np.allclose(plan.y, scene.y, atol=1e-12)

@@ -87,8 +87,10 @@ def test_replace_makes_a_new_scene(scene: tn.Scene) -> None:
     assert "noise" not in deeper.to_dict()
     with pytest.raises(KeyError, match="number 3 of 1"):
         scene.replace({"contact.3.force": 2.0})
-    with pytest.raises(KeyError, match="within no table"):
+    with pytest.raises(KeyError, match="depth is no table"):
         scene.replace({"sensor.depth.deeper": 2.0})
+    with pytest.raises(KeyError, match="deeper is in no table"):
+        scene.replace({"sensor.depth.deeper.still": 2.0})
     with pytest.raises(tn.InputError, match="did you mean 'depth'"):
         scene.replace({"sensor.dept": 2e-3})
 
