@@ -221,6 +221,13 @@ const FilterFrame& SceneFrame::analysed() const {
   return *analysed_;
 }
 
+const SceneFrame& SceneFrame::reaching_beyond() const {
+  const SceneProblem& beyond = problem_.reaching_beyond();
+  if (&beyond == &problem_) return *this;
+  if (!reaching_beyond_) reaching_beyond_ = std::make_shared<const SceneFrame>(beyond, readings_);
+  return *reaching_beyond_;
+}
+
 const AlphaSweep& SceneFrame::sweep() const {
   if (!sweep_)
     sweep_ = sweep_alpha(analysed(), problem_.alpha_tables(analysed()), problem_.stated_noise());

@@ -1,5 +1,7 @@
 #include "tactile_net/lab/uncertainty.hpp"
 
+#include <cmath>
+
 namespace tactile_net::lab {
 namespace {
 
@@ -8,12 +10,13 @@ double prior_of(const SceneFrame& frame, const FrameResult& result) {
   return prior.verdict == AlphaVerdict::ok ? prior.alpha : result.alpha->value;
 }
 
-/// As the whole surface leaves it, load beyond the array's ends included.
+/// As the readings have it that no load explains, beyond the array's ends or elsewhere.
 NoiseEstimate noise_in(const SceneFrame& frame) {
   const TikhonovFamily& family = frame.problem().family();
   const double alpha = frame.prior().alpha;
   return estimate_noise(frame.residual(family.solve(frame.analysed(), alpha)),
-                        frame.analysed().rows, family.degrees_of_freedom(alpha));
+                        frame.analysed().rows, family.degrees_of_freedom(alpha),
+                        frame.problem().stated_noise());
 }
 
 /// Values of the taxels as those of a grid as fine, with nothing in its margins.
@@ -37,24 +40,25 @@ std::vector<double> without_margins(std::span<const double> all, const Surface& 
 }
 
 /// Of line loads over taxels, with what may press beyond the last of them; nothing where the
-/// readings do not show their noise.
+/// readings have no noise. An error of the model counts for noise: else only the roughest loads
+/// would explain it, and the band would be theirs.
 std::optional<FrameUncertainty> beyond_ends(const SceneFrame& frame,
                                             std::span<const double> tractions, double alpha) {
   const SceneProblem& scene = frame.problem();
-  const SceneFrame there(scene.reaching_beyond(), frame.readings());
+  const SceneFrame& there = frame.reaching_beyond();
   const Surface& grid = there.problem().surface();
-  FrameUncertainty bands;
-  if (const auto stated = scene.stated_noise())
-    bands.noise = estimate_noise(frame.residual(tractions), frame.analysed().rows,
-                                 scene.family().degrees_of_freedom(alpha), stated);
-  else
-    bands.noise = noise_in(there);
-  const double rms = bands.noise.rms();
+  const NoiseEstimate found = noise_in(there);
+  const double rms = std::hypot(found.rms(), found.model_rms);
   if (!(rms > 0.0)) return std::nullopt;
 
   const std::vector<double> f = with_margins(tractions, scene.surface(), grid);
   const TractionCovariance covariance =
       scene.load_windows().covariance(frame.readings(), f, alpha, rms);
+  FrameUncertainty bands;
+  bands.noise = scene.stated_noise()
+                    ? estimate_noise(frame.residual(tractions), frame.analysed().rows,
+                                     scene.family().degrees_of_freedom(alpha), scene.stated_noise())
+                    : found;
   bands.resultant = resultant_of(grid, f, covariance, rms);
   bands.deviation = without_margins(covariance.deviations(), scene.surface(), grid);
   for (double& value : bands.deviation) value *= rms;
