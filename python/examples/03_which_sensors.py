@@ -13,6 +13,7 @@ scene = tn.Scene(
     material=tn.Material(youngs_modulus=0.2e6, poisson_ratio=0.45),
     contacts=[tn.Cylinder(force=100.0, half_width=3e-3, friction=0.3)],
     noise=tn.Noise(rms=50.0),
+    units={},  # SI
 )
 survey = scene.identify()
 print(survey)

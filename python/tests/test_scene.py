@@ -91,7 +91,7 @@ def test_replace_makes_a_new_scene(scene: tn.Scene) -> None:
         scene.replace({"sensor.depth.deeper": 2.0})
     with pytest.raises(KeyError, match="deeper is in no table"):
         scene.replace({"sensor.depth.deeper.still": 2.0})
-    with pytest.raises(tn.InputError, match="did you mean 'depth'"):
+    with pytest.raises(tn.InputError, match="sensor has .*depth"):
         scene.replace({"sensor.dept": 2e-3})
 
 
