@@ -52,6 +52,5 @@ assert slipped is not None and np.isfinite(estimator.tractions).all()
 # Recorded frames go all at once, without the GIL.
 
 # %%
-begin = time.perf_counter()
 tractions = estimator.update_batch(recorded)
-print(f"{1e9 * (time.perf_counter() - begin) / len(recorded):.0f} ns a frame in a batch of {tractions.shape}")
+print(f"in a batch: {tractions.shape}, the last as by itself: {np.array_equal(tractions[-1], estimator.tractions)}")

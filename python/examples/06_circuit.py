@@ -36,4 +36,4 @@ if shutil.which("ngspice"):
 # %%
 result = tn.run(scene.replace({"reconstruct.methods": ["tikhonov", "network"]}))
 for name, answer in result.methods.items():
-    print(f"{name}: {answer.verdict}", answer.failure, *answer.remarks, sep="\n  ")
+    print(f"{name}: {answer.verdict}, {answer.force:.4g} N/m", *answer.remarks, sep="\n  ")
