@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
 from . import _core, _html
 from ._arrays import Floats
+from ._documents import parsed
 from ._progress import Progress, listening
 
 if TYPE_CHECKING:
@@ -57,8 +57,7 @@ class Survey:
         return self._json
 
     def to_dict(self) -> dict[str, Any]:
-        document: dict[str, Any] = json.loads(self._json)
-        return document
+        return parsed(self._json)
 
     def report(self, folder: str | PathLike[str], *, force: bool = False) -> str:
         """Writes the page of `tactile-net identify --out`, and returns the path of report.html."""
@@ -106,8 +105,7 @@ class Certification:
         return self._json
 
     def to_dict(self) -> dict[str, Any]:
-        document: dict[str, Any] = json.loads(self._json)
-        return document
+        return parsed(self._json)
 
     def report(self, folder: str | PathLike[str], *, force: bool = False) -> str:
         """Writes the page of `tactile-net certify --out`, and returns the path of report.html."""
@@ -151,8 +149,7 @@ class Relaxation:
         return self._json
 
     def to_dict(self) -> dict[str, Any]:
-        document: dict[str, Any] = json.loads(self._json)
-        return document
+        return parsed(self._json)
 
     def __str__(self) -> str:
         return self._text

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 from . import _core, _html
@@ -23,7 +22,8 @@ class Plan:
     @classmethod
     def load(cls, path: str | PathLike[str]) -> Plan:
         """Raises OSError, and ValueError where the file is no plan, cut off, corrupted or of another version."""
-        content = Path(path).read_bytes()
+        with open(path, "rb") as file:
+            content = file.read()
         try:
             return cls.from_bytes(content)
         except ValueError as error:
@@ -39,7 +39,8 @@ class Plan:
 
     def save(self, path: str | PathLike[str]) -> None:
         """Writes the file that `tactile-net plan -o` writes; a C++ controller loads it too."""
-        Path(path).write_bytes(self.to_bytes())
+        with open(path, "wb") as file:
+            file.write(self.to_bytes())
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _plan, (self.to_bytes(), self.why, self.for_raw_numbers, self.needs_baseline)

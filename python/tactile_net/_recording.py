@@ -8,7 +8,6 @@ from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _core, _html
 from ._arrays import Floats
@@ -16,6 +15,8 @@ from ._optional import optional
 from ._progress import Progress, listening
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from ._scene import Scene
 
 __all__ = ["Recording", "Solution"]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +10,7 @@ import numpy as np
 
 from . import _core, _html
 from ._arrays import Floats
+from ._documents import parsed
 from ._optional import optional
 from ._progress import Progress, listening
 
@@ -120,8 +120,7 @@ class Result:
         return self._json
 
     def to_dict(self) -> dict[str, Any]:
-        document: dict[str, Any] = json.loads(self._json)
-        return document
+        return parsed(self._json)
 
     def to_dataframe(self) -> Any:
         """A method a row: verdict, alpha, force, errors."""

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import copy
-import tomllib
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from os import PathLike, fspath
-from pathlib import Path
-from typing import Any, Literal, NamedTuple, overload
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _core, _html
 from ._arrays import Floats, frames_of
@@ -23,6 +20,9 @@ from ._result import Result, run
 from ._tables import Contact, Material, Noise, Reconstruct, Sensor, Timing, as_table
 from ._toml import text_of
 from .errors import InputError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = ["Scene", "Sites", "Solver"]
 
@@ -113,7 +113,8 @@ class Scene:
     @classmethod
     def load(cls, path: str | PathLike[str]) -> Scene:
         """Raises InputError with everything that is wrong with the file; OSError where there is none."""
-        return cls.parse(Path(path).read_bytes(), file=fspath(path))
+        with open(path, "rb") as file:
+            return cls.parse(file.read(), file=fspath(path))
 
     @classmethod
     def parse(cls, text: str | bytes, *, file: str = "scene") -> Scene:
@@ -129,6 +130,8 @@ class Scene:
 
     def to_dict(self) -> dict[str, Any]:
         """The tables of the file, without its comments."""
+        import tomllib  # here, for the time it takes
+
         return tomllib.loads(self.text.removeprefix("\ufeff"))
 
     def replace(self, changes: Mapping[str, Any]) -> Scene:

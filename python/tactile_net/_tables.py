@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-import numpy as np
-from numpy.typing import NDArray
+if TYPE_CHECKING:
+    from ._arrays import Floats
 
 __all__ = [
     "Contact",
@@ -27,10 +27,10 @@ __all__ = [
     "as_table",
 ]
 
-Numbers = Sequence[float] | NDArray[np.float64]
+Numbers: TypeAlias = "Sequence[float] | Floats"
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(kw_only=True)
 class Sensor:
     """[sensor]: `count` even taxels `pitch` apart, or uneven ones at `positions`."""
 
@@ -43,7 +43,7 @@ class Sensor:
     taxels: str | None = None
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(kw_only=True)
 class Layer:
     """A pad of this thickness on a rigid base, "bonded" to it or "frictionless"."""
 
@@ -51,7 +51,7 @@ class Layer:
     base: str | None = None
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(kw_only=True)
 class Material:
     """[material]: a half plane without `layer`."""
 
@@ -60,8 +60,10 @@ class Material:
     layer: Layer | None = None
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(kw_only=True)
 class _Rigid:
+    """What every rigid contact has."""
+
     force: float | None = None
     half_width: float | None = None
     center: float | None = None
@@ -69,14 +71,14 @@ class _Rigid:
     trajectory: Sequence[Mapping[str, float]] | None = None
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(kw_only=True)
 class Cylinder(_Rigid):
     """[[contact]] of a rigid cylinder."""
 
     shape: str = dataclasses.field(default="cylinder", init=False)
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(kw_only=True)
 class Punch(_Rigid):
     """[[contact]] of a flat punch, infinite at its ends unless `edge` > 0."""
 
@@ -84,14 +86,14 @@ class Punch(_Rigid):
     shape: str = dataclasses.field(default="punch", init=False)
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(kw_only=True)
 class Wedge(_Rigid):
     """[[contact]] of a rigid wedge."""
 
     shape: str = dataclasses.field(default="wedge", init=False)
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(kw_only=True)
 class SampledTractions:
     """[[contact]] given by a traction at each taxel."""
 
@@ -103,7 +105,7 @@ class SampledTractions:
 Contact = Cylinder | Punch | Wedge | SampledTractions | Mapping[str, Any]
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(kw_only=True)
 class Timing:
     """[time]: frames per second, and how many."""
 
@@ -112,7 +114,7 @@ class Timing:
     duration: float | None = None
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(kw_only=True)
 class Noise:
     """[noise]: white, of one rms for all readings or one for each quantity."""
 
@@ -120,7 +122,7 @@ class Noise:
     seed: int | None = None
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(kw_only=True)
 class Reconstruct:
     """[reconstruct]: how the tractions are found again; `alpha` is a number or the name of a rule."""
 

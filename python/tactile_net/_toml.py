@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Mapping, Sequence
@@ -11,6 +10,7 @@ from typing import Any
 import numpy as np
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
+_ESCAPES = str.maketrans({chr(i): f"\\u{i:04x}" for i in [*range(32), 127]} | {'"': '\\"', "\\": "\\\\"})
 _DEEPEST = 32  # tables in one another: a table that holds itself is deeper
 
 
@@ -67,7 +67,7 @@ def _is_list(value: Any) -> bool:
 
 
 def _string(text: str) -> str:
-    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+    return f'"{text.translate(_ESCAPES)}"'
 
 
 def _key(key: str) -> str:
