@@ -132,8 +132,8 @@ double TikhonovFamily::stacked_condition(double alpha) const noexcept {
 double TikhonovFamily::degrees_of_freedom(double alpha) const noexcept {
   double sum = 0.0;
   for (const double gamma : factors_->gamma) {
-    const double kept = gamma / std::hypot(gamma, std::sqrt(alpha));
-    sum += kept * kept;
+    const double root = gamma / std::hypot(gamma, std::sqrt(alpha));
+    sum += root * root;
   }
   return sum;
 }

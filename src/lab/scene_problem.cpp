@@ -20,6 +20,9 @@ namespace {
 /// bands share, and not from one of its own: that takes seconds.
 constexpr std::size_t one_decomposition = 256;
 
+/// Tractions over taxels up to which windows of them take less than a second.
+constexpr std::size_t most_of_windows = 384;
+
 ProblemOptions options_of(const Scene& scene) {
   ProblemOptions options{.unknowns = unknowns(scene),
                          .smoothing_length = scene.reconstruct.smoothing_length,
@@ -60,6 +63,7 @@ struct SceneProblem::Parts {
   std::optional<DataJudge> data_judge;
   std::unique_ptr<Covariance> covariance;
   std::pair<double, double> covariance_of;  // its alpha and prior
+  std::unique_ptr<SceneProblem> reaching_beyond;
   std::optional<LoadWindows> load_windows;
   std::map<double, SceneProblem> weighed;  // by tangential weight
 };
@@ -213,13 +217,25 @@ const Covariance& SceneProblem::covariance(double alpha, double prior) const {
   return *parts_->covariance;
 }
 
+const SceneProblem& SceneProblem::reaching_beyond() const {
+  if (surface().basis == SurfaceBasis::hats) return *this;
+  if (!parts_->reaching_beyond) {
+    Scene scene = parts_->scene;
+    scene.reconstruct.surface = {.basis = SurfaceBasis::hats, .spacing = scene.sensor.pitch};
+    parts_->reaching_beyond = std::make_unique<SceneProblem>(std::move(scene));
+  }
+  return *parts_->reaching_beyond;
+}
+
 bool SceneProblem::has_load_windows() const {
-  return !is_large() && surface().basis == SurfaceBasis::hats && stated_noise().has_value();
+  if (surface().basis == SurfaceBasis::hats) return !is_large() && stated_noise().has_value();
+  return is_dense(scene().sensor) && tractions() <= most_of_windows;
 }
 
 const LoadWindows& SceneProblem::load_windows() const {
   if (!parts_->load_windows)
-    parts_->load_windows.emplace(problem(), 3.5 * least_depth(parts_->scene.sensor));
+    parts_->load_windows.emplace(reaching_beyond().problem(),
+                                 3.5 * least_depth(parts_->scene.sensor));
   return *parts_->load_windows;
 }
 
@@ -265,11 +281,15 @@ const SceneFrame::LikelyWeight& most_likely(std::span<const SceneFrame::LikelyWe
 
 }  // namespace
 
-SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings)
-    : weights_(likely_weights_of(problem, readings)),
-      scene_(std::move(problem)),
-      problem_(weights_.empty() ? scene_ : scene_.weighed(most_likely(weights_).value)),
+SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings,
+                       std::vector<LikelyWeight> weights)
+    : weights_(std::move(weights)),
+      given_(std::move(problem)),
+      problem_(weights_.empty() ? given_ : given_.weighed(most_likely(weights_).value)),
       readings_(readings.begin(), readings.end()) {}
+
+SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings)
+    : SceneFrame(problem, readings, likely_weights_of(problem, readings)) {}
 
 std::optional<double> SceneFrame::estimated_weight() const noexcept {
   if (weights_.empty()) return std::nullopt;
@@ -277,7 +297,7 @@ std::optional<double> SceneFrame::estimated_weight() const noexcept {
 }
 
 SceneFrame SceneFrame::weighed(double tangential_weight) const {
-  return {scene_.weighed(tangential_weight), readings_};
+  return {given_, readings_, {{.value = tangential_weight}}};
 }
 
 const FilterFrame& SceneFrame::analysed() const {

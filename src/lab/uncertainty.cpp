@@ -1,5 +1,7 @@
 #include "tactile_net/lab/uncertainty.hpp"
 
+#include <algorithm>
+
 namespace tactile_net::lab {
 namespace {
 
@@ -12,19 +14,60 @@ double prior_of(const SceneFrame& frame, double alpha) {
 double degrees_of_freedom(const SceneFrame& frame, const FrameResult& result) {
   const SceneProblem& scene = frame.problem();
   const double alpha = result.alpha->value;
+  if (scene.is_large()) return scene.sections().degrees_of_freedom(alpha);
   if (!result.constrained) return scene.family().degrees_of_freedom(alpha);
   const std::vector<std::size_t>& free = result.constrained->free;
   if (free.empty()) return 0.0;
   return TikhonovFamily(scene.problem(), *scene.constraints(), free).degrees_of_freedom(alpha);
 }
 
-/// Of the error of any tractions by one functional, to whose minimiser constraints are not known.
+/// The frame's problem on a grid that reaches beyond the array's ends.
+const SceneProblem& beyond_ends(const SceneFrame& frame) {
+  const SceneProblem& grid = frame.given().reaching_beyond();
+  return frame.estimated_weight() ? grid.weighed(*frame.estimated_weight()) : grid;
+}
+
+/// As the whole surface leaves it, load beyond the array's ends included.
+NoiseEstimate noise_in(const SceneFrame& frame) {
+  const TikhonovFamily& family = frame.problem().family();
+  const double alpha = frame.prior().alpha;
+  return estimate_noise(frame.residual(family.solve(frame.analysed(), alpha)),
+                        frame.analysed().rows, family.degrees_of_freedom(alpha));
+}
+
+NoiseEstimate noise_of(const SceneFrame& frame, std::span<const double> tractions,
+                       const FrameResult& result) {
+  const std::optional<double> stated = frame.problem().stated_noise();
+  if (!stated && frame.problem().has_load_windows())
+    return noise_in(SceneFrame(beyond_ends(frame), frame.readings()));
+  return estimate_noise(frame.residual(tractions), frame.analysed().rows,
+                        degrees_of_freedom(frame, result), stated);
+}
+
+/// Values on a surface as those of a grid as fine that reaches further, with nothing in between.
+std::vector<double> with_margins(std::span<const double> values, const Surface& own,
+                                 const Surface& grid) {
+  const std::size_t unknowns = values.size() / own.count;
+  std::vector<double> all(unknowns * grid.count, 0.0);
+  for (std::size_t u = 0; u < unknowns; ++u)
+    for (std::size_t i = 0; i < own.count; ++i)
+      all[u * grid.count + grid.margin - own.margin + i] = values[u * own.count + i];
+  return all;
+}
+
+/// And back.
+std::vector<double> without_margins(std::span<const double> all, const Surface& own,
+                                    const Surface& grid) {
+  std::vector<double> values;
+  for (std::size_t first = grid.margin - own.margin; first < all.size(); first += grid.count)
+    for (const double value : all.subspan(first, own.count)) values.push_back(value);
+  return values;
+}
+
+/// Of the error of any tractions by one functional, whose minimiser lies apart from them.
 TractionCovariance covariance_about(const SceneFrame& frame, std::span<const double> tractions,
                                     double alpha, double rms) {
   const SceneProblem& scene = frame.problem();
-  if (scene.has_load_windows())
-    return scene.load_windows().covariance(frame.readings(), tractions, alpha,
-                                           *scene.stated_noise());
   std::vector<double> apart = scene.family().solve(frame.analysed(), alpha);
   for (std::size_t i = 0; i < apart.size(); ++i)
     apart[i] = rms > 0.0 ? (tractions[i] - apart[i]) / rms : 0.0;
@@ -33,22 +76,20 @@ TractionCovariance covariance_about(const SceneFrame& frame, std::span<const dou
   return TractionCovariance(std::span(&part, 1));
 }
 
-/// The same where the readings leave several weights likely.
-TractionCovariance covariance_over_weights(const SceneFrame& frame,
-                                           std::span<const double> tractions,
-                                           const ChosenAlpha& alpha, double rms) {
+/// What `covariance` makes of the frame with its weight, or with each that the readings leave
+/// likely; of several the sum, each as likely as they make it.
+template <class Covariance_>
+TractionCovariance over_weights(const SceneFrame& frame, std::size_t tractions,
+                                const Covariance_& covariance) {
+  if (frame.likely_weights().empty()) return covariance(frame);
   std::vector<TractionCovariance> covariances;
-  for (const auto& [weight, probability] : frame.likely_weights()) {
-    const SceneFrame weighed = frame.weighed(weight);
-    const bool is_own = weight == frame.estimated_weight();
-    covariances.push_back(
-        covariance_about(weighed, tractions, is_own ? alpha.value : weighed.alpha().value, rms));
-  }
+  for (const auto& [weight, probability] : frame.likely_weights())
+    covariances.push_back(covariance(frame.weighed(weight)));
   std::vector<TractionCovariance::Part> parts;
   for (std::size_t i = 0; i < covariances.size(); ++i)
     parts.push_back({.probability = frame.likely_weights()[i].probability,
                      .covariance = &covariances[i],
-                     .apart = std::vector<double>(tractions.size())});
+                     .apart = std::vector<double>(tractions)});
   return TractionCovariance(parts);
 }
 
@@ -58,27 +99,31 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
                              const FrameResult& result) {
   const SceneProblem& scene = frame.problem();
   const double alpha = result.alpha->value;
-  std::optional<TractionCovariance> own;
-  const Covariance* covariance = nullptr;
-  if (!result.constrained && frame.likely_weights().empty())
-    covariance = scene.has_load_windows()
-                     ? &own.emplace(scene.load_windows().covariance(frame.readings(), tractions,
-                                                                    alpha, *scene.stated_noise()))
-                     : &scene.covariance(alpha, prior_of(frame, alpha));
-
-  FrameUncertainty bands;
-  bands.noise = estimate_noise(
-      frame.residual(tractions), frame.analysed().rows,
-      covariance != nullptr ? covariance->degrees_of_freedom() : degrees_of_freedom(frame, result),
-      scene.stated_noise());
+  FrameUncertainty bands{.noise = noise_of(frame, tractions, result)};
   const double rms = bands.noise.rms();
-  if (covariance == nullptr)
-    covariance = &own.emplace(frame.likely_weights().empty()
-                                  ? covariance_about(frame, tractions, alpha, rms)
-                                  : covariance_over_weights(frame, tractions, *result.alpha, rms));
-  bands.resultant = resultant_of(scene.surface(), tractions, *covariance, rms);
-  bands.deviation = covariance->deviations();
-  for (double& value : bands.deviation) value *= rms;
+  const auto fill = [&](const Covariance& covariance, std::span<const double> f,
+                        const Surface& surface) {
+    bands.resultant = resultant_of(surface, f, covariance, rms);
+    bands.deviation = without_margins(covariance.deviations(), scene.surface(), surface);
+    for (double& value : bands.deviation) value *= rms;
+  };
+
+  if (scene.has_load_windows() && rms > 0.0) {
+    const Surface& grid = frame.given().reaching_beyond().surface();
+    const std::vector<double> f = with_margins(tractions, scene.surface(), grid);
+    const auto windows = [&](const SceneFrame& weighed) {
+      return beyond_ends(weighed).load_windows().covariance(frame.readings(), f, alpha, rms);
+    };
+    fill(over_weights(frame, f.size(), windows), f, grid);
+  } else if (result.constrained || !frame.likely_weights().empty()) {
+    const auto about = [&](const SceneFrame& weighed) {
+      const bool is_own = weighed.estimated_weight() == frame.estimated_weight();
+      return covariance_about(weighed, tractions, is_own ? alpha : weighed.alpha().value, rms);
+    };
+    fill(over_weights(frame, tractions.size(), about), tractions, scene.surface());
+  } else {
+    fill(scene.covariance(alpha, prior_of(frame, alpha)), tractions, scene.surface());
+  }
   return bands;
 }
 

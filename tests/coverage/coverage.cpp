@@ -46,8 +46,9 @@ Scene scene_of(const Setting& setting) {
                      (two ? "reads = [\"stress_x\", \"shear_xy\"]\n" : "reads = [\"stress_x\"]\n") +
                      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n";
   if (setting.layer) toml += "layer = { thickness = 3.0, base = \"bonded\" }\n";
-  toml += "[noise]\nrms = " +
-          (two ? "{ stress_x = " + noise + ", shear_xy = " + noise + " }\n" : noise + "\n");
+  if (setting.stated)
+    toml += "[noise]\nrms = " +
+            (two ? "{ stress_x = " + noise + ", shear_xy = " + noise + " }\n" : noise + "\n");
   toml += "[reconstruct]\n" + setting.reconstruct;
   if (setting.grid) toml += "surface = \"grid\"\n";
   return parse_scene(toml, "coverage");

@@ -25,6 +25,7 @@ struct Setting {
   std::size_t unknowns = 1;   ///< 1: stress_x; 2: stress_x and shear_xy, friction up to 0.6
   bool layer = false;         ///< three depths thick, bonded; else a half plane
   bool grid = false;          ///< tractions lie on a grid; else where a scene's do by default
+  bool stated = true;         ///< by the scene: how large the noise is
   std::string reconstruct{};  ///< more lines of the scene's section of that name
 };
 

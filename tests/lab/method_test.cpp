@@ -88,7 +88,9 @@ TEST_CASE("a frame of another size, or with NaN, is refused and leaves the room 
 TEST_CASE("the bands' prior is gml judged alone, whatever the other rules say", "[lab][bands]") {
   // Three times the noise stated and an outlier: the rules disagree here, gml by itself is sure.
   Scene scene = parse(one, "[noise]\nrms = 1e-3\n");
+  scene.sensor.depths = {1.9 * scene.sensor.pitch};  // not dense: no windows
   const SceneProblem problem(scene);
+  REQUIRE(!problem.has_load_windows());
   const auto solver = make_solver(problem, Method::tikhonov);
   std::size_t disagreements = 0;
   for (int k = 1; k <= 40; ++k) {

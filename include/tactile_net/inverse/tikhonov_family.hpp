@@ -43,7 +43,7 @@ class TikhonovFamily {
   /// 0 and 4.
   [[nodiscard]] double stacked_condition(double alpha) const noexcept;
 
-  /// tr H: how many of the readings' degrees of freedom the tractions use up.
+  /// tr H: how many of the readings' degrees of freedom the tractions of one alpha use up.
   [[nodiscard]] double degrees_of_freedom(double alpha) const noexcept;
 
   /// The frame in the basis of the singular vectors. O(rows x columns).

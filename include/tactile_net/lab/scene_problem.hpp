@@ -109,10 +109,14 @@ class SceneProblem {
   /// False where they are both large and constrained.
   [[nodiscard]] bool has_bands() const { return !is_large() || !constraints(); }
 
-  /// What bands go by in its place where tractions lie on a grid and the noise is known: without it
-  /// nothing says which windows the readings allow.
+  /// The same on a grid that reaches beyond the array's ends: of line loads over taxels one as fine
+  /// as they are, else this one itself.
+  [[nodiscard]] const SceneProblem& reaching_beyond() const;
+
+  /// What bands go by in its place: on a grid where the noise is stated, since coarse arrays have
+  /// too few readings to tell it from the load; on dense arrays, which do, up to 384 tractions.
   [[nodiscard]] bool has_load_windows() const;
-  /// From three and a half of the least depth on.
+  /// Of `reaching_beyond`, from three and a half of the least depth on.
   [[nodiscard]] const LoadWindows& load_windows() const;
 
  private:
@@ -131,6 +135,8 @@ class SceneFrame {
   ///                               or are not finite, or for a large problem
   SceneFrame(SceneProblem problem, std::span<const double> readings);
 
+  /// As given: without a weight that is estimated.
+  [[nodiscard]] const SceneProblem& given() const noexcept { return given_; }
   /// Of this frame: with its tangential weight.
   [[nodiscard]] const SceneProblem& problem() const noexcept { return problem_; }
   /// The most likely one. Absent: the scene gives it, or there is no tangential traction.
@@ -141,7 +147,8 @@ class SceneFrame {
     double probability = 1.0;  ///< they sum to 1
   };
   [[nodiscard]] std::span<const LikelyWeight> likely_weights() const noexcept { return weights_; }
-  /// The same readings with this weight, as if the scene gave it.
+  /// The same readings, if this weight were the only likely one.
+  /// @pre  the weight is estimated
   [[nodiscard]] SceneFrame weighed(double tangential_weight) const;
   [[nodiscard]] std::span<const double> readings() const noexcept { return readings_; }
 
@@ -165,9 +172,12 @@ class SceneFrame {
   [[nodiscard]] double residual(std::span<const double> tractions) const;
 
  private:
+  SceneFrame(SceneProblem problem, std::span<const double> readings,
+             std::vector<LikelyWeight> weights);
+
   std::vector<LikelyWeight> weights_;
-  SceneProblem scene_;    // as given
-  SceneProblem problem_;  // with the frame's weight
+  SceneProblem given_;
+  SceneProblem problem_;
   std::vector<double> readings_;
   mutable std::optional<FilterFrame> analysed_;
   mutable std::optional<AlphaSweep> sweep_;

@@ -21,10 +21,11 @@ struct FrameUncertainty {
   std::vector<double> deviation{};  ///< of every traction [Pa], one standard deviation
 };
 
-/// Of tractions on a grid, where the noise is stated: by `LoadWindows`. Else by a prior that is
-/// equal everywhere. Its size is the rule gml's alpha, judged without the other rules (with rgcv's
-/// two deviations hold the truth 88 % of the time, with gml's 97 to 99 %); where gml's verdict is
-/// not ok, the alpha of the tractions.
+/// By `LoadWindows` where the problem has them; of line loads over taxels with what may press
+/// beyond the last of them, and where the noise is not stated by the noise that gml leaves. Else by
+/// a prior that is equal everywhere. Its size is the rule gml's alpha, judged without the other
+/// rules (with rgcv's two deviations hold the truth 88 % of the time, with gml's 97 to 99 %); where
+/// gml's verdict is not ok, the alpha of the tractions.
 ///
 /// Under constraints these are the mean squares of the error about the constrained tractions, by
 /// what the readings say without the constraints: the covariance there, and how far the two answers
