@@ -109,6 +109,8 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
     degrade(result, Verdict::ill_conditioned);
     result.remarks.emplace_back(remark::Rounding{*result.error_bound});
   }
+  if (const auto weight = run.frame.estimated_weight())
+    result.remarks.emplace_back(remark::EstimatedWeight{*weight});
   if (const auto off = model_error(bands.noise)) result.remarks.emplace_back(*off);
   result.data = data_verdict(run.problem, run.frame.readings(), f);
   if (!result.data->consistent()) result.remarks.emplace_back(remark::DataDoubted{*result.data});

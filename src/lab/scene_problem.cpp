@@ -256,9 +256,11 @@ std::vector<SceneFrame::LikelyWeight> likely_weights_of(const SceneProblem& prob
   for (const double weight : tangential_weights) {
     const SceneProblem& weighed = problem.weighed(weight);
     const FilterFrame frame = weighed.family().analyse(readings);
-    weights.push_back(
-        {weight, surprise(frame, weighed.alpha_tables(frame), problem.stated_noise(), alpha)});
-    least = std::min(least, weights.back().probability);
+    const double value =
+        surprise(frame, weighed.alpha_tables(frame), problem.stated_noise(), alpha) +
+        surprise_of_weight(weight);
+    weights.push_back({weight, value});
+    least = std::min(least, value);
   }
   const auto normalise = [&] {
     double sum = 0.0;

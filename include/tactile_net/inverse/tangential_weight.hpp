@@ -11,7 +11,8 @@
 ///     double best = 1.0, least = infinity;
 ///     for (const double weight : tangential_weights) {
 ///       const TikhonovFamily& family = of(weight);  // each made once
-///       const double value = surprise(family.analyse(readings), tables(weight), noise_rms);
+///       const double value = surprise(family.analyse(readings), tables(weight), noise_rms) +
+///                            surprise_of_weight(weight);
 ///       if (value < least) least = value, best = weight;
 ///     }
 #pragma once
@@ -43,6 +44,11 @@ inline constexpr std::array tangential_weights = {1.0,
                                                   32.0,
                                                   45.254833995939045,
                                                   64.0};
+
+/// How little likely a weight is before anything is read, 0 for 1: -log of a half-Cauchy density of
+/// 1/w, over the logarithm of w (Gelman 2006; Polson and Scott 2012). Frames that tell nothing of
+/// the tangential traction then do not say that there is none.
+[[nodiscard]] double surprise_of_weight(double tangential_weight) noexcept;
 
 /// How little likely a frame is, -log p(g) but for a constant: what the rule evidence minimises
 /// over alpha, at its least; without the noise's rms that of gml, which profiles it out. Of one
