@@ -48,9 +48,9 @@ struct Frame {
 Frame frame_of(const Scene& scene, double friction, double center, unsigned seed) {
   const double depth = scene.sensor.depths.front();
   const std::vector<Contact> contacts{
-      RigidContact{.force = 0.3 * scene.material.youngs_modulus * depth,
-                   .center = center * depth,
+      RigidContact{.center = center * depth,
                    .half_width = 1.3 * depth,
+                   .force = 0.3 * scene.material.youngs_modulus * depth,
                    .friction = friction}};
   Frame frame{.readings = exact_readings(scene.sensor, scene.material, contacts)};
   add_noise(frame.readings, rms * scene.material.youngs_modulus, seed, 0);
