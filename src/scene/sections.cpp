@@ -182,13 +182,12 @@ void read_constraints(Table& table, const Scene& scene, const Read& read,
                      std::string{two_quantities});
   }
   if (const auto weight = table.value("tangential_weight")) {
-    if (weight->is_text()) {
-      constexpr std::string_view ways[] = {"evidence"};
-      if (weight->one_of("way to estimate a weight", ways)) options.tangential_weight.reset();
-    } else {
-      options.tangential_weight = weight->number(positive);
-    }
-    if (known && one_channel)
+    constexpr std::string_view ways[] = {"evidence"};
+    const bool estimated = weight->is_text();
+    options.tangential_weight = estimated ? std::nullopt : weight->number(positive);
+    const bool valid = estimated ? weight->one_of("way to estimate a weight", ways).has_value()
+                                 : options.tangential_weight.has_value();
+    if (valid && known && one_channel)
       weight->problem("weighs the tangential traction, which one quantity at one depth cannot tell",
                       std::string{two_quantities});
   }
