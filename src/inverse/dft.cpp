@@ -15,6 +15,7 @@
 #include "numeric/real_fft.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/sensing/aperture.hpp"
 
 namespace tactile_net {
 namespace {
@@ -73,10 +74,11 @@ DftInverse::DftInverse(const SensorArray& array, const Material& material, doubl
   const std::size_t n = array.count;
   plan_ = std::make_unique<Plan>(n);
   const PadKernel response(array.reads[0], Traction::normal, material, array.depths[0]);
+  const Aperture aperture(array.width, array.depths[0]);
   const auto kernel = plan_->fft.samples();
   for (std::size_t i = 0; i < n; ++i) {  // offsets 0, 1, ..., -2, -1 around the circle
     const double offset = i <= n / 2 ? static_cast<double>(i) : -static_cast<double>(n - i);
-    kernel[i] = array.pitch * response(offset * array.pitch);
+    kernel[i] = array.pitch * aperture.mean(response, offset * array.pitch);
   }
   plan_->fft.forward();
 

@@ -6,11 +6,13 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "inverse/checks.hpp"
 #include "inverse/stabiliser.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/elasticity/hat_kernel.hpp"
+#include "tactile_net/sensing/aperture.hpp"
 #include "tactile_net/sensing/surface_kernel.hpp"
 
 namespace tactile_net {
@@ -48,19 +50,25 @@ void add_lags(const SensorArray& array, const Material& material, const ProblemO
 void add_hats(const Material& material, InverseProblem& problem) {
   const Surface& surface = problem.surface;
   const std::size_t n = surface.count;
-  std::map<std::tuple<Quantity, std::size_t, double>, HatKernel> made;  // by unknown and depth too
+  // By quantity, unknown and depth; by width and depth.
+  std::map<std::tuple<Quantity, std::size_t, double>, HatKernel> made;
+  std::map<std::pair<double, double>, Aperture> apertures;
   for (std::size_t row = 0; row < problem.sites.size(); ++row) {
     const Site& site = problem.sites[row];
+    const Aperture& aperture =
+        apertures.try_emplace({site.width, site.depth}, site.width, site.depth).first->second;
     for (std::size_t u = 0; u < problem.unknowns; ++u) {
       const auto [kernel, is_new] =
           made.try_emplace({site.quantity, u, site.depth}, site.quantity, traction_components[u],
                            material, site.depth, surface.spacing);
+      const HatKernel& hat = kernel->second;
+      const auto error = [&](double y) { return hat.error_bound(y); };
       for (std::size_t j = 0; j < n; ++j) {
         const double distance = site.y - surface.position(j);
         const double weight = problem.weights[row];
-        problem.kernel(row, u * n + j) = weight * kernel->second(distance);
+        problem.kernel(row, u * n + j) = weight * aperture.mean(hat, distance);
         problem.kernel_error =
-            std::hypot(problem.kernel_error, weight * kernel->second.error_bound(distance));
+            std::hypot(problem.kernel_error, weight * aperture.mean(error, distance));
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "tactile_net/elasticity/pad_kernel.hpp"
+#include "tactile_net/sensing/aperture.hpp"
 
 namespace tactile_net {
 namespace {
@@ -43,10 +44,11 @@ Gains gains(std::span<const Complex> normal, std::span<const Complex> tangential
   return {.normal = 1.0 / (n * s), .tangential = 1.0 / (t * s)};
 }
 
-/// A quantity read at one depth, and what a response of it counts for.
+/// A quantity read at one depth over some width, and what a response of it counts for.
 struct Row {
   Quantity quantity;
   double depth;
+  Aperture aperture;
   double weight;
 };
 
@@ -59,12 +61,14 @@ std::vector<Row> rows_of(const SensorArray& array, const ProblemOptions& options
   std::vector<Row> rows;
   if (is_even(array)) {
     for (const Channel& channel : channels(array))
-      rows.push_back({channel.quantity, channel.depth, weight(rows.size())});
+      rows.push_back({channel.quantity, channel.depth, Aperture(channel.width, channel.depth),
+                      weight(rows.size())});
     return rows;
   }
   const double share = 1.0 / std::sqrt(static_cast<double>(array.count));
   for (const Site& site : sites(array))
-    rows.push_back({site.quantity, site.depth, share * weight(site.channel)});
+    rows.push_back({site.quantity, site.depth, Aperture(site.width, site.depth),
+                    share * weight(site.channel)});
   return rows;
 }
 
@@ -76,10 +80,10 @@ std::vector<Complex> columns_of(const SensorArray& array, const Material& materi
     for (const Row& row : rows) {
       const Traction component = traction_components[u];
       const bool odd = is_odd(row.quantity, component);
-      columns.push_back(odd && on_grid
-                            ? 0.0
-                            : row.weight * pad_transform(row.quantity, component, material,
-                                                         row.depth, wavenumber));
+      columns.push_back(odd && on_grid ? 0.0
+                                       : row.weight * row.aperture.transform(wavenumber) *
+                                             pad_transform(row.quantity, component, material,
+                                                           row.depth, wavenumber));
     }
   return columns;
 }

@@ -10,6 +10,7 @@
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/lab/unseen_width.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/sensing/aperture.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 
 namespace tactile_net::lab {
@@ -26,13 +27,15 @@ std::size_t compared_taxels(std::size_t count) {
 /// wavelength. A channel that a layer's base keeps from reading anything has the half plane's, so
 /// that its rounding is not taken for a signal.
 double largest_response(const Scene& scene, const Channel& channel) {
+  const Aperture aperture(channel.width, channel.depth);
   const auto largest = [&](const Material& material) {
     double most = 0.0;
     for (std::size_t j = 1; j <= scene.sensor.count / 2; ++j) {
       const double k = 2.0 * std::numbers::pi * static_cast<double>(j) /
                        (static_cast<double>(scene.sensor.count) * scene.sensor.pitch);
-      most = std::max(most, std::abs(pad_transform(channel.quantity, Traction::normal, material,
-                                                   channel.depth, k)));
+      most = std::max(
+          most, std::abs(aperture.transform(k) * pad_transform(channel.quantity, Traction::normal,
+                                                               material, channel.depth, k)));
     }
     return most;
   };
@@ -125,11 +128,11 @@ SensorChoice study(const Scene& scene, const SensorArray& array, std::size_t tax
 /// than the first depth as they are.
 SensorArray reading(const SensorArray& array, const std::vector<Quantity>& reads,
                     const std::vector<double>& depths) {
-  if (is_even(array)) return {array.count, array.pitch, depths, reads};
+  if (is_even(array)) return {array.count, array.pitch, depths, reads, array.width};
   std::vector<Taxel> taxels;
   for (const Taxel& taxel : array.taxels)
     for (const double depth : depths)
-      taxels.push_back({taxel.y, taxel.depth * (depth / array.depths.front()), reads});
+      taxels.push_back({taxel.y, taxel.depth * (depth / array.depths.front()), reads, taxel.width});
   return uneven_array(std::move(taxels));
 }
 

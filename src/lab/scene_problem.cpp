@@ -309,6 +309,18 @@ const FilterFrame& SceneFrame::analysed() const {
   return *analysed_;
 }
 
+const SceneFrame& SceneFrame::reaching_beyond() const {
+  const SceneProblem& beyond = given_.reaching_beyond();
+  if (&beyond == &given_) return *this;
+  if (!reaching_beyond_) {
+    std::vector<LikelyWeight> weights;
+    if (const auto weight = estimated_weight()) weights.push_back({.value = *weight});
+    reaching_beyond_ =
+        std::make_shared<const SceneFrame>(SceneFrame(beyond, readings_, std::move(weights)));
+  }
+  return *reaching_beyond_;
+}
+
 const AlphaSweep& SceneFrame::sweep() const {
   if (!sweep_)
     sweep_ = sweep_alpha(analysed(), problem_.alpha_tables(analysed()), problem_.stated_noise());

@@ -1,6 +1,7 @@
 #include "tactile_net/lab/uncertainty.hpp"
 
-#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace tactile_net::lab {
 namespace {
@@ -21,30 +22,16 @@ double degrees_of_freedom(const SceneFrame& frame, const FrameResult& result) {
   return TikhonovFamily(scene.problem(), *scene.constraints(), free).degrees_of_freedom(alpha);
 }
 
-/// The frame's problem on a grid that reaches beyond the array's ends.
-const SceneProblem& beyond_ends(const SceneFrame& frame) {
-  const SceneProblem& grid = frame.given().reaching_beyond();
-  return frame.estimated_weight() ? grid.weighed(*frame.estimated_weight()) : grid;
-}
-
-/// As the whole surface leaves it, load beyond the array's ends included.
+/// As the readings have it that no load explains, beyond the array's ends or elsewhere.
 NoiseEstimate noise_in(const SceneFrame& frame) {
   const TikhonovFamily& family = frame.problem().family();
   const double alpha = frame.prior().alpha;
   return estimate_noise(frame.residual(family.solve(frame.analysed(), alpha)),
-                        frame.analysed().rows, family.degrees_of_freedom(alpha));
+                        frame.analysed().rows, family.degrees_of_freedom(alpha),
+                        frame.problem().stated_noise());
 }
 
-NoiseEstimate noise_of(const SceneFrame& frame, std::span<const double> tractions,
-                       const FrameResult& result) {
-  const std::optional<double> stated = frame.problem().stated_noise();
-  if (!stated && frame.problem().has_load_windows())
-    return noise_in(SceneFrame(beyond_ends(frame), frame.readings()));
-  return estimate_noise(frame.residual(tractions), frame.analysed().rows,
-                        degrees_of_freedom(frame, result), stated);
-}
-
-/// Values on a surface as those of a grid as fine that reaches further, with nothing in between.
+/// Values on a surface as those of a grid as fine that reaches further, with nothing beyond.
 std::vector<double> with_margins(std::span<const double> values, const Surface& own,
                                  const Surface& grid) {
   const std::size_t unknowns = values.size() / own.count;
@@ -78,9 +65,9 @@ TractionCovariance covariance_about(const SceneFrame& frame, std::span<const dou
 
 /// What `covariance` makes of the frame with its weight, or with each that the readings leave
 /// likely; of several the sum, each as likely as they make it.
-template <class Covariance_>
+template <class OfFrame>
 TractionCovariance over_weights(const SceneFrame& frame, std::size_t tractions,
-                                const Covariance_& covariance) {
+                                const OfFrame& covariance) {
   if (frame.likely_weights().empty()) return covariance(frame);
   std::vector<TractionCovariance> covariances;
   for (const auto& [weight, probability] : frame.likely_weights())
@@ -99,8 +86,20 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
                              const FrameResult& result) {
   const SceneProblem& scene = frame.problem();
   const double alpha = result.alpha->value;
-  FrameUncertainty bands{.noise = noise_of(frame, tractions, result)};
-  const double rms = bands.noise.rms();
+  FrameUncertainty bands;
+  bands.noise = estimate_noise(frame.residual(tractions), frame.analysed().rows,
+                               degrees_of_freedom(frame, result), scene.stated_noise());
+  double rms = bands.noise.rms();
+  bool by_windows = scene.has_load_windows();
+  if (by_windows && scene.surface().basis == SurfaceBasis::taxels) {
+    // An error of the model counts for noise: else only the roughest loads would explain it, and
+    // the band would be theirs. Readings without any noise have no windows.
+    const NoiseEstimate found = noise_in(frame.reaching_beyond());
+    const double of_windows = std::hypot(found.rms(), found.model_rms);
+    by_windows = of_windows > 0.0;
+    if (by_windows) rms = of_windows;
+    if (by_windows && !scene.stated_noise()) bands.noise = found;
+  }
   const auto fill = [&](const Covariance& covariance, std::span<const double> f,
                         const Surface& surface) {
     bands.resultant = resultant_of(surface, f, covariance, rms);
@@ -108,11 +107,12 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
     for (double& value : bands.deviation) value *= rms;
   };
 
-  if (scene.has_load_windows() && rms > 0.0) {
-    const Surface& grid = frame.given().reaching_beyond().surface();
+  if (by_windows) {
+    const Surface& grid = frame.reaching_beyond().problem().surface();
     const std::vector<double> f = with_margins(tractions, scene.surface(), grid);
     const auto windows = [&](const SceneFrame& weighed) {
-      return beyond_ends(weighed).load_windows().covariance(frame.readings(), f, alpha, rms);
+      return weighed.reaching_beyond().problem().load_windows().covariance(frame.readings(), f,
+                                                                           alpha, rms);
     };
     fill(over_weights(frame, f.size(), windows), f, grid);
   } else if (result.constrained || !frame.likely_weights().empty()) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tactile_net/elasticity/pad_kernel.hpp"
+#include "tactile_net/sensing/aperture.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -47,13 +48,14 @@ Neighbours about_widest_gap(const SensorArray& array, std::span<const std::size_
 
 /// A strip's reading at the distance y from its middle, over its largest traction: the integral of
 /// k(y - s) sqrt(1 - s^2 / a^2) by the Gauss rule of that weight.
-double strip_reading(const PadKernel& kernel, double depth, double half_width, double y) {
+double strip_reading(const PadKernel& kernel, const Aperture& aperture, double depth,
+                     double half_width, double y) {
   const int n = 16 + static_cast<int>(8.0 * half_width / depth);
   double sum = 0.0;
   for (int i = 1; i <= n; ++i) {
     const double angle = pi * i / (n + 1.0);
     const double sine = std::sin(angle);
-    sum += sine * sine * kernel(y - half_width * std::cos(angle));
+    sum += sine * sine * aperture.mean(kernel, y - half_width * std::cos(angle));
   }
   return pi * half_width / (n + 1.0) * sum;
 }
@@ -69,6 +71,7 @@ std::optional<double> unseen_width(const SensorArray& array, const Material& mat
   struct Reading {
     double y, depth, rms;
     const PadKernel* kernel;
+    Aperture aperture;
   };
   std::map<std::pair<Quantity, double>, PadKernel> kernels;
   std::vector<Reading> readings;
@@ -78,13 +81,14 @@ std::optional<double> unseen_width(const SensorArray& array, const Material& mat
     if (dead || site.y < taxels.y.front() || site.y > taxels.y.back()) continue;
     const auto kernel = kernels.try_emplace({site.quantity, site.depth}, site.quantity,
                                             Traction::normal, material, site.depth);
-    readings.push_back({site.y, site.depth, channel_rms[site.channel], &kernel.first->second});
+    readings.push_back({site.y, site.depth, channel_rms[site.channel], &kernel.first->second,
+                        Aperture(site.width, site.depth)});
   }
 
   const auto is_seen = [&](double half_width, double middle) {
     return std::any_of(readings.begin(), readings.end(), [&](const Reading& one) {
-      return traction *
-                 std::abs(strip_reading(*one.kernel, one.depth, half_width, one.y - middle)) >
+      return traction * std::abs(strip_reading(*one.kernel, one.aperture, one.depth, half_width,
+                                               one.y - middle)) >
              one.rms;
     });
   };
@@ -94,7 +98,7 @@ std::optional<double> unseen_width(const SensorArray& array, const Material& mat
   for (const Reading& one : readings) {
     double peak = 0.0;
     for (int i = -40; i <= 40; ++i)
-      peak = std::max(peak, std::abs((*one.kernel)(0.05 * i * one.depth)));
+      peak = std::max(peak, std::abs(one.aperture.mean(*one.kernel, 0.05 * i * one.depth)));
     if (peak > 0.0) least = std::min(least, one.rms / (traction * 0.5 * pi * peak) / 1.1);
   }
   const double most = 0.5 * static_cast<double>(array.count) * array.pitch;

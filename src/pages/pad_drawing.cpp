@@ -81,9 +81,12 @@ std::string draw_pad(const Scene& scene, std::string_view inside, std::string_vi
   const double radius = std::clamp(300.0 / static_cast<double>(scene.sensor.count), 1.2, 4.0);
   std::set<std::pair<double, double>> drawn;  // several quantities may be read at one place
   for (const Site& site : sites(scene.sensor))
-    if (drawn.emplace(site.y, site.depth).second)
-      svg += "<circle class=\"taxel\" cx=\"" + px(frame.at(site.y)) + "\" cy=\"" +
-             px(depth(site.depth)) + "\" r=\"" + px(radius) + "\"/>";
+    if (drawn.emplace(site.y, site.depth).second) {
+      const double half = std::max(0.5 * site.width * frame.scale, radius);
+      svg += "<rect class=\"taxel\" x=\"" + px(frame.at(site.y) - half) + "\" y=\"" +
+             px(depth(site.depth) - radius) + "\" width=\"" + px(2.0 * half) + "\" height=\"" +
+             px(2.0 * radius) + "\" rx=\"" + px(radius) + "\"/>";
+    }
   const double y = frame.surface;
   svg += '\n' + line("surface", y);
   if (scene.material.layer) svg += line("base", y + frame.thickness);

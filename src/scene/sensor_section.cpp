@@ -9,6 +9,8 @@
 #include "scene/references.hpp"
 #include "scene/sections.hpp"
 #include "scene/taxel_file.hpp"
+#include "tactile_net/sensing/aperture.hpp"
+#include "tactile_net/sensing/surface.hpp"
 
 namespace tactile_net {
 namespace {
@@ -65,6 +67,22 @@ void read_depths(const std::optional<Value>& one, const std::optional<Value>& se
   read.depths_complete = !array.depths.empty();
 }
 
+/// One number for all taxels, or one for each.
+std::optional<std::vector<double>> one_or_each(const Value& value, std::size_t count, Rule rule,
+                                               const Unit& length) {
+  if (!value.is_list()) {
+    const auto one = value.number(rule, length);
+    return one ? std::optional(std::vector<double>(count, *one)) : std::nullopt;
+  }
+  auto each = value.numbers(rule, length);
+  if (each && each->size() != count) {
+    value.problem("must be one number, or one for each taxel: " + std::to_string(count) + " (got " +
+                  std::to_string(each->size()) + ')');
+    return std::nullopt;
+  }
+  return each;
+}
+
 /// Equally far apart.
 void read_even(Table& table, SensorArray& array, Read& read) {
   if (const auto count = table.required(
@@ -77,29 +95,19 @@ void read_even(Table& table, SensorArray& array, Read& read) {
   const auto depth =
       table.required("depth", "how far below the surface the taxels are: depth = 1.5", {"depths"});
   read_depths(depth, table.value("depths"), array, read);
+  if (const auto width = table.value("width")) {
+    array.width = width->number(not_negative, read.units.length).value_or(0.0);
+    if (read.depths_complete && array.width > Aperture::most_depths * least_depth(array))
+      width->misfit("must be at most 10000 depths");
+  }
   read.reads = table.required("reads", "what each taxel reads: reads = [\"strain_x\"]");
   if (read.reads) read_quantities(*read.reads, array, read);
-}
-
-/// One number for all taxels, or one for each.
-std::optional<std::vector<double>> read_taxel_depths(const Value& depth, std::size_t count,
-                                                     const Unit& length) {
-  if (!depth.is_list()) {
-    const auto one = depth.number(positive, length);
-    return one ? std::optional(std::vector<double>(count, *one)) : std::nullopt;
-  }
-  auto each = depth.numbers(positive, length);
-  if (each && each->size() != count) {
-    depth.problem("must be one number, or one for each taxel: " + std::to_string(count) + " (got " +
-                  std::to_string(each->size()) + ')');
-    return std::nullopt;
-  }
-  return each;
 }
 
 /// What the table says of every taxel of a list or a file.
 struct Common {
   std::optional<Value> depth;
+  std::optional<Value> width;
   std::vector<Quantity> reads;
 };
 
@@ -115,12 +123,15 @@ std::vector<Taxel> read_positions(const Value& positions, const Common& common,
     return {};
   }
   const auto depths =
-      common.depth ? read_taxel_depths(*common.depth, places->size(), length) : std::nullopt;
-  if (!depths) return {};
+      common.depth ? one_or_each(*common.depth, places->size(), positive, length) : std::nullopt;
+  const auto widths = common.width
+                          ? one_or_each(*common.width, places->size(), not_negative, length)
+                          : std::vector<double>(places->size(), 0.0);
+  if (!depths || !widths) return {};
   std::vector<Taxel> taxels;
   std::size_t misfits = 0;
   for (std::size_t i = 0; i < places->size(); ++i) {
-    taxels.push_back({(*places)[i], (*depths)[i], common.reads});
+    taxels.push_back({(*places)[i], (*depths)[i], common.reads, (*widths)[i]});
     if (i == 0 || misfits == most_misfits) continue;
     const double before = (*places)[i - 1];
     if ((*places)[i] < before || ((*places)[i] == before && (*depths)[i] == (*depths)[i - 1])) {
@@ -147,6 +158,7 @@ std::vector<Taxel> read_file(const Value& value, const std::filesystem::path& fo
     return {};
   }
   Taxel missing{.reads = common.reads};
+  if (common.width) missing.width = common.width->number(not_negative, length).value_or(0.0);
   if (common.depth) missing.depth = common.depth->number(positive, length).value_or(0.0);
   try {
     return read_taxel_file(references.folder / file, missing, length,
@@ -173,6 +185,7 @@ SensorArray read_uneven(Table& table, const std::optional<Value>& positions,
                                                     "how far below the surface the taxels are: "
                                                     "depth = 1.5, or one number for each")
                                    : table.value("depth"),
+                .width = table.value("width"),
                 .reads = {}};
   read.reads = positions ? table.required("reads", "what each taxel reads: reads = [\"strain_x\"]")
                          : table.value("reads");

@@ -14,8 +14,8 @@
 namespace tactile_net {
 namespace {
 
-constexpr std::array<std::string_view, 3> known = {"y", "depth", "reads"};
-enum Column { y, depth, reads };
+constexpr std::array<std::string_view, 4> known = {"y", "depth", "reads", "width"};
+enum Column { y, depth, reads, width };
 
 /// Where each known column stands.
 using Places = std::array<std::optional<std::size_t>, known.size()>;
@@ -38,7 +38,7 @@ Places places_of(const CsvTable::Row& header, const Unit& length) {
     const std::string name = plain(header, header.fields[k], length);
     const auto found = std::find(known.begin(), known.end(), name);
     if (found == known.end())
-      throw error_in_line(header.line, "a column has another name than y, depth, reads");
+      throw error_in_line(header.line, "a column has another name than y, depth, reads, width");
     auto& place = places[static_cast<std::size_t>(found - known.begin())];
     if (place) throw error_in_line(header.line, "a column stands there twice");
     place = k;
@@ -94,8 +94,10 @@ std::vector<Taxel> read_taxel_file(const std::filesystem::path& path, const Taxe
     Taxel taxel = missing;
     taxel.y = length_in(row, *places[y], known[y], length);
     if (places[depth]) taxel.depth = length_in(row, *places[depth], known[depth], length);
+    if (places[width]) taxel.width = length_in(row, *places[width], known[width], length);
     if (places[reads]) taxel.reads = quantities_in(row, *places[reads]);
     if (!(taxel.depth > 0.0)) throw error_in_line(row.line, "depth is not > 0");
+    if (!(taxel.width >= 0.0)) throw error_in_line(row.line, "width is below 0");
     if (!taxels.empty() && taxel.y < taxels.back().y)
       throw error_in_line(row.line, "y is below the taxel before it: it must rise");
     taxels.push_back(std::move(taxel));

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "numeric/require.hpp"
+#include "tactile_net/sensing/aperture.hpp"
 
 namespace tactile_net {
 namespace {
@@ -20,6 +22,11 @@ bool contains(const auto& values, const auto& value) {
   return std::find(values.begin(), values.end(), value) != values.end();
 }
 
+void check_width(const std::string& name, double width, double depth) {
+  require(width >= 0.0 && width <= Aperture::most_depths * depth, name,
+          "be >= 0 and at most 10000 depths", width);
+}
+
 void check(const std::vector<Taxel>& taxels) {
   require(taxels.size() >= 2, "taxels", "be 2 at least", taxels.size());
   for (std::size_t i = 0; i < taxels.size(); ++i) {
@@ -27,6 +34,7 @@ void check(const std::vector<Taxel>& taxels) {
     const std::string which = "taxel " + std::to_string(i);
     require(std::isfinite(taxel.y), "y of " + which, "be finite", taxel.y);
     require_positive("depth of " + which, taxel.depth);
+    check_width("width of " + which, taxel.width, taxel.depth);
     check_reads(taxel.reads);
     for (std::size_t j = i; j-- > 0 && taxels[j].y >= taxel.y;) {
       require(taxels[j].y == taxel.y, "y of " + which, "not be less than that of the one before",
@@ -47,8 +55,8 @@ std::vector<Channel> even_channels(const SensorArray& array) {
     for (std::size_t i = 0; i < array.depths.size(); ++i) {
       std::string label(name(quantity));
       if (array.depths.size() > 1) label += '@' + std::to_string(i);
-      result.push_back(
-          {quantity, array.depths[i], std::move(label), result.size() * array.count, array.count});
+      result.push_back({quantity, array.depths[i], std::move(label), result.size() * array.count,
+                        array.count, array.width});
     }
   return result;
 }
@@ -79,7 +87,10 @@ void check(const SensorArray& array) {
   require(array.count >= 2, "count", "be >= 2", array.count);
   require_positive("pitch", array.pitch);
   if (array.depths.empty()) throw std::invalid_argument("depths must hold at least one value");
-  for (const double depth : array.depths) require_positive("depth", depth);
+  for (const double depth : array.depths) {
+    require_positive("depth", depth);
+    check_width("width", array.width, depth);
+  }
   check_reads(array.reads);
 }
 
@@ -126,8 +137,10 @@ std::vector<Site> sites(const SensorArray& array) {
   for (std::size_t c = 0; const Channel& channel : channels(array)) {
     for (std::size_t i = 0; i < array.count; ++i) {
       if (!is_even(array) && !contains(array.taxels[i].reads, channel.quantity)) continue;
-      const double depth = is_even(array) ? channel.depth : array.taxels[i].depth;
-      result.push_back({position(array, i), depth, channel.quantity, i, c});
+      const auto [depth, width] = is_even(array)
+                                      ? std::pair(channel.depth, channel.width)
+                                      : std::pair(array.taxels[i].depth, array.taxels[i].width);
+      result.push_back({position(array, i), depth, channel.quantity, i, c, width});
     }
     ++c;
   }

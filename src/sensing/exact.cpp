@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 
 #include "tactile_net/elasticity/hat_kernel.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
@@ -293,19 +294,23 @@ std::vector<double> exact_readings(const Channel& channel, std::span<const doubl
 std::vector<double> exact_readings(const SensorArray& array, const Material& material,
                                    std::span<const Contact> contacts, const Quadrature& rule) {
   check(array);
-  // Taxels of one quantity at one depth share their kernels; even arrays have them side by side.
+  // Taxels of one quantity at one depth, equally wide, share their kernels; even arrays have them
+  // side by side.
   const std::vector<Site> all = sites(array);
-  std::map<std::pair<std::size_t, double>, std::vector<std::size_t>> alike;  // channel, depth
-  for (std::size_t i = 0; i < all.size(); ++i) alike[{all[i].channel, all[i].depth}].push_back(i);
+  // By channel, depth, width.
+  std::map<std::tuple<std::size_t, double, double>, std::vector<std::size_t>> alike;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    alike[{all[i].channel, all[i].depth, all[i].width}].push_back(i);
 
   const std::vector<Channel> named = channels(array);
   std::vector<double> readings(all.size());
   for (const auto& [which, indices] : alike) {
-    const auto& [channel, depth] = which;
+    const auto& [channel, depth, width] = which;
     std::vector<double> places;
     for (const std::size_t i : indices) places.push_back(all[i].y);
-    const std::vector<double> block = exact_readings(
-        {named[channel].quantity, depth, named[channel].name}, places, material, contacts, rule);
+    const std::vector<double> block =
+        exact_readings({named[channel].quantity, depth, named[channel].name}, places, material,
+                       contacts, rule, Aperture(width, depth));
     for (std::size_t k = 0; k < indices.size(); ++k) readings[indices[k]] = block[k];
   }
   return readings;

@@ -4,17 +4,19 @@
 
 #include "sensing/superpose.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
+#include "tactile_net/sensing/aperture.hpp"
 
 namespace tactile_net {
 
 std::vector<double> sampled_kernel(const Channel& channel, Traction component,
                                    const Material& material, std::size_t count, double pitch) {
   const PadKernel response(channel.quantity, component, material, channel.depth);
+  const Aperture aperture(channel.width, channel.depth);
   std::vector<double> kernel(2 * count - 1);
   const auto centre = static_cast<double>(count - 1);
   for (std::size_t i = 0; i < kernel.size(); ++i) {
     const double y = (static_cast<double>(i) - centre) * pitch;
-    kernel[i] = response(y) * pitch;
+    kernel[i] = aperture.mean(response, y) * pitch;
   }
   return kernel;
 }

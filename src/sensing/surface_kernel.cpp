@@ -6,6 +6,7 @@
 #include "tactile_net/elasticity/half_plane.hpp"
 #include "tactile_net/elasticity/hat_kernel.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
+#include "tactile_net/sensing/aperture.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 
 namespace tactile_net {
@@ -39,11 +40,12 @@ SurfaceKernel surface_kernel(const Channel& channel, Traction component, const M
     return kernel;
   }
   const HatKernel response(channel.quantity, component, material, channel.depth, surface.spacing);
+  const Aperture aperture(channel.width, channel.depth);
   kernel.lags.reserve(2 * n - 1);
   for (std::size_t i = 0; i + 1 < 2 * n; ++i) {
     const double u = (static_cast<double>(i) - static_cast<double>(n - 1)) * surface.spacing;
-    kernel.lags.push_back(response(u));
-    kernel.error += response.error_bound(u);
+    kernel.lags.push_back(aperture.mean(response, u));
+    kernel.error += aperture.mean([&](double y) { return response.error_bound(y); }, u);
   }
   return kernel;
 }

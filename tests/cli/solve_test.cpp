@@ -155,6 +155,7 @@ TEST_CASE("bands of recorded frames hold what truly pressed", "[cli]") {
   REQUIRE(bands.size() == truth.size());
   std::size_t within = 0;
   std::size_t all = 0;
+  std::size_t forces_beyond = 0;
   for (std::size_t frame = 0; frame < truth.size(); ++frame) {
     CAPTURE(pad.name, frame);
     REQUIRE(bands[frame].size() == 13 + 2 * pad.count);
@@ -164,13 +165,16 @@ TEST_CASE("bands of recorded frames hold what truly pressed", "[cli]") {
       const double error = std::abs(found[frame][1 + j] - truth[frame][4 + j]);
       if (error <= 2.0 * bands[frame][11 + j]) ++within;
     }
-    for (std::size_t component : {std::size_t{1}, std::size_t{2}})  // normal, tangential force
-      CHECK(std::abs(bands[frame][2 * component - 1] - truth[frame][component]) <=
-            2.5 * bands[frame][2 * component]);
+    for (std::size_t component : {std::size_t{1}, std::size_t{2}}) {  // normal, tangential force
+      const double error = std::abs(bands[frame][2 * component - 1] - truth[frame][component]);
+      if (error > 2.0 * bands[frame][2 * component]) ++forces_beyond;
+      CHECK(error <= 3.5 * bands[frame][2 * component]);
+    }
     CHECK(bands[frame][9] < 1.25);   // the residual, in units of the noise stated,
     CHECK(bands[frame][10] == 0.0);  // and what of it the noise does not explain
   }
   CHECK(static_cast<double>(within) >= 0.95 * static_cast<double>(all));
+  CHECK(forces_beyond <= 1);  // of 10 and of 14
 }
 
 TEST_CASE("a recording has a page, with its numbers beside it", "[cli]") {

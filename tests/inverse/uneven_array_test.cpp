@@ -1,10 +1,12 @@
 // Taxels that lie where they lie: what must hold whatever their places.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <span>
 #include <vector>
 
+#include "tactile_net/elasticity/hat_kernel.hpp"
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
@@ -91,6 +93,56 @@ TEST_CASE("an even array taxel by taxel has the same readings and the same K", "
     REQUIRE_THAT(other.kernel.values[i], WithinAbs(one.kernel.values[i], 1e-12 * peak));
   CHECK(other.kernel_error <
         1e-12 * peak * std::sqrt(static_cast<double>(one.kernel.values.size())));
+}
+
+TEST_CASE("K of wide taxels is the mean of the hats' readings across them", "[uneven][aperture]") {
+  constexpr double width = 1.7 * depth;
+  constexpr int parts = 400;  // of Simpson's rule
+  SensorArray wide = even;
+  wide.width = width;
+  std::vector<Taxel> taxels = taxels_of(even);
+  for (Taxel& taxel : taxels) taxel.width = width;
+  const InverseProblem one = make_problem(wide, silicone, on_grid(2));
+  const InverseProblem listed =
+      make_problem(uneven_array(taxels), silicone, on_grid(2, one.surface.spacing));
+  const double peak = largest(one.kernel.values);
+  for (const std::size_t row : {0UL, 3UL, 13UL}) {
+    const Site& site = one.sites[row];
+    for (std::size_t column = 0; column < one.kernel.columns; ++column) {
+      const std::size_t i = column % one.surface.count;
+      const HatKernel hat(site.quantity, traction_components[column / one.surface.count], silicone,
+                          depth, one.surface.spacing);
+      double mean = 0.0;
+      for (int part = 0; part <= parts; ++part) {
+        const double weight = part == 0 || part == parts ? 1.0 : part % 2 == 1 ? 4.0 : 2.0;
+        const double y = site.y + width * (static_cast<double>(part) / parts - 0.5);
+        mean += weight / (3.0 * parts) * hat(y - one.surface.position(i));
+      }
+      REQUIRE_THAT(one.kernel(row, column), WithinAbs(mean, 1e-9 * peak));
+      REQUIRE_THAT(listed.kernel(row, column), WithinAbs(one.kernel(row, column), 1e-12 * peak));
+    }
+  }
+}
+
+TEST_CASE("tractions on the grid are read by wide taxels as K says", "[uneven][aperture]") {
+  std::vector<Taxel> taxels = palm().taxels;
+  for (std::size_t i = 0; i < taxels.size(); ++i)
+    taxels[i].width = depth * (i % 3 == 0 ? 2.0 : 0.4 * static_cast<double>(i % 3));
+  const SensorArray wide = uneven_array(taxels);
+  const InverseProblem problem = make_problem(wide, silicone, on_grid(2));
+  SampledTractions tractions{.first = problem.surface.position(0),
+                             .pitch = problem.surface.spacing};
+  std::vector<double> f(problem.kernel.columns);
+  for (std::size_t i = 0; i < f.size(); ++i) f[i] = std::cos(0.37 * static_cast<double>(i * i));
+  const auto half = f.begin() + std::ssize(f) / 2;
+  tractions.normal.assign(f.begin(), half);
+  tractions.tangential.assign(half, f.end());
+  const std::vector<double> g = exact_readings(wide, silicone, std::vector<Contact>{tractions});
+  for (std::size_t row = 0; row < g.size(); ++row) {
+    const std::span<const double> k = problem.kernel.row(row);
+    CHECK_THAT(std::inner_product(k.begin(), k.end(), f.begin(), 0.0),
+               WithinAbs(g[row], 1e-12 * largest(g)));
+  }
 }
 
 TEST_CASE("a taxel that does not read a quantity is a row less, and nothing else", "[uneven]") {

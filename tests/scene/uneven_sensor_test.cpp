@@ -129,6 +129,29 @@ TEST_CASE("the scene says what the file leaves out", "[scene][uneven]") {
              ContainsSubstring("another unit than the scene's, m"));
 }
 
+TEST_CASE("taxels may have a width, one for all or each its own", "[scene][uneven]") {
+  const std::string even = "[sensor]\ncount = 5\npitch = 1\ndepth = 1.5\nreads = [\"stress_x\"]\n";
+  CHECK(parse_scene(even + "width = 0.8\n" + pad, "scene.toml").sensor.width == 0.8);
+  CHECK(sites(parse_scene(even + "width = 0.8\n" + pad, "s").sensor)[3].width == 0.8);
+  const Scene listed =
+      parse_scene(positions("-2, 0, 3", "depth = 1.5\nwidth = [0, 1.0, 2]\n"), "scene.toml");
+  CHECK(listed.sensor.taxels[1].width == 1.0);
+  CHECK(listed.sensor.taxels[2].width == 2.0);
+  const TaxelFile file("y,depth,reads,width\n-2,1.5,stress_x,0.5\n0,1.2,stress_x,0\n");
+  CHECK(file.read().sensor.taxels[0].width == 0.5);
+  const TaxelFile silent("y,depth,reads\n-2,1.5,stress_x\n0,1.2,stress_x\n");
+  CHECK(silent.read("width = 0.7\n").sensor.taxels[1].width == 0.7);
+
+  CHECK_THAT(refusal(even + "width = -1\n" + pad), ContainsSubstring("sensor.width must be >= 0"));
+  CHECK_THAT(refusal(even + "width = 1e6\n" + pad), ContainsSubstring("at most 10000 depths"));
+  CHECK_THAT(refusal(positions("-2, 0, 3", "depth = 1.5\nwidth = [1, 2]\n")),
+             ContainsSubstring("one for each taxel: 3 (got 2)"));
+  CHECK_THAT(refusal(positions("-2, 0, 3", "depth = 1.5\nwidth = 1e6\n")),
+             ContainsSubstring("at most 10000 depths"));
+  CHECK_THAT(TaxelFile("y,depth,reads,width\n-2,1.5,stress_x,-1\n0,1,stress_x,0\n").refusal(),
+             ContainsSubstring("line 2: width is below 0"));
+}
+
 TEST_CASE("a file of taxels that is not in order is refused with its line", "[scene][uneven]") {
   const auto said = [](const std::string& text) { return TaxelFile(text).refusal(); };
   CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n-1,1,stress_x\n"),

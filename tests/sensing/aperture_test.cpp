@@ -36,6 +36,25 @@ TEST_CASE("a wide taxel reads a wave smaller by the factor of its transform",
   }
 }
 
+TEST_CASE("the transform of a wide taxel is what it makes of a wave", "[aperture][property]") {
+  const Aperture wide(1.7, 0.6);
+  for (const double k : {0.0, 0.4, 3.0, -3.0})
+    CHECK_THAT(wide.mean([&](double y) { return std::cos(k * y); }, 0.0),
+               WithinAbs(wide.transform(k), 1e-14));
+  CHECK(Aperture{}.transform(3.0) == 1.0);
+}
+
+TEST_CASE("a wide taxel's reading is as even or odd as a point's, to the bit",
+          "[aperture][property]") {
+  const Aperture wide(GENERATE(0.3, 1.7, 9.0), 0.6);
+  const PadKernel even(Quantity::stress_x, Traction::normal, pad, 0.6);
+  const PadKernel odd(Quantity::stress_x, Traction::tangential, pad, 0.6);
+  for (const double y : {0.1, 0.77, 5.0}) {
+    CHECK(wide.mean(even, y) == wide.mean(even, -y));
+    CHECK(wide.mean(odd, y) == -wide.mean(odd, -y));
+  }
+}
+
 TEST_CASE("a wide taxel bears the force that passes through it", "[aperture][property]") {
   // The integral of 2 x^3 / (pi r^4) over y.
   const double depth = GENERATE(1e-3, 1.0);

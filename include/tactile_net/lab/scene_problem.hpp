@@ -156,6 +156,9 @@ class SceneFrame {
   /// @throw std::invalid_argument  the readings have the wrong size or are not finite
   [[nodiscard]] const FilterFrame& analysed() const;
 
+  /// The same readings, of `problem().reaching_beyond()`.
+  [[nodiscard]] const SceneFrame& reaching_beyond() const;
+
   /// Every rule for alpha.
   [[nodiscard]] const AlphaSweep& sweep() const;
   [[nodiscard]] bool has_sweep() const noexcept { return sweep_.has_value(); }
@@ -182,6 +185,7 @@ class SceneFrame {
   mutable std::optional<FilterFrame> analysed_;
   mutable std::optional<AlphaSweep> sweep_;
   mutable std::optional<AlphaChoice> prior_;
+  mutable std::shared_ptr<const SceneFrame> reaching_beyond_;
 };
 
 }  // namespace tactile_net::lab

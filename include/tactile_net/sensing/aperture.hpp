@@ -7,6 +7,7 @@
 /// taxels, whatever the load is made of.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,8 @@ class Aperture {
     double weight = 1.0;  ///< of the reading there; all of them sum to 1
   };
 
+  static constexpr double most_depths = 1e4;  ///< that a taxel may be wide
+
   /// A point.
   Aperture() = default;
 
@@ -28,17 +31,25 @@ class Aperture {
   ///                               than 10,000 depths
   Aperture(double width, double depth);
 
+  /// What the reading of a wave sin(k y) is to a point's: sin(k w / 2) / (k w / 2).
+  [[nodiscard]] double transform(double wavenumber) const noexcept;
+
+  /// One, or pairs that mirror each other.
   [[nodiscard]] std::span<const Node> nodes() const noexcept { return nodes_; }
 
   /// The mean of `reading`, a function of y or of the distance from a load [m], about `y`; to 1e-14
-  /// of its largest value. `reading` may be a `PadKernel` or a `HatKernel` of that depth.
+  /// of its largest value, and even or odd in y to the bit where `reading` is. `reading` may be a
+  /// `PadKernel` or a `HatKernel` of that depth.
   [[nodiscard]] double mean(const auto& reading, double y) const {
+    if (nodes_.size() == 1) return reading(y);
     double sum = 0.0;
-    for (const Node& node : nodes_) sum += node.weight * reading(y + node.offset);
+    for (std::size_t i = 0; i < nodes_.size(); i += 2)
+      sum += nodes_[i].weight * (reading(y + nodes_[i].offset) + reading(y + nodes_[i + 1].offset));
     return sum;
   }
 
  private:
+  double width_ = 0.0;
   std::vector<Node> nodes_{Node{}};
 };
 

@@ -16,6 +16,7 @@ struct Taxel {
   double y = 0.0;                 ///< along the surface [m]
   double depth = 0.0;             ///< below it [m], > 0
   std::vector<Quantity> reads{};  ///< at least one, none twice
+  double width = 0.0;             ///< along y [m], >= 0: it reads the mean over it (aperture.hpp)
 };
 
 /// Equally spaced taxels along y, centred on y = 0, at one or several depths; or, made by
@@ -29,6 +30,8 @@ struct SensorArray {
   double pitch = 0.0;             ///< distance of neighbours [m], > 0; of an uneven array the mean
   std::vector<double> depths{};   ///< below the surface [m], each > 0, at least one
   std::vector<Quantity> reads{};  ///< at least one, none twice
+  double width =
+      0.0;  ///< of every taxel of an even array [m], >= 0; of an uneven one each has its own
   /// Of an uneven array, y never falling; the others follow from it. Empty: an even array.
   std::vector<Taxel> taxels{};
 };
@@ -54,6 +57,7 @@ struct Channel {
                        ///< `depths`)
   std::size_t first = 0;  ///< index of its first reading
   std::size_t count = 0;  ///< readings
+  double width = 0.0;     ///< of the taxels of an even array [m]
 };
 
 /// Where and what one reading is of.
@@ -63,6 +67,7 @@ struct Site {
   Quantity quantity = Quantity::stress_x;
   std::size_t taxel = 0;    ///< index along y, < count
   std::size_t channel = 0;  ///< index into `channels`
+  double width = 0.0;       ///< [m]
 };
 
 /// @throw std::invalid_argument  a value is out of its range or not finite

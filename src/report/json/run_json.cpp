@@ -90,12 +90,16 @@ Json taxels_json(const SensorArray& array) {
   Json json = Json::object();
   const std::vector<Channel> all = channels(array);
   for (const Channel& channel : all)
-    json[channel.name] = {{"index", Json::array()}, {"y", Json::array()}, {"depth", Json::array()}};
+    json[channel.name] = {{"index", Json::array()},
+                          {"y", Json::array()},
+                          {"depth", Json::array()},
+                          {"width", Json::array()}};
   for (const Site& site : sites(array)) {
     Json& channel = json[all[site.channel].name];
     channel["index"].push_back(site.taxel);
     channel["y"].push_back(site.y);
     channel["depth"].push_back(site.depth);
+    channel["width"].push_back(site.width);
   }
   return json;
 }

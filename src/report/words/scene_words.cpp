@@ -37,6 +37,20 @@ std::string in_words(const SampledTractions& contact, const Scene&) {
          (contact.tangential.empty() ? "" : ", normal and tangential");
 }
 
+/// Nothing for points.
+std::string widths_in_words(const Scene& scene) {
+  double least = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (const Site& site : sites(scene.sensor)) {
+    least = std::min(least, site.width);
+    largest = std::max(largest, site.width);
+  }
+  if (largest == 0.0) return {};
+  const auto length = [&](double value) { return in_unit(scene, Dimension::length, value); };
+  const std::string from = least == largest ? "" : least == 0.0 ? "up to " : length(least) + " to ";
+  return ", " + from + length(largest) + " wide";
+}
+
 }  // namespace
 
 std::string sensor_in_words(const Scene& scene) {
@@ -48,7 +62,8 @@ std::string sensor_in_words(const Scene& scene) {
          (is_even(sensor) ? "pitch " + length(sensor.pitch)
                           : "from y = " + length(position(sensor, 0)) + " to " +
                                 length(position(sensor, sensor.count - 1))) +
-         ", reading " + join(reads, ", ") + " at depth " + depths_in_words(scene);
+         ", reading " + join(reads, ", ") + " at depth " + depths_in_words(scene) +
+         widths_in_words(scene);
 }
 
 std::string depths_in_words(const Scene& scene, const std::optional<Channel>& channel) {
