@@ -10,6 +10,7 @@
 
 #include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/sensing/array.hpp"
+#include "tactile_net/sensing/surface.hpp"
 
 namespace tactile_net::hard {
 
@@ -42,6 +43,15 @@ struct RealMatrix {
 /// @param circular  the stabiliser's differences close around the circle
 [[nodiscard]] Reals reference_minimiser(const RealMatrix& kernel, const Reals& right, double alpha,
                                         double ratio, std::size_t count, bool circular);
+
+/// W K of tractions that are hats on a surface, for taxels anywhere, and the minimiser of
+/// problem.hpp's functional there. Taxels are points.
+[[nodiscard]] RealMatrix reference_hat_matrix(const SensorArray& array, const Material& material,
+                                              const ProblemOptions& options,
+                                              const Surface& surface);
+[[nodiscard]] Reals reference_hat_minimiser(const RealMatrix& kernel, const Reals& right,
+                                            double alpha, double smoothing_length,
+                                            const Surface& surface);
 
 /// P f - b for the true blocks.
 [[nodiscard]] Reals reference_gradient(const RealMatrix& kernel, const Reals& right, double alpha,

@@ -85,3 +85,28 @@ TEST_CASE("a refusal names field, rule and value of an array", "[array]") {
                      {Quantity::stress_x, Quantity::shear_xy, Quantity::stress_x})) ==
         "reads must name a quantity once (got stress_x twice)");
 }
+
+TEST_CASE(
+    "a channel of an uneven array counts the taxels that read it, and begins where the last ends",
+    "[array][uneven]") {
+  const SensorArray array = uneven_array({{-2.0, 1.5, {Quantity::stress_x, Quantity::shear_xy}},
+                                          {0.0, 1.2, {Quantity::shear_xy}},
+                                          {0.0, 1.4, {Quantity::stress_x}},
+                                          {3.0, 1.3, {Quantity::shear_xy}}});
+  const std::vector<Channel> all = channels(array);
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].quantity == Quantity::stress_x);
+  CHECK(all[0].first == 0);
+  CHECK(all[0].count == 2);
+  CHECK(all[0].depth == 1.4);
+  CHECK(all[1].first == 2);
+  CHECK(all[1].count == 3);
+  CHECK(all[1].depth == 1.2);
+  CHECK(reading_count(array) == 5);
+  const std::vector<Site> where = sites(array);
+  REQUIRE(where.size() == 5);
+  for (std::size_t c = 0; c < all.size(); ++c)
+    for (std::size_t i = 0; i < all[c].count; ++i) CHECK(where[all[c].first + i].channel == c);
+  CHECK(where[1].taxel == 2);
+  CHECK(where[4].y == 3.0);
+}

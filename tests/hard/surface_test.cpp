@@ -1,0 +1,118 @@
+// Taxels and surfaces at their limits: no answer is wrong beyond its own stated bound.
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tactile_net/inverse/error_bound.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tactile_net/sensing/exact.hpp"
+#include "tests/catch.hpp"
+#include "tests/hard/reference.hpp"
+
+using namespace tactile_net;
+using namespace tactile_net::hard;
+
+namespace {
+
+using enum Quantity;
+
+struct SurfaceCase {
+  std::string name;
+  SensorArray array;
+  std::size_t unknowns = 1;
+  Material material{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
+  SurfaceOptions surface{.basis = SurfaceBasis::hats};
+  double alpha = 1e-4;
+};
+
+SensorArray stress_at(const std::vector<double>& places, double depth = 1.5) {
+  std::vector<Taxel> taxels;
+  for (const double y : places) taxels.push_back({y, depth, {stress_x}});
+  return uneven_array(std::move(taxels));
+}
+
+std::vector<SurfaceCase> surface_cases() {
+  std::vector<SurfaceCase> all;
+  all.push_back({.name = "two taxels", .array = stress_at({-1.0, 2.5})});
+  all.push_back({.name = "all taxels at one place",
+                 .array = uneven_array({{0.3, 0.5, {stress_x, shear_xy}},
+                                        {0.3, 1.0, {stress_x, shear_xy}},
+                                        {0.3, 2.5, {stress_x, shear_xy}}}),
+                 .unknowns = 2});
+  all.push_back({.name = "taxels 1e-6 apart",
+                 .array = stress_at({-2.0, -2.0 + 1e-6, 0.1, 0.1 + 1e-6, 1.9, 1.9 + 1e-6}),
+                 .alpha = 1e-8});
+  all.push_back({.name = "a spacing 100 times finer than the taxels",
+                 .array = stress_at({-2.0, 0.0, 2.0}),
+                 .surface = {.basis = SurfaceBasis::hats, .spacing = 0.02, .margin = 1.0}});
+  all.push_back({.name = "one taxel for each quantity",
+                 .array = uneven_array({{-1.0, 1.5, {stress_x}}, {1.2, 1.5, {shear_xy}}}),
+                 .unknowns = 2});
+  Material layer{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
+  layer.layer = Layer{.thickness = 2.0, .base = Base::bonded};
+  all.push_back({.name = "a taxel at the base of a layer",
+                 .array = uneven_array(
+                     {{-1.5, 1.0, {stress_x}}, {0.0, 2.0, {stress_x}}, {1.7, 1.4, {stress_x}}}),
+                 .material = layer,
+                 .surface = {.basis = SurfaceBasis::hats, .spacing = 0.5, .margin = 2.0}});
+  for (const double margin : {0.0, 15.0})
+    all.push_back({.name = "margin " + std::to_string(margin),
+                   .array = stress_at({-3.0, -1.2, 0.4, 2.5}),
+                   .surface = {.basis = SurfaceBasis::hats, .margin = margin}});
+  std::vector<double> places(1000);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto k = static_cast<double>(i);
+    places[i] = 0.05 * k + 0.02 * std::sin(0.7 * k * k);
+  }
+  all.push_back({.name = "1000 uneven taxels",
+                 .array = stress_at(places),
+                 .surface = {.basis = SurfaceBasis::hats, .spacing = 1.0}});
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("every answer on a hard surface stays within its bound of 50 digits", "[hard][uneven]") {
+  const std::vector<Contact> contacts{
+      RigidContact{.center = 0.2, .half_width = 1.0, .force = 3.0, .friction = 0.3}};
+  for (const SurfaceCase& c : surface_cases()) {
+    const ProblemOptions options{
+        .unknowns = c.unknowns, .smoothing_length = 1.5, .surface = c.surface};
+    const InverseProblem problem = make_problem(c.array, c.material, options);
+    const std::vector<double> readings = exact_readings(c.array, c.material, contacts);
+    const RealMatrix kernel = reference_hat_matrix(c.array, c.material, options, problem.surface);
+    CAPTURE(c.name, problem.surface.count);
+
+    Real off = 0;  // of K, in the Frobenius norm
+    for (std::size_t i = 0; i < kernel.values.size(); ++i) {
+      const Real difference = Real(problem.kernel.values[i]) - kernel.values[i];
+      off += difference * difference;
+    }
+    CHECK(static_cast<double>(sqrt(off)) <= problem.kernel_error);
+    CHECK(problem.kernel_error <= 1e-12 * static_cast<double>(norm(kernel.values)));
+
+    const Reals right(readings.begin(), readings.end());
+    const Reals exact = reference_hat_minimiser(kernel, right, c.alpha, 1.5, problem.surface);
+    const TikhonovFamily family(problem);
+    const auto judge = [&](const std::string& method, const std::vector<double>& f) {
+      const double bound =
+          forward_bound(problem, c.alpha, readings, f, family.stacked_condition(c.alpha));
+      const double error = relative_error(f, exact);
+      CAPTURE(method, error, bound);
+      CHECK(error <= bound);
+      CHECK(error <= 1e-9);
+    };
+    const auto by_matrix = [&](const Reconstruction& inverse) {
+      std::vector<double> f(inverse.tractions());
+      REQUIRE(inverse.solve(readings, f) == FrameStatus::ok);
+      return f;
+    };
+    judge("matrix", by_matrix(tikhonov(problem, c.alpha)));
+    judge("direct", tikhonov_solve(problem, c.alpha, readings));
+    judge("family", family.solve(family.analyse(readings), c.alpha));
+    judge("closed form", by_matrix(closed_form(problem, c.alpha)));
+  }
+}
