@@ -9,6 +9,7 @@
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
@@ -110,15 +111,11 @@ ProductTask prediction_task(const ProductTask& reconstruction) {
   return task;
 }
 
-/// Of the normal force h sum f_v, per unit of noise: the posterior's, h^2 1'P^-1 1; 0 where
-/// rounding leaves none.
+/// Of the normal force h sum f_v, per unit of noise: the posterior's.
 double force_deviation(const InverseProblem& problem, double alpha) {
-  Eigen::VectorXd ones = Eigen::VectorXd::Zero(as_eigen(problem.kernel).cols());
-  ones.head(static_cast<Eigen::Index>(problem.surface.count)).setOnes();
-  const Matrix p = normal_matrix(problem, alpha);
-  const double variance = ones.dot(solve_definite(as_eigen(p), ones));
-  return variance > 0.0 && std::isfinite(variance) ? problem.surface.spacing * std::sqrt(variance)
-                                                   : 0.0;
+  std::vector<double> sum(problem.kernel.columns);
+  std::fill_n(sum.begin(), problem.surface.count, problem.surface.spacing);
+  return TractionCovariance(problem, alpha, alpha).deviation(sum);
 }
 
 /// What the rms of that many readings of white noise exceeds once in 1000 frames, per unit of it.

@@ -28,10 +28,13 @@ Reconstruction closed_form(const InverseProblem& problem, double alpha,
     e.block(u * block, u, block, 1).setOnes();
   }
 
-  const Eigen::VectorXd sizes = std::sqrt(alpha) * stabiliser_sizes(problem).replicate(unknowns, 1);
+  const Eigen::VectorXd sizes = std::sqrt(alpha) * stabiliser_sizes(problem);
+  Eigen::VectorXd slope_sizes(slopes);
+  for (Eigen::Index u = 0; u < unknowns; ++u)
+    slope_sizes.segment(u * (block - 1), block - 1)
+        .setConstant(size * problem.smoothing_length * stabiliser_weight(problem, u * block));
   Eigen::MatrixXd of_h(m + n + slopes, slopes);
-  of_h << kernel * g, sizes.asDiagonal() * g,
-      size * problem.smoothing_length * Eigen::MatrixXd::Identity(slopes, slopes);
+  of_h << kernel * g, sizes.asDiagonal() * g, Eigen::MatrixXd(slope_sizes.asDiagonal());
   Eigen::MatrixXd of_c(of_h.rows(), unknowns);
   of_c << kernel * e, sizes.asDiagonal() * e, Eigen::MatrixXd::Zero(slopes, unknowns);
 

@@ -10,6 +10,7 @@
 
 #include "inverse/checks.hpp"
 #include "inverse/rounding.hpp"
+#include "inverse/stabiliser.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/real_fft.hpp"
@@ -63,7 +64,7 @@ class BinnedPeriodogram final : public ResidualPeriodogram {
 }  // namespace
 
 struct DftTikhonov::Plan {
-  /// A / sqrt(l) = U S V' at one frequency.
+  /// A / sqrt(l) = U S V' at one frequency, A's columns over the weights of the tractions.
   struct Frequency {
     Eigen::MatrixXcd u, v;
     Eigen::VectorXd s;
@@ -86,6 +87,7 @@ struct DftTikhonov::Plan {
 
   RealFft fft;
   std::size_t unknowns = 1;
+  double tangential_weight = 1.0;
   std::vector<double> weights;  // of each channel
   std::vector<Frequency> frequencies;
   std::vector<DftNullMode> null_modes;
@@ -113,6 +115,7 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
   plan_ = std::make_unique<Plan>(n);
   Plan& plan = *plan_;
   plan.unknowns = options.unknowns;
+  plan.tangential_weight = options.tangential_weight;
   plan.weights.assign(all.size(), 1.0);
   for (std::size_t c = 0; c < options.channel_rms.size(); ++c)
     plan.weights[c] = 1.0 / options.channel_rms[c];
@@ -133,7 +136,8 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
         const std::complex<double> value =
             plan.weights[c] * (odd ? std::complex<double>(0.0, plan.fft.bins()[k].imag())
                                    : std::complex<double>(plan.fft.bins()[k].real(), 0.0));
-        a[k](static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(u)) = value;
+        a[k](static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(u)) =
+            value / stabiliser_weight(u, options.tangential_weight);
       }
     }
 
@@ -194,13 +198,22 @@ double DftTikhonov::forward_bound(std::span<const double> readings, double alpha
     if (square > 0.0 || alpha > 0.0) residual += alpha / (square + alpha) * power;
   }
   double solution = 0.0;
-  for (const double f : tractions) solution += (f / frame.scale) * (f / frame.scale);
+  double weighted = 0.0;  // as the stacked system has them
+  for (std::size_t i = 0; i < tractions.size(); ++i) {
+    const double f = tractions[i] / frame.scale;
+    const double weight = stabiliser_weight(i / plan_->fft.size(), plan_->tangential_weight);
+    solution += f * f;
+    weighted += weight * f * (weight * f);
+  }
+  const double lighter =
+      std::min(1.0, stabiliser_weight(plan_->unknowns - 1, plan_->tangential_weight));
+  const double of_tractions = solution > 0.0 ? std::sqrt(weighted / solution) / lighter : 1.0;
   const double underflow = underflow_error(readings.size() + tractions.size(), frame.scale);
   const double lost = solution > 0.0 ? underflow / std::sqrt(solution) : 0.0;
-  return wedin_bound(condition(alpha), std::hypot(plan_->largest, std::sqrt(alpha)),
-                     std::sqrt(right), std::sqrt(residual), std::sqrt(solution),
-                     plan_->kernel_error / plan_->largest +
-                         3.0 * RealFft::error(plan_->fft.size()) + underflow) +
+  return of_tractions * wedin_bound(condition(alpha), std::hypot(plan_->largest, std::sqrt(alpha)),
+                                    std::sqrt(right), std::sqrt(residual), std::sqrt(weighted),
+                                    plan_->kernel_error / lighter / plan_->largest +
+                                        3.0 * RealFft::error(plan_->fft.size()) + underflow) +
          lost;
 }
 
@@ -285,7 +298,7 @@ FrameStatus DftTikhonov::solve(std::span<const double> readings, double alpha,
     for (std::size_t k = 0; k < plan.frequencies.size(); ++k)
       plan.fft.bins()[k] =
           plan.solution(static_cast<Eigen::Index>(u), static_cast<Eigen::Index>(k)) /
-          static_cast<double>(n);
+          static_cast<double>(n) / stabiliser_weight(u, plan.tangential_weight);
     plan.fft.backward();
     std::copy_n(plan.fft.samples().begin(), n,
                 plan.tractions.begin() + static_cast<std::ptrdiff_t>(u * n));

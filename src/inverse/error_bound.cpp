@@ -35,7 +35,9 @@ double forward_bound(const InverseProblem& problem, double alpha, std::span<cons
   // |A|_2 lies between the root of the mean and the root of the sum of its squared entries; from
   // below the bound stays one. |A|_2 >= the norm of the stabiliser, and >= |K x| for any unit x.
   const double ratio = problem.smoothing_length / problem.surface.spacing;
-  const double stabiliser = std::sqrt(alpha * problem.surface.area * (1.0 + 2.0 * ratio * ratio));
+  const double heavier = std::max(1.0, stabiliser_weight(problem, kernel.cols() - 1));
+  const double stabiliser =
+      heavier * std::sqrt(alpha * problem.surface.area * (1.0 + 2.0 * ratio * ratio));
   Eigen::VectorXd x = Eigen::VectorXd::Constant(kernel.cols(), 1.0);
   x /= x.norm();
   double response = 0.0;

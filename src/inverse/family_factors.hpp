@@ -12,11 +12,12 @@
 namespace tactile_net {
 
 struct TikhonovFamily::Factors {
-  explicit Factors(const InverseProblem& problem);
+  /// @param condition  of L, at most
+  Factors(const InverseProblem& problem, StandardForm standard, double condition);
 
   std::size_t line;  // readings whose spectrum is taken together
   Eigen::VectorXd weights;
-  double stabiliser_condition;  // of L, at most
+  double stabiliser_condition;
   StandardForm form;
   std::vector<double> gamma;
   Eigen::MatrixXd fourier;                         // cosines, then sines, channel by channel

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "inverse/checks.hpp"
+#include "inverse/stabiliser.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/real_fft.hpp"
 #include "tactile_net/sensing/surface_kernel.hpp"
@@ -53,9 +54,13 @@ struct FftTikhonov::Plan {
   }
 
   /// Of a value's own size in sqrt(alpha) L, where hats at the ends have a slope of their own.
-  [[nodiscard]] double size_at(std::size_t i) const noexcept {
+  [[nodiscard]] double size_of(std::size_t unknown, std::size_t i) const noexcept {
     const bool ends = i == 0 || i + 1 == count;
-    return ends && surface.basis == SurfaceBasis::hats ? end_size : size;
+    return stabiliser_weight(unknown, tangential_weight) *
+           (ends && surface.basis == SurfaceBasis::hats ? end_size : size);
+  }
+  [[nodiscard]] double slope_of(std::size_t unknown) const noexcept {
+    return stabiliser_weight(unknown, tangential_weight) * slope;
   }
 
   /// [W K; sqrt(alpha) L] x.
@@ -78,8 +83,8 @@ struct FftTikhonov::Plan {
     for (std::size_t u = 0; u < unknowns; ++u)
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t at = u * count + i;
-        slope_out[at] = i + 1 < count ? slope * (x[at + 1] - x[at]) : 0.0;
-        size_out[at] = size_at(i) * x[at];
+        slope_out[at] = i + 1 < count ? slope_of(u) * (x[at + 1] - x[at]) : 0.0;
+        size_out[at] = size_of(u, i) * x[at];
       }
   }
 
@@ -105,8 +110,9 @@ struct FftTikhonov::Plan {
       padded.backward();
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t at = u * count + i;
-        x[at] = padded.samples()[i] + size_at(i) * size_in[at] +
-                slope * ((i > 0 ? slope_in[at - 1] : 0.0) - (i + 1 < count ? slope_in[at] : 0.0));
+        x[at] =
+            padded.samples()[i] + size_of(u, i) * size_in[at] +
+            slope_of(u) * ((i > 0 ? slope_in[at - 1] : 0.0) - (i + 1 < count ? slope_in[at] : 0.0));
       }
     }
   }
@@ -150,6 +156,7 @@ struct FftTikhonov::Plan {
   double slope = 0.0;     // that times l / h
   double end_size = 0.0;  // of both together
   double ratio = 0.0;     // l / h
+  double tangential_weight = 1.0;
   std::vector<double> weights;
   std::vector<Spectrum> kernels;  // channels x unknowns, over the padded size
   /// A frequency's A'A of the circular kernels, a Hermitian matrix of unknowns x unknowns.
@@ -178,6 +185,7 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
   plan_ = std::make_unique<Plan>(surface, array.count, all.size(), options.unknowns);
   Plan& plan = *plan_;
   plan.ratio = options.smoothing_length / surface.spacing;
+  plan.tangential_weight = options.tangential_weight;
 
   std::vector<double> channel_weights(all.size(), 1.0);
   for (std::size_t c = 0; c < options.channel_rms.size(); ++c)
@@ -240,7 +248,7 @@ void FftTikhonov::use_alpha(double alpha) {
     }
     // Scaled to a unit diagonal, so that the determinant of a large kernel stays in range.
     const double a = gram.first + shift;
-    const double d = gram.last + shift;
+    const double d = gram.last + shift * plan.tangential_weight * plan.tangential_weight;
     const double root = std::sqrt(a) * std::sqrt(d);
     const Complex b = gram.mixed / root;  // of row 1, column 0
     const double determinant = std::max(1.0 - std::norm(b), std::numeric_limits<double>::epsilon());
@@ -278,8 +286,10 @@ FrameStatus FftTikhonov::solve(std::span<const double> readings, std::span<doubl
   p.direction = p.preconditioned;
   double power = dot(p.gradient, p.preconditioned);
   // What the last steps took off the error in the norm of P: a step later than that, the error was
-  // about as large (Hestenes and Stiefel 1952, 6). P >= alpha h / D turns it into the 2-norm.
-  const double least = p.alpha * p.surface.area;
+  // about as large (Hestenes and Stiefel 1952, 6). P >= alpha h / D, times the lighter traction's
+  // weight squared, turns it into the 2-norm.
+  const double lighter = std::min(1.0, stabiliser_weight(p.unknowns - 1, p.tangential_weight));
+  const double least = p.alpha * p.surface.area * lighter * lighter;
   std::array<double, 4> gains{};
   Convergence& c = p.convergence;
   c.converged = false;

@@ -219,12 +219,14 @@ ModeSpace hidden_modes(const InverseProblem& problem) {
 }
 
 ModeSpace hidden_modes(const InverseProblem& problem, const TikhonovFamily& family) {
-  // K = U diag(gamma) V' R, and R's singular values lie between sqrt(h/D) and that times the
-  // condition of L.
+  // K = U diag(gamma) V' R, and of each traction R's singular values lie between sqrt(h/D) and that
+  // times the condition of L, times the traction's weight.
   const std::span<const double> gamma = family.singular_values();
-  const double least = std::sqrt(problem.surface.area);
+  const double size = std::sqrt(problem.surface.area);
   const double ratio = problem.smoothing_length / problem.surface.spacing;
-  const double most = least * std::sqrt(1.0 + 5.0 * ratio * ratio);
+  const double weight = problem.unknowns == 2 ? problem.tangential_weight : 1.0;
+  const double least = size * std::min(1.0, weight);
+  const double most = size * std::max(1.0, weight) * std::sqrt(1.0 + 5.0 * ratio * ratio);
   if (problem.kernel.rows >= problem.kernel.columns &&
       gamma.back() * least > 2.0 * floor_of(problem, gamma.front() * most))
     return {};

@@ -86,6 +86,8 @@ void check(const SensorArray& array, const Material& material, const ProblemOpti
         "two tractions cannot be told apart by one quantity at one depth: read a second one");
   if (!(options.smoothing_length >= 0.0) || !std::isfinite(options.smoothing_length))
     throw std::invalid_argument("smoothing_length must be >= 0 and finite");
+  if (!(options.tangential_weight > 0.0) || !std::isfinite(options.tangential_weight))
+    throw std::invalid_argument("tangential_weight must be > 0 and finite");
   if (options.channel_rms.empty()) {
     const bool strain = std::any_of(array.reads.begin(), array.reads.end(), is_strain);
     const bool stress = !std::all_of(array.reads.begin(), array.reads.end(), is_strain);
@@ -112,7 +114,8 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
                          .taxels = array.count,
                          .unknowns = options.unknowns,
                          .surface = surface_of(array, options.surface),
-                         .smoothing_length = options.smoothing_length};
+                         .smoothing_length = options.smoothing_length,
+                         .tangential_weight = options.tangential_weight};
   const std::vector<bool> dead = dead_places(array, options);
   for (const Site& site : problem.sites)
     problem.weights.push_back(dead[site.taxel] ? 0.0
@@ -147,16 +150,14 @@ Matrix normal_matrix(const InverseProblem& problem, double alpha) {
   RowMajor p = RowMajor::Zero(kernel.cols(), kernel.cols());
   p.selfadjointView<Eigen::Upper>().rankUpdate(kernel.transpose());
 
-  const double ratio = problem.smoothing_length / problem.surface.spacing;
-  const double coupling = alpha * problem.surface.area * ratio * ratio;
   const Eigen::VectorXd sizes = stabiliser_sizes(problem);
-  const Eigen::Index n = sizes.size();
+  const Eigen::VectorXd couplings = stabiliser_couplings(problem, alpha);
   for (Eigen::Index i = 0; i < p.rows(); ++i) {
-    p(i, i) += alpha * sizes(i % n) * sizes(i % n);
-    if (i % n + 1 == n) continue;  // the last point of a block has no right neighbour
-    p(i, i) += coupling;
-    p(i + 1, i + 1) += coupling;
-    p(i, i + 1) -= coupling;
+    p(i, i) += alpha * sizes(i) * sizes(i);
+    if (couplings(i) == 0.0) continue;
+    p(i, i) += couplings(i);
+    p(i + 1, i + 1) += couplings(i);
+    p(i, i + 1) -= couplings(i);
   }
   p.triangularView<Eigen::StrictlyLower>() = p.transpose();
   return from_eigen(p);

@@ -1,40 +1,84 @@
 /// @file
-/// The stabiliser of problem.hpp, L'L = h/D (l^2/h^2 Q + I). Private.
+/// The stabiliser of problem.hpp: of each traction L'L = h/D (l^2/h^2 Q + I), of the tangential one
+/// times its weight squared. Private.
 #pragma once
 
 #include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
 
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/problem.hpp"
 
 namespace tactile_net {
 
-/// What the size of each value of one traction counts for in L. Hats fall to 0 beyond the first and
-/// the last one: these slopes are values' own, too.
+/// What L of one traction is multiplied by. @param unknown  0: the normal one
+[[nodiscard]] constexpr double stabiliser_weight(std::size_t unknown,
+                                                 double tangential_weight) noexcept {
+  return unknown == 0 ? 1.0 : tangential_weight;
+}
+
+/// The same for the traction that column i of K belongs to.
+[[nodiscard]] inline double stabiliser_weight(const InverseProblem& problem, Eigen::Index i) {
+  const auto unknown = static_cast<std::size_t>(i) / problem.surface.count;
+  return stabiliser_weight(unknown, problem.tangential_weight);
+}
+
+/// What the size of each value counts for in L. Hats fall to 0 beyond the first and the last one
+/// of a traction: these slopes are values' own, too.
 [[nodiscard]] inline Eigen::VectorXd stabiliser_sizes(const InverseProblem& problem) {
   const Surface& surface = problem.surface;
+  const auto block = static_cast<Eigen::Index>(surface.count);
   const double size = std::sqrt(surface.area);
-  Eigen::VectorXd sizes = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(surface.count), size);
-  if (surface.basis == SurfaceBasis::hats)
-    sizes(0) = sizes(sizes.size() - 1) =
-        size * std::hypot(1.0, problem.smoothing_length / surface.spacing);
+  const double end = surface.basis == SurfaceBasis::hats
+                         ? size * std::hypot(1.0, problem.smoothing_length / surface.spacing)
+                         : size;
+  Eigen::VectorXd sizes(static_cast<Eigen::Index>(problem.kernel.columns));
+  for (Eigen::Index i = 0; i < sizes.size(); ++i) {
+    const bool is_end = i % block == 0 || i % block + 1 == block;
+    sizes(i) = (is_end ? end : size) * stabiliser_weight(problem, i);
+  }
   return sizes;
 }
 
-/// L itself, [sqrt(h/D) l/h differences; diagonal of sizes], 2 n x n.
+/// What the slope from each value to its right neighbour counts for in L; 0 for the last value of
+/// a traction, which has none.
+[[nodiscard]] inline Eigen::VectorXd stabiliser_slopes(const InverseProblem& problem) {
+  const Surface& surface = problem.surface;
+  const auto block = static_cast<Eigen::Index>(surface.count);
+  const double slope = std::sqrt(surface.area) * problem.smoothing_length / surface.spacing;
+  Eigen::VectorXd slopes(static_cast<Eigen::Index>(problem.kernel.columns));
+  for (Eigen::Index i = 0; i < slopes.size(); ++i)
+    slopes(i) = i % block + 1 == block ? 0.0 : slope * stabiliser_weight(problem, i);
+  return slopes;
+}
+
+/// Their squares, times alpha.
+[[nodiscard]] inline Eigen::VectorXd stabiliser_couplings(const InverseProblem& problem,
+                                                          double alpha = 1.0) {
+  const Surface& surface = problem.surface;
+  const auto block = static_cast<Eigen::Index>(surface.count);
+  const double ratio = problem.smoothing_length / surface.spacing;
+  Eigen::VectorXd couplings(static_cast<Eigen::Index>(problem.kernel.columns));
+  for (Eigen::Index i = 0; i < couplings.size(); ++i) {
+    const double weight = stabiliser_weight(problem, i);
+    const double coupling = alpha * surface.area * ratio * ratio * weight * weight;
+    couplings(i) = i % block + 1 == block ? 0.0 : coupling;
+  }
+  return couplings;
+}
+
+/// L itself, [slopes; diagonal of sizes], 2 n x n.
 [[nodiscard]] inline Eigen::MatrixXd stabiliser(const InverseProblem& problem) {
   const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
-  const auto block = static_cast<Eigen::Index>(problem.surface.count);
   const Eigen::VectorXd sizes = stabiliser_sizes(problem);
-  const double slope =
-      std::sqrt(problem.surface.area) * problem.smoothing_length / problem.surface.spacing;
+  const Eigen::VectorXd slopes = stabiliser_slopes(problem);
   Eigen::MatrixXd l = Eigen::MatrixXd::Zero(2 * n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    l(n + i, i) = sizes(i % block);
-    if (i % block + 1 == block) continue;  // the last point of a block has no right neighbour
-    l(i, i) = -slope;
-    l(i, i + 1) = slope;
+    l(n + i, i) = sizes(i);
+    if (slopes(i) == 0.0) continue;
+    l(i, i) = -slopes(i);
+    l(i, i + 1) = slopes(i);
   }
   return l;
 }
@@ -43,19 +87,16 @@ namespace tactile_net {
 /// so that the squares lose nothing.
 [[nodiscard]] inline Eigen::MatrixXd stabiliser_triangle(const InverseProblem& problem) {
   const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
-  const auto block = static_cast<Eigen::Index>(problem.surface.count);
-  const double ratio = problem.smoothing_length / problem.surface.spacing;
-  const double coupling = problem.surface.area * ratio * ratio;
   const Eigen::VectorXd sizes = stabiliser_sizes(problem);
+  const Eigen::VectorXd couplings = stabiliser_couplings(problem);
   Eigen::MatrixXd r = Eigen::MatrixXd::Zero(n, n);
   double passed_on = 0.0;  // by elimination, from the left neighbour
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double own = sizes(i % block) * sizes(i % block) + passed_on;
-    const bool last = i % block + 1 == block;
-    const double pivot = last ? own : own + coupling;
+    const double own = sizes(i) * sizes(i) + passed_on;
+    const double pivot = own + couplings(i);
     r(i, i) = std::sqrt(pivot);
-    passed_on = last ? 0.0 : coupling * (own / pivot);
-    if (!last) r(i, i + 1) = -coupling / r(i, i);
+    passed_on = couplings(i) * (own / pivot);
+    if (couplings(i) > 0.0) r(i, i + 1) = -couplings(i) / r(i, i);
   }
   return r;
 }
@@ -63,14 +104,13 @@ namespace tactile_net {
 /// |L f|_2^2.
 [[nodiscard]] inline double stabiliser_square(const InverseProblem& problem,
                                               const Eigen::Ref<const Eigen::VectorXd>& f) {
-  const double ratio = problem.smoothing_length / problem.surface.spacing;
-  const double coupling = problem.surface.area * ratio * ratio;
   const Eigen::VectorXd sizes = stabiliser_sizes(problem);
-  const Eigen::Index n = sizes.size();
+  const Eigen::VectorXd couplings = stabiliser_couplings(problem);
+  const auto n = static_cast<Eigen::Index>(problem.surface.count);
   double sum = 0.0;
   for (Eigen::Index start = 0; start < f.size(); start += n)
-    sum += sizes.cwiseProduct(f.segment(start, n)).squaredNorm() +
-           coupling * (f.segment(start + 1, n - 1) - f.segment(start, n - 1)).squaredNorm();
+    sum += sizes.segment(start, n).cwiseProduct(f.segment(start, n)).squaredNorm() +
+           couplings(start) * (f.segment(start + 1, n - 1) - f.segment(start, n - 1)).squaredNorm();
   return sum;
 }
 

@@ -24,12 +24,28 @@ struct StandardForm {
   explicit StandardForm(const InverseProblem& problem)
       : StandardForm(as_eigen(problem.kernel), stabiliser_triangle(problem)) {}
 
+  /// Of the variables z that constraints leave free, f = E z (constrained.hpp).
+  ///
+  /// @param free_edges  the columns of E that they are
+  StandardForm(const InverseProblem& problem, const Eigen::MatrixXd& free_edges)
+      : StandardForm(as_eigen(problem.kernel) * free_edges,
+                     HouseholderQr(stabiliser(problem) * free_edges).triangle()) {
+    edges = free_edges;
+  }
+
+  /// R^-1 x, as tractions.
+  [[nodiscard]] Eigen::MatrixXd tractions_of(const Eigen::MatrixXd& x) const {
+    const Eigen::MatrixXd z = solve_upper(triangle, x);
+    return edges.size() > 0 ? edges * z : z;
+  }
+
   /// R^-1 V y: from components to tractions.
   template <class Components>
   [[nodiscard]] Eigen::MatrixXd from_components(const Components& y) const {
-    return solve_upper(triangle, v * y);
+    return tractions_of(v * y);
   }
 
+  Eigen::MatrixXd edges;     // E; empty: tractions are the variables
   Eigen::MatrixXd triangle;  // R
   Eigen::MatrixXd u, v;
   Eigen::VectorXd gamma;  // descending

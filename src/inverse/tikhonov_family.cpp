@@ -5,6 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "inverse/checks.hpp"
 #include "inverse/family_factors.hpp"
@@ -26,6 +28,21 @@ Eigen::MatrixXd fourier_rows(Eigen::Index count, Eigen::Index channels) {
       }
     }
   return rows;
+}
+
+/// Of L, at most: of one traction's, times the heavier one's weight over the lighter one's.
+double stabiliser_condition(const InverseProblem& problem) {
+  const double last = stabiliser_weight(problem, as_eigen(problem.kernel).cols() - 1);
+  return std::hypot(1.0, 2.0 * problem.smoothing_length / problem.surface.spacing) *
+         std::max(last, 1.0 / last);
+}
+
+/// Of the columns of `edges` that are free.
+StandardForm face(const InverseProblem& problem, const Constraints& constraints,
+                  std::span<const std::size_t> free) {
+  if (free.empty()) throw std::invalid_argument("every traction is held at zero: no family of any");
+  const Matrix all = edges(problem, constraints);
+  return {problem, as_eigen(all)(Eigen::all, std::vector(free.begin(), free.end()))};
 }
 
 /// Of readings in the space of rows: a matrix-vector product per alpha.
@@ -71,12 +88,12 @@ class DensePeriodogram final : public ResidualPeriodogram {
 
 }  // namespace
 
-TikhonovFamily::Factors::Factors(const InverseProblem& problem)
+TikhonovFamily::Factors::Factors(const InverseProblem& problem, StandardForm standard,
+                                 double condition)
     : line(line_length(problem)),
       weights(as_eigen(std::span(problem.weights))),
-      stabiliser_condition(
-          std::hypot(1.0, 2.0 * problem.smoothing_length / problem.surface.spacing)),
-      form(problem),
+      stabiliser_condition(condition),
+      form(std::move(standard)),
       gamma(form.gamma.begin(), form.gamma.end()) {
   // Noise is white in any order of the readings.
   const auto length = static_cast<Eigen::Index>(line);
@@ -85,7 +102,16 @@ TikhonovFamily::Factors::Factors(const InverseProblem& problem)
 }
 
 TikhonovFamily::TikhonovFamily(const InverseProblem& problem)
-    : factors_(std::make_unique<const Factors>(problem)) {}
+    : factors_(std::make_unique<const Factors>(problem, StandardForm(problem),
+                                               stabiliser_condition(problem))) {}
+
+TikhonovFamily::TikhonovFamily(const InverseProblem& problem, const Constraints& constraints,
+                               std::span<const std::size_t> free) {
+  StandardForm form = face(problem, constraints, free);
+  const Eigen::VectorXd sizes = tactile_net::singular_values(form.triangle);
+  factors_ =
+      std::make_unique<const Factors>(problem, std::move(form), sizes(0) / sizes(sizes.size() - 1));
+}
 TikhonovFamily::~TikhonovFamily() = default;
 TikhonovFamily::TikhonovFamily(TikhonovFamily&&) noexcept = default;
 TikhonovFamily& TikhonovFamily::operator=(TikhonovFamily&&) noexcept = default;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "inverse/checks.hpp"
@@ -43,8 +44,8 @@ struct TractionCovariance::Factor {
     // of V, whose projector is its own square.
     const Eigen::Index n = form.v.rows();
     Eigen::MatrixXd hidden = Eigen::MatrixXd::Identity(n, n) - form.v * form.v.transpose();
-    hidden = solve_upper(form.triangle, hidden) / std::sqrt(prior_alpha);
-    root.resize(n, known.cols() + n);
+    hidden = form.tractions_of(hidden) / std::sqrt(prior_alpha);
+    root.resize(hidden.rows(), known.cols() + n);
     root << known, hidden;
   }
   Eigen::MatrixXd root;  // S
@@ -64,21 +65,34 @@ TractionCovariance::TractionCovariance(const InverseProblem& problem, double alp
                                        std::span<const std::size_t> free) {
   check_alpha(alpha);
   check_alpha(prior_alpha);
-  const Matrix all = edges(problem, constraints);
-  if (free.empty()) {
-    factor_ = std::make_unique<const Factor>(static_cast<Eigen::Index>(all.rows));
-    return;
-  }
-  const Eigen::MatrixXd map = as_eigen(all)(Eigen::all, std::vector(free.begin(), free.end()));
-  const StandardForm form(as_eigen(problem.kernel) * map,
-                          HouseholderQr(stabiliser(problem) * map).triangle());
-  Factor of_free(form, alpha, prior_alpha);
-  of_free.root = map * of_free.root;
-  factor_ = std::make_unique<const Factor>(std::move(of_free));
+  if (free.empty())
+    factor_ = std::make_unique<const Factor>(static_cast<Eigen::Index>(problem.kernel.columns));
+  else
+    factor_ = std::make_unique<const Factor>(
+        TikhonovFamily(problem, constraints, free).factors().form, alpha, prior_alpha);
 }
 
 TractionCovariance::TractionCovariance(const Matrix& root, double degrees_of_freedom)
     : factor_(std::make_unique<const Factor>(as_eigen(root), degrees_of_freedom)) {}
+
+TractionCovariance::TractionCovariance(std::span<const Part> parts) {
+  if (parts.empty()) throw std::invalid_argument("a covariance of no estimate");
+  const Eigen::Index rows = parts.front().covariance->factor_->root.rows();
+  Eigen::MatrixXd root(rows, 0);
+  double degrees = 0.0;
+  for (const auto& [probability, covariance, apart] : parts) {
+    const Factor& factor = *covariance->factor_;
+    if (factor.root.rows() != rows || std::ssize(apart) != rows)
+      throw std::invalid_argument("covariances of estimates that differ in size");
+    const Eigen::Index first = root.cols();
+    const double share = std::sqrt(probability);
+    root.conservativeResize(rows, first + factor.root.cols() + 1);
+    root.middleCols(first, factor.root.cols()) = share * factor.root;
+    root.rightCols<1>() = share * as_eigen(std::span(apart));
+    degrees += probability * factor.degrees;
+  }
+  factor_ = std::make_unique<const Factor>(std::move(root), degrees);
+}
 
 TractionCovariance::~TractionCovariance() = default;
 TractionCovariance::TractionCovariance(TractionCovariance&&) noexcept = default;

@@ -18,6 +18,7 @@ constexpr std::array<std::string_view, std::variant_size_v<Finding>> names = {
     "saturated_taxels",
     "baseline",
     "drift",
+    "noise_taken",
     "noise_differs",
     "noise_coloured",
     "residual_differs",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "tactile_net/lab/simulated_frame.hpp"
@@ -85,6 +86,10 @@ std::optional<PlanAlpha> plan_alpha(const SceneProblem& problem, const NextFrame
 PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,
                                   PlannerOptions options) {
   const Scene& scene = problem.scene();
+  if (problem.estimates_weight())
+    throw std::invalid_argument(
+        "a plan is one matrix for all frames, and here each has a tangential_weight of its own: "
+        "state it");
   options.traction_limit = scene.material.youngs_modulus;
   options.noise_rms = problem.stated_noise().value_or(0.0);
   if (!options.friction_coefficient)

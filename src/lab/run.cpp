@@ -109,6 +109,8 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
     degrade(result, Verdict::ill_conditioned);
     result.remarks.emplace_back(remark::Rounding{*result.error_bound});
   }
+  if (const auto weight = run.frame.estimated_weight())
+    result.remarks.emplace_back(remark::EstimatedWeight{*weight});
   if (const auto off = model_error(bands.noise)) result.remarks.emplace_back(*off);
   result.data = data_verdict(run.problem, run.frame.readings(), f);
   if (!result.data->consistent()) result.remarks.emplace_back(remark::DataDoubted{*result.data});
@@ -129,7 +131,9 @@ MethodResult reconstruct(Method method, const Run& run) {
   try {
     // The sweep chooses for the matrix methods, once for all; dft chooses in its own basis.
     std::optional<ChosenAlpha> alpha;
-    if (traits(method).needs_alpha) alpha = run.frame.alpha();
+    const bool chooses_itself =
+        traits(method).takes_constraints && run.problem.chooses_on_active_set();
+    if (traits(method).needs_alpha && !chooses_itself) alpha = run.frame.alpha();
 
     const Stopwatch setup(run.options.clock);
     const std::unique_ptr<FrameSolver> solver =
@@ -228,7 +232,8 @@ Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& optio
   const SceneProblem problem(scene);
   experiment.sampled_force =
       sampled_force(experiment.frame.truth.normal, problem.surface().spacing);
-  const Run run{options, problem, SceneFrame(problem, experiment.frame.readings), experiment};
+  const SceneFrame frame(problem, experiment.frame.readings);
+  const Run run{options, frame.problem(), frame, experiment};
   if (experiment.work.does(Computation::rule_comparison)) {
     observer.step({Step::Kind::rules});
     experiment.sweep = run.frame.sweep();

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "tactile_net/inverse/long_array_covariance.hpp"
+#include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/lab/data_verdict.hpp"
 
 namespace tactile_net::lab {
@@ -21,6 +26,7 @@ constexpr std::size_t most_of_windows = 384;
 ProblemOptions options_of(const Scene& scene) {
   ProblemOptions options{.unknowns = unknowns(scene),
                          .smoothing_length = scene.reconstruct.smoothing_length,
+                         .tangential_weight = scene.reconstruct.tangential_weight.value_or(1.0),
                          .channel_rms = {},
                          .dead_taxels = scene.dead_taxels,
                          .surface = scene.reconstruct.surface};
@@ -59,6 +65,7 @@ struct SceneProblem::Parts {
   std::pair<double, double> covariance_of;  // its alpha and prior
   std::unique_ptr<SceneProblem> reaching_beyond;
   std::optional<LoadWindows> load_windows;
+  std::map<double, SceneProblem> weighed;  // by tangential weight
 };
 
 SceneProblem::SceneProblem(Scene scene) : parts_(std::make_shared<Parts>(std::move(scene))) {}
@@ -114,6 +121,27 @@ SceneProblem SceneProblem::without(std::span<const std::size_t> taxels) const {
       kept.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
   }
   return other;
+}
+
+bool SceneProblem::estimates_weight() const {
+  return parts_->options.unknowns == 2 && !parts_->scene.reconstruct.tangential_weight;
+}
+
+const SceneProblem& SceneProblem::weighed(double tangential_weight) const {
+  const auto [made, is_new] = parts_->weighed.try_emplace(tangential_weight, parts_->scene);
+  if (is_new) {
+    Parts& parts = *made->second.parts_;
+    parts.scene.reconstruct.tangential_weight = tangential_weight;
+    parts.options.tangential_weight = tangential_weight;
+    parts.problem = problem();
+    parts.problem->tangential_weight = tangential_weight;
+  }
+  return made->second;
+}
+
+bool SceneProblem::chooses_on_active_set() const {
+  const ReconstructOptions& options = parts_->scene.reconstruct;
+  return parts_->constraints && options.alpha_on_active_set && !options.alpha;
 }
 
 const Reconstruction& SceneProblem::tikhonov(double alpha) const {
@@ -211,8 +239,68 @@ const LoadWindows& SceneProblem::load_windows() const {
   return *parts_->load_windows;
 }
 
+namespace {
+
+std::vector<SceneFrame::LikelyWeight> likely_weights_of(const SceneProblem& problem,
+                                                        std::span<const double> readings) {
+  constexpr double negligible = 0.01;
+  if (!problem.estimates_weight()) return {};
+  if (problem.is_large())
+    throw std::invalid_argument(
+        "a tangential_weight is estimated by a decomposition for each that is tried, which takes "
+        "too long for " +
+        std::to_string(problem.tractions()) + " tractions: state it");
+  const std::optional<double>& alpha = problem.scene().reconstruct.alpha;
+  std::vector<SceneFrame::LikelyWeight> weights;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double weight : tangential_weights) {
+    const SceneProblem& weighed = problem.weighed(weight);
+    const FilterFrame frame = weighed.family().analyse(readings);
+    const double value =
+        surprise(frame, weighed.alpha_tables(frame), problem.stated_noise(), alpha) +
+        surprise_of_weight(weight);
+    weights.push_back({weight, value});
+    least = std::min(least, value);
+  }
+  const auto normalise = [&] {
+    double sum = 0.0;
+    for (const auto& one : weights) sum += one.probability;
+    for (auto& one : weights) one.probability /= sum;
+  };
+  for (auto& one : weights) one.probability = std::exp(least - one.probability);
+  normalise();
+  std::erase_if(weights, [](const auto& one) { return one.probability < negligible; });
+  normalise();
+  return weights;
+}
+
+/// The first of the most likely ones: that nearest to 1.
+const SceneFrame::LikelyWeight& most_likely(std::span<const SceneFrame::LikelyWeight> weights) {
+  return *std::max_element(weights.begin(), weights.end(), [](const auto& a, const auto& b) {
+    return a.probability < b.probability;
+  });
+}
+
+}  // namespace
+
+SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings,
+                       std::vector<LikelyWeight> weights)
+    : weights_(std::move(weights)),
+      given_(std::move(problem)),
+      problem_(weights_.empty() ? given_ : given_.weighed(most_likely(weights_).value)),
+      readings_(readings.begin(), readings.end()) {}
+
 SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings)
-    : problem_(std::move(problem)), readings_(readings.begin(), readings.end()) {}
+    : SceneFrame(problem, readings, likely_weights_of(problem, readings)) {}
+
+std::optional<double> SceneFrame::estimated_weight() const noexcept {
+  if (weights_.empty()) return std::nullopt;
+  return most_likely(weights_).value;
+}
+
+SceneFrame SceneFrame::weighed(double tangential_weight) const {
+  return {given_, readings_, {{.value = tangential_weight}}};
+}
 
 const FilterFrame& SceneFrame::analysed() const {
   if (!analysed_)
@@ -222,9 +310,14 @@ const FilterFrame& SceneFrame::analysed() const {
 }
 
 const SceneFrame& SceneFrame::reaching_beyond() const {
-  const SceneProblem& beyond = problem_.reaching_beyond();
-  if (&beyond == &problem_) return *this;
-  if (!reaching_beyond_) reaching_beyond_ = std::make_shared<const SceneFrame>(beyond, readings_);
+  const SceneProblem& beyond = given_.reaching_beyond();
+  if (&beyond == &given_) return *this;
+  if (!reaching_beyond_) {
+    std::vector<LikelyWeight> weights;
+    if (const auto weight = estimated_weight()) weights.push_back({.value = *weight});
+    reaching_beyond_ =
+        std::make_shared<const SceneFrame>(SceneFrame(beyond, readings_, std::move(weights)));
+  }
   return *reaching_beyond_;
 }
 
@@ -236,9 +329,12 @@ const AlphaSweep& SceneFrame::sweep() const {
 
 ChosenAlpha SceneFrame::alpha() const {
   const ReconstructOptions& options = problem_.scene().reconstruct;
-  if (options.alpha) return {.value = *options.alpha};
+  if (options.alpha) return {.value = *options.alpha, .tangential_weight = estimated_weight()};
   const AlphaChoice& choice = sweep().choice(problem_.alpha_rule(analysed()));
-  return {.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
+  return {.value = choice.alpha,
+          .rule = choice.rule,
+          .verdict = choice.verdict,
+          .tangential_weight = estimated_weight()};
 }
 
 double SceneFrame::residual(std::span<const double> tractions) const {

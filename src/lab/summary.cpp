@@ -18,6 +18,11 @@ void SolvedFrames::add(const FrameResult& result, bool incomplete) {
     least_alpha = least_alpha == 0.0 ? alpha : std::min(least_alpha, alpha);
     largest_alpha = std::max(largest_alpha, alpha);
   }
+  if (result.alpha && result.alpha->tangential_weight) {
+    const double weight = *result.alpha->tangential_weight;
+    least_weight = std::min(least_weight.value_or(weight), weight);
+    largest_weight = std::max(largest_weight.value_or(weight), weight);
+  }
   ++frames;
   last = result;
 }

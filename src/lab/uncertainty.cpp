@@ -1,13 +1,25 @@
 #include "tactile_net/lab/uncertainty.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace tactile_net::lab {
 namespace {
 
-double prior_of(const SceneFrame& frame, const FrameResult& result) {
+double prior_of(const SceneFrame& frame, double alpha) {
   const AlphaChoice& prior = frame.prior();
-  return prior.verdict == AlphaVerdict::ok ? prior.alpha : result.alpha->value;
+  return prior.verdict == AlphaVerdict::ok ? prior.alpha : alpha;
+}
+
+/// Of the readings that tractions use up: of those on the face where constraints let them lie.
+double degrees_of_freedom(const SceneFrame& frame, const FrameResult& result) {
+  const SceneProblem& scene = frame.problem();
+  const double alpha = result.alpha->value;
+  if (scene.is_large()) return scene.sections().degrees_of_freedom(alpha);
+  if (!result.constrained) return scene.family().degrees_of_freedom(alpha);
+  const std::vector<std::size_t>& free = result.constrained->free;
+  if (free.empty()) return 0.0;
+  return TikhonovFamily(scene.problem(), *scene.constraints(), free).degrees_of_freedom(alpha);
 }
 
 /// As the readings have it that no load explains, beyond the array's ends or elsewhere.
@@ -19,65 +31,53 @@ NoiseEstimate noise_in(const SceneFrame& frame) {
                         frame.problem().stated_noise());
 }
 
-/// Values of the taxels as those of a grid as fine, with nothing in its margins.
-std::vector<double> with_margins(std::span<const double> values, const Surface& taxels,
+/// Values on a surface as those of a grid as fine that reaches further, with nothing beyond.
+std::vector<double> with_margins(std::span<const double> values, const Surface& own,
                                  const Surface& grid) {
-  const std::size_t unknowns = values.size() / taxels.count;
+  const std::size_t unknowns = values.size() / own.count;
   std::vector<double> all(unknowns * grid.count, 0.0);
   for (std::size_t u = 0; u < unknowns; ++u)
-    for (std::size_t i = 0; i < taxels.count; ++i)
-      all[u * grid.count + grid.margin + i] = values[u * taxels.count + i];
+    for (std::size_t i = 0; i < own.count; ++i)
+      all[u * grid.count + grid.margin - own.margin + i] = values[u * own.count + i];
   return all;
 }
 
 /// And back.
-std::vector<double> without_margins(std::span<const double> all, const Surface& taxels,
+std::vector<double> without_margins(std::span<const double> all, const Surface& own,
                                     const Surface& grid) {
   std::vector<double> values;
-  for (std::size_t first = grid.margin; first < all.size(); first += grid.count)
-    for (const double value : all.subspan(first, taxels.count)) values.push_back(value);
+  for (std::size_t first = grid.margin - own.margin; first < all.size(); first += grid.count)
+    for (const double value : all.subspan(first, own.count)) values.push_back(value);
   return values;
 }
 
-/// Of line loads over taxels, with what may press beyond the last of them; nothing where the
-/// readings have no noise. An error of the model counts for noise: else only the roughest loads
-/// would explain it, and the band would be theirs.
-std::optional<FrameUncertainty> beyond_ends(const SceneFrame& frame,
-                                            std::span<const double> tractions, double alpha) {
+/// Of the error of any tractions by one functional, whose minimiser lies apart from them.
+TractionCovariance covariance_about(const SceneFrame& frame, std::span<const double> tractions,
+                                    double alpha, double rms) {
   const SceneProblem& scene = frame.problem();
-  const SceneFrame& there = frame.reaching_beyond();
-  const Surface& grid = there.problem().surface();
-  const NoiseEstimate found = noise_in(there);
-  const double rms = std::hypot(found.rms(), found.model_rms);
-  if (!(rms > 0.0)) return std::nullopt;
-
-  const std::vector<double> f = with_margins(tractions, scene.surface(), grid);
-  const TractionCovariance covariance =
-      scene.load_windows().covariance(frame.readings(), f, alpha, rms);
-  FrameUncertainty bands;
-  bands.noise = scene.stated_noise()
-                    ? estimate_noise(frame.residual(tractions), frame.analysed().rows,
-                                     scene.family().degrees_of_freedom(alpha), scene.stated_noise())
-                    : found;
-  bands.resultant = resultant_of(grid, f, covariance, rms);
-  bands.deviation = without_margins(covariance.deviations(), scene.surface(), grid);
-  for (double& value : bands.deviation) value *= rms;
-  return bands;
+  std::vector<double> apart = scene.family().solve(frame.analysed(), alpha);
+  for (std::size_t i = 0; i < apart.size(); ++i)
+    apart[i] = rms > 0.0 ? (tractions[i] - apart[i]) / rms : 0.0;
+  const TractionCovariance own(scene.family(), alpha, prior_of(frame, alpha));
+  const TractionCovariance::Part part{.covariance = &own, .apart = std::move(apart)};
+  return TractionCovariance(std::span(&part, 1));
 }
 
-/// Where more than alpha and prior decide: which tractions are free, or where the load may be.
-std::optional<TractionCovariance> covariance_of_frame(const SceneFrame& frame,
-                                                      std::span<const double> tractions,
-                                                      const FrameResult& result) {
-  const SceneProblem& scene = frame.problem();
-  const double alpha = result.alpha->value;
-  if (result.constrained)
-    return TractionCovariance(scene.problem(), alpha, prior_of(frame, result), *scene.constraints(),
-                              result.constrained->free);
-  if (scene.has_load_windows() && scene.surface().basis == SurfaceBasis::hats)
-    return scene.load_windows().covariance(frame.readings(), tractions, alpha,
-                                           *scene.stated_noise());
-  return std::nullopt;
+/// What `covariance` makes of the frame with its weight, or with each that the readings leave
+/// likely; of several the sum, each as likely as they make it.
+template <class OfFrame>
+TractionCovariance over_weights(const SceneFrame& frame, std::size_t tractions,
+                                const OfFrame& covariance) {
+  if (frame.likely_weights().empty()) return covariance(frame);
+  std::vector<TractionCovariance> covariances;
+  for (const auto& [weight, probability] : frame.likely_weights())
+    covariances.push_back(covariance(frame.weighed(weight)));
+  std::vector<TractionCovariance::Part> parts;
+  for (std::size_t i = 0; i < covariances.size(); ++i)
+    parts.push_back({.probability = frame.likely_weights()[i].probability,
+                     .covariance = &covariances[i],
+                     .apart = std::vector<double>(tractions)});
+  return TractionCovariance(parts);
 }
 
 }  // namespace
@@ -85,20 +85,45 @@ std::optional<TractionCovariance> covariance_of_frame(const SceneFrame& frame,
 FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tractions,
                              const FrameResult& result) {
   const SceneProblem& scene = frame.problem();
-  if (!result.constrained && scene.surface().basis == SurfaceBasis::taxels &&
-      scene.has_load_windows())
-    if (auto bands = beyond_ends(frame, tractions, result.alpha->value)) return *std::move(bands);
-  const std::optional<TractionCovariance> own = covariance_of_frame(frame, tractions, result);
-  const Covariance& covariance =
-      own ? *own : scene.covariance(result.alpha->value, prior_of(frame, result));
-
+  const double alpha = result.alpha->value;
   FrameUncertainty bands;
   bands.noise = estimate_noise(frame.residual(tractions), frame.analysed().rows,
-                               covariance.degrees_of_freedom(), scene.stated_noise());
-  const double rms = bands.noise.rms();
-  bands.resultant = resultant_of(scene.surface(), tractions, covariance, rms);
-  bands.deviation = covariance.deviations();
-  for (double& value : bands.deviation) value *= rms;
+                               degrees_of_freedom(frame, result), scene.stated_noise());
+  double rms = bands.noise.rms();
+  bool by_windows = scene.has_load_windows();
+  if (by_windows && scene.surface().basis == SurfaceBasis::taxels) {
+    // An error of the model counts for noise: else only the roughest loads would explain it, and
+    // the band would be theirs. Readings without any noise have no windows.
+    const NoiseEstimate found = noise_in(frame.reaching_beyond());
+    const double of_windows = std::hypot(found.rms(), found.model_rms);
+    by_windows = of_windows > 0.0;
+    if (by_windows) rms = of_windows;
+    if (by_windows && !scene.stated_noise()) bands.noise = found;
+  }
+  const auto fill = [&](const Covariance& covariance, std::span<const double> f,
+                        const Surface& surface) {
+    bands.resultant = resultant_of(surface, f, covariance, rms);
+    bands.deviation = without_margins(covariance.deviations(), scene.surface(), surface);
+    for (double& value : bands.deviation) value *= rms;
+  };
+
+  if (by_windows) {
+    const Surface& grid = frame.reaching_beyond().problem().surface();
+    const std::vector<double> f = with_margins(tractions, scene.surface(), grid);
+    const auto windows = [&](const SceneFrame& weighed) {
+      return weighed.reaching_beyond().problem().load_windows().covariance(frame.readings(), f,
+                                                                           alpha, rms);
+    };
+    fill(over_weights(frame, f.size(), windows), f, grid);
+  } else if (result.constrained || !frame.likely_weights().empty()) {
+    const auto about = [&](const SceneFrame& weighed) {
+      const bool is_own = weighed.estimated_weight() == frame.estimated_weight();
+      return covariance_about(weighed, tractions, is_own ? alpha : weighed.alpha().value, rms);
+    };
+    fill(over_weights(frame, tractions.size(), about), tractions, scene.surface());
+  } else {
+    fill(scene.covariance(alpha, prior_of(frame, alpha)), tractions, scene.surface());
+  }
   return bands;
 }
 

@@ -181,6 +181,24 @@ void read_constraints(Table& table, const Scene& scene, const Read& read,
       limit->problem("bounds the tangential traction, which one quantity at one depth cannot tell",
                      std::string{two_quantities});
   }
+  if (const auto weight = table.value("tangential_weight")) {
+    constexpr std::string_view ways[] = {"evidence"};
+    const bool estimated = weight->is_text();
+    options.tangential_weight = estimated ? std::nullopt : weight->number(positive);
+    const bool valid = estimated ? weight->one_of("way to estimate a weight", ways).has_value()
+                                 : options.tangential_weight.has_value();
+    if (valid && known && one_channel)
+      weight->problem("weighs the tangential traction, which one quantity at one depth cannot tell",
+                      std::string{two_quantities});
+  }
+  if (const auto active = table.value("alpha_on_active_set")) {
+    options.alpha_on_active_set = active->boolean().value_or(false);
+    if (options.alpha_on_active_set && !options.nonnegative && !options.friction_limit)
+      active->problem("chooses alpha under constraints, and this scene has none",
+                      "friction_limit = 0.8, or nonnegative = true");
+    if (options.alpha_on_active_set && options.alpha)
+      active->problem("chooses alpha, and this scene gives one", "alpha = \"evidence\"");
+  }
   if (const auto tangential = table.value("tangential")) {
     options.tangential = tangential->boolean();
     if (options.tangential == true && known && one_channel)

@@ -41,6 +41,7 @@ StudyInput study_input(const Scene& scene) {
     throw std::invalid_argument(
         "every reading is zero: without a contact there is no error to measure");
   const lab::SceneFrame frame(input.problem, input.readings);
+  input.problem = frame.problem();
   input.alpha = frame.alpha().value;
 
   input.solution = tikhonov_solve(input.problem.problem(), input.alpha, input.readings);

@@ -104,6 +104,44 @@ TEST_CASE("what contact allows makes recorded tractions better", "[cli]") {
   }
 }
 
+TEST_CASE("a weight for the tangential traction makes recorded ones better", "[cli]") {
+  struct Floor {
+    double normal;
+    double tangential;  // of presses over the normal traction's norm
+  };
+  struct Case {
+    Pad pad;
+    std::vector<Floor> floors;
+  };
+  const std::vector<Case> cases{
+      {thin,
+       {{0.37, 0.01},
+        {0.095, 0.01},
+        {0.097, 0.01},
+        {0.08, 0.01},
+        {0.058, 0.125},
+        {0.068, 0.12},
+        {0.07, 0.072}}},
+      {thick, {{0.075, 0.01}, {0.126, 0.01}, {0.056, 0.01}, {0.092, 0.19}, {0.094, 0.15}}}};
+  for (const auto& [pad, floors] : cases) {
+    const auto [found, truth] = recorded(pad, pad.name + "-weights");
+    REQUIRE(found.size() == floors.size());
+    for (std::size_t frame = 0; frame < floors.size(); ++frame) {
+      CAPTURE(pad.name, frame);
+      CHECK(relative_error(found[frame], truth[frame], 0, pad.count) <= floors[frame].normal);
+      const bool drags = truth[frame][2] != 0.0;
+      double drag = 0.0;
+      double press = 0.0;
+      for (std::size_t j = 0; j < pad.count; ++j) {
+        drag += std::pow(found[frame][1 + pad.count + j], 2);
+        press += std::pow(truth[frame][4 + j], 2);
+      }
+      CHECK((drags ? relative_error(found[frame], truth[frame], pad.count, pad.count)
+                   : std::sqrt(drag / press)) <= floors[frame].tangential);
+    }
+  }
+}
+
 TEST_CASE("bands of recorded frames hold what truly pressed", "[cli]") {
   const Pad& pad = GENERATE(from_range(std::vector{thin, thick}));
   const Folder folder;

@@ -49,7 +49,8 @@ Scene scene_of(const Setting& setting) {
   if (setting.stated)
     toml += "[noise]\nrms = " +
             (two ? "{ stress_x = " + noise + ", shear_xy = " + noise + " }\n" : noise + "\n");
-  if (setting.grid) toml += "[reconstruct]\nsurface = \"grid\"\n";
+  toml += "[reconstruct]\n" + setting.reconstruct;
+  if (setting.grid) toml += "surface = \"grid\"\n";
   return parse_scene(toml, "coverage");
 }
 

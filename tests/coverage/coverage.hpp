@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "tactile_net/lab/scene_problem.hpp"
@@ -19,12 +20,13 @@ enum class Place {
 
 /// One array on one pad, one size of noise.
 struct Setting {
-  double pitch = 1.0;        ///< of the taxels: 0.25, 0.5, 1, 2 or 4
-  double noise = 0.01;       ///< rms over the frame's largest reading
-  std::size_t unknowns = 1;  ///< 1: stress_x; 2: stress_x and shear_xy, friction up to 0.6
-  bool layer = false;        ///< three depths thick, bonded; else a half plane
-  bool grid = false;         ///< tractions lie on a grid; else where a scene's do by default
-  bool stated = true;        ///< by the scene: how large the noise is
+  double pitch = 1.0;         ///< of the taxels: 0.25, 0.5, 1, 2 or 4
+  double noise = 0.01;        ///< rms over the frame's largest reading
+  std::size_t unknowns = 1;   ///< 1: stress_x; 2: stress_x and shear_xy, friction up to 0.6
+  bool layer = false;         ///< three depths thick, bonded; else a half plane
+  bool grid = false;          ///< tractions lie on a grid; else where a scene's do by default
+  bool stated = true;         ///< by the scene: how large the noise is
+  std::string reconstruct{};  ///< more lines of the scene's section of that name
 };
 
 /// Where the setting's tractions lie.

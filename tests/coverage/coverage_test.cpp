@@ -1,6 +1,8 @@
 // A part of the table in docs/internals/numerics.md, whose rows have four times as many contacts.
 #include "tests/coverage/coverage.hpp"
 
+#include <string>
+
 #include "tests/catch.hpp"
 
 using namespace tactile_net;
@@ -45,6 +47,28 @@ TEST_CASE("two deviations hold the force of a contact that hangs over an array's
     const Score found = score(setting, contacts);
     CHECK(found.force_within >= 0.93);
     CHECK(found.centre_within >= 0.93);
+  }
+}
+
+TEST_CASE("two deviations hold the truth under constraints, over the ends too", "[coverage]") {
+  const Contacts inside(contacts_each, Place::inside, false);
+  const Contacts over(contacts_each, Place::overhangs, false);
+  const std::string cone = "friction_limit = 0.8\n";
+  for (const Setting& setting :
+       {Setting{.pitch = 0.5, .reconstruct = "nonnegative = true\n"},
+        Setting{.pitch = 2.0, .reconstruct = "nonnegative = true\nalpha_on_active_set = true\n"},
+        Setting{.pitch = 0.5, .unknowns = 2, .reconstruct = cone},
+        Setting{.pitch = 0.5,
+        .unknowns = 2,
+        .reconstruct = cone + "tangential_weight = \"evidence\"\n"}}) {
+    CAPTURE(setting.pitch, setting.unknowns, setting.reconstruct);
+    const Score found = score(setting, inside);
+    CHECK(found.force_within >= 0.92);
+    CHECK(found.centre_within >= 0.92);
+    CHECK(found.field_within >= 0.92);
+    if (setting.unknowns == 2) CHECK(found.tangential_within >= 0.92);
+    CHECK(at_share(found.force_deviations, 0.5) <= 7.0 * at_share(found.force_errors, 0.5));
+    CHECK(score(setting, over).force_within >= 0.93);
   }
 }
 

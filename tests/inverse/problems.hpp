@@ -44,6 +44,15 @@ inline std::vector<NamedProblem> sample_problems() {
       {"a surface beyond the ends, even",
        make(20, 0.5, {1.5}, {stress_x},
             {.smoothing_length = 1.5, .surface = {.basis = SurfaceBasis::hats}})},
+      {"two unknowns, the tangential one lighter",
+       make(31, 0.5, {1.0}, {stress_x, shear_xy},
+            {.unknowns = 2, .smoothing_length = 1.0, .tangential_weight = 0.3})},
+      {"a finer surface, the tangential traction heavier",
+       make(7, 2.0, {1.0}, {stress_x, shear_xy},
+            {.unknowns = 2,
+             .smoothing_length = 1.0,
+             .tangential_weight = 3.0,
+             .surface = {.basis = SurfaceBasis::hats, .spacing = 0.5, .margin = 1.0}})},
       {"two unknowns, two depths, even",
        make(20, 0.5, {1.0, 1.5}, {strain_x}, {.unknowns = 2, .smoothing_length = 1.0})},
   };
@@ -53,15 +62,16 @@ inline std::vector<NamedProblem> sample_problems() {
 inline double smoothness(const InverseProblem& problem, const std::vector<double>& f) {
   const std::size_t n = problem.surface.count;
   const double ratio = problem.smoothing_length / problem.surface.spacing;
-  double sum = 0.0;
+  double all = 0.0;
   for (std::size_t j = 0; j < f.size(); ++j) {
-    sum += f[j] * f[j];
+    double sum = f[j] * f[j];
     if ((j + 1) % n != 0) sum += std::pow(ratio * (f[j + 1] - f[j]), 2);
     // Hats fall to 0 beyond both ends.
     const bool ends = j % n == 0 || (j + 1) % n == 0;
     if (ends && problem.surface.basis == SurfaceBasis::hats) sum += std::pow(ratio * f[j], 2);
+    all += j < n ? sum : std::pow(problem.tangential_weight, 2) * sum;
   }
-  return problem.surface.area * sum;
+  return problem.surface.area * all;
 }
 
 /// Readings between -1 and 1; equal seeds give equal readings.

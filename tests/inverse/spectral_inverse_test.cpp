@@ -100,7 +100,9 @@ TEST_CASE("alpha means the same in the Fourier basis", "[dft_tikhonov]") {
   const SensorArray array{n, 0.5, {1.0}, {stress_x, stress_y}};
   const double alpha = 1e-3;
   const double ratio = 2.0;
-  DftTikhonov inverse(array, pad, {.unknowns = 2, .smoothing_length = 1.0});
+  const double weight = GENERATE(0.4, 1.0, 3.0);  // of the tangential traction
+  DftTikhonov inverse(array, pad,
+                      {.unknowns = 2, .smoothing_length = 1.0, .tangential_weight = weight});
   const std::vector<double> g = random_values(2 * n, 5);
   std::vector<double> f(2 * n);
   REQUIRE(inverse.solve(g, alpha, f) == FrameStatus::ok);
@@ -110,8 +112,9 @@ TEST_CASE("alpha means the same in the Fourier basis", "[dft_tikhonov]") {
     for (std::size_t i = 0; i < 2 * n; ++i) sum += std::pow(back[i] - g[i], 2);
     for (std::size_t u = 0; u < 2; ++u)
       for (std::size_t i = 0; i < n; ++i)
-        sum += alpha * (std::pow(x[u * n + i], 2) +
-                        std::pow(ratio * (x[u * n + (i + 1) % n] - x[u * n + i]), 2));
+        sum += alpha * (u == 0 ? 1.0 : weight * weight) *
+               (std::pow(x[u * n + i], 2) +
+                std::pow(ratio * (x[u * n + (i + 1) % n] - x[u * n + i]), 2));
     return sum;
   };
   const double least = functional(f);
@@ -204,6 +207,7 @@ TEST_CASE("conjugate gradients solve P f = b, boundaries included", "[fft_tikhon
                          .smoothing_length = 1.0};
   if (n > 3) options.dead_taxels = {1};
   if (both) options.channel_rms = {1.0, 0.3};
+  if (both) options.tangential_weight = n == 20 ? 0.3 : 2.5;
   const std::vector<double> g = random_values((both ? 2 : 1) * n, 8);
   FftTikhonov inverse(array, material, options, alpha);
   std::vector<double> f(inverse.tractions());

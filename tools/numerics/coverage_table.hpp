@@ -6,3 +6,6 @@
 
 /// Two minutes: 800 contacts for each of 84 rows.
 [[nodiscard]] std::string coverage_section();
+
+/// What follows it: the same under constraints, and where the tangential weight is estimated.
+[[nodiscard]] std::string constrained_coverage_section();

@@ -103,7 +103,7 @@ std::string page() {
          "instead of an answer:\n\n";
   for (const Refusal& refusal : refusals)
     out << "- " << refusal.name << ", " << refusal.method << ": " << refusal.words << '\n';
-  out << coverage_section();
+  out << coverage_section() << constrained_coverage_section();
   return out.str();
 }
 

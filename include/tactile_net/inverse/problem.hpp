@@ -5,7 +5,12 @@
 /// explicit; h = spacing of the surface's values, l = smoothing length, differences between
 /// neighbours, D = pitch):
 ///
-///     |W (K f - g)|^2 + alpha h/D (|f|^2 + l^2/h^2 sum_j (f_{j+1} - f_j)^2)
+///     |W (K f - g)|^2 + alpha h/D sum_u w_u^2 (|f_u|^2 + l^2/h^2 sum_j (f_{u,j+1} - f_{u,j})^2)
+///
+/// with w = 1 for the normal traction u and w = tangential_weight for the tangential one: a priori
+/// the tangential traction is w times smaller than the normal one. Drag of a friction mu is 1/mu
+/// times smaller; with w = 1 a pair of readings that hardly tells the two apart shares a press
+/// between them. How it is estimated: tangential_weight.hpp.
 ///
 /// The sums over the surface are integrals, and h/D weighs them as integrals: so neither alpha nor
 /// the tractions nor their bands follow the spacing. Hats fall to 0 beyond the first and the last
@@ -35,14 +40,15 @@
 namespace tactile_net {
 
 struct InverseProblem {
-  Matrix kernel{};                ///< W K, readings x (unknowns x surface.count)
-  std::vector<double> weights{};  ///< diagonal of W, one per row; 0 for a dead taxel
-  std::vector<Site> sites{};      ///< where each row's reading is taken
-  std::size_t taxels = 0;         ///< places along y
-  std::size_t unknowns = 1;       ///< 1: normal traction; 2: normal, then tangential
-  Surface surface{};              ///< the places of each unknown's values
-  double smoothing_length = 0.0;  ///< l [m], >= 0
-  double kernel_error = 0.0;      ///< how far rounding may have moved W K, in the 2-norm
+  Matrix kernel{};                 ///< W K, readings x (unknowns x surface.count)
+  std::vector<double> weights{};   ///< diagonal of W, one per row; 0 for a dead taxel
+  std::vector<Site> sites{};       ///< where each row's reading is taken
+  std::size_t taxels = 0;          ///< places along y
+  std::size_t unknowns = 1;        ///< 1: normal traction; 2: normal, then tangential
+  Surface surface{};               ///< the places of each unknown's values
+  double smoothing_length = 0.0;   ///< l [m], >= 0
+  double tangential_weight = 1.0;  ///< of the tangential traction's L over the normal one's, > 0
+  double kernel_error = 0.0;       ///< how far rounding may have moved W K, in the 2-norm
 };
 
 /// Of K that a scene may ask for by a spacing of its own: a decomposition of more takes minutes.
@@ -51,6 +57,7 @@ inline constexpr std::size_t most_columns = 4096;
 struct ProblemOptions {
   std::size_t unknowns = 1;                ///< 1: normal traction; 2: the tangential one too
   double smoothing_length = 0.0;           ///< l [m], >= 0; the scene reader takes the first depth
+  double tangential_weight = 1.0;          ///< > 0: see above; with one unknown nothing follows it
   std::vector<double> channel_rms{};       ///< noise of each channel; empty: rows not weighted
   std::vector<std::size_t> dead_taxels{};  ///< indices < count; their rows get weight 0
   SurfaceOptions surface{};  ///< default: a line load over each taxel, for dense arrays alone
@@ -75,7 +82,8 @@ void check(const SensorArray& array, const Material& material, const ProblemOpti
 [[nodiscard]] std::size_t line_length(const InverseProblem& problem);
 
 /// P = (WK)'(WK) + alpha (l^2/D^2 Q + I), the matrix of the conductance network (thesis 5.18; alpha
-/// stands for alpha h/D, and D for h): symmetric, positive definite for alpha > 0. Squares K's
+/// stands for alpha h/D, for the tangential traction times its weight squared, and D for h):
+/// symmetric, positive definite for alpha > 0. Squares K's
 /// condition number: for circuits and for users who ask for it; `tikhonov` does not solve with it.
 ///
 /// @throw std::invalid_argument  alpha is not > 0

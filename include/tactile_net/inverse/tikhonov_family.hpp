@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/filter_frame.hpp"
 #include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
@@ -18,6 +19,14 @@ class TikhonovFamily {
  public:
   /// O(rows x columns^2).
   explicit TikhonovFamily(const InverseProblem& problem);
+
+  /// Of `ConstrainedTikhonov` on one face of its cone: as if what is held at zero had never been an
+  /// unknown. Rules for alpha then judge the tractions that are left.
+  ///
+  /// @param free  columns of `edges`, as in `ConstrainedSolution`, at least one
+  /// @throw std::invalid_argument  none is free; as `edges`
+  TikhonovFamily(const InverseProblem& problem, const Constraints& constraints,
+                 std::span<const std::size_t> free);
   ~TikhonovFamily();
   TikhonovFamily(TikhonovFamily&&) noexcept;
   TikhonovFamily& operator=(TikhonovFamily&&) noexcept;
@@ -30,7 +39,8 @@ class TikhonovFamily {
   [[nodiscard]] double condition(double alpha) const noexcept;
 
   /// At least the 2-norm condition number of [W K; sqrt(alpha) L] itself: `condition` times a bound
-  /// on R's, sqrt(1 + 4 l^2/h^2), because the eigenvalues of Q lie between 0 and 4.
+  /// on R's, sqrt(1 + 4 l^2/h^2) times the weights' ratio, because the eigenvalues of Q lie between
+  /// 0 and 4.
   [[nodiscard]] double stacked_condition(double alpha) const noexcept;
 
   /// tr H: how many of the readings' degrees of freedom the tractions of one alpha use up.

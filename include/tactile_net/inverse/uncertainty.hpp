@@ -28,7 +28,6 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 
@@ -78,6 +77,16 @@ class TractionCovariance final : public Covariance {
   /// @param free  columns of `edges`, as in `ConstrainedSolution`; none: everything is certain
   TractionCovariance(const InverseProblem& problem, double alpha, double prior_alpha,
                      const Constraints& constraints, std::span<const std::size_t> free);
+
+  /// Of the error of an answer that is none of the estimates whose errors are known, or of which
+  /// nobody knows which estimate is right: sum p [C + d d'] (law of total variance).
+  struct Part {
+    double probability = 1.0;                        ///< p, >= 0
+    const TractionCovariance* covariance = nullptr;  ///< C, of this estimate
+    std::vector<double> apart{};  ///< d, from it to the answer, per unit of the noise's rms
+  };
+  /// @throw std::invalid_argument  there is no part, or their sizes differ
+  explicit TractionCovariance(std::span<const Part> parts);
 
   /// Any other, by a root S of it.
   ///

@@ -1,5 +1,5 @@
 /// @file
-/// The alpha of one frame: given, or chosen by the scene's rule.
+/// What weighs the functional of one frame: given, or chosen by the scene's rules.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,10 @@
 namespace tactile_net::lab {
 
 struct ChosenAlpha {
-  double value = 0.0;                       ///< [unit of (W K)^2], > 0
-  std::optional<AlphaRule> rule{};          ///< that chose it; absent: the scene gives it
-  AlphaVerdict verdict = AlphaVerdict::ok;  ///< of that rule; ok where it is given
+  double value = 0.0;                         ///< [unit of (W K)^2], > 0
+  std::optional<AlphaRule> rule{};            ///< that chose it; absent: the scene gives it
+  AlphaVerdict verdict = AlphaVerdict::ok;    ///< of that rule; ok where it is given
+  std::optional<double> tangential_weight{};  ///< estimated beside it; absent: the scene gives it
 };
 
 /// "given", or the rule's name.

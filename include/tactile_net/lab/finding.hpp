@@ -69,6 +69,11 @@ struct Drift {
   std::size_t to = 0;    ///< a frame of the other
 };
 
+// The noise, where the scene does not state it and the answer waits for it.
+struct NoiseTaken {
+  std::vector<double> of_channel{};  ///< rms that still frames show, taken for it
+};
+
 // Noise and scale, where the scene states the noise.
 struct NoiseDiffers {
   std::size_t channel = 0;
@@ -119,10 +124,10 @@ using Finding =
     std::variant<finding::NoFrames, finding::TimeBackwards, finding::TimeRepeats,
                  finding::FramesRepeat, finding::ValuesMissing, finding::DeadTaxels,
                  finding::StuckTaxels, finding::NoisyTaxels, finding::SaturatedTaxels,
-                 finding::Baseline, finding::Drift, finding::NoiseDiffers, finding::NoiseColoured,
-                 finding::ResidualDiffers, finding::ScaleBy1000, finding::WholePadPulled,
-                 finding::TractionExceedsModulus, finding::DeformationTiny, finding::MixedUnits,
-                 finding::DepthBeyondArray, finding::PitchCoarse>;
+                 finding::Baseline, finding::Drift, finding::NoiseTaken, finding::NoiseDiffers,
+                 finding::NoiseColoured, finding::ResidualDiffers, finding::ScaleBy1000,
+                 finding::WholePadPulled, finding::TractionExceedsModulus, finding::DeformationTiny,
+                 finding::MixedUnits, finding::DepthBeyondArray, finding::PitchCoarse>;
 using Findings = std::vector<Finding>;
 
 /// The spelling in JSON: "dead_taxels".

@@ -47,6 +47,9 @@ struct Unexplained {
 struct Rounding {
   double bound = 0.0;  ///< how far it may have moved the answer, over its 2-norm
 };
+struct EstimatedWeight {
+  double value = 1.0;  ///< of the tangential traction
+};
 struct ModelError {
   double times = 0.0;  ///< the noise stated: an error of the model that the bands do not hold
 };
@@ -70,8 +73,8 @@ using Remark =
     std::variant<remark::NoiseAmplified, remark::SignChanges, remark::DeadTaxelsRead,
                  remark::CutOff, remark::NotOneContact, remark::DragInNoise, remark::NullMode,
                  remark::NotConverged, remark::IterationLimit, remark::NoBands, remark::Unexplained,
-                 remark::Rounding, remark::ModelError, remark::DataDoubted, remark::Hidden,
-                 remark::ConstraintsIgnored, remark::VoltagesUnresolved>;
+                 remark::Rounding, remark::EstimatedWeight, remark::ModelError, remark::DataDoubted,
+                 remark::Hidden, remark::ConstraintsIgnored, remark::VoltagesUnresolved>;
 
 using Remarks = std::vector<Remark>;
 

@@ -66,6 +66,13 @@ class SceneProblem {
   /// @param taxels  rising, < count, not all
   [[nodiscard]] SceneProblem without(std::span<const std::size_t> taxels) const;
 
+  /// Whether each frame has a tangential weight of its own. Until a frame is there it is 1.
+  [[nodiscard]] bool estimates_weight() const;
+  /// The same with this weight, made once for each. K is not integrated anew.
+  [[nodiscard]] const SceneProblem& weighed(double tangential_weight) const;
+  /// Whether alpha is chosen on what constraints leave free, and not before them.
+  [[nodiscard]] bool chooses_on_active_set() const;
+
   /// Tikhonov's method for one alpha; made anew where it differs from the last call's.
   /// @throw std::invalid_argument, std::domain_error  as `tactile_net::tikhonov`
   [[nodiscard]] const Reconstruction& tikhonov(double alpha) const;
@@ -120,10 +127,29 @@ class SceneProblem {
 /// One frame of readings, analysed once for whatever rules and methods ask.
 class SceneFrame {
  public:
+  /// Where the scene has its tangential weight estimated, the weight under which the readings are
+  /// most likely is taken: one decomposition for each that is tried, once for all frames.
+  ///
   /// @param readings  channels x count, as the scene's sensor; copied
+  /// @throw std::invalid_argument  a weight is to be estimated of readings that have the wrong size
+  ///                               or are not finite, or for a large problem
   SceneFrame(SceneProblem problem, std::span<const double> readings);
 
+  /// As given: without a weight that is estimated.
+  [[nodiscard]] const SceneProblem& given() const noexcept { return given_; }
+  /// Of this frame: with its tangential weight.
   [[nodiscard]] const SceneProblem& problem() const noexcept { return problem_; }
+  /// The most likely one. Absent: the scene gives it, or there is no tangential traction.
+  [[nodiscard]] std::optional<double> estimated_weight() const noexcept;
+  /// Those that the readings leave likely; none where the scene gives it.
+  struct LikelyWeight {
+    double value = 1.0;
+    double probability = 1.0;  ///< they sum to 1
+  };
+  [[nodiscard]] std::span<const LikelyWeight> likely_weights() const noexcept { return weights_; }
+  /// The same readings, if this weight were the only likely one.
+  /// @pre  the weight is estimated
+  [[nodiscard]] SceneFrame weighed(double tangential_weight) const;
   [[nodiscard]] std::span<const double> readings() const noexcept { return readings_; }
 
   /// In the basis of the family's singular vectors, of a large problem in its sections'.
@@ -137,7 +163,8 @@ class SceneFrame {
   [[nodiscard]] const AlphaSweep& sweep() const;
   [[nodiscard]] bool has_sweep() const noexcept { return sweep_.has_value(); }
 
-  /// The scene's alpha, or what its rule chooses on this frame, judged beside the other rules.
+  /// The scene's alpha, or what its rule chooses on this frame, judged beside the other rules, as
+  /// without constraints.
   [[nodiscard]] ChosenAlpha alpha() const;
 
   /// What sizes the bands' prior, judged without other rules: evidence where that chooses alpha,
@@ -148,6 +175,11 @@ class SceneFrame {
   [[nodiscard]] double residual(std::span<const double> tractions) const;
 
  private:
+  SceneFrame(SceneProblem problem, std::span<const double> readings,
+             std::vector<LikelyWeight> weights);
+
+  std::vector<LikelyWeight> weights_;
+  SceneProblem given_;
   SceneProblem problem_;
   std::vector<double> readings_;
   mutable std::optional<FilterFrame> analysed_;

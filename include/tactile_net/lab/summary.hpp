@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "tactile_net/lab/frame_runs.hpp"
@@ -25,6 +26,8 @@ struct SolvedFrames {
   FrameRuns estimated{};     ///< frames solved without the taxels they miss
   double least_alpha = 0.0;  ///< of those that a rule chose; 0: none did
   double largest_alpha = 0.0;
+  std::optional<double> least_weight{};  ///< of the tangential ones that were estimated
+  std::optional<double> largest_weight{};
   FrameResult last{};  ///< of the last frame that was solved
 
   /// Of the next frame. @param incomplete  it was solved without the taxels it misses

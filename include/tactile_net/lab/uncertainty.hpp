@@ -22,10 +22,19 @@ struct FrameUncertainty {
 };
 
 /// By `LoadWindows` where the problem has them; of line loads over taxels with what may press
-/// beyond the last of them, and where the noise is not stated by the noise that gml leaves. Else,
-/// and under constraints, by a prior that is equal everywhere. Its size is the rule gml's alpha,
-/// judged without the other rules (with rgcv's two deviations hold the truth 88 % of the time, with
-/// gml's 97 to 99 %); where gml's verdict is not ok, the alpha of the tractions.
+/// beyond the last of them, and where the noise is not stated by the noise that gml leaves. Else by
+/// a prior that is equal everywhere. Its size is the rule gml's alpha, judged without the other
+/// rules (with rgcv's two deviations hold the truth 88 % of the time, with gml's 97 to 99 %); where
+/// gml's verdict is not ok, the alpha of the tractions.
+///
+/// Under constraints these are the mean squares of the error about the constrained tractions, by
+/// what the readings say without the constraints: the covariance there, and how far the two answers
+/// lie apart. A posterior on the active face alone takes for certain what is held at zero, and does
+/// not know that noise which cannot pull can only push: its two deviations hold the force of a
+/// third to nine tenths of contacts (docs/internals/numerics.md).
+///
+/// Of an estimated tangential weight they are the mean squares over all that the readings leave
+/// likely, each as likely as they make it.
 ///
 /// @param tractions  that a solver of the frame's problem found [Pa]
 /// @param result     of that solver; its method is tikhonov or closed_form

@@ -46,13 +46,18 @@ enum class Method { dft, tikhonov, closed_form, network };
 
 struct ReconstructOptions {
   std::vector<Method> methods{Method::tikhonov};
-  std::optional<double> alpha{};           ///< absent: a rule chooses it
-  std::optional<AlphaRule> alpha_rule{};   ///< absent: by taxels and noise, lab/scene_problem.hpp
-  SurfaceOptions surface{};                ///< where the tractions lie; the reader's: see is_dense
-  double smoothing_length = 0.0;           ///< l [m]; default: the first depth
+  std::optional<double> alpha{};          ///< absent: a rule chooses it
+  std::optional<AlphaRule> alpha_rule{};  ///< absent: by taxels and noise, lab/scene_problem.hpp
+  SurfaceOptions surface{};               ///< where the tractions lie; the reader's: see is_dense
+  double smoothing_length = 0.0;          ///< l [m]; default: the first depth
+  /// How much heavier the tangential traction's stabiliser is, > 0; absent: as each frame's
+  /// readings have it, by `tangential_weights` (inverse/tangential_weight.hpp).
+  std::optional<double> tangential_weight = 1.0;
   double noise_gain_limit = 1e8;           ///< dft: largest noise gain that is accepted
   bool nonnegative = false;                ///< tikhonov: f_v >= 0
   std::optional<double> friction_limit{};  ///< tikhonov: |f_t| <= limit f_v; implies f_v >= 0
+  /// Under constraints a rule chooses alpha for the tractions that they leave free.
+  bool alpha_on_active_set = false;
   std::optional<double> contact_friction{};  ///< dft: known mu, f_t constant over the contact
   std::optional<bool> tangential{};          ///< solve for it too; absent: see `unknowns`
 };

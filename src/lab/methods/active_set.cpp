@@ -1,5 +1,6 @@
 // tikhonov where nothing pulls and friction has a limit.
 #include <algorithm>
+#include <cmath>
 
 #include "lab/methods/methods.hpp"
 
@@ -37,9 +38,29 @@ class ActiveSet final : public FrameSolver {
 
 }  // namespace
 
-std::unique_ptr<FrameSolver> make_active_set(const SceneProblem& problem,
-                                             std::optional<double> alpha) {
-  return std::make_unique<ActiveSet>(problem, alpha.value());
+std::unique_ptr<FrameSolver> make_active_set(const SceneProblem& problem, double alpha) {
+  return std::make_unique<ActiveSet>(problem, alpha);
+}
+
+ChosenAlpha alpha_on_active_set(const SceneFrame& frame) {
+  constexpr int most_steps = 10;  // sets and alphas that take turns stay within a few per cent
+  constexpr double agreed = 0.01;
+  const SceneProblem& problem = frame.problem();
+  const Constraints& constraints = *problem.constraints();
+  ChosenAlpha alpha = frame.alpha();
+  for (int step = 0; step < most_steps; ++step) {
+    const ConstrainedSolution found =
+        ConstrainedTikhonov(problem.problem(), alpha.value, constraints).solve(frame.readings());
+    if (found.status != FrameStatus::ok || found.free.empty()) break;
+    const TikhonovFamily family(problem.problem(), constraints, found.free);
+    const AlphaChoice choice =
+        choose_alone(family.analyse(frame.readings()), problem.alpha_rule(frame.analysed()),
+                     problem.stated_noise());
+    const double change = std::abs(std::log(choice.alpha / alpha.value));
+    alpha = {.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
+    if (change < agreed) break;
+  }
+  return alpha;
 }
 
 }  // namespace tactile_net::lab

@@ -3,6 +3,7 @@
 #include "tactile_net/inverse/dft.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "inverse/checks.hpp"
 #include "lab/methods/frame_check.hpp"
@@ -167,6 +168,9 @@ std::unique_ptr<FrameSolver> make_dft(const SceneProblem& problem, std::optional
   require_at_taxels(scene.reconstruct.surface);
   if (scene.reconstruct.contact_friction) return std::make_unique<Sliding>(scene);
   if (channel_count(scene.sensor) == 1) return std::make_unique<Division>(scene);
+  if (problem.estimates_weight())
+    throw std::invalid_argument(
+        "dft takes a tangential_weight that is stated: tikhonov estimates one");
   return std::make_unique<Frequencies>(problem, alpha);
 }
 

@@ -35,6 +35,7 @@ Json numbers(const finding::Baseline& f) {
 Json numbers(const finding::Drift& f) {
   return {{"largest", f.largest}, {"times", f.times}, {"from", f.from}, {"to", f.to}};
 }
+Json numbers(const finding::NoiseTaken& f) { return {{"of_channel", f.of_channel}}; }
 Json numbers(const finding::NoiseDiffers& f) {
   return {{"channel", f.channel}, {"estimated", f.estimated}, {"stated", f.stated}};
 }

@@ -42,10 +42,17 @@ void add_uncertainty(Json& json, const lab::MethodResult& result) {
                            {"free", result.constrained->free.size()}};
 }
 
+Json tangential_weight(const Scene& scene, const lab::MethodResult& result) {
+  if (!result.alpha || unknowns(scene) != 2) return nullptr;
+  if (const auto estimated = result.alpha->tangential_weight) return *estimated;
+  return number_or_null(scene.reconstruct.tangential_weight);
+}
+
 Json reconstruction(const lab::Experiment& experiment, const lab::MethodResult& result) {
   Json json = {{"method", name(result.method)},
                {"alpha", result.alpha ? Json(result.alpha->value) : Json(nullptr)},
                {"alpha_rule", result.alpha ? Json(source(*result.alpha)) : Json(nullptr)},
+               {"tangential_weight", tangential_weight(experiment.scene, result)},
                {"verdict", name(result.verdict)},
                {"normal", list_or_null(result.normal.traction)},
                {"tangential", list_or_null(result.tangential.traction)}};

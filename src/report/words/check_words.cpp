@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
@@ -174,6 +175,15 @@ Words say(const finding::Drift& f, const Scene& scene) {
 
 // --- noise and scale ----------------------------------------------------------------------------
 
+Words say(const finding::NoiseTaken& f, const Scene& scene) {
+  const std::vector<Channel> all = channels(scene.sensor);
+  std::vector<std::string> each;
+  for (std::size_t c = 0; c < all.size(); ++c)
+    each.push_back(reading(scene, c, f.of_channel[c]) + " of " + all[c].name);
+  return {"the scene states no noise: " + join(each, " and ") + ", as still frames show, is taken",
+          all.size() == 1 ? noise_line(scene, 0, f.of_channel.front())
+                          : "state it, an rms for each quantity, under [noise]"};
+}
 Words say(const finding::NoiseDiffers& f, const Scene& scene) {
   return {"the noise is " + reading(scene, f.channel, f.estimated) + ", " +
               brief(f.estimated / f.stated) + " times the " + reading(scene, f.channel, f.stated) +

@@ -56,6 +56,11 @@ std::string say(const remark::Rounding& r) {
   return "rounding alone may have moved the answer by " + brief(r.bound) +
          " of its size; raise alpha";
 }
+std::string say(const remark::EstimatedWeight& r) {
+  return "tangential_weight = " + brief(r.value) +
+         ", by the evidence: a priori the tangential traction is as many times smaller than the "
+         "normal one";
+}
 std::string say(const remark::ModelError& r) {
   return "the residual is larger than the noise stated explains: the model is off by about " +
          brief(r.times) + " times the noise, which the bands do not hold";

@@ -1,0 +1,36 @@
+#include "tactile_net/inverse/tangential_weight.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include "inverse/alpha_criteria.hpp"
+
+namespace tactile_net {
+
+double surprise_of_weight(double tangential_weight) noexcept {
+  return std::log(0.5 * (tangential_weight + 1.0 / tangential_weight));
+}
+
+double surprise(const FilterFrame& frame, const AlphaTables& tables,
+                std::optional<double> noise_rms, std::optional<double> alpha) {
+  if (noise_rms && !(*noise_rms > 0.0)) throw std::invalid_argument("noise_rms must be > 0");
+  const AlphaTables::Parts& parts = tables.parts();
+  const AlphaRule rule = noise_rms ? AlphaRule::evidence : AlphaRule::gml;
+  const double chosen = alpha ? *alpha : choose_alone(frame, tables, rule, noise_rms).alpha;
+  if (!(frame.scale > 0.0) || !(parts.largest > 0.0)) return 0.0;
+
+  const double log_alpha = std::log(chosen) - 2.0 * std::log(parts.largest);
+  const double relative_alpha = std::exp(log_alpha);
+  double fit = frame.outside * frame.outside;  // g'(I - H) g
+  for (std::size_t i = 0; i < parts.relative.size(); ++i) {
+    const double power = frame.powers.empty() ? frame.beta[i] * frame.beta[i] : frame.powers[i];
+    fit += relative_alpha / (parts.relative[i] * parts.relative[i] + relative_alpha) * power;
+  }
+  const double log_determinant = parts.traces(log_alpha).log_determinant;
+  const double size = noise_rms ? fit * (frame.scale / *noise_rms) * (frame.scale / *noise_rms)
+                                : static_cast<double>(parts.rows) * std::log(fit);
+  return 0.5 * (size - log_determinant);
+}
+
+}  // namespace tactile_net

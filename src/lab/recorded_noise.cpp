@@ -1,0 +1,40 @@
+#include "tactile_net/lab/recorded_noise.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace tactile_net::lab {
+
+bool wants_noise(const SceneProblem& problem) {
+  const Scene& scene = problem.scene();
+  return !scene.noise && !scene.reconstruct.alpha && !scene.reconstruct.alpha_rule &&
+         !problem.is_large() && problem.surface().basis == SurfaceBasis::hats;
+}
+
+std::optional<NoiseModel> recorded_noise(const ReadingsCheck& check) {
+  const std::vector<Channel> all = channels(check.scene.sensor);
+  std::map<Quantity, std::pair<double, double>>
+      squares;  // of a quantity at several depths, and how many
+  for (std::size_t c = 0; c < check.channels.size(); ++c) {
+    const auto& noise = check.channels[c].noise;
+    if (!noise || !(*noise > 0.0)) return std::nullopt;
+    auto& [sum, count] = squares[all[c].quantity];
+    sum += *noise * *noise;
+    count += 1.0;
+  }
+  if (squares.empty()) return std::nullopt;
+  NoiseModel model;
+  model.weights_rows = squares.size() > 1;
+  for (const auto& [quantity, square] : squares)
+    model.rms[quantity] = std::sqrt(square.first / square.second);
+  return model;
+}
+
+Finding noise_taken(const Scene& scene) {
+  finding::NoiseTaken taken;
+  for (const Channel& channel : channels(scene.sensor))
+    taken.of_channel.push_back(scene.noise->rms.at(channel.quantity));
+  return taken;
+}
+
+}  // namespace tactile_net::lab
