@@ -241,9 +241,10 @@ const LoadWindows& SceneProblem::load_windows() const {
 
 namespace {
 
+constexpr double negligible = 0.01;  // a probability
+
 std::vector<SceneFrame::LikelyWeight> likely_weights_of(const SceneProblem& problem,
                                                         std::span<const double> readings) {
-  constexpr double negligible = 0.01;
   if (!problem.estimates_weight()) return {};
   if (problem.is_large())
     throw std::invalid_argument(

@@ -241,10 +241,10 @@ TEST_CASE("who needs one functional for all frames asks for the weight", "[lab][
           SceneProblem(pad(with_shear, "nonnegative = true\nalpha_on_active_set = true\n")),
           Method::tikhonov, 5),
       ContainsSubstring("alpha_on_active_set"));
-  Scene large = pad(with_shear, estimated);
-  large.sensor.count = 600;
+  Scene many = pad(with_shear, estimated);
+  many.sensor.count = 600;
   const std::vector<double> readings(1200, 1.0);
-  const auto solver = make_solver(large, Method::tikhonov);
+  const auto solver = make_solver(many, Method::tikhonov);
   std::vector<double> f(solver->tractions());
   CHECK_THROWS_WITH((void)solver->solve(readings, f), ContainsSubstring("state it"));
 }
