@@ -154,7 +154,7 @@ def test_missing_readings(command: Callable[..., str], tmp_path: Path) -> None:
 def test_plans(command: Callable[..., str], shipped: Path, tmp_path: Path) -> None:
     scene = tn.Scene.load(shipped)
     if shipped.parent == RECORDED:  # no contact: alpha is chosen on the frames
-        readings = RECORDED / f"{shipped.stem.removesuffix('-contact')}.csv"
+        readings = RECORDED / f"{shipped.stem.removesuffix('-contact').removesuffix('-weights')}.csv"
         plan = scene.plan(accuracy=1e-5, readings=scene.read(readings))
         asked = ["--readings", readings]
     else:
