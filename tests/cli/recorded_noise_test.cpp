@@ -51,7 +51,7 @@ TEST_CASE("the noise that a scene does not state is that of still frames", "[cli
   const ProcessResult taken = solve("silent.toml", folder / "r.csv");
   REQUIRE(taken.code == 0);
   CHECK_THAT(taken.errors, ContainsSubstring("the scene states no noise: ") &&
-                            ContainsSubstring("under [noise], rms = 0.1"));
+                               ContainsSubstring("under [noise], rms = 0.1"));
   const Row found = last_row(read_text(folder / "u.csv"));
   CHECK(found.verdict == "ok");
   CHECK_THAT(found.force, WithinRel(stated.force, 0.01));
