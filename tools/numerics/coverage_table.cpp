@@ -131,7 +131,7 @@ std::string coverage_section() {
       for (const double pitch : {0.25, 0.5, 1.0, 2.0, 4.0}) {
         std::cerr << "bands of " << unknowns << " unknowns, pitch " << pitch << '\n';
         const bool dense = basis({.pitch = pitch}) == SurfaceBasis::taxels;
-        for (const auto [grid, stated] : {std::pair{false, true}, {false, false}, {true, true}}) {
+        for (const auto& [grid, stated] : {std::pair{false, true}, {false, false}, {true, true}}) {
           if (!dense && (grid || !stated)) continue;  // on the grid anyway; too few to tell noise
           for (const double noise : {0.001, 0.01, 0.05})
             out << row({.pitch = pitch,
