@@ -8,6 +8,7 @@
 
 #include "bad_frame.hpp"
 #include "tactile_net/frames/csv.hpp"
+#include "tactile_net/lab/recorded_noise.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/pages/recording_page.hpp"
 #include "tactile_net/report/csv/recording_csv.hpp"
@@ -26,20 +27,35 @@ void add(std::vector<double>& numbers, const std::optional<Uncertain>& number) {
   numbers.push_back(number ? number->deviation : unknown);
 }
 
+/// The scene's, with the noise that still frames show where it waits for that.
+lab::SceneProblem problem_of(SharedScene& shared, Method method, const Rows& readings) {
+  const auto locked = shared.lock();
+  const lab::SceneProblem& stated = locked.problem;
+  if (!lab::wants_noise(stated, method)) return stated;
+  std::size_t frame = 0;
+  return lab::with_recorded_noise(stated, [&](std::span<double> next) {
+    if (frame == readings.shape(0)) return false;
+    const std::span<const double> values = row(readings, frame++);
+    std::copy(values.begin(), values.end(), next.begin());
+    return true;
+  });
+}
+
 }  // namespace
 
 SolvedRecording::SolvedRecording(ScenePointer shared, Method method,
                                  const lab::RecordingSolverOptions& options,
                                  std::vector<double> times, const Rows& readings, Watcher& watcher)
     : shared_(std::move(shared)),
+      problem_(problem_of(*shared_, method, readings)),
       method_(method),
       missing_(options.missing),
       times_(std::move(times)),
       readings_(readings.data(), readings.data() + readings.size()),
-      recording_(shared_->lock().problem, method),
-      checker_(shared_->scene()) {
+      recording_(problem_, method),
+      checker_(problem_.scene()) {
   const auto locked = shared_->lock();
-  lab::RecordingSolver solver(locked.problem, method, options);
+  lab::RecordingSolver solver(problem_, method, options);
   width_ = solver.tractions();
   remarks_ = solver.remarks();
   tractions_.assign(readings.shape(0) * width_, unknown);
@@ -60,6 +76,8 @@ SolvedRecording::SolvedRecording(ScenePointer shared, Method method,
   }
   solved_ = solver.solved();
   doubts_ = solver.doubts();
+  if (const auto taken = lab::noise_taken(locked.problem, problem_))
+    doubts_.insert(doubts_.begin(), *taken);
 }
 
 std::optional<double> SolvedRecording::time(std::size_t frame) const {
@@ -71,13 +89,13 @@ std::vector<std::string> SolvedRecording::notes() const {
   std::vector<std::string> all = report::in_words(remarks_);
   for (std::string& sentence : report::in_words(solved_)) all.push_back(std::move(sentence));
   for (const lab::Finding& doubt : doubts_)
-    all.push_back(report::in_words(doubt, shared_->scene()) + "; " +
-                  report::advice(doubt, shared_->scene()));
+    all.push_back(report::in_words(doubt, problem_.scene()) + "; " +
+                  report::advice(doubt, problem_.scene()));
   return all;
 }
 
 bool SolvedRecording::has_bands() const {
-  return lab::traits(method_).has_bands && shared_->lock().problem.has_bands();
+  return lab::traits(method_).has_bands && problem_.has_bands();
 }
 
 Bands SolvedRecording::bands(Watcher& watcher) {
@@ -125,7 +143,7 @@ std::string SolvedRecording::json(const std::string& name, Watcher& watcher) {
 
 std::string SolvedRecording::tractions_csv() const {
   std::ostringstream out;
-  const std::size_t count = surface(shared_->scene()).count;
+  const std::size_t count = surface(problem_.scene()).count;
   frames::CsvSink sink(out, frames::traction_columns(count, width_ > count), !times_.empty());
   for (std::size_t i = 0; i < frames(); ++i)
     sink.add(time(i) ? shortest(times_[i]) : std::string(),

@@ -62,6 +62,7 @@ class SolvedRecording {
   [[nodiscard]] std::string tractions_csv() const;
 
   ScenePointer shared_;
+  lab::SceneProblem problem_;  // with the noise that the recording shows, where it wants it
   Method method_;
   lab::Missing missing_;
   std::vector<double> times_;

@@ -163,7 +163,7 @@ void FingertipMaker::press(Fingertip& tip, const HandFinger& finger, const Finge
     return;
   }
   const FrameUncertainty bands = uncertainty(frame, f, result);
-  if (const auto off = model_error(bands.noise)) tip.remarks.emplace_back(*off);
+  if (const auto off = model_error(bands)) tip.remarks.emplace_back(*off);
   lab::press(tip, bands.resultant, finger.breadth);
 }
 

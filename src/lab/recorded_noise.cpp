@@ -2,14 +2,15 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
+
+#include "tactile_net/lab/readings_check.hpp"
 
 namespace tactile_net::lab {
+namespace {
 
-bool wants_noise(const SceneProblem& problem) {
-  const Scene& scene = problem.scene();
-  return !scene.noise && !scene.reconstruct.alpha && !scene.reconstruct.alpha_rule &&
-         !problem.is_large() && problem.surface().basis == SurfaceBasis::hats;
-}
+constexpr std::size_t most_frames = 20'000;
 
 std::optional<NoiseModel> recorded_noise(const ReadingsCheck& check) {
   const std::vector<Channel> all = channels(check.scene.sensor);
@@ -30,7 +31,29 @@ std::optional<NoiseModel> recorded_noise(const ReadingsCheck& check) {
   return model;
 }
 
-Finding noise_taken(const Scene& scene) {
+}  // namespace
+
+bool wants_noise(const SceneProblem& problem, Method method) {
+  const Scene& scene = problem.scene();
+  return traits(method).has_bands && !scene.noise && !scene.reconstruct.alpha &&
+         !scene.reconstruct.alpha_rule && !problem.is_large() &&
+         problem.surface().basis == SurfaceBasis::hats;
+}
+
+SceneProblem with_recorded_noise(const SceneProblem& problem,
+                                 const std::function<bool(std::span<double>)>& next) {
+  ReadingsChecker checker(problem.scene());
+  std::vector<double> readings(problem.readings());
+  for (std::size_t k = 0; k < most_frames && next(readings); ++k)
+    checker.add(std::nullopt, readings);
+  Scene scene = problem.scene();
+  scene.noise = recorded_noise(checker.result());
+  return scene.noise ? SceneProblem(std::move(scene)) : problem;
+}
+
+std::optional<Finding> noise_taken(const SceneProblem& stated, const SceneProblem& solved) {
+  const Scene& scene = solved.scene();
+  if (stated.scene().noise || !scene.noise) return std::nullopt;
   finding::NoiseTaken taken;
   for (const Channel& channel : channels(scene.sensor))
     taken.of_channel.push_back(scene.noise->rms.at(channel.quantity));

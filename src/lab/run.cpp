@@ -111,7 +111,7 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
   }
   if (const auto weight = run.frame.estimated_weight())
     result.remarks.emplace_back(remark::EstimatedWeight{*weight});
-  if (const auto off = model_error(bands.noise)) result.remarks.emplace_back(*off);
+  if (const auto off = model_error(bands)) result.remarks.emplace_back(*off);
   result.data = data_verdict(run.problem, run.frame.readings(), f);
   if (!result.data->consistent()) result.remarks.emplace_back(remark::DataDoubted{*result.data});
   if (work.does(Computation::hidden_modes) && run.problem.hidden().dimension > 0)

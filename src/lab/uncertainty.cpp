@@ -98,6 +98,7 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
     const double of_windows = std::hypot(found.rms(), found.model_rms);
     by_windows = of_windows > 0.0;
     if (by_windows) rms = of_windows;
+    bands.holds_model_error = by_windows;
     if (by_windows && !scene.stated_noise()) bands.noise = found;
   }
   const auto fill = [&](const Covariance& covariance, std::span<const double> f,
@@ -127,9 +128,11 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
   return bands;
 }
 
-std::optional<remark::ModelError> model_error(const NoiseEstimate& noise) noexcept {
+std::optional<remark::ModelError> model_error(const FrameUncertainty& bands) noexcept {
+  const NoiseEstimate& noise = bands.noise;
   if (noise.model_rms == 0.0) return std::nullopt;
-  return remark::ModelError{noise.model_rms / *noise.stated_rms};
+  return remark::ModelError{.times = noise.model_rms / *noise.stated_rms,
+                            .held = bands.holds_model_error};
 }
 
 }  // namespace tactile_net::lab

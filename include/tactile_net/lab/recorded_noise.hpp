@@ -2,25 +2,32 @@
 /// The noise of a recording, for a scene that does not state it.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <span>
 
-#include "tactile_net/lab/readings_check.hpp"
+#include "tactile_net/lab/finding.hpp"
+#include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
-#include "tactile_net/sensing/effects/noise.hpp"
 
 namespace tactile_net::lab {
 
 /// Whether alpha and bands wait for the noise's rms: the scene states neither noise nor alpha nor a
-/// rule, and its array is too coarse to tell noise from signal by a single frame.
-[[nodiscard]] bool wants_noise(const SceneProblem& problem);
+/// rule, its array is too coarse to tell noise from signal by a single frame, and the method has
+/// bands.
+[[nodiscard]] bool wants_noise(const SceneProblem& problem, Method method);
 
-/// What still frames leave, of several quantities one rms for each; absent: too few are still, or
-/// some quantity shows no noise at all.
+/// The problem with the noise that still frames show, of several quantities one rms for each; the
+/// same one where too few are still, or some quantity shows no noise at all. Reads up to 20 000
+/// frames.
 ///
-/// @param check  of the recording, by the scene without noise
-[[nodiscard]] std::optional<NoiseModel> recorded_noise(const ReadingsCheck& check);
+/// @param next  fills a frame of readings, channels x count, NaN where one is missing; false: there
+///              are no more
+[[nodiscard]] SceneProblem with_recorded_noise(const SceneProblem& problem,
+                                               const std::function<bool(std::span<double>)>& next);
 
-/// What is to be said of a scene whose noise was taken so.
-[[nodiscard]] Finding noise_taken(const Scene& scene);
+/// What is to be said of a problem whose noise was taken so; absent where it was not.
+[[nodiscard]] std::optional<Finding> noise_taken(const SceneProblem& stated,
+                                                 const SceneProblem& solved);
 
 }  // namespace tactile_net::lab

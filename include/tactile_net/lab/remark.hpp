@@ -51,7 +51,8 @@ struct EstimatedWeight {
   double value = 1.0;  ///< of the tangential traction
 };
 struct ModelError {
-  double times = 0.0;  ///< the noise stated: an error of the model that the bands do not hold
+  double times = 0.0;  ///< the noise stated
+  bool held = false;   ///< by the bands, as if it were noise
 };
 struct DataDoubted {
   DataVerdict data{};  ///< not consistent

@@ -19,6 +19,7 @@ struct FrameUncertainty {
   NoiseEstimate noise{};
   UncertainResultant resultant{};
   std::vector<double> deviation{};  ///< of every traction [Pa], one standard deviation
+  bool holds_model_error = false;   ///< it counts for noise in them
 };
 
 /// By `LoadWindows` where the problem has them; of line loads over taxels with what may press
@@ -43,7 +44,7 @@ struct FrameUncertainty {
                                            std::span<const double> tractions,
                                            const FrameResult& result);
 
-/// What the bands do not hold, where the residual is larger than the noise stated explains.
-[[nodiscard]] std::optional<remark::ModelError> model_error(const NoiseEstimate& noise) noexcept;
+/// Where the residual is larger than the noise stated explains.
+[[nodiscard]] std::optional<remark::ModelError> model_error(const FrameUncertainty& bands) noexcept;
 
 }  // namespace tactile_net::lab

@@ -63,7 +63,8 @@ std::string say(const remark::EstimatedWeight& r) {
 }
 std::string say(const remark::ModelError& r) {
   return "the residual is larger than the noise stated explains: the model is off by about " +
-         brief(r.times) + " times the noise, which the bands do not hold";
+         brief(r.times) + " times the noise, which the bands " +
+         (r.held ? "hold as if it were noise" : "do not hold");
 }
 std::string say(const remark::DataDoubted& r) { return in_words(r.data); }
 std::string say(const remark::Hidden& r) {

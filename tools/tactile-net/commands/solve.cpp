@@ -19,7 +19,6 @@
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
-#include "tactile_net/lab/readings_check.hpp"
 #include "tactile_net/lab/recorded_noise.hpp"
 #include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
@@ -151,22 +150,16 @@ void solve(lab::RecordingSolver& solver, frames::ReadingsFile& file, Outputs& ou
 
 /// The scene's problem; where it wants the noise and the recording can be read twice, with what
 /// its still frames show. What is wrong with the file is said when it is read for good.
-lab::SceneProblem with_noise(lab::SceneProblem problem, const SolveOptions& options) {
-  constexpr std::size_t most_frames = 20'000;
+lab::SceneProblem with_noise(const lab::SceneProblem& problem, const SolveOptions& options) {
   std::error_code none;
-  if (options.readings == "-" || !lab::wants_noise(problem) ||
+  if (options.readings == "-" || !lab::wants_noise(problem, options.method) ||
       !std::filesystem::is_regular_file(options.readings, none))
     return problem;
   try {
     frames::ReadingsFile file(options.readings, problem.scene(), nullptr,
                               {.columns = options.columns, .accept_missing = true});
-    lab::ReadingsChecker checker(problem.scene());
-    std::vector<double> readings(file.source().columns().size());
-    for (std::size_t k = 0; k < most_frames && file.source().next(readings); ++k)
-      checker.add(std::nullopt, readings);
-    Scene scene = problem.scene();
-    scene.noise = lab::recorded_noise(checker.result());
-    return scene.noise ? lab::SceneProblem(std::move(scene)) : problem;
+    return lab::with_recorded_noise(
+        problem, [&](std::span<double> readings) { return file.source().next(readings); });
   } catch (const std::exception&) {
     return problem;
   }
@@ -190,8 +183,7 @@ void run(const SolveOptions& options, const Streams& streams) {
   check_one_standard_input(options.scene, options.readings);
   const lab::SceneProblem stated(read_scene(options.scene, streams.in));
   const Method method = options.method;
-  const lab::SceneProblem problem =
-      lab::traits(method).has_bands ? with_noise(stated, options) : stated;
+  const lab::SceneProblem problem = with_noise(stated, options);
   const lab::Missing missing = options.missing;
   if (missing == lab::Missing::estimate && !lab::traits(method).has_bands)
     throw WrongUsage("--missing",
@@ -234,8 +226,8 @@ void run(const SolveOptions& options, const Streams& streams) {
   for (const std::string& sentence : report::in_words(solved))
     streams.err << name(options.method) << ": note: " << sentence << '\n';
   lab::Findings findings = results ? results->findings() : solver.doubts();
-  if (!stated.scene().noise && problem.scene().noise)
-    findings.insert(findings.begin(), lab::noise_taken(problem.scene()));
+  if (const auto taken = lab::noise_taken(stated, problem))
+    findings.insert(findings.begin(), *taken);
   for (const lab::Finding& doubt : findings)
     streams.err << name(options.method) << ": note: " << report::in_words(doubt, problem.scene())
                 << "\nhint: " << report::advice(doubt, problem.scene())
