@@ -2,7 +2,7 @@
 /// What a program that works on a stranger's file is kept from, by the kernel (Linux).
 ///
 /// A deck is a program: what ngspice reads may ask it to write files and to start others. The cards
-/// that do so are refused before it sees them (`lab/deck_file.hpp`); this is the second wall.
+/// that do so are refused before it sees them (`decks/deck_file.hpp`); this is the second wall.
 #pragma once
 
 namespace tactile_net {

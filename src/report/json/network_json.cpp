@@ -120,9 +120,9 @@ std::string certificate_json(const lab::Certification& c) {
   return text_of(json);
 }
 
-std::string deck_answer_json(const std::string& file, const lab::DeckAnswer& answer) {
+std::string deck_answer_json(const std::string& file, const decks::DeckAnswer& answer) {
   Json nodes = Json::array();
-  for (const lab::NodeAnswer& one : answer.nodes)
+  for (const decks::NodeAnswer& one : answer.nodes)
     nodes.push_back({{"node", one.node}, {"expected", one.expected}, {"found", one.found}});
   Json json = document(kind::deck);
   json.update(Json{{"deck", file},

@@ -161,18 +161,19 @@ void print_certificate(std::ostream& out, const lab::Certification& c) {
   out << in_words(c.recommendation) << '\n';
 }
 
-void print_deck_answer(std::ostream& out, const std::string& file, const lab::DeckAnswer& answer) {
+void print_deck_answer(std::ostream& out, const std::string& file,
+                       const decks::DeckAnswer& answer) {
   out << file << ": " << answer.nodes.size()
       << " nodes; ngspice against the header's voltages: " << brief(answer.difference)
       << (answer.difference <= answer.within ? " (agrees)" : " (DIFFERS)") << '\n';
   if (answer.difference <= answer.within) return;
-  std::vector<lab::NodeAnswer> worst = answer.nodes;
-  const auto off = [](const lab::NodeAnswer& one) { return std::abs(one.found - one.expected); };
+  std::vector<decks::NodeAnswer> worst = answer.nodes;
+  const auto off = [](const decks::NodeAnswer& one) { return std::abs(one.found - one.expected); };
   std::stable_sort(worst.begin(), worst.end(),
                    [&](const auto& a, const auto& b) { return off(a) > off(b); });
   worst.resize(std::min<std::size_t>(worst.size(), 5));
   std::vector<std::vector<std::string>> rows = {{"node", "expected", "found"}};
-  for (const lab::NodeAnswer& one : worst)
+  for (const decks::NodeAnswer& one : worst)
     rows.push_back({one.node, shortest(one.expected), shortest(one.found)});
   print_cells(out, rows);
 }

@@ -2,8 +2,8 @@
 
 #include "commands/input.hpp"
 #include "failure.hpp"
+#include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/lab/certification.hpp"
-#include "tactile_net/lab/deck_file.hpp"
 #include "tactile_net/pages/certificate_page.hpp"
 #include "tactile_net/report/json/network_json.hpp"
 #include "tactile_net/report/words/table.hpp"
@@ -11,7 +11,7 @@
 namespace tactile_net::tool {
 
 void run(const CertifyOptions& options, const Streams& streams) {
-  lab::refuse_deck(options.scene);
+  decks::refuse_deck(options.scene);
   Scene scene = read_scene(options.scene, streams.in);
   apply(options.network, scene, streams.err);
   Results results(options.results, streams);

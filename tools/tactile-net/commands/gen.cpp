@@ -1,8 +1,8 @@
 #include "commands/gen.hpp"
 
 #include "commands/input.hpp"
+#include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/frames/output_file.hpp"
-#include "tactile_net/lab/deck_file.hpp"
 #include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/report/words/deck_words.hpp"
@@ -10,7 +10,7 @@
 namespace tactile_net::tool {
 
 void run(const GenOptions& options, const Streams& streams) {
-  lab::refuse_deck(options.scene);
+  decks::refuse_deck(options.scene);
   Scene scene = read_scene(options.scene, streams.in);
   apply(options.network, scene, streams.err);
   frames::OutputFile output(options.output, &streams.out);

@@ -6,7 +6,7 @@
 #include "commands/input.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
-#include "tactile_net/lab/deck_file.hpp"
+#include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/lab/relaxation.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -25,7 +25,7 @@ void run_deck(const RelaxOptions& options, Simulator& simulator, const Streams& 
   Results results({.json = options.json}, streams);
   Progress progress(streams);
   progress.say("ngspice ...");
-  lab::DeckAnswer answer = lab::relax_deck(options.scene, simulator);
+  decks::DeckAnswer answer = decks::relax_deck(options.scene, simulator);
   answer.within = options.tolerance.value_or(answer.within);
   results.write(
       {.print = [&](std::ostream& out) { report::print_deck_answer(out, options.scene, answer); },
@@ -56,7 +56,7 @@ void run_scene(const RelaxOptions& options, Simulator& simulator, const Streams&
 
 void run(const RelaxOptions& options, const Streams& streams) {
   const std::unique_ptr<Simulator> simulator = lab::make_simulator(options.simulator);
-  if (lab::is_deck(options.scene))
+  if (decks::is_deck(options.scene))
     run_deck(options, *simulator, streams);
   else
     run_scene(options, *simulator, streams);

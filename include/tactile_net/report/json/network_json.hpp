@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/lab/certification.hpp"
-#include "tactile_net/lab/deck_file.hpp"
 #include "tactile_net/lab/relaxation.hpp"
 #include "tactile_net/scene/scene.hpp"
 
@@ -16,6 +16,7 @@ namespace tactile_net::report {
 
 [[nodiscard]] std::string certificate_json(const lab::Certification& certification);
 
-[[nodiscard]] std::string deck_answer_json(const std::string& file, const lab::DeckAnswer& answer);
+[[nodiscard]] std::string deck_answer_json(const std::string& file,
+                                           const decks::DeckAnswer& answer);
 
 }  // namespace tactile_net::report

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/lab/certification.hpp"
-#include "tactile_net/lab/deck_file.hpp"
 #include "tactile_net/lab/run.hpp"
 
 namespace tactile_net::report {
@@ -45,6 +45,6 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment);
 void print_relaxation(std::ostream& out, const lab::Relaxation& relaxation);
 void print_certificate(std::ostream& out, const lab::Certification& certification);
 /// With the five nodes that are furthest off, if the difference is more than is allowed.
-void print_deck_answer(std::ostream& out, const std::string& file, const lab::DeckAnswer& answer);
+void print_deck_answer(std::ostream& out, const std::string& file, const decks::DeckAnswer& answer);
 
 }  // namespace tactile_net::report

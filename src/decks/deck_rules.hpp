@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "lab/deck_cards.hpp"
+#include "decks/deck_cards.hpp"
 
-namespace tactile_net::lab {
+namespace tactile_net::decks {
 
 /// A deck is a program: cards read files, set the simulator's variables, start processes. What
 /// describes a circuit and one analysis of it is taken, in any case of letters: the elements R C L
@@ -17,4 +17,4 @@ namespace tactile_net::lab {
 ///                    themselves, are not in the deck, or make more than ten million elements
 void check_cards(const DeckText& deck, const std::string& file);
 
-}  // namespace tactile_net::lab
+}  // namespace tactile_net::decks

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "lab/deck_cards.hpp"
+#include "decks/deck_cards.hpp"
 
-namespace tactile_net::lab {
+namespace tactile_net::decks {
 
 /// Ten lines of sub-circuits that each contain ten of the one before are ten thousand million
 /// elements: the deck is small, what it asks for is not.
@@ -15,4 +15,4 @@ namespace tactile_net::lab {
 ///                    than ten million elements
 void check_size(const DeckText& deck, const std::string& file);
 
-}  // namespace tactile_net::lab
+}  // namespace tactile_net::decks

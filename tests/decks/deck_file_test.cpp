@@ -1,5 +1,5 @@
 // Decks from strangers: what is taken, what is refused, and what reaches the simulator.
-#include "tactile_net/lab/deck_file.hpp"
+#include "tactile_net/decks/deck_file.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -50,7 +50,7 @@ struct DeckFile {
 std::string passed(const std::string& text) {
   const DeckFile file(text);
   Recorder simulator;
-  (void)lab::relax_deck(file.path, simulator);
+  (void)decks::relax_deck(file.path, simulator);
   CHECK(simulator.runs == 1);
   return simulator.got;
 }
@@ -61,7 +61,7 @@ std::string refused(const std::string& text) {
   Recorder simulator;
   std::string message;
   try {
-    (void)lab::relax_deck(file.path, simulator);
+    (void)decks::relax_deck(file.path, simulator);
   } catch (const InputError& error) {
     message = error.what();
   }
@@ -181,13 +181,13 @@ TEST_CASE("a deck is bounded in bytes and in what it expects", "[deck]") {
   const DeckFile large(head);
   fs::resize_file(large.path, (std::size_t{64} << 20) + 1);
   Recorder simulator;
-  CHECK_THROWS_WITH(lab::relax_deck(large.path, simulator),
+  CHECK_THROWS_WITH(decks::relax_deck(large.path, simulator),
                     ContainsSubstring("larger than 64 MiB"));
-  CHECK_THROWS_WITH(lab::relax_deck("/dev/zero", simulator),
+  CHECK_THROWS_WITH(decks::relax_deck("/dev/zero", simulator),
                     ContainsSubstring("not a regular file"));
   const std::string pipe = (large.folder / "pipe.cir").string();
   REQUIRE(std::system(("mkfifo " + pipe).c_str()) == 0);
-  CHECK_THROWS_WITH(lab::relax_deck(pipe, simulator), ContainsSubstring("not a regular file"));
+  CHECK_THROWS_WITH(decks::relax_deck(pipe, simulator), ContainsSubstring("not a regular file"));
   CHECK(simulator.runs == 0);
 }
 

@@ -1,10 +1,10 @@
-#include "lab/deck_cards.hpp"
+#include "decks/deck_cards.hpp"
 
 #include <cctype>
 
 #include "tactile_net/scene/diagnostic.hpp"
 
-namespace tactile_net::lab {
+namespace tactile_net::decks {
 namespace {
 
 std::string lower(std::string_view text) {
@@ -102,4 +102,4 @@ DeckText deck_cards(std::string_view text, const std::string& file) {
   return deck;
 }
 
-}  // namespace tactile_net::lab
+}  // namespace tactile_net::decks

@@ -1,4 +1,4 @@
-#include "lab/deck_size.hpp"
+#include "decks/deck_size.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,7 +8,7 @@
 
 #include "tactile_net/scene/diagnostic.hpp"
 
-namespace tactile_net::lab {
+namespace tactile_net::decks {
 namespace {
 
 constexpr double most_elements = 1e7;
@@ -112,4 +112,4 @@ void check_size(const DeckText& deck, const std::string& file) {
   (void)count.total("", nullptr);
 }
 
-}  // namespace tactile_net::lab
+}  // namespace tactile_net::decks

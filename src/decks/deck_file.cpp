@@ -1,4 +1,4 @@
-#include "tactile_net/lab/deck_file.hpp"
+#include "tactile_net/decks/deck_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <sstream>
 
-#include "lab/deck_cards.hpp"
-#include "lab/deck_rules.hpp"
+#include "decks/deck_cards.hpp"
+#include "decks/deck_rules.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/bounded_text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
-namespace tactile_net::lab {
+namespace tactile_net::decks {
 namespace {
 
 constexpr std::uintmax_t largest_deck = std::uintmax_t{64} << 20;
@@ -108,4 +108,4 @@ DeckAnswer relax_deck(const std::string& path, Simulator& simulator) {
   return answer;
 }
 
-}  // namespace tactile_net::lab
+}  // namespace tactile_net::decks

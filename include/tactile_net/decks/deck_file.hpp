@@ -7,7 +7,7 @@
 
 #include "tactile_net/simulator/simulator.hpp"
 
-namespace tactile_net::lab {
+namespace tactile_net::decks {
 
 /// What one node was expected to have, and has.
 struct NodeAnswer {
@@ -39,4 +39,4 @@ void refuse_deck(const std::string& path);
 /// @throw SimulatorError  as `operating_point`
 [[nodiscard]] DeckAnswer relax_deck(const std::string& path, Simulator& simulator);
 
-}  // namespace tactile_net::lab
+}  // namespace tactile_net::decks

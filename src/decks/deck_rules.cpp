@@ -1,4 +1,4 @@
-#include "lab/deck_rules.hpp"
+#include "decks/deck_rules.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "lab/deck_size.hpp"
+#include "decks/deck_size.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
-namespace tactile_net::lab {
+namespace tactile_net::decks {
 namespace {
 
 constexpr std::string_view elements = "rclefghivbdx";
@@ -152,4 +152,4 @@ void check_cards(const DeckText& deck, const std::string& file) {
   check_size(deck, file);
 }
 
-}  // namespace tactile_net::lab
+}  // namespace tactile_net::decks

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tactile_net::lab {
+namespace tactile_net::decks {
 
 /// One statement of a deck, in lower case, without comments.
 struct DeckCard {
@@ -33,4 +33,4 @@ struct DeckText {
 ///                    a first line that would make ngspice take the deck for a script
 [[nodiscard]] DeckText deck_cards(std::string_view text, const std::string& file);
 
-}  // namespace tactile_net::lab
+}  // namespace tactile_net::decks
