@@ -197,7 +197,7 @@ Page sweep_page(const Table& table, const Made& made) {
   page.files.insert(page.files.end(), figures.pictures().begin(), figures.pictures().end());
 
   std::string html =
-      heading(table.title, "", "a scene at " + std::to_string(table.points) + " points");
+      heading("", table.title, "a scene at " + std::to_string(table.points) + " points");
   html += answer_box(answers(table));
   if (!figures.missing().empty()) html += element("p", figures.missing(), "quiet");
   html += "<h2>How far from the truth</h2>\n" + figures.html("error");
@@ -207,6 +207,7 @@ Page sweep_page(const Table& table, const Made& made) {
   html += "<h2>Axis by axis</h2>\n";
   for (std::size_t axis = 0; axis < table.axes.size(); ++axis)
     for (const std::string& method : sweep::methods(table)) {
+      if (table.axes[axis] == sweep::repeat_key) continue;
       const auto cells = report::value_cells(table, method, axis);
       if (cells.size() < 2 || cells.size() > most_values + 1) continue;
       html += "<details>" + element("summary", table.axes[axis] + ", " + method) +

@@ -37,7 +37,7 @@ class Watcher final : public sweep::Observer {
 /// Into a folder that holds journals, or is empty, or has results already.
 void write_results(const sweep::Table& table, const fs::path& folder, frames::Existing existing,
                    const Streams& streams) {
-  drawing::Page page = pages::sweep_page(table, {.by = streams.command});
+  drawing::Page page = pages::sweep_page(table, {.by = streams.command, .files = {"results.csv"}});
   page.files.emplace_back("results.csv", table.csv);
   page.files.emplace_back("report.html", page.html);
   std::set<std::string> written;
