@@ -12,7 +12,7 @@ namespace tactile_net {
 namespace {
 
 /// TOML's basic string of one line.
-std::string quoted(std::string_view text) {
+std::string basic_string(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {
@@ -33,7 +33,7 @@ std::string written_anew(const toml::node& node) {
   if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
   if (const auto* real = node.as_floating_point()) return shortest(real->get());
   if (const auto* boolean = node.as_boolean()) return boolean->get() ? "true" : "false";
-  if (const auto* string = node.as_string()) return quoted(string->get());
+  if (const auto* string = node.as_string()) return basic_string(string->get());
   const auto* list = node.as_array();
   if (list == nullptr) return {};
   std::string result = "[";

@@ -9,7 +9,7 @@ void add_sweep(AllCommands& all) {
        .text = "Run a scene at all the values that a study names, on every processor, and go on "
                "where an earlier sweep was stopped",
        .pages = {"sweeps.md"},
-       .examples = {{"sweep scenes/sweeps/depth-and-noise.toml -o out",
+       .examples = {{"sweep scenes/sweeps/depth.toml -o out",
                      "rows in out/results.csv, errors over the axes in out/report.html"},
                     {"sweep study.toml -o out --shard 3/8",
                      "an eighth of it: on another machine, the others; then merge"},
