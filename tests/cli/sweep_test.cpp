@@ -170,8 +170,8 @@ TEST_CASE("a report that is somebody's own stays", "[cli][sweep]") {
 
 TEST_CASE("the shipped study is one", "[cli][sweep]") {
   const Folder folder;
-  const ProcessResult result = tool(
-      {"sweep", scene("sweeps/depth.toml"), "-o", folder / "out", "--shard", "7/50"});
+  const ProcessResult result =
+      tool({"sweep", scene("sweeps/depth.toml"), "-o", folder / "out", "--shard", "7/50"});
   CAPTURE(result.errors);
   CHECK(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("shard 7/50: 2 points are done"));
