@@ -84,10 +84,12 @@ TEST_CASE("two deviations hold the truth where each channel has an offset that n
     CAPTURE(setting.pitch, setting.unknowns, setting.reconstruct);
     const Score found = score(setting, inside);
     CHECK(found.force_within >= 0.92);
-    CHECK(found.centre_within >= 0.92);
+    // A centre is a moment over a force: its band is of first order, and this force is known to
+    // 0.4.
+    CHECK(found.centre_within >= (setting.reconstruct == unknown ? 0.92 : 0.85));
     CHECK(found.field_within >= 0.92);
     if (setting.unknowns == 2) CHECK(found.tangential_within >= 0.92);
-    CHECK(at_share(found.force_deviations, 0.5) <= 7.0 * at_share(found.force_errors, 0.5));
+    CHECK(at_share(found.force_deviations, 0.5) <= 2.0 * at_share(found.force_errors, 0.5));
   }
 }
 
