@@ -13,6 +13,7 @@ NB_MODULE(_core, module) {
   bind_solving(module);
   bind_run(module);
   bind_survey(module);
+  bind_sweep(module);
   bind_circuit(module);
   bind_plan(module);
   bind_estimator(module);

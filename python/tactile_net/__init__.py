@@ -14,6 +14,7 @@ from ._core import version as __version__
 from ._recording import Recording, Solution
 from ._result import MethodResult, Result, run
 from ._scene import Scene, Sites, Solver
+from ._sweep import Study, SweepTable, merge, slurm_script, sweep
 from ._tables import (
     Contact,
     Cylinder,
@@ -55,12 +56,17 @@ __all__ = [
     "Sites",
     "Solution",
     "Solver",
+    "Study",
     "Survey",
+    "SweepTable",
     "Timing",
     "UnsolvableError",
     "Wedge",
     "__version__",
     "errors",
+    "merge",
     "plot",
     "run",
+    "slurm_script",
+    "sweep",
 ]
