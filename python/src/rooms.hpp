@@ -14,5 +14,6 @@ void bind_survey(nanobind::module_& module);
 void bind_circuit(nanobind::module_& module);
 void bind_plan(nanobind::module_& module);
 void bind_estimator(nanobind::module_& module);
+void bind_simulated_pad(nanobind::module_& module);
 
 }  // namespace tactile_net::python
