@@ -5,6 +5,7 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -56,6 +57,9 @@ class RigidPad {
         curvature_(std::move(curvature)) {
     for (const Site& site : sites(shared->scene().sensor)) depth_ = std::max(depth_, site.depth);
   }
+
+  RigidPad(const RigidPad&) = delete;  // of a map of what cannot be copied nanobind would not know
+  RigidPad& operator=(const RigidPad&) = delete;
 
   [[nodiscard]] double edge() const noexcept { return widths_.edge; }
 

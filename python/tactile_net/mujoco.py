@@ -70,9 +70,9 @@ class Pad:
         self.site = site
         self._site = _id_of(mujoco, model, mujoco.mjtObj.mjOBJ_SITE, "site", site)
         self._own = frozenset(self._geoms(geoms))
-        shape = model.geom_type
-        round_ones = [int(mujoco.mjtGeom[f"mjGEOM_{name}"]) for name in ("SPHERE", "CAPSULE", "CYLINDER")]
-        radius = np.where(np.isin(shape, round_ones), model.geom_size[:, 0], np.inf)
+        kinds = mujoco.mjtGeom
+        rounded = [int(kind) for kind in (kinds.mjGEOM_SPHERE, kinds.mjGEOM_CAPSULE, kinds.mjGEOM_CYLINDER)]
+        radius = np.where(np.isin(model.geom_type, rounded), model.geom_size[:, 0], np.inf)
         self._core = _core.RigidPad(
             self.scene._core,
             [geom in self._own for geom in range(model.ngeom)],

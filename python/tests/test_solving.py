@@ -258,7 +258,7 @@ def test_gradients_go_backwards_to_alpha(two: tn.Scene) -> None:
 
 
 def test_what_has_no_matrix_says_so(scene: tn.Scene) -> None:
-    ruled = scene.replace({"reconstruct.alpha": None, "reconstruct.alpha_rule": "gcv"})
+    ruled = scene.replace({"reconstruct.alpha": "gcv"})
     for solver in (ruled.solver(), scene.solver("dft"), scene.replace({"reconstruct.nonnegative": True}).solver()):
         with pytest.raises(ValueError, match="the answer is not one matrix here"):
             solver.matrix

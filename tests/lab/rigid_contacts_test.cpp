@@ -112,7 +112,7 @@ TEST_CASE("a face sees places and forces in the array's frame", "[lab][rigid]") 
 
 TEST_CASE("an edge is half the least depth wide unless stated", "[lab][rigid]") {
   const Scene scene = parse_scene(
-      "[sensor]\ncount = 5\npitch = 1.0\ndepth = [3.0, 2.0]\nreads = [\"stress_x\"]\n"
+      "[sensor]\ncount = 5\npitch = 1.0\ndepths = [3.0, 2.0]\nreads = [\"stress_x\"]\n"
       "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n",
       "pad.toml");
   CHECK(contact_widths(scene, 4.0).edge == 1.0);

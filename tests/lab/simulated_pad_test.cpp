@@ -22,7 +22,7 @@ const std::string ramp =
     "[[contact]]\nshape = \"cylinder\"\nhalf_width = 0.7\nfriction = 0.2\n"
     "trajectory = [{ t = 0.0, force = 0.0 }, { t = 0.07, force = 1.4 }]\n";
 const std::string effects =
-    "[viscoelasticity]\nterms = [{ weight = 0.4, time = 0.02 }]\n"
+    "[viscoelasticity]\nterms = [{ fraction = 0.4, time = 0.02 }]\n"
     "[low_pass]\ntime_constant = 0.01\n[sampling]\naperture = 0.004\n"
     "[noise]\nrms = { strain_x = 1e-3, shear_xy = 1e-3 }\nseed = 3\n"
     "[quantization]\nbits = 12\nrange = [-0.5, 0.5]\n";
