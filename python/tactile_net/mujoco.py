@@ -11,6 +11,7 @@ points that has their force and moment. What the taxels read of these goes throu
 
 from __future__ import annotations
 
+import atexit
 import warnings
 import weakref
 from collections.abc import Callable, Iterable
@@ -117,7 +118,7 @@ class Pad:
         state = id(data)
         if state not in self._known:
             self._known.add(state)
-            weakref.finalize(data, _forget, weakref.ref(self), state)
+            weakref.finalize(data, _forget, weakref.ref(self), state).atexit = False
         notes = self._core.read(
             state,
             data.time,
@@ -153,7 +154,8 @@ class Pad:
         """Fills the model's user sensor on this site at every step, so that logs and rollouts hold the readings.
 
         It takes MuJoCo's one callback for user sensors, mjcb_sensor; another that stands there is still called. Raises
-        ValueError where the model has no sensor for it, with the line to add. `uninstall` undoes it.
+        ValueError where the model has no sensor for it, with the line to add. While any callback of Python stands, MuJoCo
+        compiles no model with user sensors: make models first, or `uninstall`.
         """
         self._address = self._sensor()
         _install(self._mujoco, self)
@@ -224,14 +226,22 @@ def _install(mujoco: Any, pad: Pad) -> None:
     if standing is not _sense:
         _before = standing
         mujoco.set_mjcb_sensor(_sense)
+        atexit.register(_leave, mujoco)  # MuJoCo would keep the pads beyond the interpreter's end
     if pad not in _installed:
         _installed.append(pad)
 
 
 def _uninstall(mujoco: Any, pad: Pad) -> None:
-    global _before
     if pad in _installed:
         _installed.remove(pad)
-    if not _installed and mujoco.get_mjcb_sensor() is _sense:
+    if not _installed:
+        _leave(mujoco)
+
+
+def _leave(mujoco: Any) -> None:
+    global _before
+    _installed.clear()
+    if mujoco.get_mjcb_sensor() is _sense:
         mujoco.set_mjcb_sensor(_before)
-        _before = None
+    _before = None
+    atexit.unregister(_leave)

@@ -62,7 +62,8 @@ def carried(readings: NDArray[np.float64]) -> float:
 
 
 @pytest.fixture(autouse=True)
-def nothing_stays() -> Iterator[None]:
+def nothing_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    monkeypatch.chdir(tmp_path)  # where MuJoCo writes its log
     yield
     mujoco.set_mjcb_sensor(None)
     tn.mujoco._installed.clear()
