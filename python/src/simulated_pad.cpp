@@ -87,8 +87,7 @@ class RigidPad {
         notes |= skipped_flex;
         continue;
       }
-      add(i, is_second ? 1.0 : -1.0, object, is_second ? other : one, face, positions, frames,
-          forces, notes);
+      add(i, is_second, object, is_second ? other : one, face, positions, frames, forces, notes);
     }
     const lab::ContactPatches found =
         lab::contact_patches(points_, model_->scene.material, widths_);
@@ -107,22 +106,18 @@ class RigidPad {
     return geom >= 0 && own_[static_cast<std::size_t>(geom)];
   }
 
-  void add(std::size_t i, double side, std::int32_t object, std::int32_t own,
+  void add(std::size_t i, bool pad_is_second, std::int32_t object, std::int32_t own,
            const lab::PadFace& face, const Table<double>& positions, const Table<double>& frames,
            const Table<double>& forces, unsigned& notes) {
-    lab::Vector3 force{};
-    lab::Vector3 normal{};
-    lab::Vector3 position{};
+    lab::PairContact contact;
     for (std::size_t k = 0; k < 3; ++k) {
-      position[k] = at(positions, i, k);
-      normal[k] = side * at(frames, i, k);
-      for (std::size_t j = 0; j < 3; ++j)
-        force[k] += side * at(forces, i, j) * at(frames, i, 3 * j + k);
+      contact.position[k] = at(positions, i, k);
+      contact.force[k] = at(forces, i, k);
     }
-    const double facing = face.facing(normal);
+    for (std::size_t k = 0; k < 9; ++k) contact.frame[k] = at(frames, i, k);
+    auto [facing, point] = face.touched_by(contact, pad_is_second);
     if (facing < -lab::least_facing) notes |= pulled;
     if (facing < lab::least_facing) return;
-    lab::ContactPoint point = face.seen(position, force);
     point.object = static_cast<std::size_t>(object);
     point.curvature =
         curvature_[static_cast<std::size_t>(object)] + curvature_[static_cast<std::size_t>(own)];

@@ -77,19 +77,25 @@ LoadPatch patch_of(const Touch& touch, const Material& pad, const ContactWidths&
 
 }  // namespace
 
-double PadFace::facing(const Vector3& direction) const noexcept {
-  return -(axes[2] * direction[0] + axes[5] * direction[1] + axes[8] * direction[2]);
-}
-
-ContactPoint PadFace::seen(const Vector3& position, const Vector3& force) const noexcept {
-  const auto along_axis = [&](std::size_t axis, const Vector3& vector) {
+PadFace::Touch PadFace::touched_by(const PairContact& contact, bool pad_is_second) const noexcept {
+  const double side = pad_is_second ? 1.0 : -1.0;
+  Vector3 from{};
+  Vector3 normal{};
+  Vector3 force{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    from[k] = contact.position[k] - origin[k];
+    normal[k] = side * contact.frame[k];
+    for (std::size_t row = 0; row < 3; ++row)
+      force[k] += side * contact.force[row] * contact.frame[3 * row + k];
+  }
+  const auto along = [&](std::size_t axis, const Vector3& vector) {
     return axes[axis] * vector[0] + axes[3 + axis] * vector[1] + axes[6 + axis] * vector[2];
   };
-  const Vector3 from = {position[0] - origin[0], position[1] - origin[1], position[2] - origin[2]};
-  return {.along = along_axis(0, from),
-          .across = along_axis(1, from),
-          .normal = facing(force),
-          .tangential = along_axis(0, force)};
+  return {.facing = -along(2, normal),
+          .point = {.along = along(0, from),
+                    .across = along(1, from),
+                    .normal = -along(2, force),
+                    .tangential = along(0, force)}};
 }
 
 ContactWidths contact_widths(const Scene& scene, double breadth, std::optional<double> edge) {

@@ -99,15 +99,25 @@ TEST_CASE("an edge has the width that is stated, and every object a patch", "[la
   CHECK_FALSE(contact_patches({}, silicone, widths).shortest.has_value());
 }
 
-TEST_CASE("a face sees places and forces in the array's frame", "[lab][rigid]") {
-  // Upside down: z down, x along the world's y.
+TEST_CASE("a face sees contacts in the array's frame, whichever object is the first",
+          "[lab][rigid]") {
+  // Upside down: z down, x along the world's y. What touches it from below presses up.
   const PadFace face{.origin = {1.0, 2.0, 3.0}, .axes = {0, 1, 0, 1, 0, 0, 0, 0, -1}};
-  const ContactPoint point = face.seen({1.5, 2.25, 3.0}, {4.0, 5.0, 6.0});
-  CHECK(point.along == 0.25);
-  CHECK(point.across == 0.5);
-  CHECK(point.normal == 6.0);
-  CHECK(point.tangential == 5.0);
-  CHECK(face.facing({0.0, 0.0, 1.0}) == 1.0);
+  PairContact contact{.position = {1.5, 2.25, 3.0},
+                      .frame = {0, 0, 1, 0, 1, 0, -1, 0, 0},  // up, the world's y, its -x
+                      .force = {6.0, 5.0, -4.0}};
+  const PadFace::Touch as_second = face.touched_by(contact, true);
+  contact.frame = {0, 0, -1, 0, 1, 0, 1, 0, 0};
+  contact.force = {6.0, -5.0, -4.0};
+  const PadFace::Touch as_first = face.touched_by(contact, false);
+  for (const PadFace::Touch& touch : {as_second, as_first}) {
+    CHECK(touch.facing == 1.0);
+    CHECK(touch.point.along == 0.25);
+    CHECK(touch.point.across == 0.5);
+    CHECK(touch.point.normal == 6.0);
+    CHECK(touch.point.tangential == 5.0);
+  }
+  CHECK(face.touched_by(contact, true).facing == -1.0);
 }
 
 TEST_CASE("an edge is half the least depth wide unless stated", "[lab][rigid]") {

@@ -26,19 +26,27 @@ struct ContactPoint {
 
 using Vector3 = std::array<double, 3>;
 
-/// A pad's flat face in the simulator's world.
+/// A contact of two objects in the world, as MuJoCo has it.
+struct PairContact {
+  Vector3 position{};
+  std::array<double, 9> frame{};  ///< row-major; its first row points from the first to the second
+  Vector3 force{};                ///< on the second, in that frame [N]
+};
+
+/// A pad's flat face in the world.
 struct PadFace {
   Vector3 origin{};  ///< below which the array's middle lies
   /// Row-major; its columns are x along the array, y across it, z out of the pad.
   std::array<double, 9> axes{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 
-  /// Cosine between a direction and the one into the pad.
-  [[nodiscard]] double facing(const Vector3& direction) const noexcept;
-  /// @param force  on the pad [N]
-  [[nodiscard]] ContactPoint seen(const Vector3& position, const Vector3& force) const noexcept;
+  struct Touch {
+    double facing = 0.0;   ///< cosine between the direction in which the contact presses and -z
+    ContactPoint point{};  ///< `object` and `curvature` are the caller's
+  };
+  [[nodiscard]] Touch touched_by(const PairContact& contact, bool pad_is_second) const noexcept;
 };
 
-/// Of a contact's normal with the face's: what is flatter lies on the face.
+/// Below it a contact is beside the face, below its negative behind it.
 inline constexpr double least_facing = 0.7;
 
 struct ContactWidths {
