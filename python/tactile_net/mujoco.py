@@ -95,11 +95,11 @@ class Pad:
         body = model.site_bodyid[self._site]
         own = np.flatnonzero(model.geom_bodyid == body).tolist()
         if not own:
-            raise ValueError(f"the body of the site {self.site!r} has no geom that could be touched: name them by geoms=")
+            raise ValueError(f"the body of the site {self.site!r} has no geom that could be touched: name some by geoms")
         return [int(geom) for geom in own]
 
     def read(self, data: Any) -> Floats:
-        """(C, N) readings of the contacts in `data`, as they were when MuJoCo last computed forces; of uneven arrays (R,).
+        """(C, N) readings of the contacts, as they were when MuJoCo last computed forces; of uneven arrays (R,).
 
         After mj_step they are those of the moment before it, mj_forward brings them up to date.
         """
@@ -137,13 +137,15 @@ class Pad:
     def _tell(self, notes: int) -> None:
         self._told |= notes
         if notes & _PULLED:
-            self._warn(f"a contact pulls at the pad {self.site!r}, and is left out: its site's z axis must point out of it")
+            self._warn(
+                f"a contact pulls at the pad {self.site!r}, and is left out: its site's z axis must point out of it"
+            )
         if notes & _FLEX:
             self._warn(f"a flex touches the pad {self.site!r}, and is left out: only geoms are taken")
         if notes & _SHORT:
             self._warn(
-                f"a contact on the pad {self.site!r} is shorter across the array than three depths of its taxels: the force"
-                " is right, the height of the readings is that of one which reaches across the pad",
+                f"a contact on the pad {self.site!r} is shorter across the array than three depths of its taxels: its force"
+                " is right, the height of its readings is that of one which reaches across the pad",
                 ShortContactWarning,
             )
 
@@ -154,8 +156,8 @@ class Pad:
         """Fills the model's user sensor on this site at every step, so that logs and rollouts hold the readings.
 
         It takes MuJoCo's one callback for user sensors, mjcb_sensor; another that stands there is still called. Raises
-        ValueError where the model has no sensor for it, with the line to add. While any callback of Python stands, MuJoCo
-        compiles no model with user sensors: make models first, or `uninstall`.
+        ValueError where the model has no sensor for it, with the line to add. While any callback of Python's stands,
+        MuJoCo compiles no model with user sensors: make models first, or `uninstall`.
         """
         self._address = self._sensor()
         _install(self._mujoco, self)
@@ -169,7 +171,7 @@ class Pad:
         here = (model.sensor_objtype == int(mujoco.mjtObj.mjOBJ_SITE)) & (model.sensor_objid == self._site)
         found = np.flatnonzero(here & (model.sensor_type == int(mujoco.mjtSensor.mjSENS_USER)))
         if len(found) != 1:
-            raise ValueError(f"the model has {len(found)} user sensors on the site {self.site!r}, it must have this: {line}")
+            raise ValueError(f"the model has {len(found)} user sensors on the site {self.site!r}, not this one: {line}")
         (sensor,) = found
         if model.sensor_dim[sensor] != self._size:
             raise ValueError(
@@ -177,7 +179,7 @@ class Pad:
                 f" readings: {line}"
             )
         if model.sensor_needstage[sensor] != int(mujoco.mjtStage.mjSTAGE_ACC):
-            raise ValueError(f'the sensor on the site {self.site!r} comes before the forces: it must have needstage="acc"')
+            raise ValueError(f'the sensor on the site {self.site!r} must have needstage="acc": forces come last')
         return int(model.sensor_adr[sensor])
 
     def _is_of(self, model: Any) -> bool:

@@ -1,4 +1,4 @@
-"""Taxels in MuJoCo: they carry the contacts' force, to the right side, at the right place, the same in every rollout."""
+"""Taxels in MuJoCo: they carry the contacts' force, to the right side, at the right place, in every rollout."""
 
 from __future__ import annotations
 
@@ -301,9 +301,9 @@ def test_what_a_model_must_have() -> None:
 def test_what_a_sensor_must_be() -> None:
     line = '<user name="taxels" dim="162" needstage="acc" objtype="site" objname="pad"/>'
     for rest, sentence in (
-        ("", "the model has 0 user sensors on the site 'pad', it must have this: "),
+        ("", "the model has 0 user sensors on the site 'pad', not this one: "),
         (SENSOR.replace("162", "42"), "has dim 42, the scene has 162 readings: "),
-        (SENSOR.replace("acc", "pos"), 'it must have needstage="acc"'),
+        (SENSOR.replace("acc", "pos"), 'must have needstage="acc"'),
         (f'<sensor>{line}{line.replace("taxels", "b")}</sensor>', "the model has 2 user sensors"),
     ):
         pad = pad_of(model(BALL, rest=rest))
