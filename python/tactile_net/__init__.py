@@ -7,7 +7,7 @@ docs/python.md has it all; docs/scene.md says what a scene is. All numbers are i
 else in those of the scene; arrays are float64.
 """
 
-from . import errors, plot
+from . import errors, mujoco, plot
 from ._circuit import Certification, Relaxation, Survey
 from ._controller import ContactEstimate, Estimator, Plan
 from ._core import version as __version__
@@ -65,6 +65,7 @@ __all__ = [
     "__version__",
     "errors",
     "merge",
+    "mujoco",
     "plot",
     "run",
     "slurm_script",
