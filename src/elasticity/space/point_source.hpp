@@ -31,12 +31,23 @@ class PointSource {
   [[nodiscard, gnu::always_inline]] Number near(Axis a, Axis c) const noexcept {
     return (delta(a, c) + at(a) * at(c)) * inverse_;
   }
-  /// phi's derivatives: the first along any axis, the second along y and z.
+  /// phi's derivatives, along any axes.
   [[nodiscard, gnu::always_inline]] Number phi(Axis a) const noexcept {
     return a == Axis::x ? inverse_ : at(a) * q_ * inverse_;
   }
   [[nodiscard, gnu::always_inline]] Number phi(Axis a, Axis b) const noexcept {
+    if (a == Axis::x || b == Axis::x) return -at(a == Axis::x ? b : a) * inverse_ * inverse_;
     return (delta(a, b) * q_ - at(a) * at(b) * q_ * q_ * (2.0 + cosine_x_)) * inverse_ * inverse_;
+  }
+  [[nodiscard]] Number phi_of_three(Axis a, Axis b, Axis c) const noexcept {
+    const Number cube = inverse_ * inverse_ * inverse_;
+    if (c == Axis::x) return (3.0 * at(a) * at(b) - delta(a, b)) * cube;
+    if (b == Axis::x) return phi_of_three(a, c, b);
+    if (a == Axis::x) return phi_of_three(b, c, a);
+    const Number x = cosine_x_;
+    return (at(a) * at(b) * at(c) * q_ * (3.0 * x * x + 9.0 * x + 8.0) -
+            (delta(a, b) * at(c) + delta(b, c) * at(a) + delta(c, a) * at(b)) * (2.0 + x)) *
+           q_ * q_ * cube;
   }
   /// chi's derivatives along y and z.
   [[nodiscard, gnu::always_inline]] Number chi(Axis a, Axis b) const noexcept {
