@@ -1,6 +1,7 @@
 #include "elasticity/space/layer_tables.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
@@ -49,8 +50,9 @@ LayerFunctionValues amplitudes(const PlaneWave& wave, double nu) {
 /// J_j(x) / x^j for j = 0 ... 3.
 std::array<double, 4> reduced_bessel(double x) {
   if (x > 2.0) {
-    const double j0 = boost::math::cyl_bessel_j(0, x);
-    const double j1 = boost::math::cyl_bessel_j(1, x);
+    using Plain = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+    const double j0 = boost::math::cyl_bessel_j(0, x, Plain{});
+    const double j1 = boost::math::cyl_bessel_j(1, x, Plain{});
     const double j2 = 2.0 * j1 / x - j0;
     const double j3 = 4.0 * j2 / x - j1;
     return {j0, j1 / x, j2 / (x * x), j3 / (x * x * x)};
@@ -149,8 +151,12 @@ LayerTables::At LayerTables::at(double r) const noexcept {
   at.coefficients_ = coefficients_.data() + panel * tables * At::count;
   at.polynomials_[0] = 1.0;
   at.polynomials_[1] = s;
-  for (std::size_t n = 2; n < At::count; ++n)
-    at.polynomials_[n] = 2.0 * s * at.polynomials_[n - 1] - at.polynomials_[n - 2];
+  // From those near n / 2, so that no long chain of sums waits for the one before.
+  for (std::size_t n = 2; n < At::count; ++n) {
+    const std::size_t m = std::bit_floor(n - 1);
+    at.polynomials_[n] =
+        2.0 * at.polynomials_[m] * at.polynomials_[n - m] - at.polynomials_[2 * m - n];
+  }
   return at;
 }
 
@@ -170,19 +176,19 @@ double LayerTables::Far::operator()(LayerTable table) const noexcept {
   const double per_r = 0.5 / pi / r_;
   switch (table) {
     case LayerTable::normal_deviator:
-      return nu * per_r / r_ / r_ / r_;
-    case LayerTable::normal_displacement_radial:
       return nu * per_r / r_;
+    case LayerTable::normal_displacement_radial:
+      return nu * per_r;
     case LayerTable::tangential_trace:
-      return 0.5 * (1.0 + nu) * per_r / r_;
+      return 0.5 * (1.0 + nu) * per_r;
     case LayerTable::tangential_deviator:
-      return 0.25 * (3.0 - nu) * per_r / r_;
+      return 0.25 * (3.0 - nu) * per_r;
     case LayerTable::tangential_deviator_turning:
       return (0.25 * (1.0 + nu) +
               nu * (3.0 * tables_.rest_ * tables_.rest_ + 1.0) / 3.0 / r_ / r_) *
-             per_r / r_ / r_ / r_;
+             per_r;
     case LayerTable::tangential_displacement_x:
-      return -nu * tables_.rest_ * per_r / r_;
+      return -nu * tables_.rest_ * per_r;
     case LayerTable::tangential_displacement_mean:
     case LayerTable::tangential_displacement_turning:
       return std::numeric_limits<double>::quiet_NaN();

@@ -75,7 +75,7 @@ class LayerTables {
   /// @param r  in [0, reach)
   [[nodiscard]] At at(double r) const noexcept;
 
-  /// f / r^j of the layer itself, half space included, for r >= reach.
+  /// f of the layer itself, half space included, for r >= reach.
   class Far {
    public:
     [[nodiscard]] double operator()(LayerTable table) const noexcept;

@@ -15,8 +15,8 @@
 namespace tactile_net {
 namespace {
 
-/// Tables times their angles at a place; y and z, in units of the thickness, are exchanged for a
-/// load along z, and so are the axes.
+/// Tables times their angles at a place (y, z), for a load along z in exchanged axes: tables of f /
+/// r^j and the place in units of the thickness, or tables of f and the place's direction.
 template <class Table>
 struct LayerField {
   const Table& table;
@@ -128,13 +128,22 @@ SkinKernel::SkinKernel(const Material& material, double depth)
     tables_ = std::make_shared<LayerTables>(material, depth / material.layer->thickness);
 }
 
+SkinKernel::LayerPart SkinKernel::layer_part(SkinQuantity quantity, SkinTraction component,
+                                             double y, double z) const noexcept {
+  const double h = material_.layer->thickness;
+  const double v = y / h;
+  const double w = z / h;
+  const double near = std::sqrt(v * v + w * w);
+  if (near < LayerTables::reach)
+    return {reading(quantity, component, material_, tables_->at(near), v, w), false};
+  const double r = std::hypot(v, w);  // whose square may be too large
+  return {reading(quantity, component, material_, tables_->far(r), v / r, w / r), true};
+}
+
 double SkinKernel::with_base(SkinQuantity quantity, SkinTraction component, double half_space,
                              double y, double z) const noexcept {
-  const double h = material_.layer->thickness;
-  const double r = std::hypot(y / h, z / h);
-  if (r >= LayerTables::reach)
-    return reading(quantity, component, material_, tables_->far(r), y / h, z / h);
-  return half_space + reading(quantity, component, material_, tables_->at(r), y / h, z / h);
+  const auto [part, is_whole] = layer_part(quantity, component, y, z);
+  return is_whole ? part : half_space + part;
 }
 
 double SkinKernel::operator()(SkinQuantity quantity, SkinTraction component, double y,
@@ -145,10 +154,8 @@ double SkinKernel::operator()(SkinQuantity quantity, SkinTraction component, dou
 
 double SkinKernel::added(SkinQuantity quantity, SkinTraction component, double y,
                          double z) const noexcept {
-  if (std::hypot(y, z) < LayerTables::reach * material_.layer->thickness)
-    return with_base(quantity, component, 0.0, y, z);
-  return with_base(quantity, component, 0.0, y, z) -
-         half_space_kernel(quantity, component, material_, depth_, y, z);
+  const auto [part, is_whole] = layer_part(quantity, component, y, z);
+  return is_whole ? part - half_space_kernel(quantity, component, material_, depth_, y, z) : part;
 }
 
 double SkinKernel::added(SkinQuantity quantity, SkinTraction component, const Rectangle& load,

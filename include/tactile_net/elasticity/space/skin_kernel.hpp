@@ -59,6 +59,12 @@ class SkinKernel {
   [[nodiscard]] double error_bound(SkinQuantity quantity) const noexcept;
 
  private:
+  struct LayerPart {
+    double reading;
+    bool is_whole;  // half space included
+  };
+  [[nodiscard]] LayerPart layer_part(SkinQuantity quantity, SkinTraction component, double y,
+                                     double z) const noexcept;
   [[nodiscard]] double with_base(SkinQuantity quantity, SkinTraction component, double half_space,
                                  double y, double z) const noexcept;
   [[nodiscard]] double added(SkinQuantity quantity, SkinTraction component, double y,
