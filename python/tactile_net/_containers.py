@@ -123,7 +123,7 @@ def read_npy(path: str, name: str | None) -> Layout:
     return Layout({"readings": array}, notes=notes)
 
 
-# CSV: a comment with the attributes, names, and a row a frame; numbers are as short as they may be to be the same double.
+# CSV: a comment with the attributes, names, and a row a frame; numbers as short as they may be to be the same double.
 
 
 def write_csv(path: str, layout: Layout, scene: Scene) -> None:

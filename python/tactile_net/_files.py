@@ -40,8 +40,8 @@ def load(
     """A recording from .npy, .npz, CSV, HDF5, Parquet, MCAP or a ROS bag: known by content, not by name.
 
     scene: of a file that says none, or in place of the one inside.
-    units: of a file that says none: "kPa", {"stress_x": "kPa", "strain_x": "1"}, or "scene": as the scene says of its files
-    of readings, with its calibration; None: "scene", where that has [units] or [calibration].
+    units: of a file that says none: "kPa", {"stress_x": "kPa", "strain_x": "1"}, or "scene": as the scene says of its
+    files of readings, with its calibration; None: "scene", where that has [units] or [calibration].
     name: which of several recordings, arrays, datasets, columns or topics.
     missing: readings that are not finite are missing values, of which a note tells; False: they are refused.
     Raises InputError, which says what is wrong and what to do; warns with CutOffWarning where only a part is whole.

@@ -90,7 +90,7 @@ def in_si(
         raise refused(
             where,
             "says no units of its readings, and neither does the scene",
-            'give units="kPa" and the scene a table [units]; or units="scene" if they are those of the scene\'s numbers',
+            'give units="kPa" and the scene a table [units]; or units="scene" if they are those of its numbers',
         )
     if said is None or said == "scene":
         if readings.dtype.kind != "f" and "calibration" not in tables:

@@ -1,7 +1,7 @@
-"""The one layout of recorded frames: arrays under fixed names, and attributes that are text, alike in every container.
+"""The one layout of recorded frames: arrays under fixed names, and attributes that are text, in every container.
 
-readings (T, C, N), of uneven arrays (T, R); t (T) [s], where times are known; channels (C) and y (N), of uneven arrays of
-each reading; truth (T, U, M); of a solution tractions (T, U, M), alpha, verdict and data (T).
+readings (T, C, N), of uneven arrays (T, R); t (T) [s], where times are known; channels (C) and y (N), of uneven arrays
+of each reading; truth (T, U, M); of a solution tractions (T, U, M), alpha, verdict and data (T).
 """
 
 from __future__ import annotations

@@ -73,7 +73,10 @@ class Recording:
         _files.save(self, path, name, dtype, append)
 
     def to_xarray(self) -> Any:
-        """An xarray.Dataset: `readings` over (t, channel, taxel), `truth` over (t, component, y). Without times t counts."""
+        """An xarray.Dataset: `readings` over (t, channel, taxel), `truth` over (t, component, y).
+
+        Without times t counts the frames.
+        """
         from ._layout import layout_of
 
         xarray = optional("xarray", "tables")
@@ -93,7 +96,7 @@ class Recording:
 
     @classmethod
     def from_xarray(cls, dataset: Any, *, scene: Scene | None = None, units: Any = None) -> Recording:
-        """The recording of a Dataset as `to_xarray` makes it; `scene` and `units` of another as for `tactile_net.load`."""
+        """The recording of a Dataset as `to_xarray` makes it; scene, units: of another's, as of `tactile_net.load`."""
         from ._judge import judged
         from ._layout import Layout
 

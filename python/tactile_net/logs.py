@@ -52,8 +52,8 @@ def read(
     """The frames of a topic.
 
     topic: None: that of `write`, or the only one whose type is known.
-    field: where the readings stand in a message: "taxels", "fingers[0].values"; None: as the type says, of sensor_msgs/Image
-    (32FC1, 64FC1, mono16), std_msgs/Float32MultiArray and Float64MultiArray, tactile_msgs/TactileState.
+    field: where the readings stand in a message: "taxels", "fingers[0].values"; None: as the type says, of
+    sensor_msgs/Image (32FC1, 64FC1, mono16), std_msgs/Float32MultiArray and Float64MultiArray, tactile_msgs/TactileState.
     scene, units, missing: as of `tactile_net.load`.
     Times are the headers' stamps, or else those of the log, of which a note tells. Raises InputError; warns with
     CutOffWarning where the log breaks off, with the number of frames that are whole.
@@ -110,10 +110,11 @@ def write(
 ) -> None:
     """An MCAP log that ROS 2 and its viewers read; `read` gives the recording back, times to the nanosecond.
 
-    Readings are sensor_msgs/Image on `topic`: height channels, width taxels, 64FC1 (of float32 32FC1). Tractions are the same
-    on topic/tractions, the truth on topic/truth; topic/contact is the force of a Solution as geometry_msgs/WrenchStamped:
-    force.x into the pad, force.y along it [N/m], torque.z about its middle [N]. Scene, units and channels are the metadata
-    record "tactile_net". Raises ValueError where times are no stamps: not finite, below 0, or beyond 2^31 s.
+    Readings are sensor_msgs/Image on `topic`: height channels, width taxels, 64FC1 (of float32 32FC1). Tractions are the
+    same on topic/tractions, the truth on topic/truth; topic/contact is the force of a Solution as
+    geometry_msgs/WrenchStamped: force.x into the pad, force.y along it [N/m], torque.z about its middle [N]. Scene, units
+    and channels are the metadata record "tactile_net".
+    Raises ValueError where times are no stamps: not finite, below 0, or beyond 2^31 s.
     """
     from ._files import whole
     from ._layout import layout_of
@@ -257,7 +258,7 @@ def _recording(
 
 
 def _times(found: list[Message], own: bool) -> tuple[NDArray[np.float64], NDArray[np.int_], list[str]]:
-    """Times [s], the order of the frames, and what is to be said of them. own: the stamps are those that `write` gave."""
+    """Times [s], the order of the frames, and what is to be said of them. own: stamps are those that `write` gave."""
     logged = np.array([one.log_time for one in found], dtype=np.int64)
     order = np.arange(len(found))
     stamps = [one.stamp for one in found if one.stamp is not None]
