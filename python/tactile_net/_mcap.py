@@ -89,7 +89,8 @@ class McapLog:
         try:
             yield from items
         except Exception as error:  # as above
-            self.broken = str(error) or type(error).__name__
+            ended = optional("mcap.exceptions", "logs").EndOfFile
+            self.broken = "the end of the file" if isinstance(error, ended) else str(error) or type(error).__name__
 
 
 def _is_whole(path: str) -> bool:
