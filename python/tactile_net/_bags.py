@@ -13,10 +13,11 @@ from ._refusal import refused
 
 
 class BagLog:
-    """As McapLog; what is of an unfinished bag only its own tools can tell."""
+    """As McapLog: one file or folder, or several files of SQLite."""
 
-    def __init__(self, where: str) -> None:
+    def __init__(self, where: str, files: list[str]) -> None:
         self.where = where
+        self._files = files
         self.broken: str | None = None
         self.metadata: dict[str, str] = {}
         with self._open() as reader:
@@ -27,22 +28,16 @@ class BagLog:
         highlevel = optional("rosbags.highlevel", "logs")
         typesys = optional("rosbags.typesys", "logs")
         with ExitStack() as stack:
-            path = Path(self.where)
-            if path.is_file():  # the library knows by the name what it is
-                with path.open("rb") as file:
-                    wanted = ".bag" if file.read(8) == b"#ROSBAG " else ".db3"
-                if path.suffix != wanted:
-                    folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
-                    path = folder / f"log{wanted}"
-                    path.symlink_to(Path(self.where).resolve())
+            folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+            paths = [_well_named(Path(file), folder) for file in self._files]
             known = typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
             try:
-                reader = stack.enter_context(highlevel.AnyReader([path], default_typestore=known))
+                reader = stack.enter_context(highlevel.AnyReader(paths, default_typestore=known))
             except Exception as error:  # a damaged bag: the library raises what the bytes make it raise
                 raise refused(
                     self.where,
                     f"is no whole bag: {str(error) or type(error).__name__}",
-                    "rosbag reindex (ROS 1) or ros2 bag reindex mend bags that were not closed",
+                    "rosbag reindex and ros2 bag reindex mend some",
                 ) from None
             yield reader
 
@@ -61,3 +56,16 @@ class BagLog:
                     self.broken = str(error) or type(error).__name__
                     return
                 yield time, message
+
+
+def _well_named(path: Path, folder: Path) -> Path:
+    """The library knows by its name what a file is; under another it is a link in `folder`."""
+    if path.is_dir():
+        return path
+    with path.open("rb") as file:
+        suffix = ".bag" if file.read(8) == b"#ROSBAG " else ".db3"
+    if path.suffix == suffix:
+        return path
+    link = folder / f"{path.name}{suffix}"
+    link.symlink_to(path.resolve())
+    return link

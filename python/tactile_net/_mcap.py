@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from ._decoding import decoder
 from ._optional import optional
-from ._refusal import refused
 
 MAGIC = b"\x89MCAP0\r\n"
 
@@ -62,7 +61,8 @@ class McapLog:
             decode: Callable[[bytes], Any] | None = None
             for schema, channel, message in self._of(path, topic):
                 if decode is None:
-                    decode = _decoder(self.where, schema, channel)
+                    kind, form, text = ("", "", b"") if schema is None else (schema.name, schema.encoding, schema.data)
+                    decode = decoder(self.where, topic, channel.message_encoding, kind, form, text.decode())
                 yield message.log_time, decode(message.data)
             if self.broken is not None:
                 return
@@ -97,29 +97,3 @@ def _is_whole(path: str) -> bool:
     with open(path, "rb") as file:
         file.seek(max(os.path.getsize(path) - len(MAGIC), 0))
         return os.path.getsize(path) > len(MAGIC) and file.read() == MAGIC
-
-
-def _decoder(where: str, schema: Any, channel: Any) -> Callable[[bytes], Any]:
-    encoding = channel.message_encoding
-    if encoding == "json":
-        return json.loads
-    typesys = optional("rosbags.typesys", "logs")
-    if encoding not in ("cdr", "ros1") or schema is None or schema.encoding not in ("ros2msg", "ros1msg", "ros2idl"):
-        kind = encoding if schema is None else f"{encoding} ({schema.encoding})"
-        raise refused(
-            where, f"has messages of {channel.topic} in {kind}; read are cdr and ros1 with their types, and json"
-        )
-    store = typesys.get_typestore(typesys.Stores.EMPTY)
-    text = schema.data.decode()
-    name = schema.name if "/msg/" in schema.name else schema.name.replace("/", "/msg/")
-    types = typesys.get_types_from_idl(text) if schema.encoding == "ros2idl" else typesys.get_types_from_msg(text, name)
-    store.register(types)
-    deserialize = store.deserialize_cdr if encoding == "cdr" else store.deserialize_ros1
-
-    def decode(data: bytes) -> Any:
-        try:
-            return deserialize(data, name)
-        except Exception as error:  # as above
-            raise refused(where, f"has a message of {channel.topic} that is no {name}: {error}") from None
-
-    return decode

@@ -10,7 +10,7 @@ import os
 from collections.abc import Iterator
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -26,6 +26,9 @@ if TYPE_CHECKING:
     from ._mcap import McapLog
     from ._recording import Recording, Solution
     from ._scene import Scene
+    from ._torn_bag import TornBag
+
+    Log: TypeAlias = BagLog | McapLog | TornBag
 
 __all__ = ["Message", "blocks", "messages", "read", "write"]
 
@@ -161,24 +164,32 @@ def _wrenches(solution: Solution) -> list[tuple[float, float, float]]:
     return list(zip(solution.normal_force.tolist(), tangential.tolist(), moment.tolist()))
 
 
-def _open(where: str) -> McapLog | BagLog:
+def _open(where: str) -> Log:
     """By content; a folder is a bag of ROS 2, finished or not."""
     from ._bags import BagLog
     from ._mcap import MAGIC, McapLog
+    from ._torn_bag import TornBag
 
     if os.path.isdir(where):
-        inside = sorted(str(one) for one in Path(where).glob("*.mcap"))
-        return McapLog(where, inside) if inside else BagLog(where)
+        recorded, tables = (sorted(str(one) for one in Path(where).glob(f"*.{form}")) for form in ("mcap", "db3"))
+        closed = os.path.exists(os.path.join(where, "metadata.yaml"))
+        return McapLog(where, recorded) if recorded else BagLog(where, [where] if closed or not tables else tables)
     with open(where, "rb") as file:
         start = file.read(16)
     if start.startswith(MAGIC):
         return McapLog(where, [where])
-    if start.startswith((b"#ROSBAG V", b"SQLite format 3")):
-        return BagLog(where)
+    if start.startswith((b"#ROSBAG V2.0\n", b"SQLite format 3")):
+        try:
+            return BagLog(where, [where])
+        except InputError:
+            torn = TornBag(where) if start.startswith(b"#ROSBAG") else None
+            if torn is None or not torn.topics:
+                raise
+            return torn
     raise refused(where, "is empty" if not start else "is neither MCAP nor a ROS bag")
 
 
-def _topic(log: McapLog | BagLog, topic: str | None) -> str:
+def _topic(log: Log, topic: str | None) -> str:
     from ._messages import PRESETS, plain_type
 
     there = ", ".join(f"{name} ({kind})" for name, kind in sorted(log.topics.items())) or "none"
@@ -196,7 +207,7 @@ def _topic(log: McapLog | BagLog, topic: str | None) -> str:
     )
 
 
-def _messages(log: McapLog | BagLog, topic: str, field: str | None) -> Iterator[Message]:
+def _messages(log: Log, topic: str, field: str | None) -> Iterator[Message]:
     from ._messages import reader, stamp
 
     size = None
@@ -220,7 +231,7 @@ def _messages(log: McapLog | BagLog, topic: str, field: str | None) -> Iterator[
 
 
 def _recording(
-    log: McapLog | BagLog,
+    log: Log,
     topic: str,
     found: list[Message],
     scene: Scene | None,
