@@ -46,28 +46,30 @@ def load(
     missing: readings that are not finite are missing values, of which a note tells; False: they are refused.
     Raises InputError, which says what is wrong and what to do; warns with CutOffWarning where only a part is whole.
     """
-    from ._judge import judged
+    from ._judge import as_it_says, judged
 
     where = fspath(path)
     if _is_log(where):
         from . import logs
 
         return logs.read(where, topic=name, scene=scene, units=units, missing=missing)
-    layout = _read(where, name)
+    with as_it_says(where):
+        layout = _read(where, name)
     if layout is None:
         return _stranger_csv(where, scene, units, missing)
     return judged(layout, where, scene, units, missing)
 
 
 def load_solution(path: str | PathLike[str], name: str | None) -> Solution:
-    from ._judge import judged
+    from ._judge import as_it_says, judged
     from ._layout import solution_in
 
     where = fspath(path)
-    layout = None if _is_log(where) else _read(where, name)
-    if layout is None:
-        raise refused(where, "holds readings and no solution", "tactile_net.load(path).solve()")
-    return solution_in(layout, judged(layout, where, None, None, True), where)
+    with as_it_says(where):
+        layout = None if _is_log(where) else _read(where, name)
+        if layout is None:
+            raise refused(where, "holds readings and no solution", "tactile_net.load(path).solve()")
+        return solution_in(layout, judged(layout, where, None, None, True), where)
 
 
 def save(what: Recording | Solution, path: str | PathLike[str], name: str, dtype: DTypeLike, append: bool) -> None:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import io
 import json
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, nullcontext
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -27,14 +29,35 @@ Units: TypeAlias = str | Mapping[str, str]
 
 def judged(layout: Layout, where: str, scene: Scene | None, units: Units | None, missing: bool) -> Recording:
     """The recording that a file holds. Raises InputError with what is wrong, and what to do about it."""
+    with as_it_says(where) if layout.own else nullcontext():
+        return _judged(layout, where, scene, units, missing)
+
+
+@contextmanager
+def as_it_says(where: str) -> Iterator[None]:
+    """What claims to be of the layout may have been written by anybody: whatever does not fit is the file's fault."""
+    try:
+        yield
+    except InputError:
+        raise
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
+        raise refused(where, f"is not of the layout that it says it is: {type(error).__name__} {error}") from error
+
+
+def _judged(layout: Layout, where: str, scene: Scene | None, units: Units | None, missing: bool) -> Recording:
     if scene is None:
         if not layout.own:
             raise refused(where, "says no scene that its readings are of", "give scene=")
         scene = scene_in(layout, where)
-    readings = shaped(where, numbers(where, layout.arrays["readings"]), scene)
+    held = layout.arrays["readings"]
+    if layout.columns is not None:
+        held = held[:, order_of(where, layout.columns, scene)]
+    readings = shaped(where, numbers(where, held), scene)
     if layout.own:
-        values = _converted(where, readings, scene, json.loads(layout.attributes.get("units", "{}")))
-        notes = [*json.loads(layout.attributes.get("notes", "[]")), *layout.notes]
+        if units is not None:
+            raise refused(where, "states the units of its readings", "leave units= out")
+        values = _converted(where, readings, scene, json.loads(layout.attributes["units"]))
+        notes = [*json.loads(layout.attributes["notes"]), *layout.notes]
     else:
         values, more = in_si(where, readings, scene, units, layout.units)
         notes = [*layout.notes, *more]
@@ -45,7 +68,22 @@ def judged(layout: Layout, where: str, scene: Scene | None, units: Units | None,
     notes += absent(where, values, scene, missing)
     truth = layout.arrays.get("truth")
     known = None if truth is None else np.asarray(truth, dtype=np.float64)
+    if known is not None and (known.ndim != 3 or known.shape[::2] != (len(values), len(scene.y))):
+        raise refused(where, f"has a truth of the shape {known.shape}, not ({len(values)}, components, {len(scene.y)})")
     return Recording(scene, values, times, known, tuple(dict.fromkeys(notes)))
+
+
+def order_of(where: str, columns: list[str], scene: Scene) -> list[int]:
+    """Where each reading stands: by the scene's names, or by numbers that count through the columns."""
+    names = scene.reading_names
+    if set(columns) == set(names):
+        return [columns.index(name) for name in names]
+    counted_through = [int(re.findall(r"\d+", name)[-1]) for name in columns]
+    if counted_through != list(range(counted_through[0], counted_through[0] + len(columns))):
+        shown = ", ".join(columns[:4])
+        hint = f"name them as the scene does, {names[0]} to {names[-1]}"
+        raise refused(where, f"has readings in columns whose order is not clear: {shown}, ...", hint)
+    return list(range(len(columns)))
 
 
 def numbers(where: str, values: Any) -> NDArray[Any]:

@@ -42,6 +42,8 @@ class Layout:
     attributes: dict[str, str] = dataclasses.field(default_factory=dict)
     units: str | None = None
     """That a stranger's file states."""
+    columns: list[str] | None = None
+    """Of a stranger's readings that stand in a column each."""
     notes: list[str] = dataclasses.field(default_factory=list)
     """What was found while reading."""
 

@@ -89,13 +89,14 @@ def _foreign(path: str, table: Any, name: str | None) -> Layout:
                     path, f"has lists of different lengths in {key!r}", "a frame has as many readings in each row"
                 )
             named[key] = values.reshape(len(table), -1) if lists else values
-    if name is None and not any(values.ndim == 2 for values in named.values()):
-        wide = {key: values for key, values in named.items() if key[-1:].isdecimal()}
-        if wide:
-            named = {key: values for key, values in named.items() if key not in wide}
-            named["readings"] = np.stack(list(wide.values()), axis=1)
+    columns = None
+    wide = {key: values for key, values in named.items() if key[-1:].isdecimal() and values.ndim == 1}
+    if name is None and wide and not any(values.ndim == 2 for values in named.values()):
+        columns = list(wide)
+        named = {key: values for key, values in named.items() if key not in wide}
+        named["readings"] = np.stack(list(wide.values()), axis=1)
     key = chosen(path, named, name, "column")
     at = beside(named, key)
     unit = (table.schema.field(key).metadata or {}).get(b"units") if key in table.column_names else None
     held = {"readings": named[key]} | ({} if at is None else {"t": named[at]})
-    return Layout(held, units=None if unit is None else unit.decode())
+    return Layout(held, units=None if unit is None else unit.decode(), columns=columns)

@@ -101,7 +101,8 @@ class Recording:
         from ._layout import Layout
 
         attributes = {key: str(value) for key, value in dataset.attrs.items()}
-        arrays = {key: dataset[key].values for key in ("readings", "truth") if key in dataset}
+        held = dataset.transpose("t", "channel", "taxel", "reading", "component", "y", missing_dims="ignore")
+        arrays = {key: held[key].values for key in ("readings", "truth") if key in dataset}
         if "t" in dataset.coords and dataset["t"].attrs.get("units") != "frame":
             arrays["t"] = dataset["t"].values
         return judged(Layout(arrays, attributes), "dataset", scene, units, True)

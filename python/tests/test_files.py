@@ -160,6 +160,21 @@ def test_a_long_scene_fits(two: tn.Scene, tmp_path: Path) -> None:
         assert tn.load(tmp_path / f"x{suffix}").scene.text == long.text
 
 
+def test_a_full_disk_spares_what_was_there(two: tn.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    recording = two.simulate()
+    recording.save(tmp_path / "pad.npz")
+    before = (tmp_path / "pad.npz").read_bytes()
+
+    def full(file: Any, **arrays: Any) -> None:
+        file.write(b"PK half")
+        raise OSError("no space left on device")
+
+    monkeypatch.setattr(np, "savez", full)
+    with pytest.raises(OSError, match="no space"):
+        recording.save(tmp_path / "pad.npz")
+    assert (tmp_path / "pad.npz").read_bytes() == before and len(list(tmp_path.iterdir())) == 1
+
+
 def test_a_file_is_whole_or_not_there(two: tn.Scene, tmp_path: Path) -> None:
     recording = two.simulate()
     recording.save(tmp_path / "pad.npz")
@@ -261,12 +276,30 @@ def test_a_strangers_file_is_taken_with_a_scene_and_units(make: Callable[[Path],
         tn.load(path, scene=SMALL, units={"stress_y": "kPa"})
 
 
+def test_columns_are_found_by_the_names_of_the_scene(tmp_path: Path) -> None:
+    pytest.importorskip("pandas")
+    frame = tn.Recording(SMALL, READINGS, np.arange(4) * 0.1).to_dataframe()
+    frame[sorted(frame.columns, reverse=True)].to_parquet(tmp_path / "a")
+    recording = tn.load(tmp_path / "a", scene=SMALL, units="SI")
+    assert np.array_equal(recording.readings, READINGS) and np.array_equal(recording.t, np.arange(4) * 0.1)  # type: ignore[arg-type]
+
+
+def test_a_dataset_may_have_its_dimensions_in_any_order(two: tn.Scene) -> None:
+    pytest.importorskip("xarray")
+    recording = two.simulate()
+    turned = recording.to_xarray().transpose("taxel", "channel", ...)
+    assert_same(tn.Recording.from_xarray(turned), recording)
+
+
 def test_units_that_a_file_states_count(tmp_path: Path) -> None:
     stresses = SMALL.replace({"sensor.reads": ["stress_x", "stress_y"]})
     hdf5(tmp_path / "a.h5", units="mbar", skin=READINGS)
     assert np.array_equal(tn.load(tmp_path / "a.h5", scene=stresses).readings, READINGS * 100)
     with pytest.raises(tn.InputError, match="states the unit 'mbar', and units='kPa' was given"):
         tn.load(tmp_path / "a.h5", scene=stresses, units="kPa")
+    saved(tmp_path / "b", ".npz")
+    with pytest.raises(tn.InputError, match="states the units of its readings\nhint: leave units= out"):
+        tn.load(tmp_path / "b.npz", units="kPa")
 
 
 def test_times_are_seconds(tmp_path: Path) -> None:
@@ -325,10 +358,10 @@ def zipped(path: Path, name: str) -> None:
         file.writestr(name, "x")
 
 
-def tampered(path: Path, **attributes: str) -> None:
+def tampered(path: Path, truth: Any = None, **attributes: str) -> None:
     saved(path, ".npz")
     with np.load(path.with_suffix(".npz")) as file:
-        held = dict(file)
+        held = dict(file) | ({} if truth is None else {"truth": truth})
     npz(path, **held | {"attributes": np.array(json.dumps(json.loads(str(held["attributes"])) | attributes))})
 
 
@@ -408,6 +441,27 @@ BAD: dict[str, tuple[Callable[[Path], Any], str]] = {
         lambda path: tampered(path, version="2"),
         "is of version 2 of the layout, and versions up to 1",
     ),
+    "no readings": (
+        lambda path: npz(path, attributes=np.array(json.dumps({"format": "tactile_net.readings"}))),
+        "is not of the layout that it says it is: KeyError|has a scene inside that is not the one",
+    ),
+    "a truth of another surface": (
+        lambda path: tampered(path, scene=SMALL.text, truth=np.zeros((50, 1, 4))),
+        r"has a truth of the shape \(50, 1, 4\), not \(50, components, 3\)",
+    ),
+    "units that are no JSON": (
+        lambda path: tampered(path, units="kPa"),
+        "is not of the layout that it says it is: JSON",
+    ),
+    "units of another sensor": (
+        lambda path: tampered(path, units='{"stress_y": "Pa"}'),
+        "has units of stress_y, and the scene reads stress_x, strain_x",
+    ),
+    "a version that is none": (lambda path: tampered(path, version="new"), "is not of the layout .*: ValueError"),
+    "columns in no order": (
+        lambda path: table(path, **{f"s_{k}": READINGS[:, 0, 0] for k in (0, 1, 10, 2, 3, 4)}),
+        "has readings in columns whose order is not clear: s_0, s_1, s_10, s_2, ...\nhint: name them as the scene does, str",
+    ),
     "files that lead elsewhere": (
         lambda path: tampered(path, scene_files=json.dumps({"../x.csv": "y"})),
         "'../x.csv' leads out of the scene's folder",
@@ -437,7 +491,7 @@ STARTS = [
 def test_bad_files_are_refused_in_a_sentence(make: Callable[[Path], Any], words: str, tmp_path: Path) -> None:
     path = tmp_path / "bad"
     make(path)
-    own = any(word in words for word in ("SHA", "version", "leads"))
+    own = any(word in words for word in ("SHA", "version", "leads", "layout", "units of", "truth"))
     with pytest.raises(tn.InputError, match=words) as caught:
         tn.load(path, scene=None if own else SMALL)
     assert str(caught.value).startswith(f"{path}: error: ")
