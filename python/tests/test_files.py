@@ -337,6 +337,8 @@ def test_frames_that_are_missing_are_told(tmp_path: Path) -> None:
     npz(tmp_path / "a", readings=readings)
     for units in ("scene", "kPa"):  # a dead taxel may be anything
         assert tn.load(tmp_path / "a", scene=DEAD, units=units, missing=False).notes == ()
+    tn.Recording(DEAD, np.where(np.isinf(readings), np.nan, readings)).save(tmp_path / "own.npz")
+    assert tn.load(tmp_path / "own.npz", missing=False).notes == ()
 
 
 def test_gaps_in_time_are_counted(tmp_path: Path) -> None:
