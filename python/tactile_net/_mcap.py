@@ -62,7 +62,7 @@ class McapLog:
             for schema, channel, message in self._of(path, topic):
                 if decode is None:
                     kind, form, text = ("", "", b"") if schema is None else (schema.name, schema.encoding, schema.data)
-                    decode = decoder(self.where, topic, channel.message_encoding, kind, form, text.decode())
+                    decode = decoder(self.where, topic, channel.message_encoding, kind, form, text)
                 yield message.log_time, decode(message.data)
             if self.broken is not None:
                 return

@@ -32,8 +32,8 @@ class TornBag:
         for head, data in self._records():
             if head["op"][0] == _CONNECTION and head["topic"].decode() == topic:
                 told = _fields(data)
-                kind, text = told["type"].decode(), told["message_definition"].decode()
-                decoders[head["conn"]] = decoder(self.where, topic, "ros1", kind, "ros1msg", text)
+                kind = told["type"].decode()
+                decoders[head["conn"]] = decoder(self.where, topic, "ros1", kind, "ros1msg", told["message_definition"])
             elif head["op"][0] == _MESSAGE and head["conn"] in decoders:
                 seconds, nanoseconds = struct.unpack("<II", head["time"])
                 yield seconds * 10**9 + nanoseconds, decoders[head["conn"]](data)

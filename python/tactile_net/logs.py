@@ -240,7 +240,7 @@ def _recording(
     notes: list[str],
     truth: NDArray[Any] | None,
 ) -> Recording:
-    from ._judge import judged
+    from ._judge import as_it_says, judged
     from ._layout import Layout, scene_in
 
     own = topic == log.metadata.get("topic")
@@ -249,7 +249,8 @@ def _recording(
             log.where, f"{topic} has tractions, not readings", f"tactile_net.logs.messages(path, topic={topic!r})"
         )
     if scene is None and log.metadata:
-        scene = scene_in(Layout({}, log.metadata), log.where)
+        with as_it_says(log.where):
+            scene = scene_in(Layout({}, log.metadata), log.where)
     if scene is not None and not found:
         values = np.zeros((0, *scene.reading_shape))
     else:
@@ -258,7 +259,7 @@ def _recording(
         values = values[:, 0]
     t, order, more = _times(found, own)
     layout = Layout({"readings": values[order]}, log.metadata if own else {}, notes=[*notes, *more])
-    if not own or log.metadata["times"] != "none":
+    if not own or log.metadata.get("times") != "none":
         layout.arrays["t"] = t
     if truth is not None:
         layout.arrays["truth"] = truth[order]

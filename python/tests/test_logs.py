@@ -7,6 +7,7 @@ import json
 import subprocess
 import sys
 from collections.abc import Callable
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -507,3 +508,34 @@ def test_other_encodings(tmp_path: Path) -> None:
     log = raw_log(tmp_path / "a", "cdr", [b"\0\1\0\0abc"], ("sensor_msgs/msg/Image", "ros2msg", text.encode()))
     with pytest.raises(tn.InputError, match="has a message of /pad that is no sensor_msgs/msg/Image: "):
         tn.logs.read(log, scene=SMALL)
+    log = raw_log(tmp_path / "a", "cdr", [b"x"], ("mine/msg/Skin", "ros2msg", b"float64[ values"))
+    with pytest.raises(tn.InputError, match="has messages of /pad whose type mine/msg/Skin cannot be read: "):
+        tn.logs.read(log, topic="/pad", field="values", scene=SMALL)
+    log = raw_log(tmp_path / "a", "json", [b"{"], ("skin", "jsonschema", b"{}"))
+    with pytest.raises(tn.InputError, match="has a message of /pad that is no skin: "):
+        tn.logs.read(log, topic="/pad", field="values", scene=SMALL)
+
+
+def test_metadata_that_are_not_what_they_say(tmp_path: Path) -> None:
+    text, _ = ROS2.generate_msgdef("sensor_msgs/msg/Image", ros_version=2)
+    frame = bytes(ROS2.serialize_cdr(image(ROS2, READINGS[0], "64FC1"), "sensor_msgs/msg/Image"))
+    good = {"format": "tactile_net.readings", "topic": "/pad", "scene": SMALL.text, "version": "1"}
+    for metadata, words in (
+        (good, "SHA-256"),
+        (good | {"version": "new"}, "is not of the layout that it says it is: ValueError"),
+        (
+            good | {"scene_sha256": sha256(SMALL.text.encode()).hexdigest()},
+            "is not of the layout that it says it is: KeyError",
+        ),
+    ):
+        with open(tmp_path / "a", "wb") as file:
+            writer = mcap_writer.Writer(file)
+            writer.start()
+            writer.add_metadata("tactile_net", metadata)
+            channel = writer.register_channel(
+                "/pad", "cdr", writer.register_schema("sensor_msgs/msg/Image", "ros2msg", text.encode())
+            )
+            writer.add_message(channel, 1, frame, 1)
+            writer.finish()
+        with pytest.raises(tn.InputError, match=words):
+            tn.load(tmp_path / "a")
