@@ -9,7 +9,6 @@ import itertools
 import os
 from collections.abc import Iterator
 from os import PathLike, fspath
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -171,7 +170,8 @@ def _open(where: str) -> Log:
     from ._torn_bag import TornBag
 
     if os.path.isdir(where):
-        recorded, tables = (sorted(str(one) for one in Path(where).glob(f"*.{form}")) for form in ("mcap", "db3"))
+        inside = sorted(os.path.join(where, one) for one in os.listdir(where))
+        recorded, tables = ([one for one in inside if one.endswith(form)] for form in (".mcap", ".db3"))
         closed = os.path.exists(os.path.join(where, "metadata.yaml"))
         return McapLog(where, recorded) if recorded else BagLog(where, [where] if closed or not tables else tables)
     with open(where, "rb") as file:
