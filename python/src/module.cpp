@@ -17,4 +17,5 @@ NB_MODULE(_core, module) {
   bind_circuit(module);
   bind_plan(module);
   bind_estimator(module);
+  bind_simulated_pad(module);
 }

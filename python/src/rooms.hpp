@@ -15,5 +15,6 @@ void bind_sweep(nanobind::module_& module);
 void bind_circuit(nanobind::module_& module);
 void bind_plan(nanobind::module_& module);
 void bind_estimator(nanobind::module_& module);
+void bind_simulated_pad(nanobind::module_& module);
 
 }  // namespace tactile_net::python

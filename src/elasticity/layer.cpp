@@ -3,36 +3,19 @@
 #include <cmath>
 
 #include "elasticity/hooke.hpp"
+#include "elasticity/layer_functions.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
 
 namespace tactile_net {
 namespace {
 
-/// The hyperbolic functions of layer.hpp, each times 4 exp(-2 H): nothing overflows.
-struct Scaled {
-  Scaled(double thickness, double depth, double wavenumber)
-      : H(wavenumber * thickness), a(wavenumber * depth), t(wavenumber * (thickness - depth)) {
-    const double near = 2.0 * std::exp(-a);          // of exp(U)
-    const double far = 2.0 * std::exp(a - 2.0 * H);  // of exp(a)
-    cosh_U = near * (1.0 + std::exp(-2.0 * (H + t)));
-    sinh_U = -near * std::expm1(-2.0 * (H + t));
-    cosh_a = far * (1.0 + std::exp(-2.0 * a));
-    sinh_a = -far * std::expm1(-2.0 * a);
-    square = 4.0 * std::exp(-2.0 * H);
-  }
-  double H, a, t;
-  double cosh_U, sinh_U, cosh_a, sinh_a;
-  double square;  // of 1
-};
-
 /// Amplitudes for k > 0; the imaginary ones (odd in y) without their factor -i.
-Stress<double> bonded(Traction component, double nu, const Scaled& f) {
+Stress<double> bonded(Traction component, double nu, const LayerFunctions& f) {
   const auto& [H, a, t, cosh_U, sinh_U, cosh_a, sinh_a, square] = f;
   const double kappa = 3.0 - 4.0 * nu;
   const double m = 1.0 - 2.0 * nu;
   const double n = 2.0 - 2.0 * nu;
-  const double cosh_H = 1.0 + std::exp(-2.0 * H);
-  const double delta = kappa * cosh_H * cosh_H + (H * H + m * m) * square;
+  const double delta = f.bonded_determinant(nu);
   const double even = (H * t + 0.5 * (n * n + m * m)) * cosh_a;
   const double odd = (H * t + n * m) * sinh_a;
   const double mixed = 0.5 * a * (kappa * cosh_U + cosh_a);
@@ -48,9 +31,9 @@ Stress<double> bonded(Traction component, double nu, const Scaled& f) {
       (0.5 * kappa * (cosh_U - a * sinh_U) + even - 0.5 * (H + t) * sinh_a) / delta};
 }
 
-Stress<double> frictionless(Traction component, const Scaled& f) {
+Stress<double> frictionless(Traction component, const LayerFunctions& f) {
   const auto& [H, a, t, cosh_U, sinh_U, cosh_a, sinh_a, square] = f;
-  const double d = -std::expm1(-4.0 * H) + H * square;
+  const double d = f.frictionless_determinant();
   if (component == Traction::normal) {
     const double mean = sinh_U + sinh_a;
     const double wave = a * cosh_U + (H + t) * cosh_a;
@@ -83,7 +66,7 @@ std::complex<double> layer_transform(Quantity quantity, Traction component,
     else
       s = {0.0, 0.0, is_bonded ? 1.0 : 1.0 - depth / layer.thickness};
   } else if (k * depth < 745.0) {  // beyond it exp(-k depth) is zero
-    const Scaled f(layer.thickness, depth, k);
+    const LayerFunctions f(layer.thickness, depth, k);
     s = layer.base == Base::bonded ? bonded(component, material.poisson_ratio, f)
                                    : frictionless(component, f);
   }

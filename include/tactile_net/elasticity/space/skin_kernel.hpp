@@ -1,0 +1,80 @@
+/// @file
+/// Everything that a traction on a skin as it is, half space or layer, causes at one depth.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/elasticity/space/half_space.hpp"
+#include "tactile_net/elasticity/space/skin_quantity.hpp"
+
+namespace tactile_net {
+
+class LayerTables;
+
+/// @throw std::invalid_argument  a displacement along the surface under a tangential load in a
+/// layer on a frictionless base: nothing holds the layer, which slides without end
+void check_quantity(SkinQuantity quantity, SkinTraction component, const Material& material);
+
+/// Readings at one depth from point loads and rectangles, as functions of the place.
+///
+/// On a half space they are `half_space_kernel`. In a layer they are that plus what the base adds:
+/// fifteen functions of the distance r alone, interpolated, times an angle. Beyond 48 layers from
+/// the load what is left of them in closed form: 0 on a bonded base; on a frictionless one, which
+/// holds no drag, that of a thin plate, falling as 1/r. A copy shares the tables.
+///
+/// Readings are within `error_bound` of the true ones, and even or odd to the bit.
+/// `check_quantity`'s are NaN. Places are finite; lengths may be of any size.
+class SkinKernel {
+ public:
+  /// O(1) on a half space; some 0.1 s in a layer, for all quantities together.
+  ///
+  /// @throw std::invalid_argument  the material is out of range; depth is not > 0, or below the
+  /// base
+  SkinKernel(const Material& material, double depth);
+
+  /// The reading at (y, z) [m] from a unit point force [Pa / N for stress, 1 / N for strain, m /
+  /// N].
+  [[nodiscard]] double operator()(SkinQuantity quantity, SkinTraction component, double y,
+                                  double z) const noexcept;
+
+  /// The reading at (y, z) [m] from the middle of a rectangle that carries a uniform traction of
+  /// 1 Pa. In a layer up to 64 times the cost of a point load, more for each layer that the
+  /// rectangle is wide.
+  [[nodiscard]] double operator()(SkinQuantity quantity, SkinTraction component,
+                                  const Rectangle& load, double y, double z) const noexcept;
+
+  /// The same for many places: `y`, `z` and `readings` have one number each.
+  void operator()(SkinQuantity quantity, SkinTraction component, std::span<const double> y,
+                  std::span<const double> z, std::span<double> readings) const noexcept;
+  void operator()(SkinQuantity quantity, SkinTraction component, const Rectangle& load,
+                  std::span<const double> y, std::span<const double> z,
+                  std::span<double> readings) const noexcept;
+
+  /// The largest error of a point load's reading: 1e-13 of 3 / (2 pi depth^2) for stresses, of
+  /// (1 + nu) / E times that for strains, of 3 (1 + nu) / (2 pi E depth) for displacements, which
+  /// is about what a half space reads on the load's axis. Of a rectangle's as much times its area,
+  /// or times depth^2 where that is less.
+  [[nodiscard]] double error_bound(SkinQuantity quantity) const noexcept;
+
+ private:
+  struct LayerPart {
+    double reading;
+    bool is_whole;  // half space included
+  };
+  [[nodiscard]] LayerPart layer_part(SkinQuantity quantity, SkinTraction component, double y,
+                                     double z) const noexcept;
+  [[nodiscard]] double with_base(SkinQuantity quantity, SkinTraction component, double half_space,
+                                 double y, double z) const noexcept;
+  [[nodiscard]] double added(SkinQuantity quantity, SkinTraction component, double y,
+                             double z) const noexcept;
+  [[nodiscard]] double added(SkinQuantity quantity, SkinTraction component, const Rectangle& load,
+                             double y, double z) const noexcept;
+
+  Material material_;
+  double depth_;
+  std::shared_ptr<const LayerTables> tables_{};  // absent: half space
+};
+
+}  // namespace tactile_net

@@ -1,0 +1,200 @@
+#include "elasticity/space/layer_tables.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/bessel.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "elasticity/space/plane_wave.hpp"
+
+namespace tactile_net {
+namespace {
+
+using std::numbers::pi;
+
+constexpr std::size_t tables = layer_table_orders.size();
+constexpr std::array edges = {0.0, 0.5, 1.0,  1.5,  2.0,  3.0,  4.0,
+                              6.0, 8.0, 12.0, 16.0, 24.0, 32.0, LayerTables::reach};
+constexpr std::size_t panels = edges.size() - 1;
+constexpr double largest_decay = 52.0;  // k (2 - depth) up to which the integral runs
+
+/// The integrands' amplitudes F, with the signs of i^j.
+LayerFunctionValues amplitudes(const PlaneWave& wave, double nu) {
+  const auto across = [&](const SagittalAmplitudes& f) {
+    return nu * (f.stress_x + f.stress_along);
+  };
+  const SagittalAmplitudes& p = wave.normal;
+  const SagittalAmplitudes& q = wave.tangential;
+  const AntiPlaneAmplitudes& s = wave.across;
+  const double deviator = 0.5 * (q.stress_along - across(q));
+  return {p.stress_x,
+          p.shear,
+          0.5 * (p.stress_along + across(p)),
+          -0.5 * (p.stress_along - across(p)),
+          p.displacement_x,
+          p.displacement_along,
+          q.stress_x,
+          0.5 * (q.shear + s.shear),
+          -0.5 * (q.shear - s.shear),
+          0.5 * (q.stress_along + across(q)),
+          0.5 * (deviator + s.shear_along),
+          -0.5 * (deviator - s.shear_along),
+          q.displacement_x,
+          0.5 * (q.displacement_along + s.displacement),
+          -0.5 * (q.displacement_along - s.displacement)};
+}
+
+/// J_j(x) / x^j for j = 0 ... 3.
+std::array<double, 4> reduced_bessel(double x) {
+  if (x > 2.0) {
+    using Plain = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+    const double j0 = boost::math::cyl_bessel_j(0, x, Plain{});
+    const double j1 = boost::math::cyl_bessel_j(1, x, Plain{});
+    const double j2 = 2.0 * j1 / x - j0;
+    const double j3 = 4.0 * j2 / x - j1;
+    return {j0, j1 / x, j2 / (x * x), j3 / (x * x * x)};
+  }
+  std::array<double, 4> sums{};
+  double first = 1.0;  // 1 / (2^j j!)
+  for (std::size_t j = 0; j < sums.size(); ++j) {
+    if (j > 0) first /= 2.0 * static_cast<double>(j);
+    double term = first;
+    for (int m = 1; m <= 14; ++m) {
+      sums[j] += term;
+      term *= -0.25 * x * x / (m * (m + static_cast<double>(j)));
+    }
+  }
+  return sums;
+}
+
+/// One node of the integral over k: the amplitudes times weight k^(1 + j) / (2 pi).
+struct Node {
+  double k;
+  LayerFunctionValues values;
+};
+
+std::vector<Node> nodes(const Material& layer, double depth, double width) {
+  using Rule = boost::math::quadrature::gauss<double, 20>;
+  Material half_space = layer;
+  half_space.layer.reset();
+  const double end = largest_decay / (2.0 - depth);
+  const auto count = static_cast<std::size_t>(std::ceil(end / width));
+  std::vector<Node> all;
+  all.reserve(count * 20);
+  for (std::size_t panel = 0; panel < count; ++panel)
+    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+      for (const double side : {-1.0, 1.0}) {
+        const double k =
+            (static_cast<double>(panel) + 0.5 * (1.0 + side * Rule::abscissa()[i])) * width;
+        Node node{k, amplitudes(plane_wave(layer, depth, k), layer.poisson_ratio)};
+        const LayerFunctionValues half =
+            amplitudes(plane_wave(half_space, depth, k), layer.poisson_ratio);
+        for (std::size_t t = 0; t < tables; ++t) {
+          double factor = 0.5 * width * Rule::weights()[i] * k / (2.0 * pi);
+          for (int j = 0; j < layer_table_orders[t]; ++j) factor *= k;
+          node.values[t] = (node.values[t] - half[t]) * factor;
+        }
+        all.push_back(node);
+      }
+  return all;
+}
+
+}  // namespace
+
+LayerTables::LayerTables(const Material& material, double depth)
+    : slips_(material.layer->base == Base::frictionless),
+      nu_(material.poisson_ratio),
+      rest_(1.0 - depth),
+      coefficients_(panels * tables * At::count) {
+  constexpr std::size_t count = At::count;
+  const Material layer{
+      .youngs_modulus = 1.0, .poisson_ratio = nu_, .layer = Layer{1.0, material.layer->base}};
+  double width = 0.0;
+  std::vector<Node> integrand;
+  for (std::size_t panel = 0; panel < panels; ++panel) {
+    // 20 points resolve 20 radians of J_j(k r), and poles as far as 0.739 beside a panel 1 wide.
+    const double needed = std::min(1.0, 20.0 / edges[panel + 1]);
+    if (needed != width) integrand = nodes(layer, depth, width = needed);
+    double* const coefficients = coefficients_.data() + panel * tables * count;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double angle = pi * (static_cast<double>(i) + 0.5) / count;
+      const double r =
+          edges[panel] + 0.5 * (edges[panel + 1] - edges[panel]) * (1.0 + std::cos(angle));
+      LayerFunctionValues sums{};
+      for (const Node& node : integrand) {
+        const std::array<double, 4> bessel = reduced_bessel(node.k * r);
+        for (std::size_t t = 0; t < tables; ++t)
+          sums[t] += node.values[t] * bessel[static_cast<std::size_t>(layer_table_orders[t])];
+      }
+      for (std::size_t t = 0; t < tables; ++t)
+        for (std::size_t n = 0; n < count; ++n)
+          coefficients[t * count + n] +=
+              (n == 0 ? 1.0 : 2.0) / count * sums[t] * std::cos(static_cast<double>(n) * angle);
+    }
+    if (!slips_) continue;
+    for (const LayerTable t :
+         {LayerTable::tangential_displacement_mean, LayerTable::tangential_displacement_turning})
+      std::fill_n(coefficients + static_cast<std::size_t>(t) * count, count,
+                  std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+LayerTables::At LayerTables::at(double r) const noexcept {
+  const auto* const end = std::upper_bound(edges.begin() + 1, edges.end() - 1, r);
+  const auto panel = static_cast<std::size_t>(end - edges.begin()) - 1;
+  const double from = edges[panel];
+  const double s = 2.0 * (r - from) / (edges[panel + 1] - from) - 1.0;
+  At at;
+  at.coefficients_ = coefficients_.data() + panel * tables * At::count;
+  at.polynomials_[0] = 1.0;
+  at.polynomials_[1] = s;
+  // From those near n / 2, so that no long chain of sums waits for the one before.
+  for (std::size_t n = 2; n < At::count; ++n) {
+    const std::size_t m = std::bit_floor(n - 1);
+    at.polynomials_[n] =
+        2.0 * at.polynomials_[m] * at.polynomials_[n - m] - at.polynomials_[2 * m - n];
+  }
+  return at;
+}
+
+double LayerTables::At::operator()(LayerTable table) const noexcept {
+  const double* const c = coefficients_ + static_cast<std::size_t>(table) * count;
+  double sums[4] = {};
+  for (std::size_t n = 0; n < count; n += 4)
+    for (std::size_t lane = 0; lane < 4; ++lane) sums[lane] += c[n + lane] * polynomials_[n + lane];
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+double LayerTables::Far::operator()(LayerTable table) const noexcept {
+  if (!tables_.slips_) return 0.0;
+  // Powers of 1 / k in the amplitudes at k = 0: integral k^-1 k J_1 dk = integral k^-1 k J_3 dk =
+  // 1/r, integral k J_2 dk = 2 / r^2, integral k k J_3 dk = 8 / r^3.
+  const double nu = tables_.nu_;
+  const double per_r = 0.5 / pi / r_;
+  switch (table) {
+    case LayerTable::normal_deviator:
+      return nu * per_r / r_;
+    case LayerTable::normal_displacement_radial:
+      return nu * per_r;
+    case LayerTable::tangential_trace:
+      return 0.5 * (1.0 + nu) * per_r;
+    case LayerTable::tangential_deviator:
+      return 0.25 * (3.0 - nu) * per_r;
+    case LayerTable::tangential_deviator_turning:
+      return (0.25 * (1.0 + nu) +
+              nu * (3.0 * tables_.rest_ * tables_.rest_ + 1.0) / 3.0 / r_ / r_) *
+             per_r;
+    case LayerTable::tangential_displacement_x:
+      return -nu * tables_.rest_ * per_r;
+    case LayerTable::tangential_displacement_mean:
+    case LayerTable::tangential_displacement_turning:
+      return std::numeric_limits<double>::quiet_NaN();
+    default:
+      return 0.0;
+  }
+}
+
+}  // namespace tactile_net
