@@ -64,7 +64,6 @@ struct DataJudge::Parts {
   [[nodiscard]] double strain(std::span<const double> g, std::span<const double> f) const;
   [[nodiscard]] double limit(double taken) const;
   [[nodiscard]] Freedom without(std::size_t taxel) const;
-  [[nodiscard]] Freedom constant_in_each_channel() const;
   [[nodiscard]] std::vector<std::size_t> suspects(const Eigen::VectorXd& residual) const;
 
   DataLimits limits;
@@ -82,6 +81,7 @@ struct DataJudge::Parts {
   std::vector<Side> places{};           // of the values of contacts
   std::vector<Side> found_places{};     // of the values of tractions
   std::vector<std::size_t> channels{};  // with a live row; none where their offsets are free
+  Freedom free_constants{};             // one in each of them
 };
 
 DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& contacts,
@@ -124,10 +124,10 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
   for (Eigen::Index j = 0; j < cone.cols(); ++j) {
     if (const double norm = cone.col(j).norm(); norm > 0.0) cone.col(j) /= norm;
   }
-  for (std::size_t i = 0; i < problem.weights.size() && !problem.unknown_offsets; ++i)
-    if (const std::size_t channel = sites[i].channel;
-        problem.weights[i] != 0.0 && (channels.empty() || channels.back() != channel))
-      channels.push_back(channel);
+  const Eigen::MatrixXd all = channel_constants(problem);
+  for (Eigen::Index c = 0; c < all.cols() && !problem.unknown_offsets; ++c)
+    if (all.col(c).squaredNorm() > 0.0) channels.push_back(static_cast<std::size_t>(c));
+  free_constants.columns = all(Eigen::all, channels);
   most = limit(0.0);
   if (!channels.empty())
     constant_gain = chi_squared_limit(static_cast<double>(channels.size()), 0.1 * false_alarms);
@@ -189,14 +189,11 @@ double DataJudge::Parts::strain(std::span<const double> g, std::span<const doubl
     const double sum = std::accumulate(f.begin(), f.begin() + std::ssize(f) / components, 0.0);
     largest = std::abs(sum) / static_cast<double>(values) / *limits.largest_traction;
   }
-  const bool free = weighting.constants().cols() > 0;
-  const Eigen::VectorXd left = free ? weighting(g) : Eigen::VectorXd();
-  for (std::size_t i = 0; i < limits.largest_readings.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    if (!(weights(row) > 0.0)) continue;
-    const double reading = free ? left(row) / weighting.weights()(row) : g[i];
-    largest = std::max(largest, std::abs(reading) / limits.largest_readings[i]);
-  }
+  const Eigen::VectorXd left = weighting(g);
+  for (std::size_t i = 0; i < limits.largest_readings.size(); ++i)
+    if (const auto row = static_cast<Eigen::Index>(i); weights(row) > 0.0)
+      largest = std::max(
+          largest, std::abs(left(row)) / weighting.weights()(row) / limits.largest_readings[i]);
   return largest;
 }
 
@@ -214,17 +211,6 @@ Freedom DataJudge::Parts::without(std::size_t taxel) const {
   for (Eigen::Index j = 0; j < std::ssize(at); ++j)
     freedom.columns(at[static_cast<std::size_t>(j)], j) = 1.0;
   freedom.columns = weighting.projected(freedom.columns);
-  return freedom;
-}
-
-Freedom DataJudge::Parts::constant_in_each_channel() const {
-  Freedom freedom{.columns = Eigen::MatrixXd::Zero(weights.size(), std::ssize(channels))};
-  for (Eigen::Index j = 0; j < freedom.columns.cols(); ++j) {
-    for (Eigen::Index i = 0; i < weights.size(); ++i)
-      if (sites[static_cast<std::size_t>(i)].channel == channels[static_cast<std::size_t>(j)])
-        freedom.columns(i, j) = weights(i);
-    freedom.columns.col(j).normalize();
-  }
   return freedom;
 }
 
@@ -271,7 +257,7 @@ void DataJudge::Parts::look_for_constant(const Eigen::VectorXd& y, const Eigen::
                                          DataVerdict& verdict) const {
   if (!limits.inner || channels.empty()) return;
   const auto constants = static_cast<double>(channels.size());
-  const Freedom freedom = constant_in_each_channel();
+  const Freedom& freedom = free_constants;
   Eigen::VectorXd inner = contact;
   for (Eigen::Index j = 0; j < inner.size(); ++j)
     if (found_places[static_cast<std::size_t>(j) % values] != Side::middle) inner(j) = 0.0;
@@ -310,7 +296,7 @@ void DataJudge::Parts::remember(const Fit& fit, DataMemory::Kept& memory) const 
       return places[static_cast<std::size_t>(j) % places.size()] == side;
     });
   };
-  memory.keep(cone(Eigen::all, fit.pressed), constant_in_each_channel().columns,
+  memory.keep(cone(Eigen::all, fit.pressed), free_constants.columns,
               !limits.inner || !presses(Side::first_end) || !presses(Side::last_end));
 }
 
@@ -356,21 +342,19 @@ void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double>
     by_taxel = rest.norm;
     verdict.taxel = taxel;
   }
-  Freedom freedom;
   Fit constant;
   double by_constant = std::numeric_limits<double>::infinity();
   double far = 0.0;
   if (limits.inner && !channels.empty()) {
     const auto constants = static_cast<double>(channels.size());
-    freedom = constant_in_each_channel();
-    constant = with_constants(y, freedom);
+    constant = with_constants(y, free_constants);
     far = chi_squared_limit(constants, false_alarms);
     if (gains(constant, constants, false_alarms)) by_constant = constant.norm;
   }
   if (by_constant * by_constant + far < by_taxel * by_taxel) verdict.taxel.reset();
   if (verdict.taxel) verdict.doubts.push_back(DataDoubt::bad_taxel);
   if (by_constant * by_constant <= by_taxel * by_taxel + far && std::isfinite(by_constant))
-    take_offset(constant.allowance, freedom, verdict);
+    take_offset(constant.allowance, free_constants, verdict);
   if (!verdict.consistent()) return;
   const double found = (y - kernel * as_eigen(tractions)).norm();
   verdict.doubts.push_back(found <= most ? DataDoubt::pulls : DataDoubt::misfit);

@@ -10,8 +10,11 @@
 
 namespace tactile_net {
 
-/// P = I - C C'. Where offsets are unknown C has a column w / |w| for each channel, w its rows'
-/// weights, one of zeros where all of its taxels are dead; else it has no column.
+/// The rows' weights of each channel, over their 2-norm, a column each; zeros where all of its
+/// taxels are dead.
+[[nodiscard]] Eigen::MatrixXd channel_constants(const InverseProblem& problem);
+
+/// P = I - C C', C the channels' constants where offsets are unknown, else without a column.
 class Weighting {
  public:
   explicit Weighting(const InverseProblem& problem);
