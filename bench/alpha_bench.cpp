@@ -126,7 +126,7 @@ void quality() {
 int main(int count, char** words) {
   const bool page = count > 1 && std::string_view(words[1]) == "page";
   const std::size_t frames = count > 2 ? std::stoul(words[2]) : 400;
-  if (page) return bench::write_contest(frames, true) ? 0 : 1;
+  if (page) return bench::write_contest(frames, true, count > 3 ? words[3] : "") ? 0 : 1;
   cost();
   quality();
   return bench::write_contest(frames, false) ? 0 : 1;

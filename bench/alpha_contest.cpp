@@ -29,7 +29,7 @@ struct Case {
 
 /// The largest reading of each channel.
 std::vector<double> peaks(const std::vector<double>& readings, std::size_t channels) {
-  const std::size_t count = readings.size() / channels;
+  const std::size_t count = readings.size() / channels;  // every taxel reads every quantity
   std::vector<double> all(channels);
   for (std::size_t i = 0; i < readings.size(); ++i)
     all[i / count] = std::max(all[i / count], std::abs(readings[i]));
@@ -62,7 +62,7 @@ struct Cases {
     for (double& one : rms) one *= setting.noise;
     problem = make_problem(setting.sensor, pad,
                            {.unknowns = setting.unknowns,
-                            .smoothing_length = setting.sensor.depths.front(),
+                            .smoothing_length = least_depth(setting.sensor),
                             .channel_rms = rms,
                             .surface = options});
   }
@@ -70,6 +70,24 @@ struct Cases {
   std::vector<double> rms{};  // of each channel
   InverseProblem problem{};
 };
+
+constexpr double depth = 1.5;  // of uneven taxels on average
+
+SensorArray uneven(const std::vector<Quantity>& reads) {
+  std::mt19937_64 random(11);
+  const auto uniform = [&](double from, double to) {
+    return from + (to - from) * std::ldexp(static_cast<double>(random() >> 11U), -53);
+  };
+  std::vector<Taxel> taxels;
+  double y = 0.0;
+  for (int i = 0; i < 24; ++i) {
+    taxels.push_back({.y = y, .depth = depth * uniform(0.7, 1.4), .reads = reads});
+    y += depth * uniform(0.3, 2.0);
+  }
+  const double middle = 0.5 * taxels.back().y;
+  for (Taxel& taxel : taxels) taxel.y -= middle;
+  return uneven_array(std::move(taxels));
+}
 
 /// Hertz strips in the middle 60 % of an array, half widths 0.4 to 2 depths.
 std::vector<RigidContact> random_contacts(const SensorArray& array, bool friction) {
@@ -81,7 +99,7 @@ std::vector<RigidContact> random_contacts(const SensorArray& array, bool frictio
   for (std::size_t i = 0; i < contacts_of_coarse; ++i) {
     RigidContact contact;
     contact.center = 0.6 * uniform(-1.0, 1.0) * position(array, array.count - 1);
-    contact.half_width = uniform(0.4, 2.0) * array.depths.front();
+    contact.half_width = uniform(0.4, 2.0) * depth;
     const double dragged = uniform(-0.6, 0.6);
     if (friction) contact.friction = dragged;
     contacts.push_back(contact);
@@ -118,18 +136,18 @@ std::vector<AlphaSetting> alpha_settings() {
                                    {"stress_x, shear_xy", {stress_x, shear_xy}},
                                    {"stress_x, stress_y", {stress_x, stress_y}}};
   std::vector<AlphaSetting> settings;
-  const auto add = [&](const char* array, std::size_t count, double pitch, SurfaceBasis basis) {
+  const auto add = [&](const char* array, SurfaceBasis basis, const auto& sensor_of) {
     for (const Reads& reads : sets)
       for (const double noise : {0.001, 0.01, 0.05}) {
         const std::size_t unknowns = reads.quantities.size();
         AlphaSetting setting{.array = array,
                              .reads = reads.name,
                              .noise = noise,
-                             .sensor = {count, pitch, {1.5}, reads.quantities},
+                             .sensor = sensor_of(reads.quantities),
                              .unknowns = unknowns,
                              .basis = basis,
                              .contacts = {}};
-        if (setting.is_coarse())
+        if (setting.kind() != "dense")
           setting.contacts = random_contacts(setting.sensor, unknowns == 2);
         else
           setting.contacts = {{.center = 0.7,
@@ -139,9 +157,15 @@ std::vector<AlphaSetting> alpha_settings() {
         settings.push_back(std::move(setting));
       }
   };
-  add("dense, 61 taxels", 61, 0.5, SurfaceBasis::taxels);
-  add("pitch = depth, 17 taxels", 17, 1.5, SurfaceBasis::hats);
-  add("pitch = 2 depths, 9 taxels", 9, 3.0, SurfaceBasis::hats);
+  const auto even = [](std::size_t count, double pitch) {
+    return [=](const std::vector<Quantity>& reads) {
+      return SensorArray{.count = count, .pitch = pitch, .depths = {depth}, .reads = reads};
+    };
+  };
+  add("dense, 61 taxels", SurfaceBasis::taxels, even(61, 0.5));
+  add("pitch = depth, 17 taxels", SurfaceBasis::hats, even(17, 1.5));
+  add("pitch = 2 depths, 9 taxels", SurfaceBasis::hats, even(9, 3.0));
+  add("uneven, 24 taxels", SurfaceBasis::hats, uneven);
   return settings;
 }
 
@@ -242,8 +266,11 @@ largest ratio among them: what nobody was told of. *Default*: `default_rule` (`i
 
 }  // namespace
 
-bool write_contest(std::size_t frames, bool page) {
-  const std::vector<AlphaSetting> settings = alpha_settings();
+bool write_contest(std::size_t frames, bool page, std::string_view kind) {
+  std::vector<AlphaSetting> settings = alpha_settings();
+  std::erase_if(settings, [&](const AlphaSetting& setting) {
+    return !kind.empty() && setting.kind() != kind;
+  });
   std::vector<std::vector<AlphaScore>> all;
   for (const AlphaSetting& setting : settings) {
     all.push_back(contest(setting, frames));
@@ -252,15 +279,18 @@ bool write_contest(std::size_t frames, bool page) {
     progress(text("%s, %s, noise %g: default p95 %.3f, worst %.2f", setting.array.c_str(),
                   setting.reads.c_str(), setting.noise, own.percentile(0.95), own.ratios.back()));
   }
-  std::vector<Pool> pools;
-  if (page) std::printf(introduction, frames, frames);
-  for (const bool coarse : {false, true}) {
+  std::vector<std::pair<std::string_view, Pool>> pools;
+  if (page && kind.empty()) std::printf(introduction, frames, frames);
+  for (const auto& [one, title] :
+       {std::pair{"dense", "A dense array"}, std::pair{"coarse", "Coarse arrays"},
+        std::pair{"uneven", "An uneven array"}}) {
     std::vector<std::vector<AlphaScore>> some;
     for (std::size_t s = 0; s < settings.size(); ++s)
-      if (settings[s].is_coarse() == coarse) some.push_back(all[s]);
-    pools.push_back(pooled(some));
-    std::printf("\n## %s\n\n", coarse ? "Coarse arrays" : "A dense array");
-    print(pools.back());
+      if (settings[s].kind() == one) some.push_back(all[s]);
+    if (some.empty()) continue;
+    pools.emplace_back(one, pooled(some));
+    std::printf("\n## %s\n\n", title);
+    print(pools.back().second);
   }
   std::printf("\n## The default, setting by setting\n\n| array | reads | noise | p95 | worst |\n");
   std::printf("|---|---|---|---|---|\n");
@@ -279,9 +309,10 @@ bool write_contest(std::size_t frames, bool page) {
     floors.at_most(what + ": p95", score.percentile(0.95), 1.2);
     floors.at_most(what + ": worst", score.ratios.back(), 2.5);
   };
-  for (std::size_t r = alpha_rules.size(); r < pools.front().rules.size(); ++r)
-    hold("dense", pools.front().rules[r]);
-  hold("coarse", pools.back().rules[alpha_rules.size()]);  // they need the noise
+  for (const auto& [arrays, pool] : pools)
+    for (std::size_t r = alpha_rules.size(); r < pool.rules.size(); ++r)
+      if (arrays == "dense" || r == alpha_rules.size())  // the others need the noise
+        hold(arrays.data(), pool.rules[r]);
   return floors.all_hold();
 }
 

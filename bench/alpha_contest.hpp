@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactile_net/elasticity/contact.hpp"
@@ -24,12 +25,17 @@ struct AlphaSetting {
   tactile_net::SurfaceBasis basis = tactile_net::SurfaceBasis::taxels;
   std::vector<tactile_net::RigidContact> contacts{};  ///< frame after frame, from the first again
 
-  [[nodiscard]] bool is_coarse() const noexcept { return basis == tactile_net::SurfaceBasis::hats; }
+  /// "dense", "coarse" or "uneven".
+  [[nodiscard]] std::string_view kind() const noexcept {
+    if (!tactile_net::is_even(sensor)) return "uneven";
+    return basis == tactile_net::SurfaceBasis::hats ? "coarse" : "dense";
+  }
 };
 
 /// 61 taxels a third of their depth apart under one contact; 17 taxels their depth apart and 9
-/// twice that, with the tractions on a grid, under 400 contacts drawn at random. Four sets of
-/// readings, three sizes of noise.
+/// twice that, with the tractions on a grid, under 400 contacts drawn at random; and 24 taxels with
+/// gaps of 0.3 to 2 depths, 0.7 to 1.4 times as deep as they are on average. Four sets of readings,
+/// three sizes of noise.
 [[nodiscard]] std::vector<AlphaSetting> alpha_settings();
 
 /// How one rule did: errors over the best alpha's, ascending.
@@ -49,6 +55,7 @@ struct AlphaScore {
 
 /// The page docs/internals/alpha.md: every score of every setting, and the floors that hold.
 /// Returns whether all do.
-bool write_contest(std::size_t frames, bool page);
+/// @param kind  of the arrays; empty: all
+bool write_contest(std::size_t frames, bool page, std::string_view kind = {});
 
 }  // namespace bench

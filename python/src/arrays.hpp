@@ -17,6 +17,8 @@ namespace nb = nanobind;
 
 /// What Python is given.
 using Array = nb::ndarray<nb::numpy, double>;
+/// Somebody else's values, to be read.
+using View = nb::ndarray<nb::numpy, const double>;
 /// What the Python layer hands over, checked and converted: one frame a row.
 using Rows = nb::ndarray<const double, nb::numpy, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "bad_frame.hpp"
+#include "readable.hpp"
 #include "rooms.hpp"
 #include "tactile_net/frames/cannot_create.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
@@ -33,8 +34,9 @@ void raise(const InputError& error) {
   const nb::object type = nb::module_::import_("tactile_net.errors").attr("Diagnostic");
   nb::list diagnostics;
   for (const Diagnostic& one : error.diagnostics())
-    diagnostics.append(type(one.file, one.line, one.column, one.message, one.hint));
-  raise("InputError", std::string(error.what()), nb::tuple(diagnostics));
+    diagnostics.append(
+        type(readable(one.file), one.line, one.column, readable(one.message), readable(one.hint)));
+  raise("InputError", readable(error.what()), nb::tuple(diagnostics));
 }
 
 void raise(const SimulatorError& error) {
@@ -57,13 +59,18 @@ void translate(const std::exception_ptr& thrown, void*) {
   } catch (const BadFrame& error) {
     raise("FrameError", std::string(error.what()), error.frame());
   } catch (const frames::CannotCreate& error) {
-    PyErr_SetString(PyExc_OSError, error.what());
+    PyErr_SetObject(PyExc_OSError, readable(error.what()).ptr());
   } catch (const std::domain_error& error) {
     raise("UnsolvableError", std::string(error.what()));
   }
 }
 
 }  // namespace
+
+nb::str readable(std::string_view text) {
+  return nb::steal<nb::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
+}
 
 void bind_errors() { nb::register_exception_translator(translate); }
 

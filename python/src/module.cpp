@@ -13,7 +13,9 @@ NB_MODULE(_core, module) {
   bind_solving(module);
   bind_run(module);
   bind_survey(module);
+  bind_sweep(module);
   bind_circuit(module);
   bind_plan(module);
   bind_estimator(module);
+  bind_simulated_pad(module);
 }

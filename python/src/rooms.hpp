@@ -11,8 +11,10 @@ void bind_scene(nanobind::module_& module);
 void bind_solving(nanobind::module_& module);
 void bind_run(nanobind::module_& module);
 void bind_survey(nanobind::module_& module);
+void bind_sweep(nanobind::module_& module);
 void bind_circuit(nanobind::module_& module);
 void bind_plan(nanobind::module_& module);
 void bind_estimator(nanobind::module_& module);
+void bind_simulated_pad(nanobind::module_& module);
 
 }  // namespace tactile_net::python

@@ -1,4 +1,5 @@
 // A scene: what it says, what its sensor would read, and the matrices behind it.
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
@@ -7,10 +8,13 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <istream>
 #include <limits>
+#include <map>
 #include <sstream>
 
 #include "arrays.hpp"
+#include "readable.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
 #include "tactile_net/frames/open.hpp"
@@ -23,6 +27,7 @@
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
+#include "tactile_net/scene/units.hpp"
 #include "watcher.hpp"
 
 namespace tactile_net::python {
@@ -115,10 +120,10 @@ std::tuple<Array, Array, Array, std::optional<Array>, std::vector<std::string>> 
 }
 
 /// t or None, the readings of every frame, and what was taken for granted.
-std::tuple<std::optional<Array>, Array, std::vector<std::string>> read(const SharedScene& self,
-                                                                       const std::string& path,
-                                                                       const std::string& columns,
-                                                                       bool accept_missing) {
+using ReadFrames = std::tuple<std::optional<Array>, Array, std::vector<nb::str>>;
+
+ReadFrames read_all(const SharedScene& self, const std::string& path, std::istream* standard_input,
+                    const frames::ReadingsOptions& options) {
   std::vector<double> t;
   std::vector<double> readings;
   std::vector<std::string> notes;
@@ -127,8 +132,7 @@ std::tuple<std::optional<Array>, Array, std::vector<std::string>> read(const Sha
   Watcher watcher;
   {
     const nb::gil_scoped_release released;
-    frames::ReadingsFile file(path, self.scene(), nullptr,
-                              {.columns = columns, .accept_missing = accept_missing});
+    frames::ReadingsFile file(path, self.scene(), standard_input, options);
     frames::FrameSource& source = file.source();
     std::vector<double> frame(width);
     while (source.next(frame)) {
@@ -143,7 +147,28 @@ std::tuple<std::optional<Array>, Array, std::vector<std::string>> read(const Sha
   }
   std::optional<Array> times;
   if (!t.empty()) times = owned(std::move(t));
-  return {std::move(times), owned(std::move(readings), {frames, width}), std::move(notes)};
+  std::vector<nb::str> said;  // a file's own names may be no UTF-8
+  for (const std::string& note : notes) said.push_back(readable(note));
+  return {std::move(times), owned(std::move(readings), {frames, width}), std::move(said)};
+}
+
+ReadFrames read(const SharedScene& self, const std::string& path, const std::string& columns,
+                bool accept_missing) {
+  return read_all(self, path, nullptr, {.columns = columns, .accept_missing = accept_missing});
+}
+
+/// The same of a .npy file in memory; messages call it <stdin>.
+ReadFrames take(const SharedScene& self, const nb::bytes& npy) {
+  std::istringstream in(std::string(npy.c_str(), npy.size()));
+  return read_all(self, "-", &in, {.accept_missing = true});
+}
+
+/// By name, what to multiply and what to divide by for Pa.
+std::map<std::string, std::pair<double, double>> stress_units() {
+  std::map<std::string, std::pair<double, double>> units;
+  for (const Unit& unit : units_of(Dimension::stress))
+    units.emplace(unit.name, std::pair(unit.multiplier, unit.divisor));
+  return units;
 }
 
 Array raw(const SharedScene& self, const Rows& readings) {
@@ -226,9 +251,11 @@ void bind_scene(nb::module_& module) {
            })
       .def("simulate", &simulate, nb::arg("progress").none())
       .def("read", &read, nb::arg("path"), nb::arg("columns"), nb::arg("accept_missing"))
+      .def("take", &take, nb::arg("npy"))
       .def("raw_numbers", &raw, nb::arg("readings").noconvert())
       .def("kernel_matrix", &kernel_matrix)
       .def("normal_matrix", &normal_matrix_of, nb::arg("alpha"));
+  module.def("stress_units", &stress_units);
 }
 
 }  // namespace tactile_net::python

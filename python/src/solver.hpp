@@ -24,6 +24,10 @@ class Solver {
 
   [[nodiscard]] std::size_t tractions() const noexcept { return tractions_; }
 
+  /// M, traction by reading, where one product is the answer: the solver's own memory, which
+  /// `owner`, its Python object, keeps. @throw std::invalid_argument  it is not one product
+  [[nodiscard]] View matrix(nb::handle owner) const;
+
   /// A row of tractions for each row of readings. @throw BadFrame
   [[nodiscard]] Array solve(const Rows& readings);
 

@@ -5,6 +5,7 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 
@@ -31,6 +32,17 @@ Array Solver::solve(const Rows& readings) {
     }
   }
   return owned(std::move(tractions), {frames, tractions_});
+}
+
+View Solver::matrix(nb::handle owner) const {
+  const Reconstruction* product = solver_->product();
+  if (product == nullptr)
+    throw std::invalid_argument(
+        "the answer is not one matrix here: that takes tikhonov or closed_form, a given alpha and "
+        "tangential weight, no constraints, and less than 1024 tractions");
+  const Matrix& transposed = product->transposed();
+  const auto row = static_cast<std::int64_t>(transposed.columns);
+  return {transposed.values.data(), {transposed.columns, transposed.rows}, owner, {1, row}};
 }
 
 namespace {
@@ -130,6 +142,8 @@ void bind_solving(nb::module_& module) {
           },
           nb::arg("scene"), nb::arg("method"), nb::arg("alpha").none())
       .def_prop_ro("tractions", &Solver::tractions)
+      .def_prop_ro("matrix",
+                   [](nb::handle self) { return nb::cast<const Solver&>(self).matrix(self); })
       .def("solve", &Solver::solve, nb::arg("readings").noconvert());
   nb::class_<SolvedRecording>(module, "SolvedRecording")
       .def("tractions",

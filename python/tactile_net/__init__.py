@@ -7,13 +7,15 @@ docs/python.md has it all; docs/scene.md says what a scene is. All numbers are i
 else in those of the scene; arrays are float64.
 """
 
-from . import errors, plot
+from . import errors, logs, mujoco, plot
 from ._circuit import Certification, Relaxation, Survey
 from ._controller import ContactEstimate, Estimator, Plan
 from ._core import version as __version__
+from ._files import load
 from ._recording import Recording, Solution
 from ._result import MethodResult, Result, run
 from ._scene import Scene, Sites, Solver
+from ._sweep import Study, SweepTable, merge, slurm_script, sweep
 from ._tables import (
     Contact,
     Cylinder,
@@ -27,12 +29,13 @@ from ._tables import (
     Timing,
     Wedge,
 )
-from .errors import Diagnostic, FrameError, InputError, SimulatorError, UnsolvableError
+from .errors import CutOffWarning, Diagnostic, FrameError, InputError, SimulatorError, UnsolvableError
 
 __all__ = [
     "Certification",
     "Contact",
     "ContactEstimate",
+    "CutOffWarning",
     "Cylinder",
     "Diagnostic",
     "Estimator",
@@ -55,12 +58,20 @@ __all__ = [
     "Sites",
     "Solution",
     "Solver",
+    "Study",
     "Survey",
+    "SweepTable",
     "Timing",
     "UnsolvableError",
     "Wedge",
     "__version__",
     "errors",
+    "load",
+    "logs",
+    "merge",
+    "mujoco",
     "plot",
     "run",
+    "slurm_script",
+    "sweep",
 ]

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from . import _core, _html
 from ._arrays import Floats
-from ._documents import parsed
+from ._documents import Document, PagedDocument
 from ._progress import Progress, listening
 
 if TYPE_CHECKING:
@@ -16,7 +15,7 @@ if TYPE_CHECKING:
 __all__ = ["Certification", "Relaxation", "Survey"]
 
 
-class Survey:
+class Survey(PagedDocument):
     """What a scene's sensors can tell, beside what others in their place could. Made by `Scene.identify`."""
 
     scene: Scene
@@ -33,7 +32,7 @@ class Survey:
         self.scene = scene
         self._options = traction, noise
         core = self._identify(progress)
-        self._core: _core.Survey | None = core
+        self._core = core
         self.normal, self.tangential, self.hides = core.normal, core.tangential, core.hides
         self.words = tuple(core.words())
         self._cells = core.cells()
@@ -43,27 +42,14 @@ class Survey:
         with listening(progress) as heard:
             return _core.identify(self.scene._core, *self._options, heard)
 
-    def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__ | {"_core": None}
+    def _drawable(self) -> _core.Survey:
+        return self._core or self._identify()
 
     @property
     def table(self) -> list[dict[str, str]]:
         """The scene's sensors and the alternatives, a row each, by the names of the columns."""
         head, *rows = self._cells
         return [dict(zip(head, row)) for row in rows]
-
-    def to_json(self) -> str:
-        """As `tactile-net identify --json` writes it."""
-        return self._json
-
-    def to_dict(self) -> dict[str, Any]:
-        return parsed(self._json)
-
-    def report(self, folder: str | PathLike[str], *, force: bool = False) -> str:
-        """Writes the page of `tactile-net identify --out`, and returns the path of report.html."""
-        self._core = self._core or self._identify()
-        self._core.report(fspath(folder), force)
-        return f"{fspath(folder)}/report.html"
 
     def __str__(self) -> str:
         return "\n".join(self.words)
@@ -72,7 +58,7 @@ class Survey:
         return _html.paragraphs(self.words) + _html.table(self._cells)
 
 
-class Certification:
+class Certification(PagedDocument):
     """What can be said of a scene's circuit before it is built. Made by `Scene.certify`."""
 
     scene: Scene
@@ -87,7 +73,7 @@ class Certification:
     def __init__(self, scene: Scene, progress: Progress = False) -> None:
         self.scene = scene
         core = self._certify(progress)
-        self._core: _core.Certification | None = core
+        self._core = core
         self.realization, self.stability = core.realization, core.stability
         self.tolerance_margin, self.settling_seconds = core.tolerance_margin, core.settling_seconds
         self._text = core.text()
@@ -97,21 +83,8 @@ class Certification:
         with listening(progress) as heard:
             return _core.certify(self.scene._core, heard)
 
-    def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__ | {"_core": None}
-
-    def to_json(self) -> str:
-        """As `tactile-net certify --json` writes it."""
-        return self._json
-
-    def to_dict(self) -> dict[str, Any]:
-        return parsed(self._json)
-
-    def report(self, folder: str | PathLike[str], *, force: bool = False) -> str:
-        """Writes the page of `tactile-net certify --out`, and returns the path of report.html."""
-        self._core = self._core or self._certify()
-        self._core.report(fspath(folder), force)
-        return f"{fspath(folder)}/report.html"
+    def _drawable(self) -> _core.Certification:
+        return self._core or self._certify()
 
     def __str__(self) -> str:
         return self._text
@@ -120,7 +93,7 @@ class Certification:
         return _html.preformatted(self._text)
 
 
-class Relaxation:
+class Relaxation(Document):
     """What ngspice made of a scene's circuit, beside the direct solve. Made by `Scene.relax`."""
 
     scene: Scene
@@ -143,13 +116,6 @@ class Relaxation:
         self.tractions = core.tractions().reshape(-1, len(scene.y))
         self._text = core.text()
         self._json = core.json()
-
-    def to_json(self) -> str:
-        """As `tactile-net relax --json` writes it."""
-        return self._json
-
-    def to_dict(self) -> dict[str, Any]:
-        return parsed(self._json)
 
     def __str__(self) -> str:
         return self._text

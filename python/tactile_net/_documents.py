@@ -1,12 +1,44 @@
-"""JSON documents as dictionaries."""
+"""What the command writes of a result: JSON, and a page."""
 
 from __future__ import annotations
 
+from os import PathLike, fspath
 from typing import Any
 
 
-def parsed(text: str) -> dict[str, Any]:
-    import json  # here, since it takes as long to import as this package does
+class Document:
+    """A result that has the JSON of its command."""
 
-    document: dict[str, Any] = json.loads(text)
-    return document
+    _json: str
+
+    def to_json(self) -> str:
+        """As the command's `--json` writes it, without times."""
+        return self._json
+
+    def to_dict(self) -> dict[str, Any]:
+        import json  # here, since it takes as long to import as this package does
+
+        document: dict[str, Any] = json.loads(self._json)
+        return document
+
+
+class PagedDocument(Document):
+    """One with a page, which its core draws: that is not pickled, but made again."""
+
+    _core: Any | None
+
+    def _drawable(self) -> Any:
+        """The core, fit to draw the page."""
+        raise NotImplementedError
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_core": None}
+
+    def report(self, folder: str | PathLike[str], *, force: bool = False) -> str:
+        """Writes the page that the command's `--out` writes, and returns the path of report.html.
+
+        Raises OSError where a report.html stands that tactile-net has not written, unless `force`.
+        """
+        self._core = self._drawable()
+        self._core.report(fspath(folder), force)
+        return f"{fspath(folder)}/report.html"

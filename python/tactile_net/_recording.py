@@ -15,7 +15,7 @@ from ._optional import optional
 from ._progress import Progress, listening
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import DTypeLike, NDArray
 
     from ._scene import Scene
 
@@ -58,21 +58,54 @@ class Recording:
         """As `Scene.solve`."""
         return self.scene.solve(self, method, **options)
 
+    def save(
+        self, path: str | PathLike[str], *, name: str = "pad", dtype: DTypeLike = np.float64, append: bool = False
+    ) -> None:
+        """A file that `tactile_net.load` reads: .npz, .csv, .h5, .parquet, .mcap; .npy of the readings alone.
+
+        All but .npy hold the scene, units, times and the truth. The file is whole or not there.
+        name: of the group in HDF5, the column in Parquet, the topic in MCAP. append: to an HDF5 file that holds others.
+        dtype: "float32" takes half the space, of numbers up to 3e38.
+        Raises ValueError where the container cannot hold the recording, or its times go back.
+        """
+        from . import _files
+
+        _files.save(self, path, name, dtype, append)
+
     def to_xarray(self) -> Any:
-        """An xarray.Dataset: `readings` over (t, channel, taxel), `truth` over (t, component, y)."""
+        """An xarray.Dataset: `readings` over (t, channel, taxel), `truth` over (t, component, y).
+
+        Without times t counts the frames.
+        """
+        from ._layout import layout_of
+
         xarray = optional("xarray", "tables")
         scene = self.scene
         t = np.arange(len(self), dtype=float) if self.t is None else self.t
+        times = ("t", t, {"units": "frame" if self.t is None else "s"})
         if scene.even:
             variables: dict[str, Any] = {"readings": (("t", "channel", "taxel"), self.readings)}
-            coordinates = {"t": t, "channel": list(scene.channels), "taxel": scene.taxels}
+            coordinates = {"t": times, "channel": list(scene.channels), "taxel": scene.taxels}
         else:
             variables = {"readings": (("t", "reading"), self.readings)}
-            coordinates = {"t": t, "reading": list(scene.reading_names)}
+            coordinates = {"t": times, "reading": list(scene.reading_names)}
         if self.truth is not None:
             variables["truth"] = (("t", "component", "y"), self.truth)
             coordinates |= {"component": list(_COMPONENTS[: self.truth.shape[1]]), "y": scene.y}
-        return xarray.Dataset(variables, coordinates, {"scene": scene.text})
+        return xarray.Dataset(variables, coordinates, layout_of(self).attributes)
+
+    @classmethod
+    def from_xarray(cls, dataset: Any, *, scene: Scene | None = None, units: Any = None) -> Recording:
+        """The recording of a Dataset as `to_xarray` makes it; scene, units: of another's, as of `tactile_net.load`."""
+        from ._judge import judged
+        from ._layout import Layout
+
+        attributes = {key: str(value) for key, value in dataset.attrs.items()}
+        held = dataset.transpose("t", "channel", "taxel", "reading", "component", "y", missing_dims="ignore")
+        arrays = {key: held[key].values for key in ("readings", "truth") if key in dataset}
+        if "t" in dataset.coords and dataset["t"].attrs.get("units") != "frame":
+            arrays["t"] = dataset["t"].values
+        return judged(Layout(arrays, attributes), "dataset", scene, units, True)
 
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame, a frame a row, a reading a column, over t."""
@@ -129,6 +162,30 @@ class Solution:
 
     def __getstate__(self) -> dict[str, Any]:
         return self.__dict__ | {"_core": None}
+
+    @classmethod
+    def _restored(cls, **state: Any) -> Solution:
+        solution = cls.__new__(cls)
+        solution.__dict__.update(state, _core=None)
+        return solution
+
+    def save(
+        self, path: str | PathLike[str], *, name: str = "pad", dtype: DTypeLike = np.float64, append: bool = False
+    ) -> None:
+        """As `Recording.save`, with tractions, verdicts and alpha beside the recording: .npz, .h5, .parquet.
+
+        .mcap is for viewers: tractions and force are topics beside that of the readings.
+        """
+        from . import _files
+
+        _files.save(self, path, name, dtype, append)
+
+    @classmethod
+    def load(cls, path: str | PathLike[str], *, name: str | None = None) -> Solution:
+        """What `save` wrote, without solving again. Raises InputError where the file holds no solution."""
+        from . import _files
+
+        return _files.load_solution(path, name)
 
     @property
     def scene(self) -> Scene:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
-from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _core, _html
 from ._arrays import Floats
-from ._documents import parsed
+from ._documents import PagedDocument
 from ._optional import optional
 from ._progress import Progress, listening
 
@@ -64,7 +63,7 @@ class MethodResult:
         return self.tractions[1] if self.tractions is not None and len(self.tractions) > 1 else None
 
 
-class Result:
+class Result(PagedDocument):
     """Every method's answer beside the truth. `result["tikhonov"]` is one of them."""
 
     scene: Scene
@@ -84,7 +83,7 @@ class Result:
         self.frame = frame
         self._compare_rules = compare_rules
         core = self._run(False, progress)
-        self._core: _core.Experiment | None = core
+        self._core = core
         self._drawn = False
         truth = core.truth()
         assert truth is not None, "a scene has a surface"
@@ -104,8 +103,13 @@ class Result:
         with listening(progress) as heard:
             return _core.run(self.scene._core, self.frame, self._compare_rules, report, heard)
 
+    def _drawable(self) -> _core.Experiment:
+        if self._core is None or (self.scene.timing is not None and not self._drawn):
+            self._core, self._drawn = self._run(True), True  # over the scene's time too
+        return self._core
+
     def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__ | {"_core": None, "_drawn": False}
+        return super().__getstate__() | {"_drawn": False}
 
     @property
     def y(self) -> Floats:
@@ -114,13 +118,6 @@ class Result:
 
     def __getitem__(self, method: str) -> MethodResult:
         return self.methods[method]
-
-    def to_json(self) -> str:
-        """As `tactile-net run --json` writes it, without times."""
-        return self._json
-
-    def to_dict(self) -> dict[str, Any]:
-        return parsed(self._json)
 
     def to_dataframe(self) -> Any:
         """A method a row: verdict, alpha, force, errors."""
@@ -144,16 +141,6 @@ class Result:
             {"by": list(found), "component": ["normal", "tangential"][:components], "y": self.y},
             {"scene": self.scene.text},
         )
-
-    def report(self, folder: str | PathLike[str], *, force: bool = False) -> str:
-        """Writes the page that `tactile-net run --out` writes, and returns the path of report.html.
-
-        Raises OSError where a report.html stands that tactile-net has not written, unless `force`.
-        """
-        if self._core is None or (self.scene.timing is not None and not self._drawn):
-            self._core, self._drawn = self._run(True), True  # over the scene's time too
-        self._core.report(fspath(folder), force)
-        return f"{fspath(folder)}/report.html"
 
     def __str__(self) -> str:
         return self._text

@@ -65,6 +65,36 @@ class Solver:
         solution = scene.solve(rows, self.method)
         return solution.tractions.reshape(*lead, *solution.tractions.shape[1:]), solution
 
+    @property
+    def matrix(self) -> Floats:
+        """M: tractions are M g. (U*M, R), read-only: the solver's own memory, which is not copied.
+
+        Raises ValueError where the answer is not one product: alpha by a rule, constraints, dft, 1024 tractions and more.
+        """
+        return self._core.matrix
+
+    def vjp(self, gradient: Any) -> Floats:
+        """(..., U, M), what a loss changes by with each traction, to (..., C, N): with each reading. M' gradient."""
+        values = len(self.scene.y)
+        rows, lead = frames_of(gradient, (self._core.tractions // values, values), "gradient")
+        return np.asarray((rows @ self.matrix).reshape(*lead, *self.scene.reading_shape))
+
+    def alpha_derivative(self, readings: Any) -> Floats:
+        """(..., C, N) readings to (..., U, M): what the tractions change by with log(alpha) [Pa].
+
+        With P = (WK)'(WK) + alpha L'L it is -alpha P^-1 L'L f, and that is the method, less what it makes of its own
+        tractions' readings: -M (g - K f).
+        """
+        matrix = self.matrix
+        rows, lead = frames_of(readings, self.scene.reading_shape)
+        tractions = rows @ matrix.T
+        left = rows - tractions @ self._kernel.T
+        return np.asarray((left @ -matrix.T).reshape(*lead, -1, len(self.scene.y)))
+
+    @cached_property
+    def _kernel(self) -> Floats:
+        return self.scene.kernel_matrix()
+
     def __reduce__(self) -> tuple[Any, ...]:
         return Solver, (self.scene, self.method, self.alpha)
 

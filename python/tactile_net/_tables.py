@@ -132,10 +132,13 @@ class Reconstruct:
     spacing: float | None = None
     margin: float | None = None
     smoothing_length: float | None = None
+    tangential_weight: float | str | None = None
+    offset: bool | None = None
     noise_gain_limit: float | None = None
     tangential: bool | None = None
     nonnegative: bool | None = None
     friction_limit: float | None = None
+    alpha_on_active_set: bool | None = None
     contact_friction: float | None = None
 
 

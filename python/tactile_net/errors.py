@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-__all__ = ["Diagnostic", "FrameError", "InputError", "SimulatorError", "UnsolvableError"]
+__all__ = ["CutOffWarning", "Diagnostic", "FrameError", "InputError", "SimulatorError", "UnsolvableError"]
 
 
 @dataclass(frozen=True)
@@ -54,3 +54,7 @@ class SimulatorError(RuntimeError):
 
     def __str__(self) -> str:
         return str(self.args[0])
+
+
+class CutOffWarning(UserWarning):
+    """A file breaks off: what is whole of it was read, and its text says how many frames that is."""

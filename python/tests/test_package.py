@@ -28,7 +28,7 @@ def test_numpy_is_all_that_is_needed() -> None:
     asked = importlib.metadata.requires("tactile-net") or []
     assert [one for one in asked if "extra ==" not in one] == ["numpy>=1.26"]
     script = "import sys, tactile_net; print(*sorted({m.partition('.')[0] for m in sys.modules} & set(sys.argv[1:])))"
-    others = ["matplotlib", "pandas", "xarray", "tqdm"]
+    others = ["matplotlib", "mujoco", "pandas", "xarray", "tqdm", "h5py", "pyarrow", "mcap", "rosbags"]
     done = subprocess.run([sys.executable, "-c", script, *others], capture_output=True, text=True, check=True)
     assert done.stdout.split() == []
 

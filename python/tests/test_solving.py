@@ -223,3 +223,44 @@ def test_threads_share_a_scene(two: tn.Scene) -> None:
     for thread in threads:
         thread.join()
     assert len(answers) == 20 and all(np.array_equal(answer, expected) for answer in answers)
+
+
+def test_a_solver_shows_its_matrix_without_a_copy(two: tn.Scene) -> None:
+    solver = two.solver()
+    matrix = solver.matrix
+    assert matrix.shape == (2 * len(two.y), 42) and not matrix.flags.owndata and not matrix.flags.writeable
+    assert np.shares_memory(matrix, solver.matrix)
+    readings = two.simulate().readings[-1]
+    assert matrix @ readings.ravel() == pytest.approx(solver(readings).ravel(), rel=1e-10, abs=1e-9)
+    del solver
+    assert np.isfinite(matrix).all(), "the view keeps its solver"
+
+
+@pytest.mark.parametrize("method", ["tikhonov", "closed_form"])
+def test_gradients_go_backwards_through_a_solver(two: tn.Scene, method: str) -> None:
+    solver = two.solver(method)
+    readings = two.simulate().readings
+    weights = np.random.default_rng(1).normal(size=solver(readings).shape)
+    gradient = solver.vjp(weights)
+    assert gradient.shape == readings.shape
+    step = np.random.default_rng(2).normal(size=readings.shape)
+    change = ((solver(readings + step) - solver(readings - step)) / 2 * weights).sum()
+    assert (gradient * step).sum() == pytest.approx(change, rel=1e-9)
+
+
+def test_gradients_go_backwards_to_alpha(two: tn.Scene) -> None:
+    readings = two.simulate().readings
+    alpha, step = 1e-3, 1e-4
+    up, down = (two.solver(alpha=alpha * np.exp(side * step))(readings) for side in (1, -1))
+    found = two.solver(alpha=alpha).alpha_derivative(readings)
+    assert found.shape == up.shape
+    assert found == pytest.approx((up - down) / (2 * step), abs=1e-6 * np.abs(found).max())
+
+
+def test_what_has_no_matrix_says_so(scene: tn.Scene) -> None:
+    ruled = scene.replace({"reconstruct.alpha": "gcv"})
+    for solver in (ruled.solver(), scene.solver("dft"), scene.replace({"reconstruct.nonnegative": True}).solver()):
+        with pytest.raises(ValueError, match="the answer is not one matrix here"):
+            solver.matrix
+    with pytest.raises(ValueError, match=r"gradient must be of shape \(..., 1, 21\)"):
+        scene.solver().vjp(np.zeros(20))

@@ -6,6 +6,7 @@
 
 #include "control/product_planner.hpp"
 #include "inverse/significance.hpp"
+#include "inverse/weighting.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
@@ -96,10 +97,12 @@ ProductTask reconstruction_task(const InverseProblem& problem, const Reconstruct
   return task;
 }
 
-/// W K M W^-1, eigenvalues in [0, 1): the readings that the tractions explain.
-ProductTask prediction_task(const ProductTask& reconstruction) {
+/// W K M W^-1, eigenvalues in [0, 1): the readings that the tractions explain, and the constants
+/// where they are free.
+ProductTask prediction_task(const ProductTask& reconstruction, const Weighting& weighting) {
   ProductTask task;
-  task.matrix = reconstruction.explained * reconstruction.matrix;
+  task.matrix = reconstruction.explained * reconstruction.matrix +
+                weighting.constants() * weighting.constants().transpose();
   task.row_factors = reconstruction.column_factors.cwiseInverse();
   task.column_factors = reconstruction.column_factors;
   task.row_signs = reconstruction.column_signs;
@@ -119,10 +122,9 @@ double force_deviation(const InverseProblem& problem, double alpha) {
 }
 
 /// What the rms of that many readings of white noise exceeds once in 1000 frames, per unit of it.
-double noise_limit(const std::vector<double>& weights) {
-  const auto rows = static_cast<double>(
-      std::count_if(weights.begin(), weights.end(), [](double weight) { return weight > 0.0; }));
-  return std::sqrt(chi_squared_limit(rows, 1e-3) / rows);
+double noise_limit(const Weighting& weighting) {
+  const auto live = static_cast<double>((weighting.weights().array() > 0.0).count());
+  return std::sqrt(chi_squared_limit(static_cast<double>(weighting.rows()), 1e-3) / live);
 }
 
 std::string why_no_fft(const InverseProblem& problem, const ProductTask& task,
@@ -181,13 +183,14 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
   plan.traction_limit = options.traction_limit;
   if (options.noise_rms > 0.0) {
     plan.force_deviation = options.noise_rms * force_deviation(problem, alpha);
-    if (options.diagnostics) plan.residual_limit = options.noise_rms * noise_limit(problem.weights);
+    if (options.diagnostics)
+      plan.residual_limit = options.noise_rms * noise_limit(Weighting(problem));
   }
   plan.friction_coefficient = options.friction_coefficient;
   plan.ranges = options.ranges;
 
   if (options.diagnostics) {
-    const ProductTask prediction = prediction_task(task);
+    const ProductTask prediction = prediction_task(task, Weighting(problem));
     plan.prediction = plan_product(prediction).plan;
     constexpr double most = 1.0 - 1e-12;
     for (Eigen::Index i = 0; i < prediction.matrix.rows(); ++i)

@@ -4,9 +4,8 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
-#include "elasticity/hooke.hpp"
+#include "elasticity/cauchy_weights.hpp"
 #include "elasticity/layer_correction.hpp"
 #include "numeric/require.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
@@ -15,7 +14,6 @@
 namespace tactile_net {
 namespace {
 
-using std::numbers::pi;
 using Complex = std::complex<double>;
 
 constexpr double widest_part = 4.0;  // half width of a hat with interpolants of its own, in layers
@@ -70,20 +68,9 @@ HatKernel::HatKernel(Quantity quantity, Traction component, const Material& mate
   check(material);
   check_depth(material, depth);
   require_positive("half_width", half_width);
-
-  // Even readings are made of -Im C and depth Re C', odd ones of Re C and depth Im C', so that
-  // Hooke's law cancels in the weights, before any value is rounded.
-  const bool normal = component == Traction::normal;
-  potential_ = read(quantity,
-                    normal ? Stress<double>{.x = 1.0, .y = 1.0, .shear = 0.0}
-                           : Stress<double>{.x = 0.0, .y = 2.0, .shear = 1.0},
-                    material) /
-               pi;
-  slope_ = read(quantity,
-                normal ? Stress<double>{.x = 1.0, .y = -1.0, .shear = 1.0}
-                       : Stress<double>{.x = 1.0, .y = -1.0, .shear = -1.0},
-                material) /
-           pi;
+  const CauchyWeights weights = cauchy_weights(quantity, component, material);
+  potential_ = weights.potential;
+  slope_ = weights.slope;
   if (!material.layer) return;
   const double thickness = material.layer->thickness;
   parts_ = std::ceil(half_width / (widest_part * thickness));
@@ -99,9 +86,8 @@ double HatKernel::half_plane(double u) const noexcept {
       return half_plane_kernel(quantity_, component_, material_, depth_, y);
     });
   const auto [potential, slope] = cauchy(u, depth_, part_width_);
-  const double share = slope_ * (depth_ / part_width_);
-  return is_odd(quantity_, component_) ? potential_ * potential.real() + share * slope.imag()
-                                       : share * slope.real() - potential_ * potential.imag();
+  const CauchyWeights weights{potential_, slope_, is_odd(quantity_, component_)};
+  return weights.reading(potential, slope, depth_ / part_width_);
 }
 
 double HatKernel::part(double u) const noexcept {

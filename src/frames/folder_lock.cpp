@@ -27,7 +27,9 @@ fs::path lock_file(const fs::path& folder) {
 FolderLock::FolderLock(const fs::path& folder) {
   const auto owner = lock_.take(lock_file(folder));
   if (!owner) return;
-  const std::string who = *owner == 0 ? "another process" : "process " + std::to_string(*owner);
+  const std::string who =
+      (owner->process == 0 ? "another process" : "process " + std::to_string(owner->process)) +
+      (owner->host.empty() ? "" : " on " + owner->host);
   throw CannotCreate(folder.string() + ": error: " + who +
                      " is writing results into this folder: wait for its end, or name another "
                      "folder");

@@ -7,6 +7,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "numeric/finite.hpp"
 #include "tactile_net/sensing/surface.hpp"
@@ -27,6 +28,14 @@ inline void require_at_taxels(const SurfaceOptions& surface) {
         "dft divides the readings' spectrum by the kernel's, and so needs a traction at every "
         "taxel "
         "and nowhere else: surface = \"taxels\"");
+}
+
+/// @param what  each of which would have constants of its own: "sections of an array"
+/// @throw std::invalid_argument  offsets are unknown
+inline void require_known_offsets(bool unknown_offsets, std::string_view what) {
+  if (unknown_offsets)
+    throw std::invalid_argument(std::string(what) +
+                                " cannot tell an unknown offset: leave out offset = true");
 }
 
 /// @throw std::invalid_argument  there is not one reading per row of the problem

@@ -38,7 +38,9 @@ Matrix edges(const InverseProblem& problem, const Constraints& constraints) {
 }
 
 struct ConstrainedTikhonov::System {
-  Eigen::VectorXd weights;
+  explicit System(const InverseProblem& problem) : weighting(problem) {}
+
+  Weighting weighting;
   Eigen::MatrixXd edges;
   Eigen::MatrixXd q;         // the first rows of the orthonormal factor, for the readings
   Eigen::MatrixXd triangle;  // of the stacked matrix times edges, columns of unit norm
@@ -48,10 +50,9 @@ struct ConstrainedTikhonov::System {
 
 ConstrainedTikhonov::ConstrainedTikhonov(const InverseProblem& problem, double alpha,
                                          const Constraints& constraints)
-    : system_(std::make_unique<System>()) {
+    : system_(std::make_unique<System>(problem)) {
   check_alpha(alpha);
   System& s = *system_;
-  s.weights = as_eigen(std::span(problem.weights));
   s.edges = as_eigen(tactile_net::edges(problem, constraints));
   Eigen::MatrixXd a = stacked(problem, alpha) * s.edges;
   s.norms = a.colwise().norm();
@@ -75,10 +76,10 @@ ConstrainedTikhonov& ConstrainedTikhonov::operator=(ConstrainedTikhonov&&) noexc
 ConstrainedSolution ConstrainedTikhonov::solve(std::span<const double> readings,
                                                std::size_t iteration_limit) const {
   const System& s = *system_;
-  if (std::ssize(readings) != s.weights.size()) return {.status = FrameStatus::wrong_size};
+  if (std::ssize(readings) != s.weighting.size()) return {.status = FrameStatus::wrong_size};
   if (!all_finite(readings)) return {.status = FrameStatus::not_finite};
 
-  Eigen::VectorXd g = s.weights.cwiseProduct(as_eigen(readings));
+  Eigen::VectorXd g = s.weighting(readings);
   const double scale = g.cwiseAbs().maxCoeff();
   if (!std::isfinite(scale)) return {.status = FrameStatus::too_large};
   if (scale > 0.0) g = g / scale;

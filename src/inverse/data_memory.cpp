@@ -30,13 +30,15 @@ void DataMemory::Kept::keep(const Eigen::MatrixXd& columns, const Eigen::MatrixX
   constexpr double dependent = 1e-10;
   const Svd svd = singular_value_decomposition(columns);
   if (!(svd.values.minCoeff() > dependent * svd.values(0))) return;
-  const Eigen::MatrixXd rest = constants - svd.u * (svd.u.transpose() * constants);
-  const Svd added = singular_value_decomposition(rest);
-  const Eigen::Index rank = (added.values.array() > dependent).count();
+  Eigen::MatrixXd added = constants - svd.u * (svd.u.transpose() * constants);
+  if (added.cols() > 0) {
+    const Svd rest = singular_value_decomposition(added);
+    added = rest.u.leftCols((rest.values.array() > dependent).count());
+  }
   if (sets.size() == most) sets.pop_back();
   sets.insert(sets.begin(),
-              {columns, svd.v * svd.values.cwiseInverse().asDiagonal() * svd.u.transpose(),
-               added.u.leftCols(rank), leaves_an_end});
+              {columns, svd.v * svd.values.cwiseInverse().asDiagonal() * svd.u.transpose(), added,
+               leaves_an_end});
 }
 
 }  // namespace tactile_net

@@ -11,6 +11,7 @@
 #include "inverse/data_memory.hpp"
 #include "inverse/nonnegative.hpp"
 #include "inverse/significance.hpp"
+#include "inverse/weighting.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 
@@ -71,15 +72,16 @@ struct DataJudge::Parts {
   std::vector<Site> sites;
   std::size_t taxels, values;
   std::ptrdiff_t components;  // normal, or the tangential one too
-  Eigen::VectorXd weights;
+  Weighting weighting;
+  Eigen::VectorXd weights;              // over the unit
   Eigen::MatrixXd kernel;               // W K
   Eigen::MatrixXd cone;                 // W K E, columns of unit norm
-  double rows = 0.0;                    // with a weight
+  double rows;                          // independent ones
   double most = 0.0;                    // limit(0)
-  double constant_gain = 0.0;           // square that a constant in each channel takes of noise
+  double constant_gain;                 // square that a constant in each channel takes of noise
   std::vector<Side> places{};           // of the values of contacts
   std::vector<Side> found_places{};     // of the values of tractions
-  std::vector<std::size_t> channels{};  // with a live row
+  std::vector<std::size_t> channels{};  // with a live row; none where their offsets are free
 };
 
 DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& contacts,
@@ -90,8 +92,11 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
       taxels(problem.taxels),
       values(problem.surface.count),
       components(static_cast<std::ptrdiff_t>(problem.unknowns)),
-      weights(as_eigen(std::span(problem.weights))),
-      kernel(as_eigen(problem.kernel)) {
+      weighting(problem),
+      weights(weighting.weights()),
+      kernel(as_eigen(problem.kernel)),
+      rows(static_cast<double>(weighting.rows())),
+      constant_gain(std::numeric_limits<double>::infinity()) {
   const auto require = [](bool holds, const char* rule) {
     if (!holds) throw std::invalid_argument(rule);
   };
@@ -105,7 +110,8 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
           (limits.largest_readings.size() == problem.weights.size() &&
            std::all_of(limits.largest_readings.begin(), limits.largest_readings.end(), positive)),
       "largest_readings needs one value > 0 per row, or none");
-  require(contacts.weights == problem.weights && contacts.unknowns == problem.unknowns,
+  require(contacts.weights == problem.weights && contacts.unknowns == problem.unknowns &&
+              contacts.unknown_offsets == problem.unknown_offsets,
           "contacts need the rows and unknowns of the problem");
 
   weights /= unit;
@@ -118,14 +124,13 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
   for (Eigen::Index j = 0; j < cone.cols(); ++j) {
     if (const double norm = cone.col(j).norm(); norm > 0.0) cone.col(j) /= norm;
   }
-  for (std::size_t i = 0; i < problem.weights.size(); ++i) {
-    if (problem.weights[i] == 0.0) continue;
-    rows += 1.0;
-    const std::size_t channel = sites[i].channel;
-    if (channels.empty() || channels.back() != channel) channels.push_back(channel);
-  }
+  for (std::size_t i = 0; i < problem.weights.size() && !problem.unknown_offsets; ++i)
+    if (const std::size_t channel = sites[i].channel;
+        problem.weights[i] != 0.0 && (channels.empty() || channels.back() != channel))
+      channels.push_back(channel);
   most = limit(0.0);
-  constant_gain = chi_squared_limit(static_cast<double>(channels.size()), 0.1 * false_alarms);
+  if (!channels.empty())
+    constant_gain = chi_squared_limit(static_cast<double>(channels.size()), 0.1 * false_alarms);
 }
 
 std::vector<DataJudge::Parts::Side> DataJudge::Parts::sides(const Surface& surface) const {
@@ -177,15 +182,21 @@ Eigen::VectorXd DataJudge::Parts::nearest_contact(std::span<const double> f) con
   return contact;
 }
 
+/// Of readings without their offsets, where these are free.
 double DataJudge::Parts::strain(std::span<const double> g, std::span<const double> f) const {
   double largest = 0.0;
   if (limits.largest_traction) {
     const double sum = std::accumulate(f.begin(), f.begin() + std::ssize(f) / components, 0.0);
     largest = std::abs(sum) / static_cast<double>(values) / *limits.largest_traction;
   }
-  for (std::size_t i = 0; i < limits.largest_readings.size(); ++i)
-    if (weights(static_cast<Eigen::Index>(i)) > 0.0)
-      largest = std::max(largest, std::abs(g[i]) / limits.largest_readings[i]);
+  const bool free = weighting.constants().cols() > 0;
+  const Eigen::VectorXd left = free ? weighting(g) : Eigen::VectorXd();
+  for (std::size_t i = 0; i < limits.largest_readings.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (!(weights(row) > 0.0)) continue;
+    const double reading = free ? left(row) / weighting.weights()(row) : g[i];
+    largest = std::max(largest, std::abs(reading) / limits.largest_readings[i]);
+  }
   return largest;
 }
 
@@ -202,6 +213,7 @@ Freedom DataJudge::Parts::without(std::size_t taxel) const {
   Freedom freedom{.columns = Eigen::MatrixXd::Zero(weights.size(), std::ssize(at))};
   for (Eigen::Index j = 0; j < std::ssize(at); ++j)
     freedom.columns(at[static_cast<std::size_t>(j)], j) = 1.0;
+  freedom.columns = weighting.projected(freedom.columns);
   return freedom;
 }
 
@@ -257,7 +269,7 @@ Fit DataJudge::Parts::with_constants(const Eigen::VectorXd& y, Freedom freedom) 
 /// pressed.
 void DataJudge::Parts::look_for_constant(const Eigen::VectorXd& y, const Eigen::VectorXd& contact,
                                          DataVerdict& verdict) const {
-  if (!limits.inner) return;
+  if (!limits.inner || channels.empty()) return;
   const auto constants = static_cast<double>(channels.size());
   const Freedom freedom = constant_in_each_channel();
   Eigen::VectorXd inner = contact;
@@ -344,13 +356,17 @@ void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double>
     by_taxel = rest.norm;
     verdict.taxel = taxel;
   }
-  const auto constants = static_cast<double>(channels.size());
-  const Freedom freedom = constant_in_each_channel();
-  const Fit constant = with_constants(y, freedom);
-  const double by_constant = limits.inner && gains(constant, constants, false_alarms)
-                                 ? constant.norm
-                                 : std::numeric_limits<double>::infinity();
-  const double far = chi_squared_limit(constants, false_alarms);
+  Freedom freedom;
+  Fit constant;
+  double by_constant = std::numeric_limits<double>::infinity();
+  double far = 0.0;
+  if (limits.inner && !channels.empty()) {
+    const auto constants = static_cast<double>(channels.size());
+    freedom = constant_in_each_channel();
+    constant = with_constants(y, freedom);
+    far = chi_squared_limit(constants, false_alarms);
+    if (gains(constant, constants, false_alarms)) by_constant = constant.norm;
+  }
   if (by_constant * by_constant + far < by_taxel * by_taxel) verdict.taxel.reset();
   if (verdict.taxel) verdict.doubts.push_back(DataDoubt::bad_taxel);
   if (by_constant * by_constant <= by_taxel * by_taxel + far && std::isfinite(by_constant))
@@ -381,7 +397,7 @@ DataVerdict DataJudge::judge(std::span<const double> readings, std::span<const d
     verdict.doubts.push_back(DataDoubt::implausible);
     return verdict;
   }
-  const Eigen::VectorXd y = p.weights.cwiseProduct(as_eigen(readings));
+  const Eigen::VectorXd y = p.weighting(readings) / p.unit;
   const double size = y.norm();
   if (size == 0.0) return verdict;
   if (!std::isfinite(size)) {  // of no noise that a number can say

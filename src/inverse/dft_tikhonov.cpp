@@ -109,6 +109,7 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
   if (!options.dead_taxels.empty())
     throw std::invalid_argument("dft takes a dead taxel's zero for a reading: use tikhonov");
   require_at_taxels(options.surface);
+  require_known_offsets(options.unknown_offsets, "dft");
 
   const std::size_t n = array.count;
   const std::vector<Channel> all = channels(array);

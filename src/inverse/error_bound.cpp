@@ -6,6 +6,7 @@
 
 #include "inverse/rounding.hpp"
 #include "inverse/stabiliser.hpp"
+#include "inverse/weighting.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
@@ -22,7 +23,7 @@ double wedin_bound(double condition, double matrix_norm, double right_norm, doub
 double forward_bound(const InverseProblem& problem, double alpha, std::span<const double> readings,
                      std::span<const double> tractions, double condition) {
   const auto kernel = as_eigen(problem.kernel);
-  const Eigen::VectorXd g = as_eigen(std::span(problem.weights)).cwiseProduct(as_eigen(readings));
+  const Eigen::VectorXd g = Weighting(problem)(readings);
   const double scale = g.size() > 0 ? g.cwiseAbs().maxCoeff() : 0.0;
   if (scale == 0.0) return 0.0;
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "inverse/standard_form.hpp"
+#include "inverse/weighting.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 
 namespace tactile_net {
@@ -16,7 +17,7 @@ struct TikhonovFamily::Factors {
   Factors(const InverseProblem& problem, StandardForm standard, double condition);
 
   std::size_t line;  // readings whose spectrum is taken together
-  Eigen::VectorXd weights;
+  Weighting weighting;
   double stabiliser_condition;
   StandardForm form;
   std::vector<double> gamma;

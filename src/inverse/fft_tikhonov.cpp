@@ -179,6 +179,7 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
                          const ProblemOptions& options, double alpha) {
   check(array, material, options);
   require_even(array, "conjugate gradients by FFT");
+  require_known_offsets(options.unknown_offsets, "conjugate gradients by FFT");
   const Surface surface = surface_of(array, options.surface);
   const std::size_t n = surface.count;
   const std::vector<Channel> all = channels(array);

@@ -9,6 +9,7 @@
 #include "inverse/checks.hpp"
 #include "inverse/stabiliser.hpp"
 #include "inverse/standard_form.hpp"
+#include "inverse/weighting.hpp"
 #include "numeric/require.hpp"
 
 namespace tactile_net {
@@ -70,8 +71,7 @@ struct LoadWindows::Windows {
     Eigen::VectorXd log_prior{};  // of each alpha, with the log of det(I - H)^(1/2)
   };
 
-  Windows(const InverseProblem& problem, double narrowest)
-      : weights(as_eigen(std::span(problem.weights))) {
+  Windows(const InverseProblem& problem, double narrowest) : weighting(problem) {
     const Eigen::MatrixXd k = as_eigen(problem.kernel);
     const Eigen::MatrixXd l = stabiliser(problem);
     const auto block = static_cast<Index>(problem.surface.count);
@@ -113,7 +113,7 @@ struct LoadWindows::Windows {
     window.log_prior = 0.5 * window.lost.array().log().rowwise().sum() + log_prior;
   }
 
-  Eigen::VectorXd weights;
+  Weighting weighting;
   Eigen::VectorXd alphas;
   std::vector<Window> all;  // the whole surface first
 };
@@ -133,12 +133,12 @@ TractionCovariance LoadWindows::covariance(std::span<const double> readings,
                                            double noise_rms) const {
   const Windows& windows = *windows_;
   const auto n = static_cast<Index>(windows.all.front().columns.size());
-  check_readings(readings, static_cast<std::size_t>(windows.weights.size()));
+  check_readings(readings, static_cast<std::size_t>(windows.weighting.size()));
   check_readings(tractions, static_cast<std::size_t>(n));
   check_alpha(alpha);
   require_positive("noise_rms", noise_rms);
 
-  Eigen::VectorXd g = windows.weights.cwiseProduct(as_eigen(readings));
+  Eigen::VectorXd g = windows.weighting(readings);
   const double sigma = std::max(noise_rms, least_noise * g.cwiseAbs().maxCoeff());
   g /= sigma;
   const Eigen::VectorXd f = as_eigen(tractions) / sigma;

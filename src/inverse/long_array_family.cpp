@@ -31,6 +31,7 @@ struct LongArrayFamily::Parts {
   Parts(const SensorArray& array, const Material& material, const ProblemOptions& options)
       : sections(sections_of(array, options)), taxels(array.count), unknowns(options.unknowns) {
     check(array, material, options);
+    require_known_offsets(options.unknown_offsets, "sections of an array");
     surface = surface_of(array, options.surface);
     SensorArray piece = array;
     piece.count = sections.length;
@@ -59,11 +60,7 @@ struct LongArrayFamily::Parts {
     if (rows == 0) throw std::invalid_argument("every taxel is dead: nothing is measured");
     for (const auto& [pattern, of] : patterns) {
       InverseProblem problem = alive;
-      for (const std::size_t taxel : pattern)
-        for (std::size_t row = taxel; row < problem.weights.size(); row += sections.length) {
-          problem.weights[row] = 0.0;
-          std::fill_n(&problem.kernel(row, 0), problem.kernel.columns, 0.0);
-        }
+      leave_out(problem, pattern);
       add(TikhonovFamily(problem), of);
     }
   }
@@ -73,7 +70,7 @@ struct LongArrayFamily::Parts {
     // What these sections' living taxels count for together.
     Eigen::VectorXd counts = Eigen::VectorXd::Zero(factors.form.u.rows());
     for (const std::size_t s : of) counts += tapers(s);
-    counts.array() *= (factors.weights.array() != 0.0).cast<double>();
+    counts.array() *= (factors.weighting.weights().array() != 0.0).cast<double>();
     const Eigen::VectorXd share = factors.form.u.cwiseAbs2().transpose() * counts;
     gamma.insert(gamma.end(), factors.gamma.begin(), factors.gamma.end());
     shares.insert(shares.end(), share.begin(), share.end());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "inverse/checks.hpp"
 #include "inverse/stabiliser.hpp"
+#include "inverse/weighting.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/elasticity/hat_kernel.hpp"
 #include "tactile_net/sensing/aperture.hpp"
@@ -74,7 +76,29 @@ void add_hats(const Material& material, InverseProblem& problem) {
   }
 }
 
+/// P W K for W K. @param taken  C of what has been taken before
+void take_offsets_out(InverseProblem& problem, const Eigen::MatrixXd& taken = {}) {
+  if (!problem.unknown_offsets) return;
+  const Weighting weighting(problem);
+  const Eigen::MatrixXd kernel = as_eigen(problem.kernel);
+  Eigen::MatrixXd constants = weighting.constants().transpose() * kernel;
+  problem.kernel_error =
+      std::hypot(problem.kernel_error, std::numeric_limits<double>::epsilon() * constants.norm());
+  if (taken.size() > 0)
+    constants += weighting.constants().transpose() * taken * as_eigen(problem.constants);
+  problem.constants = from_eigen(constants);
+  problem.kernel = from_eigen(weighting.projected(kernel));
+}
+
 }  // namespace
+
+bool is_measured(const SensorArray& array, const ProblemOptions& options) {
+  const std::vector<bool> dead = dead_places(array, options);
+  std::vector<std::size_t> living(channel_count(array));
+  for (const Site& site : sites(array))
+    if (!dead[site.taxel]) ++living[site.channel];
+  return *std::max_element(living.begin(), living.end()) >= (options.unknown_offsets ? 2 : 1);
+}
 
 void check(const SensorArray& array, const Material& material, const ProblemOptions& options) {
   check(array);
@@ -115,16 +139,20 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
                          .unknowns = options.unknowns,
                          .surface = surface_of(array, options.surface),
                          .smoothing_length = options.smoothing_length,
-                         .tangential_weight = options.tangential_weight};
+                         .tangential_weight = options.tangential_weight,
+                         .unknown_offsets = options.unknown_offsets};
   const std::vector<bool> dead = dead_places(array, options);
   for (const Site& site : problem.sites)
     problem.weights.push_back(dead[site.taxel] ? 0.0
                               : options.channel_rms.empty()
                                   ? 1.0
                                   : 1.0 / options.channel_rms[site.channel]);
-  const auto is_zero = [](double weight) { return weight == 0.0; };
-  if (std::all_of(problem.weights.begin(), problem.weights.end(), is_zero))
-    throw std::invalid_argument("every taxel is dead: nothing is measured");
+  if (!is_measured(array, options))
+    throw std::invalid_argument(
+        options.unknown_offsets
+            ? "no channel has two living taxels, and a channel's offset takes one reading: nothing "
+              "is measured"
+            : "every taxel is dead: nothing is measured");
 
   const std::size_t n = problem.surface.count;
   problem.kernel = Matrix{problem.sites.size(), options.unknowns * n,
@@ -133,7 +161,47 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
     add_lags(array, material, options, problem);
   else
     add_hats(material, problem);
+  take_offsets_out(problem);
   return problem;
+}
+
+void leave_out(InverseProblem& problem, std::span<const std::size_t> taxels) {
+  const Eigen::MatrixXd taken = Weighting(problem).constants();
+  for (std::size_t row = 0; row < problem.sites.size(); ++row) {
+    if (std::find(taxels.begin(), taxels.end(), problem.sites[row].taxel) == taxels.end()) continue;
+    problem.weights[row] = 0.0;
+    for (std::size_t column = 0; column < problem.kernel.columns; ++column)
+      problem.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
+  }
+  // What was taken from more rows is constant in those that are left, too.
+  take_offsets_out(problem, taken);
+}
+
+std::vector<double> weighted(const InverseProblem& problem, std::span<const double> readings) {
+  check_size(readings, problem.weights.size());
+  const Eigen::VectorXd rows = Weighting(problem)(readings);
+  return {rows.begin(), rows.end()};
+}
+
+std::vector<double> offsets(const InverseProblem& problem, std::span<const double> readings,
+                            std::span<const double> tractions) {
+  check_size(readings, problem.weights.size());
+  if (tractions.size() != problem.kernel.columns)
+    throw std::invalid_argument("tractions need one value per column of the problem");
+  if (!problem.unknown_offsets) return {};
+  const Weighting weighting(problem);
+  const Eigen::VectorXd left =
+      weighting.constants().transpose() * weighting.weights().cwiseProduct(as_eigen(readings)) -
+      as_eigen(problem.constants) * as_eigen(tractions);
+  const Eigen::VectorXd size = weighting.constants().transpose() * weighting.weights();
+  std::vector<double> result;
+  for (Eigen::Index c = 0; c < left.size(); ++c)
+    result.push_back(size(c) > 0.0 ? left(c) / size(c) : 0.0);
+  return result;
+}
+
+std::size_t independent_readings(const InverseProblem& problem) {
+  return static_cast<std::size_t>(Weighting(problem).rows());
 }
 
 std::size_t line_length(const InverseProblem& problem) {
@@ -168,8 +236,7 @@ std::vector<double> normal_right_side(const InverseProblem& problem,
   check_size(readings, problem.weights.size());
   std::vector<double> right_side(problem.kernel.columns);
   Eigen::Map<Eigen::VectorXd>(right_side.data(), std::ssize(right_side)) =
-      as_eigen(problem.kernel).transpose() *
-      as_eigen(std::span(problem.weights)).cwiseProduct(as_eigen(readings));
+      as_eigen(problem.kernel).transpose() * Weighting(problem)(readings);
   return right_side;
 }
 

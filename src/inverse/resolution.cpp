@@ -76,14 +76,16 @@ std::vector<Complex> columns_of(const SensorArray& array, const Material& materi
                                 const ProblemOptions& options, double wavenumber, bool on_grid) {
   const std::vector<Row> rows = rows_of(array, options);
   std::vector<Complex> columns;  // one after the other
+  const bool constant = options.unknown_offsets && wavenumber == 0.0;
   for (std::size_t u = 0; u < options.unknowns; ++u)
     for (const Row& row : rows) {
       const Traction component = traction_components[u];
       const bool odd = is_odd(row.quantity, component);
-      columns.push_back(odd && on_grid ? 0.0
-                                       : row.weight * row.aperture.transform(wavenumber) *
-                                             pad_transform(row.quantity, component, material,
-                                                           row.depth, wavenumber));
+      columns.push_back(
+          (odd && on_grid) || constant
+              ? 0.0
+              : row.weight * row.aperture.transform(wavenumber) *
+                    pad_transform(row.quantity, component, material, row.depth, wavenumber));
     }
   return columns;
 }

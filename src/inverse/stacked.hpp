@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "inverse/stabiliser.hpp"
+#include "inverse/weighting.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/problem.hpp"
@@ -62,10 +63,10 @@ class StackedQr {
   HouseholderQr factors_;
 };
 
-/// M W: a pseudo-inverse of weighted rows, applied to readings that are not weighted yet.
+/// M P W: a pseudo-inverse of weighted rows, applied to readings as they are.
 [[nodiscard]] inline Matrix unweighted(const Eigen::MatrixXd& inverse,
                                        const InverseProblem& problem) {
-  return from_eigen(inverse * as_eigen(std::span(problem.weights)).asDiagonal());
+  return from_eigen(Weighting(problem).applied(inverse));
 }
 
 }  // namespace tactile_net

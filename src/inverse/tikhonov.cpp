@@ -16,8 +16,7 @@ std::vector<double> tikhonov_solve(const InverseProblem& problem, double alpha,
   check_readings(readings, problem.kernel.rows);
   const Eigen::MatrixXd a = stacked(problem, alpha);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(a.rows());
-  right.head(std::ssize(readings)) =
-      as_eigen(std::span(problem.weights)).cwiseProduct(as_eigen(readings));
+  right.head(std::ssize(readings)) = Weighting(problem)(readings);
   const StackedQr qr(a);
   (void)qr.condition();  // throws if rank deficient
   const Eigen::VectorXd f = qr.solve_rotated(qr.rotate(right));

@@ -91,7 +91,7 @@ class DensePeriodogram final : public ResidualPeriodogram {
 TikhonovFamily::Factors::Factors(const InverseProblem& problem, StandardForm standard,
                                  double condition)
     : line(line_length(problem)),
-      weights(as_eigen(std::span(problem.weights))),
+      weighting(problem),
       stabiliser_condition(condition),
       form(std::move(standard)),
       gamma(form.gamma.begin(), form.gamma.end()) {
@@ -140,11 +140,11 @@ double TikhonovFamily::degrees_of_freedom(double alpha) const noexcept {
 
 FilterFrame TikhonovFamily::analyse(std::span<const double> readings) const {
   const Factors& factors = *factors_;
-  check_readings(readings, static_cast<std::size_t>(factors.weights.size()));
+  check_readings(readings, static_cast<std::size_t>(factors.weighting.size()));
 
   FilterFrame frame{.gamma = factors.gamma, .beta = std::vector<double>(factors.gamma.size())};
-  frame.rows = static_cast<std::size_t>((factors.weights.array() != 0.0).count());
-  Eigen::VectorXd g = factors.weights.cwiseProduct(as_eigen(readings));
+  frame.rows = static_cast<std::size_t>(factors.weighting.rows());
+  Eigen::VectorXd g = factors.weighting(readings);
   frame.scale = g.cwiseAbs().maxCoeff();
   if (frame.scale > 0.0) g = g / frame.scale;
 
@@ -165,7 +165,7 @@ Reconstruction TikhonovFamily::reconstruction(double alpha) const {
   const Eigen::VectorXd sizes =
       form.gamma.unaryExpr([=](double gamma) { return std::hypot(gamma, root); });
   const Eigen::VectorXd filter = form.gamma.cwiseQuotient(sizes).cwiseQuotient(sizes);
-  const Eigen::MatrixXd readings = form.u.transpose() * factors.weights.asDiagonal();
+  const Eigen::MatrixXd readings = factors.weighting.applied(form.u.transpose());
 
   // [W K; sqrt(alpha) L] has the singular values of this: its rotations are left out.
   const Eigen::Index n = form.v.rows();

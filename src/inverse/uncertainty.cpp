@@ -9,6 +9,7 @@
 #include "inverse/family_factors.hpp"
 #include "inverse/significance.hpp"
 #include "inverse/stabiliser.hpp"
+#include "inverse/weighting.hpp"
 #include "tactile_net/sensing/resultant.hpp"
 
 namespace tactile_net {
@@ -116,15 +117,14 @@ double TractionCovariance::degrees_of_freedom() const noexcept { return factor_-
 NoiseEstimate estimate_noise(const InverseProblem& problem, std::span<const double> readings,
                              std::span<const double> tractions, double degrees_of_freedom,
                              std::optional<double> stated_rms) {
-  const Eigen::VectorXd g = as_eigen(std::span(problem.weights)).cwiseProduct(as_eigen(readings));
+  const Weighting weighting(problem);
+  const Eigen::VectorXd g = weighting(readings);
   const double scale = std::max(g.cwiseAbs().maxCoeff(), 0.0);
   if (scale == 0.0) return {.stated_rms = stated_rms};
   const Eigen::VectorXd residual =
       as_eigen(problem.kernel) * (as_eigen(tractions) / scale) - g / scale;
-  const auto rows = std::count_if(problem.weights.begin(), problem.weights.end(),
-                                  [](double weight) { return weight != 0.0; });
-  return estimate_noise(residual.norm() * scale, static_cast<std::size_t>(rows), degrees_of_freedom,
-                        stated_rms);
+  return estimate_noise(residual.norm() * scale, static_cast<std::size_t>(weighting.rows()),
+                        degrees_of_freedom, stated_rms);
 }
 
 NoiseEstimate estimate_noise(double residual, std::size_t rows, double degrees_of_freedom,

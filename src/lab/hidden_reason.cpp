@@ -31,7 +31,9 @@ std::vector<HiddenReason> hidden_reasons(const Scene& scene, const SensorChoice&
   const std::size_t readings = reading_count(scene.sensor);
   const std::size_t tractions = own.unknowns * scene.sensor.count;
   const std::size_t by_symmetry = lost_by_symmetry(scene.sensor, own.unknowns);
-  const std::size_t lost = std::max(by_symmetry, tractions > readings ? tractions - readings : 0);
+  const bool offsets = scene.reconstruct.offset;
+  const std::size_t free = readings - (offsets ? channel_count(scene.sensor) : 0);
+  const std::size_t lost = std::max(by_symmetry, tractions > free ? tractions - free : 0);
   const bool proportional = in_proportion(own);
 
   if (proportional) {
@@ -41,9 +43,10 @@ std::vector<HiddenReason> hidden_reasons(const Scene& scene, const SensorChoice&
     else
       reasons.emplace_back(hidden_reason::Proportional{});
   }
+  if (offsets) reasons.emplace_back(hidden_reason::UnknownOffsets{});
   for (const Traction component : {Traction::normal, Traction::tangential}) {
     if (own.unknowns == 1 && component == Traction::tangential) break;
-    if (!hides_mean(own, component)) continue;
+    if (offsets || !hides_mean(own, component)) continue;
     if (only_odd(own, component))
       reasons.emplace_back(hidden_reason::OddKernels{component});
     else
@@ -51,7 +54,7 @@ std::vector<HiddenReason> hidden_reasons(const Scene& scene, const SensorChoice&
   }
   if (by_symmetry > 0)
     reasons.emplace_back(hidden_reason::Symmetry{scene.sensor.count, by_symmetry});
-  else if (lost > 0)
+  else if (tractions > readings)
     reasons.emplace_back(hidden_reason::FewReadings{readings, tractions});
   if (hidden.dimension <= lost) return reasons;
   if (!scene.dead_taxels.empty()) {

@@ -73,7 +73,9 @@ std::optional<FrameResult> IncompleteFrames::solve(std::span<double> readings,
     if (std::isnan(readings[i])) dead.push_back(sites[i].taxel);
   std::sort(dead.begin(), dead.end());
   dead.erase(std::unique(dead.begin(), dead.end()), dead.end());
-  if (dead.size() >= problem_.scene().sensor.count) return std::nullopt;
+  ProblemOptions options = problem_.options();
+  options.dead_taxels = dead;
+  if (!is_measured(problem_.scene().sensor, options)) return std::nullopt;
   for (std::size_t i = 0; i < readings.size(); ++i)
     if (std::binary_search(dead.begin(), dead.end(), sites[i].taxel)) readings[i] = 0.0;
   Pattern& of_frame = pattern(dead);

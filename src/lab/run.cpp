@@ -9,6 +9,7 @@
 #include "tactile_net/lab/data_verdict.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/sensing/resampled.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -75,6 +76,13 @@ double unexplained(const SceneFrame& frame, std::span<const double> f) {
   return all > 0.0 ? frame.residual(f) / all : 0.0;
 }
 
+remark::OffsetsFound with_names(std::span<const double> offsets, const SensorArray& array) {
+  remark::OffsetsFound found;
+  for (const Channel& channel : channels(array))
+    found.channels.emplace_back(channel.name, offsets[found.channels.size()]);
+  return found;
+}
+
 /// A verdict that stands, unless the answer has a worse one already.
 void degrade(MethodResult& result, Verdict verdict) {
   if (result.verdict == Verdict::ok) result.verdict = verdict;
@@ -111,6 +119,10 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
   }
   if (const auto weight = run.frame.estimated_weight())
     result.remarks.emplace_back(remark::EstimatedWeight{*weight});
+  if (run.problem.options().unknown_offsets) {
+    result.offsets = offsets(run.problem.problem(), run.frame.readings(), f);
+    result.remarks.emplace_back(with_names(result.offsets, run.problem.scene().sensor));
+  }
   if (const auto off = model_error(bands)) result.remarks.emplace_back(*off);
   result.data = data_verdict(run.problem, run.frame.readings(), f);
   if (!result.data->consistent()) result.remarks.emplace_back(remark::DataDoubted{*result.data});
@@ -177,7 +189,12 @@ MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer
     const Relaxation relaxation = relax(circuit, simulator, observer);
     result.frame_seconds = relaxation.ngspice_seconds;
     result.condition = relaxation.condition;
-    measure(result, relaxation.tractions, run.problem.surface(), experiment.frame.truth);
+    const Surface& surface = run.problem.surface();
+    measure(result,
+            run.problem.scene().network.spacing
+                ? resampled(relaxation.tractions, circuit.surface(), surface)
+                : relaxation.tractions,
+            surface, experiment.frame.truth);
     experiment.relaxation = relaxation;
     if (!relaxation.disagreement())
       result.verdict = !relaxation.resolved()         ? Verdict::ill_conditioned

@@ -70,17 +70,24 @@ std::optional<double> predicted_difference(const SceneCircuit& circuit) {
   return difference_at_rest(circuit, circuit.network().flat());
 }
 
+/// The same readings, of tractions as far apart as the nodes.
+SceneFrame frame_of_circuit(const SceneFrame& frame) {
+  const Scene& scene = frame.problem().scene();
+  if (!scene.network.spacing) return frame;
+  return {SceneProblem(of_circuit(scene)), frame.readings()};
+}
+
 }  // namespace
 
 SceneCircuit::SceneCircuit(const SceneFrame& frame) : SceneCircuit(frame, frame.alpha()) {}
 
 SceneCircuit::SceneCircuit(const SceneFrame& frame, const ChosenAlpha& alpha)
-    : frame_(frame),
+    : frame_(frame_of_circuit(frame)),
       alpha_(alpha),
       options_(scaled()),
       network_(options().realization,
                std::make_shared<const NetworkProblem>(
-                   network_problem(frame.problem().problem(), alpha.value, frame.readings())),
+                   network_problem(frame_.problem().problem(), alpha.value, frame.readings())),
                options().parts) {}
 
 NetworkOptions SceneCircuit::scaled() const {

@@ -29,7 +29,8 @@ ProblemOptions options_of(const Scene& scene) {
                          .tangential_weight = scene.reconstruct.tangential_weight.value_or(1.0),
                          .channel_rms = {},
                          .dead_taxels = scene.dead_taxels,
-                         .surface = scene.reconstruct.surface};
+                         .surface = scene.reconstruct.surface,
+                         .unknown_offsets = scene.reconstruct.offset};
   if (scene.noise && scene.noise->weights_rows)
     for (const Channel& channel : channels(scene.sensor))
       options.channel_rms.push_back(scene.noise->rms.at(channel.quantity));
@@ -42,6 +43,10 @@ std::optional<Constraints> constraints_of(const ReconstructOptions& options) {
 }
 
 }  // namespace
+
+bool is_large(const Scene& scene, std::size_t tractions) {
+  return tractions >= large && is_even(scene.sensor) && !scene.reconstruct.offset;
+}
 
 struct SceneProblem::Parts {
   explicit Parts(Scene given)
@@ -113,13 +118,7 @@ SceneProblem SceneProblem::without(std::span<const std::size_t> taxels) const {
     return other;                // what is dead here has left no row to take
   if (is_large()) return other;  // no matrix is made of it
   other.parts_->problem = problem();
-  InverseProblem& kept = *other.parts_->problem;
-  for (std::size_t row = 0; row < kept.sites.size(); ++row) {
-    if (!stays_dead(kept.sites[row].taxel)) continue;
-    kept.weights[row] = 0.0;
-    for (std::size_t column = 0; column < kept.kernel.columns; ++column)
-      kept.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
-  }
+  leave_out(*other.parts_->problem, taxels);
   return other;
 }
 
@@ -341,12 +340,13 @@ ChosenAlpha SceneFrame::alpha() const {
 double SceneFrame::residual(std::span<const double> tractions) const {
   if (problem_.is_large()) return problem_.products().residual(readings_, tractions);
   const InverseProblem& problem = problem_.problem();
+  const std::vector<double> explained = weighted(problem, readings_);
   double size = 0.0;
   for (std::size_t i = 0; i < readings_.size(); ++i) {
     if (problem.weights[i] == 0.0) continue;
     const std::span<const double> row = problem.kernel.row(i);
-    size = std::hypot(size, std::inner_product(row.begin(), row.end(), tractions.begin(),
-                                               -problem.weights[i] * readings_[i]));
+    size = std::hypot(size,
+                      std::inner_product(row.begin(), row.end(), tractions.begin(), -explained[i]));
   }
   return size;
 }

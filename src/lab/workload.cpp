@@ -25,8 +25,10 @@ struct Sizes {
         tractions(values * unknowns),
         kernels(channels * (any_friction(scene) ? 2 : 1)),
         frames(scene.frame + 1),
-        moments(instants(scene).size()) {}
+        moments(instants(scene).size()),
+        is_large(lab::is_large(scene, tractions)) {}
   std::size_t taxels, channels, readings, unknowns, values, tractions, kernels, frames, moments;
+  bool is_large;
 };
 
 class Counter {
@@ -127,9 +129,11 @@ class Counter {
     add(Computation::dft, uses(Method::dft), named(Method::dft),
         {.kind = Kind::frame_fft, .operations = 20.0 * tractions * std::log2(2.0 * tractions)});
     add(Computation::tikhonov, uses(Method::tikhonov), named(Method::tikhonov),
-        n < large
-            ? Cost{.kind = Kind::decompositions, .rows = m + n, .columns = n, .operations = product}
-            : Cost{Kind::conjugate_gradients});
+        sizes_.is_large ? Cost{Kind::conjugate_gradients}
+                        : Cost{.kind = Kind::decompositions,
+                               .rows = m + n,
+                               .columns = n,
+                               .operations = product});
     add(Computation::closed_form, uses(Method::closed_form), named(Method::closed_form),
         {.kind = Kind::product, .operations = product});
   }
@@ -153,14 +157,14 @@ class Counter {
   void errors() {
     const std::size_t n = sizes_.tractions;
     const bool constrained = options_.nonnegative || options_.friction_limit;
-    const bool bands = with_matrix_ && (n < large || !constrained);
-    const bool hidden = with_matrix_ && n < large;
+    const bool bands = with_matrix_ && (!sizes_.is_large || !constrained);
+    const bool hidden = with_matrix_ && !sizes_.is_large;
     const auto why = [&](bool done, Reason reason) -> Why {
       return {done ? reason : !with_matrix_ ? Reason::no_matrix_method : Reason::array_too_large};
     };
     add(Computation::bands, bands, why(bands, Reason::forces_have_deviations),
-        n < large ? Cost{.kind = Kind::inverse, .rows = n, .columns = n}
-                  : Cost{Kind::conjugate_gradients});
+        sizes_.is_large ? Cost{Kind::conjugate_gradients}
+                        : Cost{.kind = Kind::inverse, .rows = n, .columns = n});
     add(Computation::hidden_modes, hidden, why(hidden, Reason::hidden_must_be_said),
         {.kind = Kind::singular_values, .rows = sizes_.readings, .columns = n});
   }
@@ -168,7 +172,7 @@ class Counter {
   void circuit() {
     const NetworkOptions& network = scene_.network;
     const bool on = uses(Method::network);
-    const std::size_t n = sizes_.tractions;
+    const std::size_t n = on ? sizes_.unknowns * surface(of_circuit(scene_)).count : 0;
     add(Computation::circuit, on, {on ? Reason::method_named : Reason::no_circuit},
         {.kind = Kind::circuit,
          .count = n * (n + 1) / 2,

@@ -29,13 +29,12 @@ NetworkProblem network_problem(const InverseProblem& problem, double alpha,
                         .right_side = normal_right_side(problem, readings),
                         .kernel = problem.kernel,
                         .stabiliser = {},
-                        .readings = {readings.begin(), readings.end()}};
+                        .readings = weighted(problem, readings)};
   drop_rounding(result.matrix, 0.0);
   const auto entries = static_cast<double>(problem.kernel.values.size());
   drop_rounding(result.kernel, problem.kernel_error / std::sqrt(entries));
   const Eigen::MatrixXd l = stabiliser(problem);
   result.stabiliser = from_eigen(alpha * (l.transpose() * l));
-  for (std::size_t i = 0; i < result.readings.size(); ++i) result.readings[i] *= problem.weights[i];
   return result;
 }
 

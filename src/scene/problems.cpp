@@ -36,6 +36,11 @@ void Problems::add(Place place, std::string message, std::string hint) {
                           source.text, source.column});
 }
 
+void Problems::add_unknown(Place place, std::string message, std::string hint, UnknownKey key) {
+  add(place, std::move(message), std::move(hint));
+  unknown_.push_back(std::move(key));
+}
+
 std::string_view Problems::line(std::size_t number) const {
   if (number == 0 || number > line_starts_.size()) return {};
   const std::string_view rest = text_.substr(line_starts_[number - 1]);

@@ -28,6 +28,12 @@ inline constexpr FileKind scene_file{
     "the smallest scene is [sensor] with count, pitch, depth and reads, and [material] with "
     "youngs_modulus and poisson_ratio"};
 
+/// A key that nobody asked for.
+struct UnknownKey {
+  std::string path{};   ///< "sensor.deth"
+  std::string meant{};  ///< "did you mean depth?"; empty: no other is near
+};
+
 class Problems {
  public:
   /// `text` must outlive the object.
@@ -36,6 +42,10 @@ class Problems {
   [[nodiscard]] const FileKind& kind() const noexcept { return kind_; }
 
   void add(Place place, std::string message, std::string hint = {});
+
+  /// A key that nobody asked for: a problem that is remembered by its path too.
+  void add_unknown(Place place, std::string message, std::string hint, UnknownKey key);
+  [[nodiscard]] const std::vector<UnknownKey>& unknown_keys() const noexcept { return unknown_; }
 
   /// What the file says from `from` up to `to`, if that is one line; a long text is cut.
   [[nodiscard]] std::string written(Place from, Place to) const;
@@ -53,6 +63,7 @@ class Problems {
   FileKind kind_;
   std::vector<std::size_t> line_starts_;
   std::vector<Diagnostic> diagnostics_;
+  std::vector<UnknownKey> unknown_{};
   std::size_t left_off_ = 0;
 };
 

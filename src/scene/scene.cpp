@@ -67,6 +67,16 @@ std::size_t unknowns(const Scene& scene) {
 
 Surface surface(const Scene& scene) { return surface_of(scene.sensor, scene.reconstruct.surface); }
 
+Scene of_circuit(Scene scene) {
+  std::optional<double>& spacing = scene.network.spacing;
+  if (!spacing) return scene;
+  if (scene.reconstruct.surface.basis == SurfaceBasis::taxels)
+    throw std::invalid_argument(
+        "network.spacing is of a grid, and the tractions lie at the taxels: surface = \"grid\"");
+  scene.reconstruct.surface.spacing = std::exchange(spacing, std::nullopt);
+  return scene;
+}
+
 std::vector<double> raw_numbers(const Scene& scene, std::span<const double> readings) {
   std::vector<double> raw(readings.begin(), readings.end());
   if (scene.calibration) uncalibrate(*scene.calibration, raw);

@@ -226,6 +226,12 @@ SurfaceBasis default_basis(const Scene& scene, bool uses_dft) {
                                                                      : SurfaceBasis::hats;
 }
 
+/// How many there are. @throw std::invalid_argument  as `surface`
+std::size_t tractions(Scene scene, const ReconstructOptions& options) {
+  scene.reconstruct = options;
+  return unknowns(scene) * surface(scene).count;
+}
+
 void read_surface(Table& table, const Scene& scene, const Read& read, bool uses_dft,
                   ReconstructOptions& options) {
   constexpr std::array bases = {SurfaceBasis::taxels, SurfaceBasis::hats};
@@ -254,9 +260,7 @@ void read_surface(Table& table, const Scene& scene, const Read& read, bool uses_
     return;
   const Value& named = spacing ? *spacing : *margin;
   try {
-    Scene with = scene;
-    with.reconstruct = options;
-    const std::size_t columns = unknowns(with) * surface(with).count;
+    const std::size_t columns = tractions(scene, options);
     if (columns > most_columns)
       named.problem("makes " + std::to_string(columns) + " unknown tractions, more than " +
                         std::to_string(most_columns),
@@ -264,6 +268,29 @@ void read_surface(Table& table, const Scene& scene, const Read& read, bool uses_
   } catch (const std::invalid_argument& error) {
     named.problem("makes no surface: " + std::string(error.what()),
                   "spacing = a quarter of the depth");
+  }
+}
+
+/// After the surface and the methods are known.
+void read_offset(const Value& offset, const Scene& scene, const Read& read, bool uses_dft,
+                 ReconstructOptions& options) {
+  options.offset = offset.boolean().value_or(false);
+  if (!options.offset) return;
+  if (uses_dft)
+    offset.problem("leaves the mean of the readings open, by which dft finds that of the tractions",
+                   "methods without \"dft\"");
+  const SensorArray& array = scene.sensor;
+  if (array.count < 2 || !(array.pitch > 0.0) || array.depths.empty() || !read.reads_complete)
+    return;
+  if (!is_measured(array, {.dead_taxels = scene.dead_taxels, .unknown_offsets = true}))
+    offset.problem("takes one reading a channel, and no channel has two living taxels",
+                   "remove it");
+  try {
+    if (const std::size_t columns = tractions(scene, options); columns > most_columns)
+      offset.problem("takes a decomposition of " + std::to_string(columns) +
+                         " unknown tractions, more than " + std::to_string(most_columns),
+                     "remove it: unloaded frames say the offsets, too ([calibration])");
+  } catch (const std::invalid_argument&) {  // no surface: said of its spacing
   }
 }
 
@@ -286,6 +313,8 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
     options.noise_gain_limit = limit->number(at_least_one).value_or(options.noise_gain_limit);
   read_constraints(table, scene, read, methods, options);
   read_surface(table, scene, read, uses_dft, options);
+  if (const auto offset = table.value("offset"))
+    read_offset(*offset, scene, read, uses_dft, options);
   check_methods(methods, scene, read);
   table.finish();
   return options;

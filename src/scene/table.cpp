@@ -58,17 +58,17 @@ void Table::not_here(std::string_view key, std::string_view why, std::string_vie
 
 void Table::report_unknown(const toml::key& key, const toml::node& node, std::string_view near) {
   const bool is_table = path_.empty() && (node.is_table() || node.is_array_of_tables());
-  std::string hint;
-  if (!near.empty()) {
-    hint = "did you mean " + std::string{near} + '?';
-  } else {
+  const std::string meant = near.empty() ? "" : "did you mean " + std::string{near} + '?';
+  std::string hint = meant;
+  if (near.empty() || table_->contains(near)) {
     hint = path_.empty() ? "a " + std::string{problems_->kind().name} + " has" : path_ + " has";
     for (const std::string_view known : on_offer_)
       hint += (known == on_offer_.front() ? " " : ", ") + std::string{known};
   }
-  problems_->add(place_of(key.source().begin),
-                 (is_table ? "unknown table " : "unknown key ") + in_quotes(path_of(key.str())),
-                 std::move(hint));
+  problems_->add_unknown(
+      place_of(key.source().begin),
+      (is_table ? "unknown table " : "unknown key ") + in_quotes(path_of(key.str())),
+      std::move(hint), {path_of(key.str()), meant});
 }
 
 void Table::finish() {
@@ -76,8 +76,7 @@ void Table::finish() {
   for (const auto& [key, node] : *table_) {
     if (is_known(key.str())) continue;
     const std::string_view near = nearest(key.str(), known_);
-    const bool written_too = !near.empty() && table_->contains(near);
-    report_unknown(key, node, written_too ? std::string_view{} : near);
+    report_unknown(key, node, near);
     misspelt.push_back(near);
   }
   for (const auto& [keys, where, message, hint] : missing_) {

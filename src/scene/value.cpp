@@ -4,9 +4,48 @@
 #include <utility>
 
 #include "scene/table.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/nearest.hpp"
 
 namespace tactile_net {
+
+namespace {
+
+/// TOML's basic string of one line.
+std::string basic_string(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      (result += '\\') += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+      constexpr std::string_view digits = "0123456789ABCDEF";
+      const auto code = static_cast<unsigned char>(c);
+      (((result += "\\u00") += digits[code >> 4U]) += digits[code & 0xFU]);
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+/// "": a table, a date, or a list with such.
+std::string written_anew(const toml::node& node) {
+  if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+  if (const auto* real = node.as_floating_point()) return shortest(real->get());
+  if (const auto* boolean = node.as_boolean()) return boolean->get() ? "true" : "false";
+  if (const auto* string = node.as_string()) return basic_string(string->get());
+  const auto* list = node.as_array();
+  if (list == nullptr) return {};
+  std::string result = "[";
+  for (const toml::node& one : *list) {
+    const std::string text = written_anew(one);
+    if (text.empty()) return {};
+    (result += result.size() > 1 ? ", " : "") += text;
+  }
+  return result + ']';
+}
+
+}  // namespace
 
 Place place_of(const toml::source_position& position) noexcept {
   return {position.line, position.column};
@@ -128,6 +167,12 @@ std::optional<std::vector<double>> Value::numbers(const Rule& rule, const Unit& 
   }
   if (misfits > 0) return std::nullopt;
   return numbers;
+}
+
+std::pair<std::string, std::string> Value::written() const {
+  std::string toml = written_anew(*node_);
+  std::string plain = is_text() ? node_->as_string()->get() : toml;
+  return {std::move(toml), std::move(plain)};
 }
 
 std::optional<Table> Value::table() const {

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scene/problems.hpp"
@@ -61,6 +62,10 @@ class Value {
   /// Every value of a list of numbers; at most `most_misfits` are reported.
   [[nodiscard]] std::optional<std::vector<double>> numbers(const Rule& rule,
                                                            const Unit& unit = {}) const;
+
+  /// The value again, on one line, and the same without the quotes of a text; twice "" for tables
+  /// and dates. Every number as short as it can be read back: 2.0 as 2.
+  [[nodiscard]] std::pair<std::string, std::string> written() const;
 
   [[nodiscard]] std::optional<Table> table() const;
 

@@ -14,6 +14,7 @@
 
 #include "tactile_net/elasticity/hat_kernel.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
+#include "tactile_net/elasticity/patch_kernel.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
@@ -226,6 +227,30 @@ Integral reading(const Point& taxel, const Responses<PadKernel>& kernels,
   return {};
 }
 
+/// A cylinder on a half plane has its reading in closed form, to some ulp of the parts of which it
+/// is the difference: 2 P over the half width, or over the depth where that is more.
+Integral reading(const Point& taxel, const PatchKernel& kernel, double unit,
+                 const RigidContact& contact) {
+  std::array<double, 1> value{};
+  kernel.add({.form = LoadPatch::Form::hertz,
+              .center = contact.center,
+              .half_width = contact.half_width,
+              .normal = contact.force,
+              .tangential = contact.friction * contact.force},
+             taxel.y, 1.0, value);
+  const double parts = unit * 2.0 * magnitude(contact) / std::max(contact.half_width, taxel.depth);
+  const double rounding =
+      8.0 * std::numeric_limits<double>::epsilon() + taxel.rounding(support(contact));
+  return {value[0], rounding * parts, parts};
+}
+
+/// Shallower taxels have readings that are small differences of those parts.
+bool has_closed_form(const RigidContact& contact, const Channel& channel,
+                     const Material& material) noexcept {
+  return contact.shape == Shape::cylinder && !material.layer &&
+         channel.depth >= 0.01 * contact.half_width;
+}
+
 /// Piecewise linear tractions are a sum of hats, each of which has its reading in closed form.
 Integral reading(const Point& taxel, const Responses<HatKernel>& hats,
                  const SampledTractions& contact) {
@@ -279,8 +304,13 @@ std::vector<double> exact_readings(const Channel& channel, std::span<const doubl
                                ", its peak is " + shortest(worst.value) +
                                "; the model sampled has no integral");
   };
-  for (const Contact& contact : contacts)
-    if (const auto* rigid = std::get_if<RigidContact>(&contact)) {
+  for (const Contact& contact : contacts) {
+    const auto* rigid = std::get_if<RigidContact>(&contact);
+    if (rigid != nullptr && has_closed_form(*rigid, channel, material)) {
+      const PatchKernel kernel(std::array{channel.quantity}, material, channel.depth);
+      const double unit = is_strain(channel.quantity) ? 1.5 / material.youngs_modulus : 1.0;
+      add(*rigid, [&](const Point& taxel) { return reading(taxel, kernel, unit, *rigid); });
+    } else if (rigid != nullptr) {
       if (!kernels) kernels.emplace(channel, material);
       add(*rigid, [&](const Point& taxel) { return reading(taxel, *kernels, *rigid, rule); });
     } else {
@@ -288,6 +318,7 @@ std::vector<double> exact_readings(const Channel& channel, std::span<const doubl
       const Responses<HatKernel> hats(channel, material, sampled.pitch);
       add(sampled, [&](const Point& taxel) { return reading(taxel, hats, sampled); });
     }
+  }
   return readings;
 }
 

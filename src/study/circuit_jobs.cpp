@@ -12,6 +12,7 @@ Scene with_circuit(const StudyInput& input, Realization realization,
                    std::optional<double> bandwidth) {
   Scene scene = input.scene();
   scene.network.tolerance.reset();
+  scene.network.spacing.reset();  // its answer stands beside the scene's own
   scene.network.realization = realization;
   if (bandwidth) lab::give_bandwidth(scene, *bandwidth);
   scene.network.settling_accuracy.reset();

@@ -22,6 +22,11 @@ namespace tactile_net::study {
 /// The same aperture with fewer taxels: every second, third, ... of them.
 [[nodiscard]] StudySection fewer_taxels(const StudyInput& input, const lab::Clock& clock);
 
+/// The same readings on coarser grids: steps of twice, four times, ... the scene's.
+[[nodiscard]] StudySection coarser_surface(const StudyInput& input, const lab::Clock& clock);
+/// Whether there is one: tractions on a grid whose steps can be doubled.
+[[nodiscard]] bool has_coarser_surface(const Scene& scene);
+
 /// What the integral's accuracy costs, and what the discrete sum makes of it.
 [[nodiscard]] StudySection forward_models(const StudyInput& input, const lab::Clock& clock);
 

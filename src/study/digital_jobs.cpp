@@ -22,12 +22,14 @@ std::vector<StudyJob> digital_jobs(const StudyInput& input, const lab::Clock& cl
         }};
   };
   using enum Job::Kind;
-  return {job(products, 3.0, study::products),
-          job(factorisations, 1.0, study::factorisations),
-          job(fft, 1.0, by_fft),
-          job(constraints, 1.0, constrained),
-          job(fewer_taxels, 1.0, study::fewer_taxels),
-          job(forward_model, 2.0, forward_models)};
+  std::vector<StudyJob> jobs = {job(products, 3.0, study::products),
+                                job(factorisations, 1.0, study::factorisations),
+                                job(fft, 1.0, by_fft), job(constraints, 1.0, constrained),
+                                job(fewer_taxels, 1.0, study::fewer_taxels)};
+  if (has_coarser_surface(input.scene()))
+    jobs.push_back(job(coarser_surface, 1.0, study::coarser_surface));
+  jobs.push_back(job(forward_model, 2.0, forward_models));
+  return jobs;
 }
 
 }  // namespace tactile_net::study

@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "study/digital.hpp"
+#include "study/planned_frame.hpp"
 #include "study/points.hpp"
-#include "tactile_net/control/planner.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
-#include "tactile_net/realtime/contact_estimator.hpp"
 
 namespace tactile_net::study {
 namespace {
@@ -41,16 +40,7 @@ WorkPoint coarser(const StudyInput& input, std::size_t stride, const WorkCurve& 
     if (site.taxel % stride == 0) g.push_back(input.readings[i]);
     ++i;
   }
-  PlannerOptions options;
-  options.diagnostics = false;
-  const PlannedEstimator planned =
-      plan_estimator(lab::SceneProblem(scene).problem(), input.alpha, options);
-  ContactEstimator estimator(planned.plan);
-  std::vector<double> f(estimator.tractions());
-  ContactEstimate estimate;
-  estimate.tractions = f;
-  const lab::Seconds seconds =
-      lab::time_of([&] { (void)estimator.update(g, estimate); }, 0.03, clock);
+  auto [f, seconds] = planned_frame(lab::SceneProblem(scene).problem(), input.alpha, g, clock);
   if (!on_grid) f = interpolated(f, scene.sensor.count, stride, n);
   WorkPoint result = point(input, curve, knob, f, seconds);
   result.error_to_solution.reset();  // fewer readings, another problem

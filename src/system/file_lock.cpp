@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -13,12 +14,22 @@
 namespace tactile_net {
 namespace {
 
-/// The number that stands in a lock file; 0: none.
-pid_t written_in(int descriptor) noexcept {
-  std::array<char, 24> text{};
+std::string this_host() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+/// What stands in a lock file: "1234 host".
+LockOwner written_in(int descriptor) {
+  std::array<char, 300> text{};
   const ssize_t got = ::pread(descriptor, text.data(), text.size(), 0);
-  pid_t owner = 0;
-  if (got > 0) (void)std::from_chars(text.data(), text.data() + got, owner);
+  LockOwner owner;
+  if (got <= 0) return owner;
+  const char* const end = text.data() + got;
+  const auto [stop, error] = std::from_chars(text.data(), end, owner.process);
+  if (error != std::errc{} || stop == end || *stop != ' ') return owner;
+  const std::string host(stop + 1, std::find(stop, end, '\n'));
+  if (host != this_host()) owner.host = host;
   return owner;
 }
 
@@ -48,7 +59,7 @@ RunLock::~RunLock() {
   if (lock_.descriptor_ >= 0) ::unlink(file_.c_str());  // before the lock goes with the descriptor
 }
 
-std::optional<pid_t> RunLock::take(const std::filesystem::path& file) {
+std::optional<LockOwner> RunLock::take(const std::filesystem::path& file) {
   constexpr int tries = 100;
   for (int i = 0; i < tries; ++i) {
     FileLock lock(
@@ -59,10 +70,10 @@ std::optional<pid_t> RunLock::take(const std::filesystem::path& file) {
       return written_in(lock.descriptor_);
     }
     if (!is_at(file, lock.descriptor_)) continue;
-    const std::string number = std::to_string(::getpid()) + '\n';
+    const std::string who = std::to_string(::getpid()) + ' ' + this_host() + '\n';
     if (::ftruncate(lock.descriptor_, 0) != 0 ||
-        ::pwrite(lock.descriptor_, number.data(), number.size(), 0) < 0) {
-      // Without the number the lock still holds.
+        ::pwrite(lock.descriptor_, who.data(), who.size(), 0) < 0) {
+      // Without the name the lock still holds.
     }
     file_ = file;
     lock_ = std::move(lock);

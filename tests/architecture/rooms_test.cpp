@@ -47,13 +47,14 @@ const std::vector<Room> rooms{
     {"study",
      {"realtime", "numeric", "system", "elasticity", "sensing", "inverse", "control", "grasp",
       "network", "simulator", "scene", "lab"}},
+    {"sweep", {"realtime", "numeric", "system", "simulator", "scene", "frames", "lab"}},
     {"drawing", {"numeric", "system", "simulator"}},
     {"report",
      {"realtime", "numeric", "system", "elasticity", "sensing", "inverse", "control", "grasp",
-      "network", "simulator", "scene", "frames", "decks", "lab", "study", "drawing"}},
+      "network", "simulator", "scene", "frames", "decks", "lab", "study", "sweep", "drawing"}},
     {"pages",
      {"realtime", "numeric", "system", "elasticity", "sensing", "inverse", "control", "grasp",
-      "network", "simulator", "scene", "lab", "study", "drawing", "report"}},
+      "network", "simulator", "scene", "lab", "study", "sweep", "drawing", "report"}},
 };
 
 /// What is allowed in some places alone. Places are files, or folders with a slash at the end.

@@ -121,6 +121,7 @@ Score score(const Setting& setting, const Contacts& contacts) {
     for (std::size_t channel = 0; channel < setting.unknowns; ++channel)
       add_noise(std::span(made.readings).subspan(channel * taxels, taxels), setting.noise, i,
                 channel);
+    for (double& reading : made.readings) reading += setting.offset;
     const lab::FrameResult result = solver->solve(made.readings, f);
     const lab::SceneFrame frame(problem, made.readings);
     const lab::FrameUncertainty bands = lab::uncertainty(frame, f, result);

@@ -26,6 +26,7 @@ struct Setting {
   bool layer = false;         ///< three depths thick, bonded; else a half plane
   bool grid = false;          ///< tractions lie on a grid; else where a scene's do by default
   bool stated = true;         ///< by the scene: how large the noise is
+  double offset = 0.0;        ///< of every reading, over the frame's largest one
   std::string reconstruct{};  ///< more lines of the scene's section of that name
 };
 

@@ -16,7 +16,8 @@ struct NamedProblem {
   InverseProblem problem;
 };
 
-/// One and several quantities and depths, weights, a dead taxel, even and odd counts, surfaces.
+/// One and several quantities and depths, weights, a dead taxel, even and odd counts, surfaces,
+/// offsets.
 inline std::vector<NamedProblem> sample_problems() {
   using enum Quantity;
   const Material material{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
@@ -55,6 +56,17 @@ inline std::vector<NamedProblem> sample_problems() {
              .surface = {.basis = SurfaceBasis::hats, .spacing = 0.5, .margin = 1.0}})},
       {"two unknowns, two depths, even",
        make(20, 0.5, {1.0, 1.5}, {strain_x}, {.unknowns = 2, .smoothing_length = 1.0})},
+      {"offsets, weighted", make(31, 0.5, {1.0}, {stress_x, shear_xy},
+                                 {.unknowns = 2,
+                                  .smoothing_length = 1.0,
+                                  .channel_rms = {2.0, 0.5},
+                                  .unknown_offsets = true})},
+      {"a finer surface, offsets",
+       make(9, 2.0, {1.0}, {stress_x},
+            {.smoothing_length = 1.0,
+             .dead_taxels = {2},
+             .surface = {.basis = SurfaceBasis::hats, .spacing = 0.5, .margin = 1.0},
+             .unknown_offsets = true})},
   };
 }
 

@@ -166,6 +166,19 @@ TEST_CASE("what is read back from a study's JSON is what was written", "[tradeof
   refuses("tractions", "it is no study");
 }
 
+TEST_CASE("each coarser surface has a bar of its own: its values, its time, its error",
+          "[tradeoff]") {
+  Study study = measured();
+  study.sections.push_back({.job = {Kind::coarser_surface}});
+  for (const auto& [count, error] :
+       {std::pair{std::size_t{39}, 0.21}, std::pair{std::size_t{19}, 0.34}})
+    add(study, {Family::coarser_surface}, {.kind = Setting::surface_values, .count = count},
+        TimeOf::frame, {5e-8, 4e-8, 6e-8}, {}, error);
+  const std::string html = pages::study_html(study).html;
+  CHECK_THAT(html, ContainsSubstring("coarser surface, 39 surface values, 50 ns: 21 %"));
+  CHECK_THAT(html, ContainsSubstring("coarser surface, 19 surface values, 50 ns: 34 %"));
+}
+
 TEST_CASE("a failure is told in words, and stays in the study", "[tradeoff]") {
   Study study = measured();
   const std::size_t points = study.points().size();

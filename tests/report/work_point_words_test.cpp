@@ -42,8 +42,8 @@ TEST_CASE("every curve, knob and job that there is comes back from its words, an
                              {.kind = Setting::exchanges, .count = 5, .optimal = true},
                              {.kind = Setting::halved_panels},
                              {.kind = Setting::operating_point}};
-  for (const Setting kind :
-       {Setting::steps, Setting::exchanges, Setting::taxels, Setting::panel_points})
+  for (const Setting kind : {Setting::steps, Setting::exchanges, Setting::taxels,
+                             Setting::surface_values, Setting::panel_points})
     knobs.push_back({.kind = kind, .count = 12});
   for (std::size_t level = 0; level < settling_levels.size(); ++level)
     for (const bool by_poles : {false, true})

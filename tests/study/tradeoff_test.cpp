@@ -226,6 +226,25 @@ TEST_CASE("by a clock of its own a study of the arithmetic is the same twice, ti
                       [&](const WorkPoint& point) { return point.curve.family == family; }));
 }
 
+TEST_CASE("a grid's steps are doubled, and the answer stays as long as the pad cannot tell",
+          "[tradeoff]") {
+  const Study study = digital_study(
+      replaced(pressed, "[reconstruct]", "[reconstruct]\nsurface = \"grid\"\nspacing = 0.125"));
+  std::vector<WorkPoint> points = study.points();
+  std::erase_if(
+      points, [](const WorkPoint& point) { return point.curve.family != Family::coarser_surface; });
+  REQUIRE(points.size() >= 2);
+  const double own = study.input.solution_error;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    CAPTURE(i, points[i].knob.count, own);
+    CHECK(points[i].knob.kind == Knob::Kind::surface_values);
+    if (i > 0) CHECK(points[i].knob.count < points[i - 1].knob.count);
+    REQUIRE(points[i].error_to_truth);
+    CHECK_FALSE(points[i].error_to_solution);
+  }
+  CHECK_THAT(*points.front().error_to_truth, WithinAbs(own, 0.02));
+}
+
 TEST_CASE("what a method cannot do is a failure of its kind, and leaves the others", "[tradeoff]") {
   const WorkCurve coarse{.family = Family::fewer_taxels};
   const Study dead = digital_study(pressed + "[dead_taxels]\nindices = [3]\n");

@@ -36,7 +36,7 @@ TEST_CASE("who comes second is told who was first", "[lock]") {
     RunLock first;
     CHECK(first.take(file) == std::nullopt);
     RunLock second;
-    CHECK(second.take(file) == ::getpid());
+    CHECK(second.take(file) == LockOwner{::getpid(), ""});
   }
   CHECK_FALSE(fs::exists(file));
   RunLock third;
@@ -56,13 +56,13 @@ TEST_CASE("the lock of a process that was killed is taken over", "[lock]") {
   }
   while (!fs::exists(folder.path / "ready")) ::usleep(1000);
   RunLock lock;
-  CHECK(lock.take(file) == child);
+  CHECK(lock.take(file) == LockOwner{child, ""});
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
   CHECK(fs::exists(file));  // nobody could remove it
   CHECK(lock.take(file) == std::nullopt);
   RunLock another;
-  CHECK(another.take(file) == ::getpid());
+  CHECK(another.take(file) == LockOwner{::getpid(), ""});
 }
 
 TEST_CASE("a link in the place of a lock file is not followed", "[lock]") {
@@ -79,4 +79,14 @@ TEST_CASE("a link in the place of a lock file is not followed", "[lock]") {
 TEST_CASE("where no lock can be made nobody is named", "[lock]") {
   RunLock lock;
   CHECK(lock.take("/proc/none/lock") == std::nullopt);
+}
+
+TEST_CASE("a machine of another name is named", "[lock]") {
+  const Folder folder;
+  const fs::path file = folder.path / "lock";
+  RunLock first;
+  CHECK(first.take(file) == std::nullopt);
+  std::ofstream(file) << "77 elsewhere\n";
+  RunLock second;
+  CHECK(second.take(file) == LockOwner{77, "elsewhere"});
 }

@@ -19,15 +19,16 @@
 #include "commands/run.hpp"
 #include "commands/simulate.hpp"
 #include "commands/solve.hpp"
+#include "commands/sweep.hpp"
 #include "commands/tradeoff.hpp"
 
 namespace tactile_net::tool {
 
 /// What one command was asked for: `run` takes it.
-using Command =
-    std::variant<RunOptions, GenOptions, RelaxOptions, CertifyOptions, SimulateOptions,
-                 SolveOptions, IdentifyOptions, PlanOptions, TradeoffOptions, GraspOptions,
-                 InitOptions, CheckOptions, HelpOptions, CompletionOptions, ReleaseOptions>;
+using Command = std::variant<RunOptions, GenOptions, RelaxOptions, CertifyOptions, SimulateOptions,
+                             SolveOptions, IdentifyOptions, PlanOptions, TradeoffOptions,
+                             GraspOptions, SweepOptions, MergeOptions, InitOptions, CheckOptions,
+                             HelpOptions, CompletionOptions, ReleaseOptions>;
 
 struct Invocation {
   Command command{};

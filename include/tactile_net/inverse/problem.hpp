@@ -16,6 +16,11 @@
 /// the tractions nor their bands follow the spacing. Hats fall to 0 beyond the first and the last
 /// value, which counts as a difference. The thesis' tractions lie at the taxels, where h = D.
 ///
+/// Where a channel's readings have a constant that nobody knows, |W (K f + o - g)|^2 is minimised
+/// by the constants o, too, which no stabiliser holds. The best of them leave P W (K f - g), P the
+/// orthogonal projector that takes each channel's constant W 1 away: so P W K stands for W K and
+/// P W g for W g, in all that follows, and a frame has one independent number less a channel.
+///
 /// A problem and a method that solves it:
 ///
 ///     const SensorArray array{
@@ -40,7 +45,7 @@
 namespace tactile_net {
 
 struct InverseProblem {
-  Matrix kernel{};                 ///< W K, readings x (unknowns x surface.count)
+  Matrix kernel{};  ///< W K, readings x (unknowns x surface.count); P W K where offsets are unknown
   std::vector<double> weights{};   ///< diagonal of W, one per row; 0 for a dead taxel
   std::vector<Site> sites{};       ///< where each row's reading is taken
   std::size_t taxels = 0;          ///< places along y
@@ -48,7 +53,10 @@ struct InverseProblem {
   Surface surface{};               ///< the places of each unknown's values
   double smoothing_length = 0.0;   ///< l [m], >= 0
   double tangential_weight = 1.0;  ///< of the tangential traction's L over the normal one's, > 0
-  double kernel_error = 0.0;       ///< how far rounding may have moved W K, in the 2-norm
+  double kernel_error = 0.0;       ///< how far rounding may have moved the kernel, in the 2-norm
+  bool unknown_offsets = false;    ///< P is not 1
+  /// What P takes from W K, channels x columns: along W 1 of each channel, over its 2-norm.
+  Matrix constants{};
 };
 
 /// Of K that a scene may ask for by a spacing of its own: a decomposition of more takes minutes.
@@ -60,11 +68,16 @@ struct ProblemOptions {
   double tangential_weight = 1.0;          ///< > 0: see above; with one unknown nothing follows it
   std::vector<double> channel_rms{};       ///< noise of each channel; empty: rows not weighted
   std::vector<std::size_t> dead_taxels{};  ///< indices < count; their rows get weight 0
-  SurfaceOptions surface{};  ///< default: a line load over each taxel, for dense arrays alone
+  SurfaceOptions surface{};      ///< default: a line load over each taxel, for dense arrays alone
+  bool unknown_offsets = false;  ///< each channel's readings have a constant that is not known
 };
 
 /// @throw std::invalid_argument  the array, the material or an option is out of range
 void check(const SensorArray& array, const Material& material, const ProblemOptions& options);
+
+/// Whether anything is left to go by: a living taxel, or where offsets are unknown two of one
+/// channel.
+[[nodiscard]] bool is_measured(const SensorArray& array, const ProblemOptions& options);
 
 /// Assembles K: one block of rows per channel, one of columns per unknown; of even arrays from
 /// `surface_kernel`, of uneven ones from a `HatKernel` for each quantity and depth.
@@ -74,9 +87,26 @@ void check(const SensorArray& array, const Material& material, const ProblemOpti
 ///
 /// @throw std::invalid_argument  array, material or an option is out of range; every taxel is dead;
 ///                               stresses and strains are mixed without `channel_rms`; two unknowns
-///                               from one channel
+///                               from one channel; unknown offsets leave nothing
 [[nodiscard]] InverseProblem make_problem(const SensorArray& array, const Material& material,
                                           const ProblemOptions& options = {});
+
+/// Leaves these taxels out, as if they had been dead when the problem was made.
+void leave_out(InverseProblem& problem, std::span<const std::size_t> taxels);
+
+/// P W g: what W K f stands beside. @throw std::invalid_argument  readings have the wrong size
+[[nodiscard]] std::vector<double> weighted(const InverseProblem& problem,
+                                           std::span<const double> readings);
+
+/// The offset of each channel that suits the tractions best [unit of its readings]; 0 where all of
+/// its taxels are dead. None where offsets are known.
+/// @throw std::invalid_argument  a size does not fit
+[[nodiscard]] std::vector<double> offsets(const InverseProblem& problem,
+                                          std::span<const double> readings,
+                                          std::span<const double> tractions);
+
+/// Independent numbers in a frame: rows with a weight, less one a channel whose offset is unknown.
+[[nodiscard]] std::size_t independent_readings(const InverseProblem& problem);
 
 /// Readings of each channel; where channels differ in length, of all.
 [[nodiscard]] std::size_t line_length(const InverseProblem& problem);

@@ -25,6 +25,8 @@ struct OddKernels {
 struct MeanUnread {
   Traction component = Traction::normal;
 };
+/// A constant in each channel is its offset's.
+struct UnknownOffsets {};
 /// An odd count leaves a half of the mirrored problem one reading short (`lost_by_symmetry`).
 struct Symmetry {
   std::size_t taxels = 0;
@@ -47,8 +49,8 @@ struct Smoothing {
 
 using HiddenReason =
     std::variant<hidden_reason::OneStrain, hidden_reason::Proportional, hidden_reason::OddKernels,
-                 hidden_reason::MeanUnread, hidden_reason::Symmetry, hidden_reason::FewReadings,
-                 hidden_reason::DeadTaxels, hidden_reason::Smoothing>;
+                 hidden_reason::MeanUnread, hidden_reason::UnknownOffsets, hidden_reason::Symmetry,
+                 hidden_reason::FewReadings, hidden_reason::DeadTaxels, hidden_reason::Smoothing>;
 
 /// All that hold for the scene's own sensors; none where nothing is hidden.
 [[nodiscard]] std::vector<HiddenReason> hidden_reasons(const Scene& scene, const SensorChoice& own);

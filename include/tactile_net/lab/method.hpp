@@ -13,6 +13,7 @@
 
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/lab/alpha.hpp"
 #include "tactile_net/lab/condition.hpp"
 #include "tactile_net/lab/remark.hpp"
@@ -54,6 +55,9 @@ class FrameSolver {
                                                           std::span<const double> /*tractions*/) {
     return std::nullopt;
   }
+
+  /// M, where the answer to every frame is M g; null: it is not one product, or M is never formed.
+  [[nodiscard]] virtual const Reconstruction* product() const noexcept { return nullptr; }
 
   /// What holds before any frame, and stands in every frame's remarks too.
   [[nodiscard]] virtual Remarks remarks() const { return {}; }

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -50,6 +52,9 @@ struct Rounding {
 struct EstimatedWeight {
   double value = 1.0;  ///< of the tangential traction
 };
+struct OffsetsFound {
+  std::vector<std::pair<std::string, double>> channels{};  ///< name, and offset as its readings
+};
 struct ModelError {
   double times = 0.0;  ///< the noise stated
   bool held = false;   ///< by the bands, as if it were noise
@@ -74,8 +79,9 @@ using Remark =
     std::variant<remark::NoiseAmplified, remark::SignChanges, remark::DeadTaxelsRead,
                  remark::CutOff, remark::NotOneContact, remark::DragInNoise, remark::NullMode,
                  remark::NotConverged, remark::IterationLimit, remark::NoBands, remark::Unexplained,
-                 remark::Rounding, remark::EstimatedWeight, remark::ModelError, remark::DataDoubted,
-                 remark::Hidden, remark::ConstraintsIgnored, remark::VoltagesUnresolved>;
+                 remark::Rounding, remark::EstimatedWeight, remark::OffsetsFound,
+                 remark::ModelError, remark::DataDoubted, remark::Hidden,
+                 remark::ConstraintsIgnored, remark::VoltagesUnresolved>;
 
 using Remarks = std::vector<Remark>;
 

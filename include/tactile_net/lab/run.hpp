@@ -48,6 +48,7 @@ struct MethodResult {
   std::optional<NoiseEstimate> noise{};
   std::optional<DataVerdict> data{};  ///< of the readings
   std::optional<UncertainResultant> resultant{};
+  std::vector<double> offsets{};  ///< of each channel's readings; none where they are known
   Remarks remarks{};
   /// Why there is no answer that holds: the violated rule as the library or the simulator states
   /// it. Empty: there is one, or `Experiment::relaxation` says what is wrong with it.

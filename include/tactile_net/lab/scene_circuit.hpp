@@ -36,12 +36,14 @@ struct ExplainedDifference {
 /// time.
 class SceneCircuit {
  public:
-  /// With the scene's alpha, or the one its rule chooses for the frame.
+  /// With the scene's alpha, or the one its rule chooses for the frame on the scene's own surface,
+  /// also where the nodes lie further apart: alpha does not follow the spacing.
   ///
   /// @throw std::invalid_argument, std::domain_error  the scene's options make no circuit
   explicit SceneCircuit(const SceneFrame& frame);
   SceneCircuit(const SceneFrame& frame, const ChosenAlpha& alpha);
 
+  /// With the surface that the nodes stand for.
   [[nodiscard]] const Scene& scene() const noexcept { return frame_.problem().scene(); }
   /// The scene's, with the scale that holds for this circuit. Where the scene states no `volts`
   /// the largest of the answer's voltages is 1 V; without a contact, whose answer would be noise,

@@ -34,6 +34,9 @@ namespace tactile_net::lab {
 /// ask for comes from sections of the array. A dense factorisation would take seconds.
 inline constexpr std::size_t large = 1024;
 
+/// Whether a scene is solved by FFT: many tractions, of even taxels whose offsets are known.
+[[nodiscard]] bool is_large(const Scene& scene, std::size_t tractions);
+
 /// A scene and its inverse problem. Copies share what was made; the first use of each part makes
 /// it, so it must not happen on two threads at once.
 class SceneProblem {
@@ -51,8 +54,7 @@ class SceneProblem {
   [[nodiscard]] const Surface& surface() const;
   /// How many tractions a frame has: the surface's count, or twice that.
   [[nodiscard]] std::size_t tractions() const;
-  /// Whether it is solved by FFT, which asks for even taxels.
-  [[nodiscard]] bool is_large() const { return tractions() >= large && is_even(scene().sensor); }
+  [[nodiscard]] bool is_large() const { return lab::is_large(scene(), tractions()); }
   /// The noise of one weighted reading, if the scene states it.
   [[nodiscard]] std::optional<double> stated_noise() const;
   /// What the scene demands of tikhonov's tractions, if anything.
@@ -171,7 +173,7 @@ class SceneFrame {
   /// else gml.
   [[nodiscard]] const AlphaChoice& prior() const;
 
-  /// |W (K f - g)|_2.
+  /// |W (K f - g)|_2, by the best offsets where these are not known.
   [[nodiscard]] double residual(std::span<const double> tractions) const;
 
  private:

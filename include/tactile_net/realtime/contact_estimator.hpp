@@ -33,8 +33,8 @@ struct ContactEstimate {
   double angle = unknown;  ///< atan2(F_t, F_v) [rad]; NaN with one unknown or without contact
   double friction_margin = unknown;  ///< mu F_v - |F_t| [N/m], < 0: slips; NaN if mu or F_t is not
                                      ///< known
-  /// Root mean square of W (g - K f) over the live readings: what the tractions leave unexplained.
-  /// NaN without a prediction in the plan.
+  /// Root mean square of W (g - K f) over the live readings: what the tractions leave unexplained,
+  /// and the offsets of a plan that does not know them. NaN without a prediction in the plan.
   double residual_rms = unknown;
   bool contact = false;  ///< F_v > 0: centre, angle and margin mean something
   // Frames that cannot be true, as far as the plan has what that takes; false: not that it knows

@@ -32,8 +32,8 @@ struct EstimatorPlan {
   double error_bound = 0.0;  ///< proven for the plan; of what, see control/planner.hpp
   ProductPlan reconstruction{};  ///< readings -> tractions
 
-  /// readings -> what the tractions explain of them, K M; absent: no residual, no outliers, no dead
-  /// taxels at run time.
+  /// readings -> what the tractions explain of them, K M, and where offsets are not known these;
+  /// absent: no residual, no outliers, no dead taxels at run time.
   std::optional<ProductPlan> prediction{};
   std::vector<double> weights{};    ///< one per reading, >= 0; 0: a taxel that the plan leaves out
   std::vector<double> leverages{};  ///< diagonal of K M, one per reading; empty without prediction

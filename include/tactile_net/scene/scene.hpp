@@ -58,12 +58,16 @@ struct ReconstructOptions {
   std::optional<double> friction_limit{};  ///< tikhonov: |f_t| <= limit f_v; implies f_v >= 0
   /// Under constraints a rule chooses alpha for the tractions that they leave free.
   bool alpha_on_active_set = false;
+  /// tikhonov, closed_form and network: each channel's readings have a constant that is not known.
+  bool offset = false;
   std::optional<double> contact_friction{};  ///< dft: known mu, f_t constant over the contact
   std::optional<bool> tangential{};          ///< solve for it too; absent: see `unknowns`
 };
 
 struct NetworkOptions {
   Realization realization = Realization::ideal;
+  /// Of the tractions that the nodes stand for [m], at least the surface's; absent: as that.
+  std::optional<double> spacing{};
   RealizationOptions parts{};  ///< scale, op-amps, parasitics
   bool one_volt =
       false;  ///< the scale's volts follow from the answer, whose largest voltage is 1 V
@@ -123,6 +127,15 @@ struct Scene {
 
 /// Where those tractions lie. @throw std::invalid_argument  as `surface_of`
 [[nodiscard]] Surface surface(const Scene& scene);
+
+/// The same scene, its surface as coarse as the circuit's nodes.
+///
+/// @throw std::invalid_argument  the nodes are to have a spacing, and the tractions lie at the
+/// taxels
+[[nodiscard]] Scene of_circuit(Scene scene);
+
+/// Of a circuit with a spacing of its own: resistors grow with their square.
+inline constexpr std::size_t most_circuit_nodes = 1024;
 
 /// Readings as a file of this scene has them: in its units, before its calibration. What
 /// `frames::ReadingsFile` makes of them is the readings again.

@@ -27,13 +27,15 @@ struct Quadrature {
 /// or at a layer's base, are answered too: to 1e-12 of the integral of |k f|, in a layer to 4e-13
 /// besides of what the contact's force would cause at the base's depth in a half plane.
 ///
-/// For indenters the substitutions s = center + (a + e) sin t (cylinder, punch) and
-/// s = center +- a / cosh v (wedge) leave smooth integrands, singular edges and apex included.
-/// Panels grow by powers of 4 with the distance from the taxel, so that depths down to 1e-3 half
-/// widths keep the promise; below that, readings that vanish with the depth, the small difference
-/// of large parts, are refused first. Sampled tractions are sums of `HatKernel`s, without a
-/// quadrature. Cost per taxel: some hundred kernel evaluations for a cylinder or punch, some
-/// thousand for a wedge, one `HatKernel` for each sampled value that is not zero.
+/// A cylinder on a half plane has its reading in closed form, from depths of a hundredth of its
+/// half width on. For other indenters the substitutions s = center + (a + e) sin t (cylinder,
+/// punch) and s = center +- a / cosh v (wedge) leave smooth integrands, singular edges and apex
+/// included. Panels grow by powers of 4 with the distance from the taxel, so that depths down to
+/// 1e-3 half widths keep the promise; below that, readings that vanish with the depth, the small
+/// difference of large parts, are refused first. Sampled tractions are sums of `HatKernel`s,
+/// without a quadrature. Cost per taxel: a complex root for a cylinder on a half plane, some
+/// hundred kernel evaluations for another or a punch, some thousand for a wedge, one `HatKernel`
+/// for each sampled value that is not zero.
 ///
 /// @param places    middles of the taxels, y [m], in any order
 /// @param aperture  of every taxel, made for the channel's depth; a point by default

@@ -15,6 +15,7 @@ struct Job {
     fft,               ///< filters and iterations by FFT
     constraints,       ///< the active set
     fewer_taxels,      ///< coarser arrays of the same aperture
+    coarser_surface,   ///< fewer tractions from the same readings
     forward_model,     ///< readings of known tractions
     settling,          ///< the step response of a circuit of `realization`
     parts,             ///< what inaccurate components do to each circuit

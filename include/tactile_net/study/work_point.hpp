@@ -46,6 +46,7 @@ struct WorkCurve {
     conjugate_gradients,  ///< with products by FFT
     active_set,           ///< tractions under the scene's constraints, f_v >= 0 where it has none
     fewer_taxels,         ///< the same aperture read at every second, third, ... taxel
+    coarser_surface,      ///< the same readings on grids of steps twice, four times, ... as long
     integral,             ///< forward model: the thesis' integrals
     discrete_sum,         ///< forward model: sums over the taxels
     circuit,              ///< of `realization`, and of one `bandwidth` or `node_capacitance`
@@ -83,6 +84,7 @@ struct Knob {
     steps,            ///< `count` iterations
     exchanges,        ///< `count` exchanges of the active set, `optimal` or stopped
     taxels,           ///< `count` taxels that are read
+    surface_values,   ///< `count` values of each traction
     panel_points,     ///< `count` points of the quadrature on each panel
     halved_panels,    ///< panels halved until the integral is known to 1e-14
     settled,          ///< to `level`; `by_poles`, `scaled`

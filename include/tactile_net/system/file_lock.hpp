@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "tactile_net/system/leftovers.hpp"
@@ -35,8 +36,16 @@ class FileLock {
   int descriptor_ = -1;
 };
 
-/// A lock file, which holds the process id of who made it, and goes with it. A file that a killed
-/// process left behind is nobody's, and is taken over.
+/// Who holds a lock.
+struct LockOwner {
+  pid_t process = 0;   ///< 0: it did not write its number
+  std::string host{};  ///< of its machine; empty: this one
+
+  bool operator==(const LockOwner&) const = default;
+};
+
+/// A lock file, which holds the process and the machine of who made it, and goes with it. A file
+/// that a killed process left behind is nobody's, and is taken over.
 class RunLock {
  public:
   RunLock() noexcept = default;
@@ -44,11 +53,11 @@ class RunLock {
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
 
-  /// Takes the lock, or says who has it (0: who has it did not write its number).
+  /// Takes the lock, or says who has it.
   ///
   /// Where no lock file can be made, nothing is held and nobody is named: the file system has no
   /// locks, or the folder is not ours to write, and who writes there will say so.
-  std::optional<pid_t> take(const std::filesystem::path& file);
+  std::optional<LockOwner> take(const std::filesystem::path& file);
 
  private:
   FileLock lock_;

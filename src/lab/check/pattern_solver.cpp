@@ -32,9 +32,7 @@ double residual_rms(const SceneProblem& problem, std::span<const double> reading
   for (const double gamma : problem.family().singular_values())
     used += gamma * gamma / (gamma * gamma + alpha);
   // Where the tractions use up every reading, nothing is left to tell the noise by.
-  const std::vector<double>& weights = problem.problem().weights;
-  const auto live = std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0.0; });
-  if (static_cast<double>(live) - used < 1.0) return 0.0;
+  if (static_cast<double>(independent_readings(problem.problem())) - used < 1.0) return 0.0;
   return estimate_noise(problem.problem(), readings, tractions, used).residual_rms;
 }
 

@@ -166,6 +166,7 @@ class Frequencies final : public FrameSolver {
 std::unique_ptr<FrameSolver> make_dft(const SceneProblem& problem, std::optional<double> alpha) {
   const Scene& scene = problem.scene();
   require_at_taxels(scene.reconstruct.surface);
+  require_known_offsets(scene.reconstruct.offset, "dft");
   if (scene.reconstruct.contact_friction) return std::make_unique<Sliding>(scene);
   if (channel_count(scene.sensor) == 1) return std::make_unique<Division>(scene);
   if (problem.estimates_weight())

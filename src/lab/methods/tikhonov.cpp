@@ -17,6 +17,7 @@ class MatrixProduct final : public FrameSolver {
             .condition = Condition{.value = inverse_.condition(), .matrix = matrix_}};
   }
   [[nodiscard]] std::size_t tractions() const override { return inverse_.tractions(); }
+  [[nodiscard]] const Reconstruction* product() const noexcept override { return &inverse_; }
 
  private:
   Reconstruction inverse_;

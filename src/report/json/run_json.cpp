@@ -53,6 +53,7 @@ Json reconstruction(const lab::Experiment& experiment, const lab::MethodResult& 
                {"alpha", result.alpha ? Json(result.alpha->value) : Json(nullptr)},
                {"alpha_rule", result.alpha ? Json(source(*result.alpha)) : Json(nullptr)},
                {"tangential_weight", tangential_weight(experiment.scene, result)},
+               {"offsets", result.offsets.empty() ? Json(nullptr) : Json(result.offsets)},
                {"verdict", name(result.verdict)},
                {"normal", list_or_null(result.normal.traction)},
                {"tangential", list_or_null(result.tangential.traction)}};

@@ -61,6 +61,7 @@ std::string solve_json(const lab::RecordingOverview& overview, const lab::Solved
        unknowns(scene) == 2 ? number_or_null(scene.reconstruct.tangential_weight) : Json(nullptr)},
       {"tangential_weight_least", number_or_null(solved.least_weight)},
       {"tangential_weight_largest", number_or_null(solved.largest_weight)},
+      {"offset", scene.reconstruct.offset},
       {"verdict", verdict},
       {"verdicts", verdicts},
       {"distrusted", distrusted},

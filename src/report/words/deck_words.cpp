@@ -42,6 +42,9 @@ DeckHeader header_of(const lab::SceneCircuit& circuit) {
            "Expected below: the direct solve of P f = b, in volts."},
       .expected = circuit.direct()};
   for (double& value : header.expected) value *= scale.volts;
+  if (scene.reconstruct.offset)
+    header.comments.push_back(
+        "Offsets are not known: of K and g each channel's constant is left out.");
   if (const auto& ordered = circuit.ordered())
     header.comments.push_back(
         "Resistors: the nearest values of the series E" +

@@ -42,6 +42,11 @@ std::string say(const reason::MeanUnread& r, const std::optional<Units>&) {
   return "Because none of the quantities read answers to " + uniform(r.component) +
          ", it shows only where it stops.";
 }
+std::string say(const reason::UnknownOffsets&, const std::optional<Units>&) {
+  return "Because the offset of each channel is not known, what all of its taxels read alike says "
+         "nothing: " +
+         uniform(Traction::normal) + " shows only where it stops.";
+}
 std::string say(const reason::Symmetry& r, const std::optional<Units>&) {
   return "With " + std::to_string(r.taxels) + " taxels, an odd count, " +
          (r.lost == 1 ? "one combination is" : "some are") +

@@ -61,6 +61,14 @@ std::string say(const remark::EstimatedWeight& r) {
          ", by the evidence: a priori the tangential traction is as many times smaller than the "
          "normal one";
 }
+std::string say(const remark::OffsetsFound& r) {
+  std::string text =
+      "each channel's readings have an offset that is not known, found with the "
+      "tractions:";
+  for (std::size_t i = 0; i < r.channels.size(); ++i)
+    text += (i == 0 ? " " : ", ") + r.channels[i].first + " " + brief(r.channels[i].second);
+  return text;
+}
 std::string say(const remark::ModelError& r) {
   return "the residual is larger than the noise stated explains: the model is off by about " +
          brief(r.times) + " times the noise, which the bands " +

@@ -18,19 +18,20 @@ using Setting = study::Knob::Kind;
 
 // The words of which nothing is a number. Writers and readers below share every table.
 
-constexpr std::array<std::pair<study::Job::Kind, std::string_view>, 8> job_words = {{
+constexpr std::array<std::pair<study::Job::Kind, std::string_view>, 9> job_words = {{
     {study::Job::Kind::products, "products with M"},
     {study::Job::Kind::factorisations, "factorisations"},
     {study::Job::Kind::fft, "FFT"},
     {study::Job::Kind::constraints, "constraints"},
     {study::Job::Kind::fewer_taxels, "fewer taxels"},
+    {study::Job::Kind::coarser_surface, "coarser surface"},
     {study::Job::Kind::forward_model, "forward model"},
     {study::Job::Kind::parts, "accuracy of parts"},
     {study::Job::Kind::operating_points, "ngspice, operating points"},
 }};
 constexpr std::string_view settling_job = "settling, ";  // and the realisation
 
-constexpr std::array<std::pair<Family, std::string_view>, 9> family_words = {{
+constexpr std::array<std::pair<Family, std::string_view>, 10> family_words = {{
     {Family::closed_form, "closed form (ch. 4)"},
     {Family::factorisation, "QR of every frame"},
     {Family::ring_filter, "FFT, array as a ring"},
@@ -38,6 +39,7 @@ constexpr std::array<std::pair<Family, std::string_view>, 9> family_words = {{
     {Family::conjugate_gradients, "conjugate gradients, FFT"},
     {Family::active_set, "f_v >= 0, active set"},
     {Family::fewer_taxels, "fewer taxels"},
+    {Family::coarser_surface, "coarser surface"},
     {Family::integral, "readings by the integral"},
     {Family::discrete_sum, "readings by the discrete sum"},
 }};
@@ -50,11 +52,12 @@ struct CountWords {
   bool optimal;
   std::string_view words;
 };
-constexpr std::array<CountWords, 5> count_words = {{
+constexpr std::array<CountWords, 6> count_words = {{
     {Setting::steps, false, " steps"},
     {Setting::exchanges, false, " exchanges"},
     {Setting::exchanges, true, " exchanges, optimal"},
     {Setting::taxels, false, " taxels"},
+    {Setting::surface_values, false, " surface values"},
     {Setting::panel_points, false, " points a panel"},
 }};
 constexpr std::string_view halved_panels = "31 points, halved to 1e-14";

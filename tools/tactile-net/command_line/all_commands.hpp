@@ -55,6 +55,8 @@ void add_identify(AllCommands& all);
 void add_plan(AllCommands& all);
 void add_tradeoff(AllCommands& all);
 void add_grasp(AllCommands& all);
+void add_sweep(AllCommands& all);
+void add_merge(AllCommands& all);
 void add_init(AllCommands& all);
 void add_check(AllCommands& all);
 void add_completion(AllCommands& all);

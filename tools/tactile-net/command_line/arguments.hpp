@@ -72,6 +72,16 @@ class Arguments {
                [&target](const std::string& given) { read(given, target); });
   }
 
+  /// One or more, known by their place: the last that a command takes.
+  Argument& add_list(const std::string& name, std::vector<std::string>& target, Value value,
+                     std::string text) {
+    Argument& argument = add(name, std::move(value), std::move(text), {},
+                             [&target](const std::string& given) { target.push_back(given); });
+    argument.required = true;
+    argument.many = true;
+    return argument;
+  }
+
   Argument& add_flag(const std::string& names, bool& target, std::string text) {
     return add(names, {}, std::move(text), {}, [&target](const std::string&) { target = true; });
   }

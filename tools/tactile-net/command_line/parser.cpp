@@ -41,6 +41,16 @@ void add(CLI::App& app, const Argument& argument) {
     app.add_flag_function(names, [&argument](std::int64_t) { set(argument, ""); });
     return;
   }
+  if (argument.many) {
+    app.add_option_function<std::vector<std::string>>(
+           names,
+           [&argument](const std::vector<std::string>& values) {
+             for (const std::string& value : values) set(argument, value);
+           })
+        ->type_name(argument.value.shown())
+        ->required(argument.required);
+    return;
+  }
   app.add_option_function<std::string>(
          names, [&argument](const std::string& value) { set(argument, value); })
       ->type_name(argument.value.shown())

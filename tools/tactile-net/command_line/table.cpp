@@ -33,7 +33,8 @@ std::string CommandLine::usage(const CommandTable& command) {
     if (argument.required && argument.is_option())
       text += " " + argument.name() + " " + argument.value.shown();
     if (!argument.is_option())
-      text += " " + (argument.required ? argument.name() : "[" + argument.name() + "]");
+      text += " " + (argument.required ? argument.name() : "[" + argument.name() + "]") +
+              (argument.many ? " ..." : "");
   }
   return text;
 }

@@ -29,6 +29,7 @@ struct Argument {
   std::string text{};      ///< what it is, in ASCII
   std::string standard{};  ///< what holds where it is absent; empty: nothing, or the text says so
   bool required = false;
+  bool many = false;  ///< known by its place, and there may be several: `set` is called for each
   /// Takes the value; of a flag "". @throw WrongUsage  it cannot be this
   std::function<void(const std::string&)> set{};
 

@@ -1,0 +1,40 @@
+/// @file
+/// From journals to a table: nothing missing, in the study's order, with a hash that is the same
+/// whoever computed what.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tactile_net/sweep/journal.hpp"
+
+namespace tactile_net::sweep {
+
+struct Table {
+  std::string title{};  ///< of the study
+  std::vector<std::string> axes{};
+  std::size_t points = 0;
+  std::vector<Row> rows{};  ///< by index, and of a point in the order of the scene's methods
+  std::string csv{};        ///< the same: a header, and a line for each
+  std::string sha256{};     ///< of `csv`
+};
+
+/// Points that no journal has.
+class MissingPoints : public std::runtime_error {
+ public:
+  MissingPoints(std::size_t missing, std::size_t points, std::size_t first);
+};
+
+/// @throw MissingPoints  naming how many, and the first
+[[nodiscard]] Table table(const Rows& rows);
+
+/// All journals of these folders and of the folders in them, of one study.
+/// @throw InputError     there is no journal, or not all are of one study; as `Rows::add`
+/// @throw MissingPoints  as `table`
+[[nodiscard]] Table merge(std::span<const std::filesystem::path> folders);
+
+}  // namespace tactile_net::sweep

@@ -1,0 +1,90 @@
+// A scene at many values, on the processors of this machine, and shards put together.
+#include "tactile_net/sweep/sweep.hpp"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <filesystem>
+
+#include "page_folder.hpp"
+#include "rooms.hpp"
+#include "tactile_net/pages/sweep_page.hpp"
+#include "tactile_net/report/words/sweep_words.hpp"
+#include "tactile_net/sweep/slurm.hpp"
+
+namespace tactile_net::python {
+namespace {
+
+namespace nb = nanobind;
+
+/// Ctrl-C ends a sweep within a fifth of a second: what is done is kept.
+class SweepWatcher final : public sweep::Observer {
+ public:
+  explicit SweepWatcher(const nb::object& progress) : progress_(progress) {}
+
+  void progress(const sweep::Progress& progress) override {
+    const nb::gil_scoped_acquire held;
+    if (!progress_.is_none()) progress_(report::in_words(progress));
+  }
+  /// @throw nb::python_error  a signal's handler has raised
+  [[nodiscard]] bool stop() const override {
+    const nb::gil_scoped_acquire held;
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+    return false;
+  }
+
+ private:
+  const nb::object& progress_;  // not counted: the GIL is not held where this ends
+};
+
+sweep::Progress run_sweep(const std::string& study, const std::string& folder,
+                          std::optional<std::size_t> jobs, const std::string& shard,
+                          bool allow_outside, const nb::object& progress) {
+  SweepWatcher watcher(progress);
+  const nb::gil_scoped_release released;
+  const sweep::Options options{.jobs = jobs.value_or(0), .shard = sweep::shard_in(shard)};
+  return sweep::sweep(sweep::Study(read_study(study, {allow_outside})), folder, options, watcher);
+}
+
+sweep::Table merge(const std::vector<std::string>& folders) {
+  const nb::gil_scoped_release released;
+  return sweep::merge(std::vector<std::filesystem::path>(folders.begin(), folders.end()));
+}
+
+std::string report_of(const sweep::Table& table, const std::string& folder, bool force) {
+  const nb::gil_scoped_release released;
+  return write_page({.path = folder, .force = force},
+                    pages::sweep_page(table, {.files = {"results.csv"}}), "results.csv", table.csv);
+}
+
+}  // namespace
+
+void bind_sweep(nb::module_& module) {
+  nb::class_<sweep::Progress>(module, "SweepProgress")
+      .def_ro("points", &sweep::Progress::points)
+      .def_ro("done", &sweep::Progress::done)
+      .def_ro("earlier", &sweep::Progress::earlier)
+      .def_ro("deaths", &sweep::Progress::deaths);
+  nb::class_<sweep::Table>(module, "SweepTable")
+      .def_ro("title", &sweep::Table::title)
+      .def_ro("axes", &sweep::Table::axes)
+      .def_ro("points", &sweep::Table::points)
+      .def_ro("csv", &sweep::Table::csv)
+      .def_ro("sha256", &sweep::Table::sha256)
+      .def("cells", &report::method_cells)
+      .def("report", &report_of);
+  module.def("sweep", &run_sweep, nb::arg("study"), nb::arg("folder"), nb::arg("jobs").none(),
+             nb::arg("shard"), nb::arg("allow_outside"), nb::arg("progress").none());
+  module.def("merge", &merge, nb::arg("folders"));
+  module.def(
+      "slurm_script",
+      [](const std::string& study, const std::string& folder, std::size_t tasks,
+         const std::string& time) {
+        return sweep::slurm_script(
+            {.study = study, .folder = folder, .tasks = tasks, .time = time});
+      },
+      nb::arg("study"), nb::arg("folder"), nb::arg("tasks"), nb::arg("time"));
+}
+
+}  // namespace tactile_net::python

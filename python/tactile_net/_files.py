@@ -1,0 +1,188 @@
+"""Recordings on disk: which container a file is, by what it begins with; and which it becomes, by its name."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Callable, Iterator
+from os import PathLike, fspath
+from typing import TYPE_CHECKING
+
+from ._refusal import refused
+
+if TYPE_CHECKING:
+    from numpy.typing import DTypeLike
+
+    from ._judge import Units
+    from ._layout import Layout
+    from ._recording import Recording, Solution
+    from ._scene import Scene
+
+_SUFFIXES = (".npy", ".npz", ".csv", ".h5", ".hdf5", ".parquet", ".mcap")
+_STRANGERS = {
+    b"\x80": "is a Python pickle, which can run anything when it is loaded",
+    b"\x1f\x8b": "is compressed by gzip: gunzip it",
+    b"BZh": "is compressed by bzip2: bunzip2 it",
+    b"\xfd7zXZ": "is compressed by xz: xz -d it",
+    b"(\xb5/\xfd": "is compressed by zstd: zstd -d it",
+    b"MATLAB ": "is a MATLAB file: scipy.io.loadmat gives its arrays, which numpy.savez saves",
+}
+
+
+def load(
+    path: str | PathLike[str],
+    *,
+    scene: Scene | None = None,
+    units: Units | None = None,
+    name: str | None = None,
+    missing: bool = True,
+) -> Recording:
+    """A recording from .npy, .npz, CSV, HDF5, Parquet, MCAP or a ROS bag: known by content, not by name.
+
+    scene: of a file that says none, or in place of the one inside.
+    units: of a file that says none: "kPa", {"stress_x": "kPa", "strain_x": "1"}, or "scene": as the scene says of its
+    files of readings, with its calibration; None: "scene", where that has [units] or [calibration].
+    name: which of several recordings, arrays, datasets, columns or topics.
+    missing: readings that are not finite are missing values, of which a note tells; False: they are refused.
+    Raises InputError, which says what is wrong and what to do; warns with CutOffWarning where only a part is whole.
+    """
+    from ._judge import as_it_says, judged
+
+    where = fspath(path)
+    if _is_log(where):
+        from . import logs
+
+        return logs.read(where, topic=name, scene=scene, units=units, missing=missing)
+    with as_it_says(where):
+        layout = _read(where, name)
+    if layout is None:
+        return _stranger_csv(where, scene, units, missing)
+    return judged(layout, where, scene, units, missing)
+
+
+def load_solution(path: str | PathLike[str], name: str | None) -> Solution:
+    from ._judge import as_it_says, judged
+    from ._layout import solution_in
+
+    where = fspath(path)
+    with as_it_says(where):
+        layout = None if _is_log(where) else _read(where, name)
+        if layout is None:
+            raise refused(where, "holds readings and no solution", "tactile_net.load(path).solve()")
+        return solution_in(layout, judged(layout, where, None, None, True), where)
+
+
+def save(what: Recording | Solution, path: str | PathLike[str], name: str, dtype: DTypeLike, append: bool) -> None:
+    from . import _containers as plain
+    from . import _hdf5, _parquet
+    from ._judge import rising
+    from ._layout import layout_of
+
+    where = fspath(path)
+    suffix = os.path.splitext(where)[1].lower()
+    if suffix not in _SUFFIXES:
+        raise ValueError(
+            f"{where}: a recording is saved as {', '.join(_SUFFIXES)}, not as {suffix or 'a name without'}"
+        )
+    if append and suffix not in (".h5", ".hdf5"):
+        raise ValueError(f"{where}: only HDF5 holds several recordings, so that append=True needs .h5")
+    if not name.isidentifier():
+        raise ValueError(f"{where}: name must be letters, digits and _ (got {name!r})")
+    if suffix == ".mcap":
+        from . import logs
+
+        logs.write(where, what, topic=f"/{name}", dtype=dtype)
+        return
+    layout = layout_of(what, dtype)
+    if what.t is not None:
+        rising(where, what.t)
+    if suffix == ".npy":
+        refuse_as_npy(what, where)
+    writers: dict[str, Callable[[str, Layout, str], None]] = {
+        ".npy": plain.write_npy,
+        ".npz": plain.write_npz,
+        ".csv": lambda to, layout, _: plain.write_csv(to, layout, what.scene),
+        ".parquet": _parquet.write,
+    }
+    with whole(where, append) as to:
+        writers.get(suffix, _hdf5.write)(to, layout, name)
+
+
+def refuse_as_npy(what: Recording | Solution, where: str) -> None:
+    """A .npy is an array and nothing else: who reads it takes its numbers as the scene's files of readings."""
+    from ._containers import takes_si
+    from ._recording import Recording
+
+    if not isinstance(what, Recording):
+        raise ValueError(f"{where}: a .npy holds readings and no solution: .npz, .h5 and .parquet hold both")
+    if not takes_si(what.scene):
+        raise ValueError(
+            f"{where}: a .npy says no units, and files of readings of this scene have its own: save .npz, or "
+            "numpy.save(path, scene.raw_numbers(recording.readings))"
+        )
+
+
+@contextlib.contextmanager
+def whole(path: str, append: bool = False) -> Iterator[str]:
+    """A file beside it to write to, which takes its place when all is written."""
+    beside = f"{path}.{os.getpid()}.part"
+    try:
+        if append and os.path.exists(path):
+            import shutil
+
+            shutil.copyfile(path, beside)
+        yield beside
+        os.replace(beside, path)
+    finally:
+        with contextlib.suppress(FileNotFoundError):
+            os.unlink(beside)
+
+
+def _start(where: str) -> bytes:
+    with open(where, "rb") as file:
+        start = file.read(512)
+    if not start:
+        raise refused(where, "is empty")
+    return start
+
+
+def _is_log(where: str) -> bool:
+    """A folder is one of ROS 2's bags."""
+    marks = (b"\x89MCAP0\r\n", b"#ROSBAG V", b"SQLite format 3")
+    return os.path.isdir(where) or _start(where).startswith(marks)
+
+
+def _read(where: str, name: str | None) -> Layout | None:
+    """None: a CSV that is not of this package."""
+    from . import _containers as plain
+    from . import _hdf5, _parquet
+
+    readers: dict[bytes, Callable[[str, str | None], Layout]] = {
+        b"\x93NUMPY": plain.read_npy,
+        b"PK": plain.read_npz,
+        b"\x89HDF\r\n\x1a\n": _hdf5.read,
+        b"PAR1": _parquet.read,
+    }
+    start = _start(where)
+    for mark, read in readers.items():
+        if start.startswith(mark):
+            return read(where, name)
+    for mark, words in _STRANGERS.items():
+        if start.startswith(mark):
+            raise refused(where, words)
+    return plain.read_own_csv(where) if start.startswith(plain.CSV_MARK.encode()) else None
+
+
+def _stranger_csv(where: str, scene: Scene | None, units: Units | None, missing: bool) -> Recording:
+    """By the library's reader, which knows columns by many names."""
+    from ._judge import absent, in_si, rising
+    from ._recording import Recording
+
+    if scene is None:
+        raise refused(where, "says no scene that its readings are of", "give scene=")
+    as_written = scene.replace({"units": {}, "calibration": None}).read(where, missing=missing)
+    # Judges units=; the numbers themselves are calibrated by the reader.
+    values, notes = in_si(where, as_written.readings, scene, units, None)
+    times = [] if as_written.t is None else rising(where, as_written.t)
+    notes = [*as_written.notes, *notes, *times, *absent(where, values, scene, missing)]
+    return Recording(scene, values, as_written.t, None, tuple(dict.fromkeys(notes)))

@@ -1,0 +1,168 @@
+"""The one layout of recorded frames: arrays under fixed names, and attributes that are text, in every container.
+
+readings (T, C, N), of uneven arrays (T, R); t (T) [s], where times are known; channels (C) and y (N), of uneven arrays
+of each reading; truth (T, U, M); of a solution tractions (T, U, M), alpha, verdict and data (T).
+"""
+
+from __future__ import annotations
+
+import atexit
+import dataclasses
+import json
+import os
+import shutil
+import tempfile
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._recording import Recording, Solution
+from ._refusal import refused
+
+if TYPE_CHECKING:
+    from numpy.typing import DTypeLike, NDArray
+
+    from ._scene import Scene
+
+READINGS, TRACTIONS = "tactile_net.readings", "tactile_net.tractions"
+VERSION = 1
+SIGNS = "compression is positive, and drag along +y; frames, channels, taxels"
+OF_FRAMES = ("t", "readings", "truth", "tractions", "alpha", "verdict", "data")
+"""Arrays with a row for each frame."""
+
+
+@dataclasses.dataclass
+class Layout:
+    """What a container holds; without attributes it is a stranger's."""
+
+    arrays: dict[str, NDArray[Any]]
+    attributes: dict[str, str] = dataclasses.field(default_factory=dict)
+    units: str | None = None
+    """That a stranger's file states."""
+    columns: list[str] | None = None
+    """Of a stranger's readings that stand in a column each."""
+    notes: list[str] = dataclasses.field(default_factory=list)
+    """What was found while reading."""
+
+    @property
+    def own(self) -> bool:
+        return self.attributes.get("format") in (READINGS, TRACTIONS)
+
+
+def units_by_channel(scene: Scene) -> dict[str, str]:
+    """ "Pa", of strains "1"; "": the scene states none."""
+    names = dict.fromkeys(scene.channels)
+    return {name: "" if not scene._core.si else "1" if name.startswith("strain") else "Pa" for name in names}
+
+
+def layout_of(what: Recording | Solution, dtype: DTypeLike = np.float64) -> Layout:
+    """Raises ValueError where a number is too large for `dtype`."""
+    recording = what.recording if isinstance(what, Solution) else what
+    scene = recording.scene
+    even = scene.even
+    arrays: dict[str, Any] = {"readings": recording.readings, "truth": recording.truth}
+    attributes = {
+        "format": READINGS,
+        "version": str(VERSION),
+        "signs": SIGNS,
+        "units": json.dumps(units_by_channel(scene)),
+        "scene": scene.text,
+        "scene_file": os.path.basename(scene.file),
+        "scene_files": json.dumps(_files_of(scene)),
+        "scene_sha256": sha256(scene.text.encode()).hexdigest(),
+        "notes": json.dumps(recording.notes),
+    }
+    if isinstance(what, Solution):
+        arrays |= {"tractions": what.tractions, "alpha": what.alpha}
+        attributes |= {
+            "format": TRACTIONS,
+            "method": what.method,
+            "missing": what._missing,
+            "share_alpha": json.dumps(what._share_alpha),
+            "solution_notes": json.dumps(what.notes),
+        }
+    held = {name: _as(dtype, name, values) for name, values in arrays.items() if values is not None}
+    if recording.t is not None:
+        held["t"] = recording.t
+    held["channels"] = np.array(scene.channels if even else scene.reading_names)
+    held["y"] = scene.taxels if even else scene.sites.y
+    if isinstance(what, Solution):
+        held |= {"verdict": what.verdict, "data": what.data}
+    return Layout(held, attributes)
+
+
+def _as(dtype: DTypeLike, name: str, values: NDArray[Any]) -> NDArray[Any]:
+    if np.dtype(dtype) not in (np.float32, np.float64):
+        raise ValueError(f"dtype must be float64 or float32 (got {np.dtype(dtype)})")
+    with np.errstate(over="ignore"):
+        held = values.astype(dtype)
+    if np.isinf(held).sum() != np.isinf(values).sum():
+        raise ValueError(f"{name} cannot be held as float32, whose largest is 3e38: save it as float64")
+    return held
+
+
+def _files_of(scene: Scene) -> dict[str, str]:
+    """The text of the files that it refers to."""
+    tables = scene.to_dict()
+    named = tables["sensor"].get("taxels"), tables.get("calibration", {}).get("file")
+    folder = Path(scene.file).parent
+    return {name: (folder / name).read_text(encoding="utf-8") for name in named if name is not None}
+
+
+@cache
+def _unpacked(files: tuple[tuple[str, str], ...]) -> str:
+    """A folder with these files, for as long as the process lives: a scene reads them whenever it is parsed."""
+    folder = tempfile.mkdtemp(prefix="tactile_net-")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    for name, text in files:
+        path = Path(folder, name)
+        if not path.resolve().is_relative_to(Path(folder).resolve()):
+            raise ValueError(f"{name!r} leads out of the scene's folder")
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return folder
+
+
+def scene_in(layout: Layout, where: str) -> Scene:
+    """The scene inside, with the files that it refers to."""
+    from ._scene import Scene
+
+    attributes = layout.attributes
+    if int(attributes.get("version", "0")) > VERSION:
+        raise refused(
+            where,
+            f"is of version {attributes['version']} of the layout, and versions up to {VERSION} are read here",
+            "a newer tactile-net reads it",
+        )
+    text = attributes.get("scene", "")
+    if sha256(text.encode()).hexdigest() != attributes.get("scene_sha256"):
+        raise refused(
+            where, "has a scene inside that is not the one it was saved with: its SHA-256 differs", "give scene="
+        )
+    files = json.loads(attributes.get("scene_files", "{}"))
+    try:
+        folder = _unpacked(tuple(sorted(files.items()))) if files else os.path.dirname(where)
+        return Scene.parse(text, file=os.path.join(folder, os.path.basename(attributes.get("scene_file", "scene"))))
+    except ValueError as error:
+        raise refused(where, f"has a scene inside that cannot be read:\n{error}", "give scene=") from None
+
+
+def solution_in(layout: Layout, recording: Recording, where: str) -> Solution:
+    """What was saved of a solution, without solving again."""
+    if layout.attributes.get("format") != TRACTIONS:
+        raise refused(where, "holds readings and no solution", "tactile_net.load(path).solve()")
+    arrays, attributes = layout.arrays, layout.attributes
+    return Solution._restored(
+        recording=recording,
+        method=attributes["method"],
+        _missing=attributes["missing"],
+        _share_alpha=json.loads(attributes["share_alpha"]),
+        tractions=np.asarray(arrays["tractions"], dtype=np.float64),
+        alpha=np.asarray(arrays["alpha"], dtype=np.float64),
+        verdict=np.asarray(arrays["verdict"], dtype=np.str_),
+        data=np.asarray(arrays["data"], dtype=np.str_),
+        notes=tuple(json.loads(attributes["solution_notes"])),
+    )

@@ -1,0 +1,133 @@
+"""Sweeps: what the command makes of a study, and what becomes of one that is stopped."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import PROJECT
+
+import tactile_net as tn
+
+COMMAND = os.environ.get("TACTILE_NET_COMMAND", "tactile-net")
+AXES: dict[str, Any] = {
+    "sensor.depth": [0.5, 1.0, np.float64(2.0)],
+    "noise.rms": {"from": 1e-4, "to": 1e-2, "count": 2, "scale": "log"},
+}
+
+
+@pytest.fixture
+def study() -> tn.Study:
+    scene = tn.Scene.load(PROJECT / "scenes/sweeps/pad.toml").replace({"reconstruct.alpha": 1e-3})
+    return tn.Study(scene, AXES, repeats=2, title="Depths")
+
+
+def table_of(answer: tn.SweepTable | None) -> tn.SweepTable:
+    assert answer is not None
+    return answer
+
+
+def test_the_command_finds_the_same(study: tn.Study, tmp_path: Path) -> None:
+    table = table_of(tn.sweep(study, tmp_path / "out", jobs=2))
+    path = study.save(tmp_path)
+    subprocess.run([COMMAND, "sweep", path, "-o", str(tmp_path / "command")], check=True, capture_output=True)
+    assert table.csv == (tmp_path / "command/results.csv").read_text(encoding="utf-8")
+    assert table.title == "Depths" and table.points == len(table) == 12
+    assert table.axes == ("sensor.depth", "noise.rms", "repeat")
+    assert set(table["sensor.depth"]) == {0.5, 1.0, 2.0}
+    assert table["index"].tolist() == list(range(12))
+    assert len(set(table["seed"])) == 12
+    assert np.isfinite(table["error"]).all() and (table["verdict"] == "ok").all()
+    assert np.isnan(table["error_tangential"]).all()
+
+
+def test_a_point_is_the_scene_with_its_values(study: tn.Study, tmp_path: Path) -> None:
+    table = table_of(tn.sweep(study, tmp_path / "out"))
+    for i in (0, 7):
+        changes = {key: table[key][i] for key in AXES} | {"noise.seed": int(table["seed"][i])}
+        answer = tn.run(study.scene.replace(changes)).methods["tikhonov"]
+        assert answer.relative_error == table["error"][i]
+        assert answer.force == table["force"][i]
+
+
+def test_shards(study: tn.Study, tmp_path: Path) -> None:
+    whole = table_of(tn.sweep(study, tmp_path / "whole"))
+    assert tn.sweep(study, tmp_path / "parts", shard=(1, 2)) is None
+    with pytest.raises(RuntimeError, match="6 of 12 points are missing, 1 first"):
+        tn.merge(tmp_path / "parts")
+    assert tn.sweep(study, tmp_path / "other", shard=(2, 2)) is None
+    assert tn.merge(tmp_path / "parts", tmp_path / "other").sha256 == whole.sha256
+
+
+def test_ctrl_c_keeps_what_is_done(study: tn.Study, tmp_path: Path) -> None:
+    path = tn.Study(study.scene.replace({"reconstruct.alpha": "rgcv"}), AXES, repeats=40).save(tmp_path)
+    script = f"import tactile_net as tn\ntry:\n    tn.sweep({path!r}, {str(tmp_path / 'out')!r}, jobs=2)\nexcept KeyboardInterrupt:\n    print('stopped')"
+    with subprocess.Popen([sys.executable, "-B", "-c", script], stdout=subprocess.PIPE, text=True) as process:
+        end = time.monotonic() + 60
+        while not any(file.stat().st_size > 3000 for file in tmp_path.glob("out/*/*.journal")) and time.monotonic() < end:
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        assert process.communicate(timeout=60)[0] == "stopped\n"
+    steps: list[str] = []
+    table = table_of(tn.sweep(path, tmp_path / "out", progress=steps.append))
+    assert table.points == 240
+    assert steps[-1] == "240 of 240 points, 100 %"
+
+
+def test_what_is_wrong(study: tn.Study, tmp_path: Path) -> None:
+    with pytest.raises(tn.InputError, match="did you mean depth"):
+        tn.sweep(tn.Study(study.scene, {"sensor.deth": [1.0]}), tmp_path / "a")
+    with pytest.raises(tn.InputError, match="at least one value"):
+        tn.sweep(tn.Study(study.scene, {"sensor.depth": []}), tmp_path / "b")
+    with pytest.raises(TypeError, match="no scene holds"):
+        tn.sweep(tn.Study(study.scene, {"sensor.depth": [{1.0}]}), tmp_path / "c")
+    with pytest.raises(ValueError, match="5/4"):
+        tn.sweep(study, tmp_path / "d", shard=(5, 4))
+    with pytest.raises(ValueError, match="jobs"):
+        tn.sweep(study, tmp_path / "e", jobs=0)
+    with pytest.raises(tn.InputError, match="no journal"):
+        tn.merge(tmp_path)
+    (tmp_path / "file").write_text("mine", encoding="utf-8")
+    with pytest.raises(OSError, match="cannot be created"):
+        tn.sweep(study.save(tmp_path), tmp_path / "file")
+
+
+def test_failures_are_rows(study: tn.Study, tmp_path: Path) -> None:
+    table = table_of(tn.sweep(tn.Study(study.scene, {"sensor.depth": [-1.0, 1.0]}), tmp_path / "out"))
+    assert table["failure"].tolist() == ["sensor.depth must be > 0", ""]
+    assert np.isnan(table["error"][0])
+
+
+def test_tables(study: tn.Study, tmp_path: Path) -> None:
+    table = table_of(tn.sweep(tn.Study(study.scene, {"reconstruct.alpha": ["rgcv", 1e-3]}), tmp_path / "out"))
+    assert table["reconstruct.alpha"].tolist() == ["rgcv", "0.001"]
+    frame = table.to_dataframe()
+    assert list(frame.columns) == list(table.columns) and len(frame) == 2
+    assert "SweepTable" in repr(table) and "<table" in table._repr_html_()
+    assert Path(table.report(tmp_path / "page")).exists()
+    assert (tmp_path / "page/results.csv").read_text(encoding="utf-8") == table.csv
+
+
+def test_parquet(study: tn.Study, tmp_path: Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    table = table_of(tn.sweep(study, tmp_path / "out"))
+    table.to_parquet(tmp_path / "rows.parquet")
+    again = parquet.read_table(tmp_path / "rows.parquet")
+    assert again.schema.metadata[b"tactile_net.sha256"].decode() == table.sha256
+    for name, values in table.columns.items():
+        np.testing.assert_array_equal(again[name].to_numpy(zero_copy_only=False), values)
+
+
+def test_slurm_script() -> None:
+    script = tn.slurm_script("study.toml", "out", tasks=8, time="2:00:00")
+    assert "#SBATCH --array=1-8" in script and "#SBATCH --time=2:00:00" in script
+    assert f"--out {Path('out').absolute()}" in script
+    with pytest.raises(ValueError, match="no time"):
+        tn.slurm_script("study.toml", "out", tasks=8, time="soon")

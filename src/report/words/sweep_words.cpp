@@ -1,0 +1,82 @@
+#include "tactile_net/report/words/sweep_words.hpp"
+
+#include <cmath>
+
+#include "tactile_net/numeric/number_text.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+std::string number(const std::optional<double>& value) { return value ? brief(*value) : "-"; }
+
+void add_cells(std::vector<std::string>& row, const sweep::Group& group) {
+  for (const std::size_t count : {group.rows, group.trusted, group.failed})
+    row.push_back(std::to_string(count));
+  row.push_back(number(group.median_error));
+  row.push_back(number(group.largest_error));
+  row.push_back(number(group.median_alpha));
+}
+
+std::vector<std::string> headings(std::string first) {
+  return {std::move(first), "rows",          "ok",          "failed",
+          "median error",   "largest error", "median alpha"};
+}
+
+}  // namespace
+
+std::string time_left(double seconds) {
+  constexpr double minute = 60.0;
+  constexpr double hour = 60.0 * minute;
+  if (seconds < 1.5 * minute) return fixed(std::ceil(seconds), 0) + " s";
+  if (seconds < 1.5 * hour) return fixed(std::ceil(seconds / minute), 0) + " min";
+  return fixed(std::ceil(seconds / hour), 0) + " h";
+}
+
+std::string in_words(const sweep::Progress& progress) {
+  std::string text =
+      std::to_string(progress.done) + " of " + std::to_string(progress.points) + " points";
+  if (progress.points > 0)
+    text += ", " +
+            fixed(100.0 * static_cast<double>(progress.done) / static_cast<double>(progress.points),
+                  0) +
+            " %";
+  if (progress.seconds_left && !progress.complete())
+    text += ", about " + time_left(*progress.seconds_left) + " left";
+  return text;
+}
+
+std::vector<std::vector<std::string>> method_cells(const sweep::Table& table) {
+  std::vector<std::vector<std::string>> cells = {headings("method")};
+  for (const std::string& method : sweep::methods(table)) {
+    cells.push_back({method});
+    add_cells(cells.back(), sweep::group(sweep::of_method(table, method)));
+  }
+  if (const auto none = sweep::of_method(table, ""); !none.empty()) {
+    cells.push_back({"(no method)"});
+    add_cells(cells.back(), sweep::group(none));
+  }
+  return cells;
+}
+
+std::vector<std::vector<std::string>> value_cells(const sweep::Table& table,
+                                                  const std::string& method, std::size_t axis) {
+  std::vector<std::vector<std::string>> cells = {headings(table.axes[axis])};
+  for (const sweep::Part& part : sweep::by_value(sweep::of_method(table, method), axis)) {
+    cells.push_back({part.value});
+    add_cells(cells.back(), sweep::group(part.rows));
+  }
+  return cells;
+}
+
+std::vector<std::string> failures_in_words(const sweep::Table& table) {
+  constexpr std::size_t most = 10;
+  const auto all = sweep::failures(table);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < all.size() && i < most; ++i)
+    texts.push_back(std::to_string(all[i].second) + (all[i].second == 1 ? " row: " : " rows: ") +
+                    all[i].first);
+  if (all.size() > most) texts.push_back(std::to_string(all.size() - most) + " more reasons");
+  return texts;
+}
+
+}  // namespace tactile_net::report

@@ -1,0 +1,135 @@
+#include "tactile_net/scene/scene_template.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "scene/document.hpp"
+#include "scene/sections.hpp"
+#include "scene/table.hpp"
+#include "tactile_net/numeric/text.hpp"
+
+namespace tactile_net {
+namespace {
+
+/// A setting has no place in the scene, or none that it can be written into.
+class NoPlace : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+std::optional<std::size_t> index_in(std::string_view step) {
+  std::size_t index = 0;
+  const char* const end = step.data() + step.size();
+  const auto [stop, error] = std::from_chars(step.data(), end, index);
+  return error == std::errc{} && stop == end ? std::optional(index) : std::nullopt;
+}
+
+/// The element of a list that a step of a path names.
+std::size_t place_in(const toml::array& list, std::string_view step, std::string_view key) {
+  const auto index = index_in(step);
+  if (!index || *index >= list.size())
+    throw NoPlace(std::string(key) + ": the scene's list has " + std::to_string(list.size()) +
+                  ", counted from 0");
+  return *index;
+}
+
+/// What a step of a path leads to; a table that is missing is made.
+toml::node& within(toml::node& place, std::string_view step, std::string_view key) {
+  if (toml::array* list = place.as_array()) return (*list)[place_in(*list, step, key)];
+  toml::table* table = place.as_table();
+  if (table == nullptr)
+    throw NoPlace(std::string(key) + ": what stands before " + in_quotes(step) + " is no table");
+  if (toml::node* found = table->get(step)) return *found;
+  return table->insert_or_assign(step, toml::table{}).first->second;
+}
+
+void set(toml::table& scene, const Setting& setting) {
+  const std::vector<std::string_view> way = split(setting.key, '.');
+  toml::node* place = &scene;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) place = &within(*place, way[i], setting.key);
+  const toml::table holder = toml::parse("v = " + std::string(setting.value));
+  const toml::node& value = *holder.get("v");
+  if (toml::array* list = place->as_array()) {
+    const std::size_t at = place_in(*list, way.back(), setting.key);
+    (void)list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(at), value);
+  } else if (toml::table* table = place->as_table()) {
+    table->insert_or_assign(way.back(), value);
+  } else {
+    throw NoPlace(std::string(setting.key) + ": what stands before " + in_quotes(way.back()) +
+                  " is no table");
+  }
+}
+
+/// A path as messages have it: lists of tables are called by their name alone.
+std::string without_indices(std::string_view key) {
+  std::vector<std::string> names;
+  for (const std::string_view step : split(key, '.'))
+    if (!index_in(step)) names.emplace_back(step);
+  return join(names, ".");
+}
+
+Scene scene_of(const SceneTemplate& base, std::span<const Setting> settings, Problems& problems) {
+  const std::string file = base.file().string();
+  const std::string_view text = without_byte_order_mark(base.text());
+  toml::table toml = parse_document(text, file, problems);
+  for (const Setting& setting : settings) {
+    try {
+      set(toml, setting);
+    } catch (const NoPlace& error) {
+      problems.add({}, error.what());
+    } catch (const toml::parse_error&) {
+      problems.add({}, std::string(setting.key) + ": " + in_quotes(setting.value) + " is not TOML");
+    }
+  }
+  Scene scene;
+  scene.file = base.file().filename().string();
+  Table root{toml, "", problems};
+  if (problems.none()) read_sections(root, base.file().parent_path(), scene);
+  return scene;
+}
+
+}  // namespace
+
+SceneTemplate::SceneTemplate(std::string text, std::filesystem::path file)
+    : text_(std::move(text)), file_(std::move(file)) {
+  const std::string_view content = without_byte_order_mark(text_);
+  Problems problems{file_.string(), content};
+  (void)parse_document(content, file_.string(), problems);
+}
+
+Scene SceneTemplate::with(std::span<const Setting> settings) const {
+  Problems problems{file_.string(), without_byte_order_mark(text_)};
+  Scene scene = scene_of(*this, settings, problems);
+  problems.throw_if_any();
+  return scene;
+}
+
+std::optional<SceneTemplate::Objection> SceneTemplate::objection(
+    std::string_view key, std::span<const Setting> settings) const {
+  toml::table toml = toml::parse(without_byte_order_mark(text_));
+  for (const Setting& setting : settings) {
+    if (setting.key != key) continue;
+    try {
+      set(toml, setting);
+    } catch (const NoPlace& error) {
+      return Objection{error.what(), "contacts are counted from 0: contact.0.force"};
+    }
+  }
+  Problems problems{file_.string(), without_byte_order_mark(text_)};
+  (void)scene_of(*this, settings, problems);
+  const std::string name = without_indices(key);
+  for (const UnknownKey& unknown : problems.unknown_keys())
+    if (name == unknown.path || name.starts_with(unknown.path + '.'))
+      return Objection{in_quotes(unknown.path) + " is no key of a scene", unknown.meant};
+  return std::nullopt;
+}
+
+void SceneTemplate::check_keys(std::span<const Setting> settings) const {
+  Problems problems{file_.string(), without_byte_order_mark(text_)};
+  (void)scene_of(*this, settings, problems);
+  if (!problems.unknown_keys().empty()) problems.throw_if_any();
+}
+
+}  // namespace tactile_net

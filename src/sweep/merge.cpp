@@ -1,0 +1,50 @@
+#include "tactile_net/sweep/merge.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "tactile_net/numeric/sha256.hpp"
+#include "tactile_net/scene/diagnostic.hpp"
+
+namespace tactile_net::sweep {
+
+MissingPoints::MissingPoints(std::size_t missing, std::size_t points, std::size_t first)
+    : std::runtime_error(std::to_string(missing) + " of " + std::to_string(points) +
+                         " points are missing, " + std::to_string(first) +
+                         " first: the same sweep again does what is missing") {}
+
+Table table(const Rows& rows) {
+  const JournalHead& head = rows.head();
+  if (rows.done() < head.points) {
+    std::size_t first = 0;
+    while (rows.has(first)) ++first;
+    throw MissingPoints(head.points - rows.done(), head.points, first);
+  }
+  Table table{.title = head.title, .axes = head.axes, .points = head.points};
+  table.csv = header(head.axes) + '\n';
+  for (const auto& [index, lines] : rows.points())
+    for (const std::string& line : lines) {
+      table.rows.push_back(*row_in(line, head.axes.size()));
+      (table.csv += line) += '\n';
+    }
+  table.sha256 = sha256_text(table.csv);
+  return table;
+}
+
+Table merge(std::span<const std::filesystem::path> folders) {
+  std::vector<std::filesystem::path> journals;
+  for (const auto& folder : folders)
+    for (auto& journal : journals_in(folder)) journals.push_back(std::move(journal));
+  std::optional<JournalHead> head;
+  for (const auto& journal : journals)
+    if (!head) head = read_head(journal);
+  if (!head)
+    throw InputError({{.file = folders.empty() ? "merge" : folders.front().string(),
+                       .message = "holds no journal of a sweep",
+                       .hint = "name the folder that sweep --out named"}});
+  Rows rows(*std::move(head));
+  for (const auto& journal : journals) rows.add(journal);
+  return table(rows);
+}
+
+}  // namespace tactile_net::sweep

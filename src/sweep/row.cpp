@@ -1,0 +1,115 @@
+#include "tactile_net/sweep/row.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
+
+namespace tactile_net::sweep {
+namespace {
+
+// A row's fields, but for the axes', which stand behind the index: each column once, for writer and
+// reader.
+
+std::string written(const std::string& text) {
+  return text.find_first_of(",\"\n\r") == std::string::npos ? text : csv_quoted(text);
+}
+std::string written(std::uint64_t number) { return std::to_string(number); }
+std::string written(const std::optional<double>& number) {
+  return number && std::isfinite(*number) ? shortest(*number) : std::string();
+}
+
+bool read(const std::string& field, std::string& text) {
+  text = field;
+  return true;
+}
+bool read(const std::string& field, std::uint64_t& number) {
+  const char* const end = field.data() + field.size();
+  const auto [stop, error] = std::from_chars(field.data(), end, number);
+  return error == std::errc{} && stop == end;
+}
+bool read(const std::string& field, std::optional<double>& number) {
+  number.reset();
+  double value = 0.0;
+  if (field.empty()) return true;
+  if (!read_number(field, value)) return false;
+  number = value;
+  return true;
+}
+
+struct Column {
+  std::string_view name;
+  std::string (*write)(const Row& row);
+  bool (*read)(const std::string& field, Row& row);
+};
+
+template <auto member>
+constexpr Column column(std::string_view name) {
+  return {name, [](const Row& row) { return written(row.*member); },
+          [](const std::string& field, Row& row) { return read(field, row.*member); }};
+}
+
+constexpr Column columns[] = {
+    column<&Row::seed>("seed"),
+    column<&Row::method>("method"),
+    column<&Row::alpha>("alpha"),
+    column<&Row::verdict>("verdict"),
+    column<&Row::error>("error"),
+    column<&Row::error_tangential>("error_tangential"),
+    column<&Row::mean_error>("mean_error"),
+    column<&Row::force>("force"),
+    column<&Row::condition>("condition"),
+    column<&Row::error_bound>("error_bound"),
+    column<&Row::failure>("failure"),
+    column<&Row::version>("version"),
+    column<&Row::instructions>("instructions"),
+};
+
+}  // namespace
+
+std::string header(const std::vector<std::string>& axes) {
+  std::string line = "index";
+  for (const std::string& axis : axes) line += ',' + written(axis);
+  for (const Column& column : columns) (line += ',') += column.name;
+  return line;
+}
+
+std::string csv(const Row& row) {
+  std::string line = std::to_string(row.index);
+  for (const std::string& value : row.values) line += ',' + written(value);
+  for (const Column& column : columns) line += ',' + column.write(row);
+  return line;
+}
+
+std::optional<Row> row_in(std::string_view line, std::size_t axes) {
+  const std::vector<std::string> all = fields(line);
+  Row row;
+  std::uint64_t index = 0;
+  if (all.size() != 1 + axes + std::size(columns) || !read(all.front(), index)) return std::nullopt;
+  row.index = index;
+  const auto first = all.begin() + 1;
+  row.values.assign(first, first + static_cast<std::ptrdiff_t>(axes));
+  for (std::size_t k = 0; k < std::size(columns); ++k)
+    if (!columns[k].read(all[1 + axes + k], row)) return std::nullopt;
+  return row;
+}
+
+std::vector<std::string> fields(std::string_view line) {
+  std::vector<std::string> all(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+      all.back() += line[++i];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      all.emplace_back();
+    else
+      all.back() += c;
+  }
+  return all;
+}
+
+}  // namespace tactile_net::sweep

@@ -1,0 +1,103 @@
+#include <exception>
+#include <string>
+
+#include "tactile_net/lab/run.hpp"
+#include "tactile_net/numeric/text.hpp"
+#include "tactile_net/numeric/version.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/sweep/row.hpp"
+#include "tactile_net/system/printable.hpp"
+
+namespace tactile_net::sweep {
+namespace {
+
+std::string one_line(std::string_view text) {
+  while (text.ends_with('\n')) text.remove_suffix(1);
+  std::vector<std::string> lines;
+  for (const std::string_view line : split(text, '\n')) lines.push_back(printable(line));
+  return join(lines, "; ");
+}
+
+/// A refusal without the folders that it names, which are other ones every time.
+std::string without_paths(std::string_view text) {
+  text = text.substr(0, text.find("\n  deck and log: "));
+  std::vector<std::string> words;
+  for (const std::string_view word : split(text, ' '))
+    if (word.find('/') == word.npos) words.emplace_back(word);
+  return join(words, " ");
+}
+
+Row row_at(const Point& point) {
+  Row row{.index = point.index,
+          .seed = point.seed,
+          .version = std::string(version()),
+          .instructions = std::string(name(widest_instruction_set()))};
+  for (const AxisValue& value : point.values) row.values.push_back(printable(value.plain));
+  return row;
+}
+
+Row row_of(const Point& point, const lab::MethodResult& result) {
+  Row row = row_at(point);
+  row.method = name(result.method);
+  row.verdict = lab::name(result.verdict);
+  row.failure = one_line(without_paths(result.refusal));
+  if (result.alpha) row.alpha = result.alpha->value;
+  if (!result.has_answer()) return row;
+  row.error = result.normal.relative_l2;
+  row.mean_error = result.normal.mean_abs;
+  if (!result.tangential.traction.empty()) row.error_tangential = result.tangential.relative_l2;
+  row.force = result.force;
+  if (result.condition) row.condition = result.condition->value;
+  row.error_bound = result.error_bound;
+  return row;
+}
+
+/// Keeps nothing of a failure: there may be thousands, and a row says what it was.
+class Tidy final : public Simulator {
+ public:
+  explicit Tidy(Simulator& simulator) : simulator_(simulator) {}
+  [[nodiscard]] Simulation run(const std::string& deck) override {
+    try {
+      return simulator_.run(deck);
+    } catch (const SimulatorError& error) {
+      error.discard();
+      throw;
+    }
+  }
+
+ private:
+  Simulator& simulator_;
+};
+
+/// What is wrong, without the places in the file: the values that matter are not in it.
+std::string messages(const InputError& error) {
+  std::vector<std::string> all;
+  for (const Diagnostic& diagnostic : error.diagnostics()) all.push_back(diagnostic.message);
+  return join(all, "; ");
+}
+
+}  // namespace
+
+Row failed_row(const Point& point, std::string_view why) {
+  Row row = row_at(point);
+  row.failure = one_line(why);
+  return row;
+}
+
+std::vector<Row> solve(const Study& study, std::size_t index, Simulator& simulator) {
+  const Point point = study.point(index);
+  try {
+    std::vector<Row> rows;
+    Tidy tidy(simulator);
+    const lab::Experiment experiment = lab::run(study.scene(point), tidy);
+    for (const lab::MethodResult& result : experiment.results)
+      rows.push_back(row_of(point, result));
+    return rows;
+  } catch (const InputError& error) {
+    return {failed_row(point, messages(error))};
+  } catch (const std::exception& error) {
+    return {failed_row(point, error.what())};
+  }
+}
+
+}  // namespace tactile_net::sweep

@@ -1,0 +1,118 @@
+#include "commands/sweep.hpp"
+
+#include <filesystem>
+#include <ostream>
+#include <set>
+
+#include "commands/results.hpp"
+#include "failure.hpp"
+#include "tactile_net/frames/folder_lock.hpp"
+#include "tactile_net/frames/output_file.hpp"
+#include "tactile_net/pages/sweep_page.hpp"
+#include "tactile_net/report/folder.hpp"
+#include "tactile_net/report/words/sweep_words.hpp"
+#include "tactile_net/report/words/table.hpp"
+#include "tactile_net/sweep/slurm.hpp"
+#include "tactile_net/sweep/sweep.hpp"
+#include "terminal/interruption.hpp"
+#include "terminal/printable_stream.hpp"
+
+namespace tactile_net::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Watcher final : public sweep::Observer {
+ public:
+  explicit Watcher(const Streams& streams) : line_(streams) {}
+  void progress(const sweep::Progress& progress) override { line_.say(report::in_words(progress)); }
+  [[nodiscard]] bool stop() const override { return InterruptionAsWish::came(); }
+  [[nodiscard]] Progress& line() noexcept { return line_; }
+
+ private:
+  const InterruptionAsWish interruption_;
+  Progress line_;
+};
+
+/// Into a folder that holds journals, or is empty, or has results already.
+void write_results(const sweep::Table& table, const fs::path& folder, frames::Existing existing,
+                   const Streams& streams) {
+  drawing::Page page = pages::sweep_page(table, {.by = streams.command, .files = {"results.csv"}});
+  page.files.emplace_back("results.csv", table.csv);
+  page.files.emplace_back("report.html", page.html);
+  std::set<std::string> written;
+  for (const auto& [name, content] : page.files) frames::check_replaceable(folder / name, existing);
+  for (const auto& [name, content] : page.files) {
+    frames::write_file(folder / name, content);
+    written.insert(name);
+  }
+  say_missing(streams.err, page.missing);
+  say_others(streams.err, folder, frames::other_results(folder, written));
+}
+
+void print(const sweep::Table& table, const fs::path& folder, const Streams& streams) {
+  PrintableStream out(streams.out);
+  report::print_cells(out, report::method_cells(table));
+  for (const std::string& failure : report::failures_in_words(table))
+    out << "without an answer, " << failure << '\n';
+  out << "SHA-256 of results.csv: " << table.sha256 << '\n';
+  say_report(out, folder);
+}
+
+}  // namespace
+
+void run(const SweepOptions& options, const Streams& streams) {
+  const sweep::Shard shard = sweep::shard_in(options.shard);
+  const sweep::Study study(read_study(options.study, {options.allow_outside}));
+  if (options.slurm) {
+    streams.out << sweep::slurm_script({.study = fs::absolute(options.study).string(),
+                                        .folder = fs::absolute(options.folder).string(),
+                                        .tasks = *options.slurm,
+                                        .time = options.time});
+    return;
+  }
+  if (options.jobs && *options.jobs == 0) throw WrongUsage("--jobs", "must be at least 1");
+  const fs::path folder = options.folder;
+  const auto existing = report::existing_in(folder, options.force);
+  Watcher watcher(streams);
+  const sweep::Progress progress = sweep::sweep(
+      study, folder,
+      {.jobs = options.jobs.value_or(0), .shard = shard, .simulator = options.simulator}, watcher);
+  watcher.line().clear();
+  if (progress.deaths > 0)
+    streams.err << "note: " << progress.deaths
+                << " workers died; their points were done again, one at a time\n";
+  if (!progress.complete())
+    throw CheckFailed("stopped at " + report::in_words(progress) +
+                      "; the same command goes on from here");
+  if (shard.count > 1) {
+    streams.out << "shard " << options.shard << ": " << progress.points
+                << " points are done; when all shards are: tactile-net merge " << folder.string()
+                << '\n';
+    return;
+  }
+  const std::vector<fs::path> folders = {folder};
+  const sweep::Table table = sweep::merge(folders);
+  const frames::FolderLock lock(folder);
+  watcher.line().say("drawing the report ...");
+  write_results(table, folder, existing, streams);
+  watcher.line().clear();
+  print(table, folder, streams);
+}
+
+void run(const MergeOptions& options, const Streams& streams) {
+  const std::vector<fs::path> folders(options.folders.begin(), options.folders.end());
+  const fs::path folder = options.folder.empty() ? folders.front() : fs::path(options.folder);
+  const auto existing = report::existing_in(folder, options.force);
+  const sweep::Table table = sweep::merge(folders);
+  const frames::FolderLock lock(folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder, error))
+    throw frames::CannotCreate(folder.string() +
+                               ": error: cannot be created as a folder: " + error.message());
+  write_results(table, folder, existing, streams);
+  print(table, folder, streams);
+}
+
+}  // namespace tactile_net::tool
