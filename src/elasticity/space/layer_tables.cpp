@@ -16,8 +16,8 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t tables = layer_table_orders.size();
-constexpr std::array edges = {0.0, 0.5, 1.0,  1.5,  2.0,  3.0,  4.0,
-                              6.0, 8.0, 12.0, 16.0, 24.0, 32.0, LayerTables::reach};
+constexpr std::array edges = {
+    0.0, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0, LayerTables::reach};
 constexpr std::size_t panels = edges.size() - 1;
 constexpr double largest_decay = 52.0;  // k (2 - depth) up to which the integral runs
 

@@ -23,8 +23,11 @@ class CornerSource {
   }
 
   [[nodiscard]] Number radial(Axis a, Axis b, Axis c) const noexcept {
-    const int ys = (a == Axis::y) + (b == Axis::y) + (c == Axis::y);
-    const int zs = (a == Axis::z) + (b == Axis::z) + (c == Axis::z);
+    const auto count = [&](Axis along) {
+      return (a == along ? 1 : 0) + (b == along ? 1 : 0) + (c == along ? 1 : 0);
+    };
+    const int ys = count(Axis::y);
+    const int zs = count(Axis::z);
     if (ys == 1 && zs == 1) return x_ / r_;
     if (ys == 0 && zs == 0)
       return y() * z() * x_ / r_ * (r_ * r_ + x_ * x_) / (square_[0] * square_[1]) + angle();
@@ -62,8 +65,10 @@ class CornerSource {
  private:
   [[nodiscard]] const Number& y() const noexcept { return at_[0]; }
   [[nodiscard]] const Number& z() const noexcept { return at_[1]; }
-  [[nodiscard]] const Number& at(Axis a) const noexcept { return at_[a == Axis::z]; }
-  [[nodiscard]] const Number& square(Axis a) const noexcept { return square_[a == Axis::z]; }
+  [[nodiscard]] const Number& at(Axis a) const noexcept { return at_[a == Axis::y ? 0 : 1]; }
+  [[nodiscard]] const Number& square(Axis a) const noexcept {
+    return square_[a == Axis::y ? 0 : 1];
+  }
 
   /// -phi_xx, over y and z.
   [[nodiscard]] Number angle() const noexcept {

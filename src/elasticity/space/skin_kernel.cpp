@@ -211,7 +211,7 @@ void SkinKernel::operator()(SkinQuantity quantity, SkinTraction component, const
 }
 
 double SkinKernel::error_bound(SkinQuantity quantity) const noexcept {
-  const double relative = tables_ ? 1e-13 : 4e-15;
+  constexpr double relative = 1e-13;
   const double compliance = (1.0 + material_.poisson_ratio) / material_.youngs_modulus;
   const double stress = 1.5 / std::numbers::pi / depth_ / depth_;
   switch (traits(quantity).kind) {

@@ -12,47 +12,49 @@ using Complex = std::complex<double>;
 
 /// The field of a wave in the skin's frame: vectors and tensors turned from (e_L, e_T) to (e_y,
 /// e_z).
-struct TurnedWave {
+class TurnedWave {
+ public:
   TurnedWave(const PlaneWave& wave, SkinTraction load, double nu, double cosine, double sine)
-      : c(cosine), s(sine) {
+      : c_(cosine), s_(sine) {
     const Complex odd{0.0, -1.0};
     const bool is_normal = load == SkinTraction::normal;
-    const double along = load == SkinTraction::tangential_y ? c : s;    // q_L
-    const double across = load == SkinTraction::tangential_y ? -s : c;  // q_T
+    const double along = load == SkinTraction::tangential_y ? c_ : s_;    // q_L
+    const double across = load == SkinTraction::tangential_y ? -s_ : c_;  // q_T
     const SagittalAmplitudes& f = is_normal ? wave.normal : wave.tangential;
     const Complex even_part = is_normal ? Complex(1.0) : odd * along;
     const Complex odd_part = is_normal ? odd : Complex(along);
-    x = even_part * f.stress_x;
-    in_plane_L = even_part * f.stress_along;
-    in_plane_T = nu * (x + in_plane_L);
-    shear_L = odd_part * f.shear;
-    u_x = even_part * f.displacement_x;
-    u_L = odd_part * f.displacement_along;
+    x_ = even_part * f.stress_x;
+    in_plane_L_ = even_part * f.stress_along;
+    in_plane_T_ = nu * (x_ + in_plane_L_);
+    shear_L_ = odd_part * f.shear;
+    u_x_ = even_part * f.displacement_x;
+    u_L_ = odd_part * f.displacement_along;
     if (is_normal) return;
-    shear_T = across * wave.across.shear;
-    in_plane_LT = odd * across * wave.across.shear_along;
-    u_T = across * wave.across.displacement;
+    shear_T_ = across * wave.across.shear;
+    in_plane_LT_ = odd * across * wave.across.shear_along;
+    u_T_ = across * wave.across.displacement;
   }
 
   [[nodiscard]] Complex stress(Axis a, Axis b) const noexcept {
-    if (a == Axis::x && b == Axis::x) return x;
-    if (a == Axis::x) return turned(b, shear_L, shear_T);
-    if (a != b) return c * s * (in_plane_L - in_plane_T) + (c * c - s * s) * in_plane_LT;
+    if (a == Axis::x && b == Axis::x) return x_;
+    if (a == Axis::x) return turned(b, shear_L_, shear_T_);
+    if (a != b) return c_ * s_ * (in_plane_L_ - in_plane_T_) + (c_ * c_ - s_ * s_) * in_plane_LT_;
     const double sign = a == Axis::y ? 1.0 : -1.0;
-    const double l = a == Axis::y ? c * c : s * s;
-    return l * in_plane_L + (1.0 - l) * in_plane_T - sign * 2.0 * c * s * in_plane_LT;
+    const double l = a == Axis::y ? c_ * c_ : s_ * s_;
+    return l * in_plane_L_ + (1.0 - l) * in_plane_T_ - sign * 2.0 * c_ * s_ * in_plane_LT_;
   }
   [[nodiscard]] Complex displacement(Axis a) const noexcept {
-    return a == Axis::x ? u_x : turned(a, u_L, u_T);
+    return a == Axis::x ? u_x_ : turned(a, u_L_, u_T_);
   }
 
  private:
   [[nodiscard]] Complex turned(Axis a, const Complex& l, const Complex& t) const noexcept {
-    return a == Axis::y ? c * l - s * t : s * l + c * t;
+    return a == Axis::y ? c_ * l - s_ * t : s_ * l + c_ * t;
   }
 
-  double c, s;
-  Complex x{}, in_plane_L{}, in_plane_T{}, in_plane_LT{}, shear_L{}, shear_T{}, u_x{}, u_L{}, u_T{};
+  double c_, s_;
+  Complex x_{}, in_plane_L_{}, in_plane_T_{}, in_plane_LT_{}, shear_L_{}, shear_T_{}, u_x_{},
+      u_L_{}, u_T_{};
 };
 
 /// The mean of those fields over all directions: what remains has no direction.

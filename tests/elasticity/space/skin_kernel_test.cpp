@@ -251,9 +251,9 @@ TEST_CASE("a rectangle on a layer is the sum of its point loads", "[skin_kernel]
                 from, to);
           };
           const double expected = sum(y - 0.5 * width, y) + sum(y, y + 0.5 * width);
-          CHECK_THAT(kernel(q, load, cell, y, 0.3),
-                     WithinAbs(expected,
-                               2.0 * kernel.error_bound(q) * std::min(1.0, width * width * 0.8)));
+          CHECK_THAT(
+              kernel(q, load, cell, y, 0.3),
+              WithinAbs(expected, kernel.error_bound(q) * std::min(1.0, width * width * 0.8)));
         }
   }
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -103,13 +104,13 @@ inline constexpr std::array skin_quantities = [] {
 [[nodiscard]] std::string_view name(SkinQuantity quantity) noexcept;
 
 /// The quantity of that name, or nothing.
-[[nodiscard]] std::optional<SkinQuantity> skin_quantity_named(std::string_view name) noexcept;
+[[nodiscard]] std::optional<SkinQuantity> skin_quantity_named(std::string_view text) noexcept;
 
 /// "normal", "tangential_y" or "tangential_z".
 [[nodiscard]] std::string_view name(SkinTraction component) noexcept;
 
 /// The component of that name, or nothing.
-[[nodiscard]] std::optional<SkinTraction> skin_traction_named(std::string_view name) noexcept;
+[[nodiscard]] std::optional<SkinTraction> skin_traction_named(std::string_view text) noexcept;
 
 /// The kernel changes sign under a reflection of `along`, y or z; otherwise it is even: the sign
 /// turns once for each index of the quantity and of the traction that is `along`.
