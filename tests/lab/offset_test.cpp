@@ -65,7 +65,7 @@ TEST_CASE("a recording with a planted offset is solved as without it", "[lab][of
   const std::string name = GENERATE("recorded/thin-pad.toml", "recorded/thin-pad-contact.toml");
   const Scene scene = shipped(name, with_offset);
   const Scene known = shipped(name, false);
-  const std::size_t number = GENERATE(2, 5);
+  const auto number = GENERATE(std::size_t{2}, std::size_t{5});
   CAPTURE(name, number);
   const std::vector<double> readings =
       frames::readings_of_frame(SCENES "/recorded/thin-pad.csv", scene, number);
@@ -146,12 +146,12 @@ TEST_CASE("methods that need known offsets refuse them", "[lab][offset]") {
                     ContainsSubstring("dft cannot tell an unknown offset"));
 
   // An array that is solved by FFT otherwise is solved by a decomposition.
-  Scene large = scene;
-  large.sensor.count = 1100;
+  Scene long_array = scene;
+  long_array.sensor.count = 1100;
   CHECK(SceneProblem(shipped("dragged.toml", false)).is_large() == false);
-  CHECK_FALSE(SceneProblem(large).is_large());
-  large.reconstruct.offset = false;
-  CHECK(SceneProblem(large).is_large());
+  CHECK_FALSE(SceneProblem(long_array).is_large());
+  long_array.reconstruct.offset = false;
+  CHECK(SceneProblem(long_array).is_large());
 }
 
 TEST_CASE("a circuit's nodes may lie further apart than the surface's values",

@@ -219,6 +219,7 @@ std::string in_words(const study::Knob& knob) {
     case Setting::steps:
     case Setting::exchanges:
     case Setting::taxels:
+    case Setting::surface_values:
     case Setting::panel_points:
       break;
   }
