@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"

@@ -344,8 +344,9 @@ TEST_CASE("convolutions may be made in several threads", "[fft]") {
       for (int i = 0; i < 5; ++i) (void)fft_convolutions()(plan);
     }
   };
-  std::array<std::jthread, 4> threads;
-  for (std::jthread& thread : threads) thread = std::jthread(work);
+  std::array<std::thread, 4> threads;
+  for (std::thread& thread : threads) thread = std::thread(work);
+  for (std::thread& thread : threads) thread.join();
 }
 
 TEST_CASE("copies work in threads of their own, made there, and give the same bits", "[fft]") {
@@ -366,10 +367,10 @@ TEST_CASE("copies work in threads of their own, made there, and give the same bi
       sum.insert(sum.end(), f.begin(), f.end());
     }
   };
-  {
-    std::jthread first([&] { work(sums[0]); });
-    std::jthread second([&] { work(sums[1]); });
-  }
+  std::thread first([&] { work(sums[0]); });
+  std::thread second([&] { work(sums[1]); });
+  first.join();
+  second.join();
   work(sums[2]);
   CHECK(sums[0] == sums[2]);
   CHECK(sums[1] == sums[2]);
