@@ -62,7 +62,7 @@ def test_every_name_is_exported_typed_and_explained() -> None:
 @pytest.mark.parametrize("module", sorted(PACKAGE.glob("*.py")), ids=lambda path: path.stem)
 def test_examples_in_docstrings(module: Path) -> None:
     name = f"tactile_net.{module.stem}" if module.stem != "__init__" else "tactile_net"
-    assert doctest.testmod(sys.modules[name]).failed == 0
+    assert doctest.testmod(importlib.import_module(name)).failed == 0
 
 
 def test_extras_say_how_to_come_by_them(monkeypatch: pytest.MonkeyPatch) -> None:
