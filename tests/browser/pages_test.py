@@ -104,7 +104,7 @@ class Pages(unittest.TestCase):
             self.assertIn("Made by <code>tactile-net " + name.split()[0], text)
             for file in page.parent.iterdir():
                 with self.subTest(page=name, file=file.name):
-                    if file != page:
+                    if file != page and file.is_file():  # the journals of a sweep are in folders
                         self.assertIn(f'href="{file.name}"', text)
 
     def test_a_page_that_is_broken_is_found_out(self):
