@@ -125,7 +125,8 @@ TEST_CASE("a sweep whose driver is killed outright goes on, and ends the same", 
   CHECK(sweep.csv() == sweep.csv("whole"));
 }
 
-TEST_CASE("a job file of --slurm is one that a shell reads, and nothing is computed", "[cli][sweep]") {
+TEST_CASE("a job file of --slurm is one that a shell reads, and nothing is computed",
+          "[cli][sweep]") {
   const Sweep sweep;
   const ProcessResult result = sweep.run({"--slurm", "8", "--time", "90"});
   CHECK(result.code == 0);
