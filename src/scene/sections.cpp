@@ -13,73 +13,9 @@ namespace tactile_net {
 
 namespace {
 
-constexpr std::int64_t most_frames = 1'000'000;
 constexpr std::string_view equal_taxels =
     "taxels that are equally far apart, equally deep and alike";
-constexpr Rule poisson_range{"must be from 0 to 0.5",
-                             [](double nu) noexcept { return nu >= 0.0 && nu <= 0.5; }};
 constexpr Rule at_least_one{"must be >= 1", [](double x) noexcept { return x >= 1.0; }};
-
-// --- [material] ---------------------------------------------------------------------------------
-
-Layer read_layer(Table table, const SensorArray& array, const Unit& length) {
-  constexpr std::array bases = {Base::bonded, Base::frictionless};
-  Layer layer;
-  if (const auto thickness =
-          table.required("thickness", "from the surface to the rigid base: thickness = 3.0")) {
-    if (const auto h = thickness->number(positive, length)) {
-      layer.thickness = *h;
-      if (std::any_of(array.depths.begin(), array.depths.end(),
-                      [=](double depth) { return depth > *h; }))
-        thickness->misfit("must be at least the sensors' depth",
-                          "sensors lie in the layer, at its base at most");
-    }
-  }
-  if (const auto base = table.required(
-          "base", "what holds the layer's lower face: base = \"bonded\", or \"frictionless\""))
-    if (const auto index = base->one_of("base", names_of(bases))) layer.base = bases[*index];
-  table.finish();
-  return layer;
-}
-
-Material read_material(Table table, const SensorArray& array, const Units& units) {
-  Material material;
-  if (const auto modulus = table.required(
-          "youngs_modulus", "the pad's stiffness, in the unit of stress: youngs_modulus = 1.0"))
-    material.youngs_modulus =
-        modulus->number(positive, units.modulus).value_or(material.youngs_modulus);
-  if (const auto ratio = table.required(
-          "poisson_ratio", "from 0 to 0.5, which is incompressible: poisson_ratio = 0.45"))
-    material.poisson_ratio = ratio->number(poisson_range).value_or(material.poisson_ratio);
-  if (const auto layer = table_of(table.value("layer")))
-    material.layer = read_layer(*layer, array, units.length);
-  table.finish();
-  return material;
-}
-
-// --- [time] -------------------------------------------------------------------------------------
-
-Timing read_time(Table table) {
-  Timing timing;
-  if (const auto rate = table.required("rate", "frames per second: rate = 100.0"))
-    timing.rate = rate->number(positive).value_or(timing.rate);
-  const auto duration = table.required(
-      "duration", "seconds from the first frame to the last: duration = 1.0", {"frames"});
-  const auto frames = table.value("frames");
-  if (frames && duration) {
-    frames->problem("and time.duration exclude each other", "keep one of the two");
-  } else if (frames) {
-    timing.frames = static_cast<std::size_t>(frames->integer(1, most_frames).value_or(1));
-  } else if (duration) {
-    const double last = duration->number(not_negative).value_or(0.0) * timing.rate + 1e-9;
-    if (last < static_cast<double>(most_frames))
-      timing.frames = static_cast<std::size_t>(last) + 1;
-    else
-      duration->misfit("makes more than 1000000 frames at this rate", "a lower rate");
-  }
-  table.finish();
-  return timing;
-}
 
 // --- [forward] ----------------------------------------------------------------------------------
 
@@ -127,20 +63,9 @@ std::vector<NamedMethod> read_methods(const Value& value) {
   return result;
 }
 
-void read_alpha(const Value& alpha, const Scene& scene, const Units& units,
-                ReconstructOptions& options) {
-  if (!alpha.is_text()) {
-    options.alpha = alpha.number(positive, alpha_unit(units, scene));
-    return;
-  }
-  const auto index = alpha.one_of("rule", names_of(alpha_rules));
-  if (!index) return;
-  options.alpha_rule = alpha_rules[*index];
-  const bool noisy = scene.noise && std::any_of(scene.noise->rms.begin(), scene.noise->rms.end(),
-                                                [](const auto& rms) { return rms.second > 0.0; });
-  if (needs_noise(alpha_rules[*index]) && !noisy)
-    alpha.misfit("needs to know the noise",
-                 "under [noise], rms = 1e-4, or one for each quantity; or alpha = \"rgcv\"");
+bool is_noisy(const Scene& scene) {
+  return scene.noise && std::any_of(scene.noise->rms.begin(), scene.noise->rms.end(),
+                                    [](const auto& rms) { return rms.second > 0.0; });
 }
 
 /// What the methods ask of the array and the noise.
@@ -304,7 +229,9 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
   }
   const bool uses_dft = std::find(options.methods.begin(), options.methods.end(), Method::dft) !=
                         options.methods.end();
-  if (const auto alpha = table.value("alpha")) read_alpha(*alpha, scene, read.units, options);
+  if (const auto alpha = table.value("alpha"))
+    read_alpha(*alpha, alpha_unit(read.units, scene), is_noisy(scene), options.alpha,
+               options.alpha_rule);
   if (const auto length = table.value("smoothing_length"))
     options.smoothing_length = length->number(not_negative, read.units.length).value_or(0.0);
   else
@@ -323,15 +250,10 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
 }  // namespace
 
 void read_sections(Table& root, const std::filesystem::path& folder, Scene& scene) {
-  if (const auto title = root.value("title")) {
-    scene.title = title->text().value_or("");
-    if (scene.title.find_first_of("\r\n") != std::string::npos)
-      title->problem("must be one line", "say more in comments");
-  }
-
+  scene.title = read_title(root);
   Read read;
   if (const auto table = table_of(root.value("units"))) {
-    scene.units = read_units(*table);
+    scene.units = read_units(*table, Dimension::force);
     read.units = *scene.units;
   }
   if (const auto table = table_of(root.required(
@@ -339,7 +261,7 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
     scene.sensor = read_sensor(*table, folder, read);
   if (const auto table = table_of(root.required(
           "material", "it says what the pad is made of: youngs_modulus, poisson_ratio")))
-    scene.material = read_material(*table, scene.sensor, read.units);
+    scene.material = read_material(*table, scene.sensor.depths, read.units);
   const auto time = root.value("time");
   read.timed = time.has_value();
   if (const auto table = table_of(time)) scene.time = read_time(*table);

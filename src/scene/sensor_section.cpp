@@ -15,57 +15,8 @@
 namespace tactile_net {
 namespace {
 
-constexpr std::size_t most_depths = 64;
 constexpr std::string_view which_taxels =
     "the matrices are dense: 4096 taxels already take 128 MiB for each";
-
-void read_quantities(const Value& value, SensorArray& array, Read& read) {
-  const auto list = value.list("quantities, such as \"strain_x\"");
-  if (!list) return;
-  if (list->empty()) value.problem("must name at least one quantity", "reads = [\"stress_x\"]");
-  read.reads_complete = !list->empty();
-  const auto names = names_of(quantities);
-  for (const Value& item : *list) {
-    const auto index = item.one_of("quantity", names);
-    if (!index) {
-      read.reads_complete = false;
-      continue;
-    }
-    const Quantity quantity = quantities[*index];
-    if (std::find(array.reads.begin(), array.reads.end(), quantity) == array.reads.end())
-      array.reads.push_back(quantity);
-    else
-      item.problem("names " + in_quotes(name(quantity)) + " twice", "remove one");
-  }
-}
-
-void read_depths(const std::optional<Value>& one, const std::optional<Value>& several,
-                 SensorArray& array, Read& read) {
-  if (one && several) {
-    several->problem("and sensor.depth exclude each other", "keep one of the two");
-    return;
-  }
-  if (one) {
-    if (const auto depth = one->number(positive, read.units.length)) array.depths = {*depth};
-  } else if (several) {
-    const auto items = several->list("numbers");
-    const auto depths = several->numbers(positive, read.units.length);
-    if (!items || !depths) return;
-    if (depths->size() > most_depths) {
-      several->problem("must hold at most 64 depths (got " + std::to_string(depths->size()) + ')');
-      return;
-    }
-    if (depths->empty()) several->problem("must hold at least one depth", "depths = [1.0, 1.5]");
-    for (std::size_t i = 0; i < depths->size(); ++i) {
-      const double depth = (*depths)[i];
-      if (std::find(array.depths.begin(), array.depths.end(), depth) == array.depths.end())
-        array.depths.push_back(depth);
-      else
-        (*items)[i].misfit("names a depth twice", "remove one");
-    }
-  }
-  read.depths_complete = !array.depths.empty();
-}
 
 /// One number for all taxels, or one for each.
 std::optional<std::vector<double>> one_or_each(const Value& value, std::size_t count, Rule rule,
@@ -94,14 +45,15 @@ void read_even(Table& table, SensorArray& array, Read& read) {
     array.pitch = pitch->number(positive, read.units.length).value_or(0.0);
   const auto depth =
       table.required("depth", "how far below the surface the taxels are: depth = 1.5", {"depths"});
-  read_depths(depth, table.value("depths"), array, read);
+  array.depths = read_depths(depth, table.value("depths"), read.units.length);
+  read.depths_complete = !array.depths.empty();
   if (const auto width = table.value("width")) {
     array.width = width->number(not_negative, read.units.length).value_or(0.0);
     if (read.depths_complete && array.width > Aperture::most_depths * least_depth(array))
       width->misfit("must be at most 10000 depths");
   }
   read.reads = table.required("reads", "what each taxel reads: reads = [\"strain_x\"]");
-  if (read.reads) read_quantities(*read.reads, array, read);
+  if (read.reads) read.reads_complete = read_quantities(*read.reads, quantities, array.reads);
 }
 
 /// What the table says of every taxel of a list or a file.
@@ -189,7 +141,7 @@ SensorArray read_uneven(Table& table, const std::optional<Value>& positions,
                 .reads = {}};
   read.reads = positions ? table.required("reads", "what each taxel reads: reads = [\"strain_x\"]")
                          : table.value("reads");
-  if (read.reads) read_quantities(*read.reads, named, read);
+  if (read.reads) read.reads_complete = read_quantities(*read.reads, quantities, named.reads);
   common.reads = named.reads;
   if (read.reads && !read.reads_complete) return {};
   if (positions && (!read.reads || file)) {

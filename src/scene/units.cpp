@@ -29,6 +29,11 @@ constexpr std::array force_units = {
     Unit{"mN/m", 1.0, 1e3}, Unit{"mN/cm", 1.0, 10.0}, Unit{"mN/mm"},    Unit{"N/m"},
     Unit{"N/cm", 1e2},      Unit{"N/mm", 1e3},        Unit{"kN/m", 1e3}};
 
+constexpr std::array point_force_units = {Unit{"uN", 1.0, 1e6}, Unit{"µN", 1.0, 1e6},
+                                          Unit{"mN", 1.0, 1e3}, Unit{"N"}, Unit{"kN", 1e3}};
+
+constexpr std::array moment_units = {Unit{"N m"}};
+
 struct Row {
   Dimension value;
   std::string_view name;
@@ -38,7 +43,9 @@ struct Row {
 constexpr Row dimensions[] = {{Dimension::none, "number", "", number_units},
                               {Dimension::length, "length", "m", length_units},
                               {Dimension::stress, "stress", "Pa", stress_units},
-                              {Dimension::force, "force", "N/m", force_units}};
+                              {Dimension::force, "force", "N/m", force_units},
+                              {Dimension::point_force, "force", "N", point_force_units},
+                              {Dimension::moment, "moment", "N m", moment_units}};
 
 }  // namespace
 

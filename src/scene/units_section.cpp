@@ -20,8 +20,12 @@ constexpr Key keys[] = {
     {"length", &Units::length, Dimension::length, "unit of length"},
     {"modulus", &Units::modulus, Dimension::stress, "unit of stress"},
     {"stress", &Units::stress, Dimension::stress, "unit of stress"},
-    {"force", &Units::force, Dimension::force, "unit of force per unit of depth"},
 };
+
+constexpr Key force_key(Dimension force) {
+  return {"force", &Units::force, force,
+          force == Dimension::force ? "unit of force per unit of depth" : "unit of force"};
+}
 
 std::optional<Unit> read_unit(const Value& value, const Key& key) {
   const auto units = units_of(key.dimension);
@@ -40,11 +44,15 @@ std::optional<Unit> read_unit(const Value& value, const Key& key) {
 
 }  // namespace
 
-Units read_units(Table table) {
+Units read_units(Table table, Dimension force) {
   Units units;
-  for (const Key& key : keys)
+  units.force = {.name = si_unit(force)};
+  const auto read = [&](const Key& key) {
     if (const auto value = table.value(key.name))
       if (const auto unit = read_unit(*value, key)) units.*key.member = *unit;
+  };
+  for (const Key& key : keys) read(key);
+  read(force_key(force));
   table.finish();
   return units;
 }

@@ -15,6 +15,7 @@
 #include "tactile_net/network/circuit.hpp"
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/network/tolerance.hpp"
+#include "tactile_net/scene/timing.hpp"
 #include "tactile_net/scene/units.hpp"
 #include "tactile_net/sensing/array.hpp"
 #include "tactile_net/sensing/calibration.hpp"
@@ -73,16 +74,6 @@ struct NetworkOptions {
       false;  ///< the scale's volts follow from the answer, whose largest voltage is 1 V
   std::optional<ToleranceOptions> tolerance{};  ///< absent: every component has its exact value
   std::optional<double> settling_accuracy{};    ///< absent: only the operating point
-};
-
-/// Frames at equal distances in time: frame k at t = k / rate.
-struct Timing {
-  double rate = 1.0;       ///< frames per second [1/s], > 0
-  std::size_t frames = 1;  ///< >= 1
-
-  [[nodiscard]] double time(std::size_t frame) const noexcept {
-    return static_cast<double>(frame) / rate;
-  }
 };
 
 struct Scene {

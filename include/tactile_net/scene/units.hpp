@@ -9,10 +9,12 @@ namespace tactile_net {
 
 /// What a number of a scene measures.
 enum class Dimension {
-  none,    ///< a strain, a ratio
-  length,  ///< SI: m
-  stress,  ///< SI: Pa; tractions and moduli too
-  force,   ///< SI: N/m, a load per unit of depth
+  none,         ///< a strain, a ratio
+  length,       ///< SI: m
+  stress,       ///< SI: Pa; tractions and moduli too
+  force,        ///< SI: N/m, a load per unit of depth
+  point_force,  ///< SI: N, a load on a skin
+  moment,       ///< SI: N m
 };
 
 /// A unit as people write it. Converting is one multiplication and one division by numbers that a
@@ -48,7 +50,7 @@ struct Units {
   Unit length{.name = "m"};
   Unit modulus{.name = "Pa"};  ///< of E
   Unit stress{.name = "Pa"};   ///< of readings, their noise, and tractions
-  Unit force{.name = "N/m"};   ///< of contacts' loads
+  Unit force{.name = "N/m"};   ///< of contacts' loads; on a skin N
 };
 
 }  // namespace tactile_net

@@ -19,6 +19,10 @@ std::string_view own_unit(Dimension dimension) noexcept {
       return "unit of E";
     case Dimension::force:
       return "unit of E x pitch";
+    case Dimension::point_force:
+      return "unit of E x pitch^2";
+    case Dimension::moment:
+      return "unit of E x pitch^3";
   }
   return "";
 }

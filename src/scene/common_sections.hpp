@@ -1,0 +1,92 @@
+/// @file
+/// Tables that every kind of scene has, a function each: from checked values to plain data.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/table.hpp"
+#include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/scene/timing.hpp"
+#include "tactile_net/scene/units.hpp"
+
+namespace tactile_net {
+
+inline constexpr std::int64_t most_taxels = 4096;  ///< dense matrices take 128 MiB each then
+
+/// What later sections need to know of earlier ones beyond the scene itself.
+struct Read {
+  Units units{};  ///< of the numbers in the file; every number is 1 of them where it states none
+  std::optional<Value> reads{};
+  bool reads_complete = false;  ///< `sensor.reads` was understood as a whole
+  bool depths_complete = false;
+  bool timed = false;  ///< there is a table [time]
+};
+
+[[nodiscard]] inline std::optional<Table> table_of(const std::optional<Value>& value) {
+  return value ? value->table() : std::nullopt;
+}
+
+/// The words of an enum, in the order of its list.
+template <typename Enum, std::size_t size>
+[[nodiscard]] std::array<std::string_view, size> names_of(const std::array<Enum, size>& all) {
+  std::array<std::string_view, size> names;
+  std::transform(all.begin(), all.end(), names.begin(), [](Enum one) { return name(one); });
+  return names;
+}
+
+/// `title`, at the top of the file.
+[[nodiscard]] std::string read_title(Table& root);
+
+/// The table [units]. @param force  of contacts: per unit of depth, or of points
+[[nodiscard]] Units read_units(Table table, Dimension force);
+
+/// The table [material]. @param depths  of the sensors
+[[nodiscard]] Material read_material(Table table, std::span<const double> depths,
+                                     const Units& units);
+
+/// The table [time].
+[[nodiscard]] Timing read_time(Table table);
+
+/// A depth, or several; a problem where both or what is wrong stands there.
+[[nodiscard]] std::vector<double> read_depths(const std::optional<Value>& one,
+                                              const std::optional<Value>& several,
+                                              const Unit& length);
+
+/// A list of quantities, each once. @return  it was understood as a whole
+template <typename Quantity, std::size_t size>
+[[nodiscard]] bool read_quantities(const Value& value, const std::array<Quantity, size>& all,
+                                   std::vector<Quantity>& reads) {
+  const auto list = value.list("quantities, such as " + in_quotes(name(all.front())));
+  if (!list) return false;
+  if (list->empty()) value.problem("must name at least one quantity", "reads = [\"stress_x\"]");
+  bool complete = !list->empty();
+  const auto names = names_of(all);
+  for (const Value& item : *list) {
+    const auto index = item.one_of("quantity", names);
+    complete = complete && index;
+    if (!index) continue;
+    if (std::find(reads.begin(), reads.end(), all[*index]) == reads.end())
+      reads.push_back(all[*index]);
+    else
+      item.problem("names " + in_quotes(names[*index]) + " twice", "remove one");
+  }
+  return complete;
+}
+
+/// A number, or the name of the rule that chooses it.
+///
+/// @param unit         of the number
+/// @param noise_known  a rule may ask for it
+void read_alpha(const Value& value, const Unit& unit, bool noise_known,
+                std::optional<double>& alpha, std::optional<AlphaRule>& rule);
+
+}  // namespace tactile_net
