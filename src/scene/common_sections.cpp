@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "scene/references.hpp"
 #include "tactile_net/elasticity/material.hpp"
 
 namespace tactile_net {
@@ -105,6 +106,22 @@ std::vector<double> read_depths(const std::optional<Value>& one,
     }
   }
   return result;
+}
+
+std::optional<std::filesystem::path> read_taxel_path(const Value& value,
+                                                     const std::filesystem::path& folder) {
+  const References references{folder.empty() ? "." : folder};
+  const std::string file = value.text().value_or("");
+  if (file.empty()) {
+    if (value.is_text()) value.problem("must name a file", "taxels = \"palm.csv\"");
+    return std::nullopt;
+  }
+  if (!references.allow(file)) {
+    value.misfit("must name a file beside the scene's or below its folder",
+                 "a scene from somewhere else could have any file read");
+    return std::nullopt;
+  }
+  return references.folder / file;
 }
 
 void read_alpha(const Value& value, const Unit& unit, bool noise_known,

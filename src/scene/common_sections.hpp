@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -60,6 +61,12 @@ template <typename Enum, std::size_t size>
 [[nodiscard]] std::vector<double> read_depths(const std::optional<Value>& one,
                                               const std::optional<Value>& several,
                                               const Unit& length);
+
+/// Of the file of taxels that a scene names; a problem where it lies elsewhere than the scene.
+///
+/// @param folder  of the scene's file
+[[nodiscard]] std::optional<std::filesystem::path> read_taxel_path(
+    const Value& value, const std::filesystem::path& folder);
 
 /// A list of quantities, each once. @return  it was understood as a whole
 template <typename Quantity, std::size_t size>

@@ -91,13 +91,7 @@ std::vector<Contact> contacts_at(const Scene& scene, double t) {
 }
 
 Scene at_frame(Scene scene, std::size_t frame) {
-  const std::size_t frames = scene.time ? scene.time->frames : 1;
-  if (!scene.time && frame > 0)
-    throw std::invalid_argument("there is no frame " + std::to_string(frame) +
-                                ": the scene has no [time], and so frame 0 alone");
-  if (frame >= frames)
-    throw std::invalid_argument("frame must be from 0 to " + std::to_string(frames - 1) + " (got " +
-                                std::to_string(frame) + ")");
+  check_frame(scene.time, frame);
   scene.frame = frame;
   if (scene.time) scene.contacts = contacts_at(scene, scene.time->time(frame));
   return scene;

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "scene/references.hpp"
 #include "scene/sections.hpp"
 #include "scene/taxel_file.hpp"
 #include "tactile_net/sensing/aperture.hpp"
@@ -98,22 +97,13 @@ std::vector<Taxel> read_positions(const Value& positions, const Common& common,
 
 std::vector<Taxel> read_file(const Value& value, const std::filesystem::path& folder,
                              const Common& common, const Unit& length) {
-  const References references{folder.empty() ? "." : folder};
-  const std::string file = value.text().value_or("");
-  if (file.empty()) {
-    if (value.is_text()) value.problem("must name a file", "taxels = \"palm.csv\"");
-    return {};
-  }
-  if (!references.allow(file)) {
-    value.misfit("must name a file beside the scene's or below its folder",
-                 "a scene from somewhere else could have any file read");
-    return {};
-  }
+  const auto path = read_taxel_path(value, folder);
+  if (!path) return {};
   Taxel missing{.reads = common.reads};
   if (common.width) missing.width = common.width->number(not_negative, length).value_or(0.0);
   if (common.depth) missing.depth = common.depth->number(positive, length).value_or(0.0);
   try {
-    return read_taxel_file(references.folder / file, missing, length,
+    return read_taxel_file(*path, missing, length,
                            static_cast<std::size_t>(most_taxels));
   } catch (const std::runtime_error& error) {
     value.problem("names a file that is not in order: " + std::string(error.what()),

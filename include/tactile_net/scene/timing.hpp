@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 namespace tactile_net {
 
@@ -15,5 +16,8 @@ struct Timing {
     return static_cast<double>(frame) / rate;
   }
 };
+
+/// @throw std::invalid_argument  there is no such frame
+void check_frame(const std::optional<Timing>& time, std::size_t frame);
 
 }  // namespace tactile_net

@@ -1,0 +1,89 @@
+/// @file
+/// A scene of a skin as plain data: an array of taxels in two dimensions, pressed and dragged in
+/// three. Line arrays are `Scene` (scene.hpp); `read_any_scene` (reader.hpp) tells them apart.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/timing.hpp"
+#include "tactile_net/scene/units.hpp"
+#include "tactile_net/skin/array.hpp"
+#include "tactile_net/skin/grid.hpp"
+#include "tactile_net/skin/load.hpp"
+#include "tactile_net/skin/moving_contact.hpp"
+
+namespace tactile_net {
+
+struct SkinReconstructOptions {
+  std::optional<double> alpha{};          ///< absent: a rule chooses it
+  std::optional<AlphaRule> alpha_rule{};  ///< absent: by readings and noise
+  double smoothing_length = 0.0;          ///< l [m]; default: the least depth
+  SkinGridOptions grid{};                 ///< where the tractions lie
+  std::optional<bool> tangential{};       ///< solve for the drags too; absent: see `components`
+  bool nonnegative = false;               ///< p >= 0
+  std::optional<double> friction_limit{};  ///< |q| <= limit p; implies p >= 0
+};
+
+/// White noise of every reading.
+struct SkinNoise {
+  std::map<SkinQuantity, double> rms{};  ///< of every quantity read [its unit], >= 0
+  bool weights_rows = false;             ///< `rms` was given as a table: each reading is divided by it
+  std::uint64_t seed = 1;
+};
+
+struct SkinScene {
+  std::string file{};   ///< name of the file, without its folder
+  std::string title{};  ///< optional `title` at the top of the file
+  /// Present: every number below is in SI, whatever the file has; its force is in newtons. Absent:
+  /// any consistent set.
+  std::optional<Units> units{};
+  SkinArray sensor{};
+  Material material{};
+  std::optional<Timing> time{};  ///< absent: one frame, of loads that have always been there
+  std::size_t frame = 0;         ///< that `run` reconstructs: the reader sets the last
+  std::vector<SkinLoad> contacts{};                   ///< as they are at that frame
+  std::vector<SkinContactTrajectory> trajectories{};  ///< one per contact, empty where it stands
+  std::optional<SkinNoise> noise{};
+  std::vector<std::size_t> dead_taxels{};  ///< they read 0, and nothing is asked of them
+  ForwardModel forward = ForwardModel::exact;
+  SkinReconstructOptions reconstruct{};
+};
+
+/// How many tractions of a cell a scene solves for: 3, normal and two tangential, if the skin has
+/// more than one channel and the scene calls for them: by `tangential`, by a friction limit, by a
+/// contact that drags at any time, or by having no contact, as scenes for recorded readings. Else
+/// 1, the normal one.
+[[nodiscard]] std::size_t components(const SkinScene& scene);
+
+/// Where those tractions lie. @throw std::invalid_argument  as `grid_of`
+[[nodiscard]] SkinGrid grid(const SkinScene& scene);
+
+/// Tractions that a skin is solved for, at most: their matrices are dense.
+inline constexpr std::size_t most_skin_tractions = 8192;
+
+/// Every contact at time t [s], those that stand still as they are.
+[[nodiscard]] std::vector<SkinLoad> contacts_at(const SkinScene& scene, double t);
+
+/// The same scene with another frame to be reconstructed: its contacts are those of that moment.
+///
+/// @throw std::invalid_argument  there is no such frame
+[[nodiscard]] SkinScene at_frame(SkinScene scene, std::size_t frame);
+
+/// A list of numbers of a file in its units, as SI: what `raw_numbers` is for lines, the other way.
+/// One factor for each reading, 1 without [units].
+[[nodiscard]] std::vector<Unit> reading_units(const SkinScene& scene);
+
+/// Readings as a file of this scene has them: in its units.
+[[nodiscard]] std::vector<double> raw_numbers(const SkinScene& scene,
+                                              std::span<const double> readings);
+
+}  // namespace tactile_net
