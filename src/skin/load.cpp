@@ -1,0 +1,284 @@
+#include "tactile_net/skin/load.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string>
+
+#include "numeric/named.hpp"
+#include "numeric/require.hpp"
+#include "skin/disc_integral.hpp"
+#include "skin/load_part.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr Named<SkinShape> shapes[] = {{SkinShape::sphere, "sphere"},
+                                       {SkinShape::ellipsoid, "ellipsoid"},
+                                       {SkinShape::punch, "punch"},
+                                       {SkinShape::cone, "cone"}};
+
+void check(const SkinContact& contact) {
+  require_finite("y", contact.y);
+  require_finite("z", contact.z);
+  require_positive("radius", contact.radius);
+  if (contact.shape == SkinShape::ellipsoid)
+    require_positive("second_radius", contact.second_radius);
+  else
+    require(contact.second_radius == 0.0, "second_radius", "be 0 but for an ellipsoid",
+            contact.second_radius);
+  require_finite("angle", contact.angle);
+  require_finite("force", contact.force);
+  require_finite("friction", contact.friction);
+  require_finite("direction", contact.direction);
+  require(contact.stick >= 0.0 && contact.stick < 1.0, "stick", "be >= 0 and < 1", contact.stick);
+  require(contact.stick == 0.0 || contact.shape != SkinShape::punch, "stick",
+          "be 0 for a punch, which slides at once or not at all", contact.stick);
+  require_finite("torsion", contact.torsion);
+}
+
+double traction(const SkinContact& contact, SkinTraction component, double y, double z) noexcept {
+  double sum = 0.0;
+  for (const LoadPart& part : parts(contact)) sum += part.traction(component, y, z);
+  return sum;
+}
+
+SkinWrench resultant(const SkinContact& contact) noexcept {
+  SkinWrench sum;
+  for (const LoadPart& part : parts(contact)) sum += part.resultant();
+  return sum;
+}
+
+SkinSupport support(const SkinContact& contact) noexcept {
+  return parts(contact).front().support();
+}
+
+bool has_traction(const SkinContact& contact, SkinTraction component) noexcept {
+  if (component == SkinTraction::normal) return contact.force != 0.0;
+  return contact.torsion != 0.0 ||
+         parts(contact).front().force[static_cast<std::size_t>(component)] != 0.0;
+}
+
+/// Cells that a support may touch: [first, last) along one axis.
+struct Cells {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+Cells touched(double from, double to, double centre, double spacing, std::size_t count) {
+  const double middle = 0.5 * static_cast<double>(count);
+  const double most = static_cast<double>(count);
+  const double first = std::floor((from - centre) / spacing + middle);
+  const double last = std::ceil((to - centre) / spacing + middle);
+  return {static_cast<std::size_t>(std::clamp(first, 0.0, most)),
+          static_cast<std::size_t>(std::clamp(last, 0.0, most))};
+}
+
+/// `add(cell, from_y, from_z, to_y, to_z)` for the cells that the support may touch.
+void for_touched(const SkinSupport& support, const SkinGrid& grid, const auto& add) {
+  const Cells r = touched(support.from_y, support.to_y, grid.centre_y, grid.spacing_y, grid.rows);
+  const Cells c =
+      touched(support.from_z, support.to_z, grid.centre_z, grid.spacing_z, grid.columns);
+  // Borders of one rule for both neighbours, so that nothing lies twice or between.
+  const auto border = [](double centre, double spacing, std::size_t i, std::size_t count) {
+    return centre + (static_cast<double>(i) - 0.5 * static_cast<double>(count)) * spacing;
+  };
+  for (std::size_t row = r.first; row < r.last; ++row)
+    for (std::size_t column = c.first; column < c.last; ++column)
+      add(row * grid.columns + column, border(grid.centre_y, grid.spacing_y, row, grid.rows),
+          border(grid.centre_z, grid.spacing_z, column, grid.columns),
+          border(grid.centre_y, grid.spacing_y, row + 1, grid.rows),
+          border(grid.centre_z, grid.spacing_z, column + 1, grid.columns));
+}
+
+void add_means(const LoadPart& part, const SkinGrid& grid, std::span<double> means) {
+  for_touched(part.support(), grid,
+              [&](std::size_t cell, double from_y, double from_z, double to_y, double to_z) {
+                const std::array corners = {part.inside(from_y, from_z), part.inside(to_y, from_z),
+                                            part.inside(to_y, to_z), part.inside(from_y, to_z)};
+                const double share = force_share(part.profile, corners);
+                for (std::size_t k = 0; k < skin_tractions.size(); ++k)
+                  means[k * grid.count() + cell] +=
+                      share * part.force[k] / grid.spacing_y / grid.spacing_z;
+                if (part.torsion == 0.0) return;
+                // The integral over the cell is a b times that over (u, v).
+                const auto [u, v] = dome_moment(corners);
+                const SurfaceVector twist = part.twist(u, v);
+                const double area = part.a / grid.spacing_y * (part.b / grid.spacing_z);
+                means[grid.count() + cell] += area * twist.y;
+                means[2 * grid.count() + cell] += area * twist.z;
+              });
+}
+
+void add_means(const SkinContact& contact, const SkinGrid& grid, std::span<double> means) {
+  for (const LoadPart& part : parts(contact)) add_means(part, grid, means);
+}
+
+// Sampled patches.
+
+const std::vector<double>& values(const SampledPatch& patch, SkinTraction component) noexcept {
+  return component == SkinTraction::normal         ? patch.normal
+         : component == SkinTraction::tangential_y ? patch.tangential_y
+                                                   : patch.tangential_z;
+}
+
+/// The patch as a grid, for what it has in common with one.
+SkinGrid grid_of(const SampledPatch& patch) noexcept {
+  return {.rows = patch.rows,
+          .columns = patch.columns,
+          .spacing_y = patch.spacing_y,
+          .spacing_z = patch.spacing_z,
+          .centre_y = patch.y,
+          .centre_z = patch.z};
+}
+
+void check(const SampledPatch& patch) {
+  require(patch.rows >= 1, "rows", "be >= 1", patch.rows);
+  require(patch.columns >= 1, "columns", "be >= 1", patch.columns);
+  require_finite("y", patch.y);
+  require_finite("z", patch.z);
+  require_positive("spacing_y", patch.spacing_y);
+  require_positive("spacing_z", patch.spacing_z);
+  const std::size_t count = patch.rows * patch.columns;
+  for (const SkinTraction component : skin_tractions) {
+    const std::vector<double>& own = values(patch, component);
+    const std::string what(name(component));
+    require(own.size() == count || (own.empty() && component != SkinTraction::normal), what,
+            "hold one value for each rectangle, " + std::to_string(count), own.size());
+    for (std::size_t i = 0; i < own.size(); ++i)
+      require_finite(what + "[" + std::to_string(i) + "]", own[i]);
+  }
+}
+
+double traction(const SampledPatch& patch, SkinTraction component, double y, double z) noexcept {
+  const std::vector<double>& own = values(patch, component);
+  const double row =
+      std::floor((y - patch.y) / patch.spacing_y + 0.5 * static_cast<double>(patch.rows));
+  const double column =
+      std::floor((z - patch.z) / patch.spacing_z + 0.5 * static_cast<double>(patch.columns));
+  if (own.empty() || !(row >= 0.0 && row < static_cast<double>(patch.rows)) ||
+      !(column >= 0.0 && column < static_cast<double>(patch.columns)))
+    return 0.0;
+  return own[static_cast<std::size_t>(row) * patch.columns + static_cast<std::size_t>(column)];
+}
+
+SkinWrench resultant(const SampledPatch& patch) noexcept {
+  SkinWrench sum;
+  const SkinGrid grid = grid_of(patch);
+  for (std::size_t i = 0; i < patch.normal.size(); ++i) {
+    const double y = grid.y(i / patch.columns);
+    const double z = grid.z(i % patch.columns);
+    const auto force = [&](const std::vector<double>& own) {
+      return own.empty() ? 0.0 : own[i] * grid.area();
+    };
+    const std::array cell = {force(patch.normal), force(patch.tangential_y),
+                             force(patch.tangential_z)};
+    sum += {.force = cell,
+            .moment_y = y * cell[0],
+            .moment_z = z * cell[0],
+            .torque = y * cell[2] - z * cell[1]};
+  }
+  return sum;
+}
+
+SkinSupport support(const SampledPatch& patch) noexcept {
+  const double half_y = 0.5 * static_cast<double>(patch.rows) * patch.spacing_y;
+  const double half_z = 0.5 * static_cast<double>(patch.columns) * patch.spacing_z;
+  return {patch.y - half_y, patch.y + half_y, patch.z - half_z, patch.z + half_z};
+}
+
+bool has_traction(const SampledPatch& patch, SkinTraction component) noexcept {
+  const std::vector<double>& own = values(patch, component);
+  return std::any_of(own.begin(), own.end(), [](double value) { return value != 0.0; });
+}
+
+/// How much of [from, to] lies in [low, high], as a share of the former.
+double overlap(double from, double to, double low, double high) noexcept {
+  return std::max(0.0, std::min(to, high) - std::max(from, low)) / (to - from);
+}
+
+void add_means(const SampledPatch& patch, const SkinGrid& grid, std::span<double> means) {
+  const SkinGrid own = grid_of(patch);
+  for_touched(
+      support(patch), grid,
+      [&](std::size_t cell, double from_y, double from_z, double to_y, double to_z) {
+        const SkinSupport box{from_y, to_y, from_z, to_z};
+        for_touched(box, own, [&](std::size_t i, double y0, double z0, double y1, double z1) {
+          const double share = overlap(from_y, to_y, y0, y1) * overlap(from_z, to_z, z0, z1);
+          for (std::size_t k = 0; k < skin_tractions.size(); ++k)
+            if (const auto& f = values(patch, skin_tractions[k]); !f.empty())
+              means[k * grid.count() + cell] += share * f[i];
+        });
+      });
+}
+
+}  // namespace
+
+std::string_view name(SkinShape shape) noexcept { return name_in<shapes>(shape); }
+
+std::optional<SkinShape> skin_shape_named(std::string_view text) noexcept {
+  return named_in<shapes>(text);
+}
+
+void check(const SkinLoad& load) {
+  std::visit([](const auto& own) { check(own); }, load);
+}
+
+double traction(const SkinLoad& load, SkinTraction component, double y, double z) noexcept {
+  return std::visit([&](const auto& own) { return traction(own, component, y, z); }, load);
+}
+
+SkinWrench& SkinWrench::operator+=(const SkinWrench& other) noexcept {
+  for (std::size_t k = 0; k < force.size(); ++k) force[k] += other.force[k];
+  moment_y += other.moment_y;
+  moment_z += other.moment_z;
+  torque += other.torque;
+  return *this;
+}
+
+SkinWrench resultant(const SkinLoad& load) noexcept {
+  return std::visit([](const auto& own) { return resultant(own); }, load);
+}
+
+SkinWrench resultant(std::span<const SkinLoad> loads) noexcept {
+  SkinWrench sum;
+  for (const SkinLoad& load : loads) sum += resultant(load);
+  return sum;
+}
+
+SkinWrench resultant(std::span<const double> tractions, const SkinGrid& grid) noexcept {
+  const std::size_t count = grid.count();
+  assert(tractions.size() == count || tractions.size() == 3 * count);
+  SkinWrench sum;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double y = grid.y(i / grid.columns);
+    const double z = grid.z(i % grid.columns);
+    std::array<double, 3> cell{};
+    for (std::size_t k = 0; k * count < tractions.size(); ++k)
+      cell[k] = tractions[k * count + i] * grid.area();
+    sum += {.force = cell,
+            .moment_y = y * cell[0],
+            .moment_z = z * cell[0],
+            .torque = y * cell[2] - z * cell[1]};
+  }
+  return sum;
+}
+
+SkinSupport support(const SkinLoad& load) noexcept {
+  return std::visit([](const auto& own) { return support(own); }, load);
+}
+
+bool has_traction(const SkinLoad& load, SkinTraction component) noexcept {
+  return std::visit([&](const auto& own) { return has_traction(own, component); }, load);
+}
+
+std::vector<double> cell_means(std::span<const SkinLoad> loads, const SkinGrid& grid) {
+  std::vector<double> means(skin_tractions.size() * grid.count());
+  for (const SkinLoad& load : loads) {
+    check(load);
+    std::visit([&](const auto& own) { add_means(own, grid, means); }, load);
+  }
+  return means;
+}
+
+}  // namespace tactile_net
