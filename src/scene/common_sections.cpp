@@ -81,6 +81,19 @@ Timing read_time(Table table) {
   return timing;
 }
 
+ForwardModel read_forward(Table table, bool even) {
+  constexpr std::array models = {ForwardModel::exact, ForwardModel::sampled};
+  auto result = ForwardModel::exact;
+  if (const auto model = table.value("model"))
+    if (const auto index = model->one_of("model", names_of(models))) {
+      result = models[*index];
+      if (result == ForwardModel::sampled && !even)
+        model->problem("sums over " + std::string(equal_taxels), "model = \"exact\"");
+    }
+  table.finish();
+  return result;
+}
+
 std::vector<double> read_depths(const std::optional<Value>& one,
                                 const std::optional<Value>& several, const Unit& length) {
   std::vector<double> result;

@@ -16,10 +16,14 @@
 #include "scene/table.hpp"
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/scene/scene.hpp"
 #include "tactile_net/scene/timing.hpp"
 #include "tactile_net/scene/units.hpp"
 
 namespace tactile_net {
+
+inline constexpr std::string_view equal_taxels =
+    "taxels that are equally far apart, equally deep and alike";
 
 inline constexpr std::int64_t most_taxels = 4096;  ///< dense matrices take 128 MiB each then
 
@@ -56,6 +60,9 @@ template <typename Enum, std::size_t size>
 
 /// The table [time].
 [[nodiscard]] Timing read_time(Table table);
+
+/// The table [forward]. @param even  the taxels: `sampled` asks for it
+[[nodiscard]] ForwardModel read_forward(Table table, bool even);
 
 /// A depth, or several; a problem where both or what is wrong stands there.
 [[nodiscard]] std::vector<double> read_depths(const std::optional<Value>& one,

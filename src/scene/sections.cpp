@@ -13,24 +13,7 @@ namespace tactile_net {
 
 namespace {
 
-constexpr std::string_view equal_taxels =
-    "taxels that are equally far apart, equally deep and alike";
 constexpr Rule at_least_one{"must be >= 1", [](double x) noexcept { return x >= 1.0; }};
-
-// --- [forward] ----------------------------------------------------------------------------------
-
-ForwardModel read_forward(Table table, const SensorArray& array) {
-  constexpr std::array models = {ForwardModel::exact, ForwardModel::sampled};
-  auto result = ForwardModel::exact;
-  if (const auto model = table.value("model"))
-    if (const auto index = model->one_of("model", names_of(models))) {
-      result = models[*index];
-      if (result == ForwardModel::sampled && !is_even(array))
-        model->problem("sums over " + std::string(equal_taxels), "model = \"exact\"");
-    }
-  table.finish();
-  return result;
-}
 
 // --- [reconstruct] ------------------------------------------------------------------------------
 
@@ -270,7 +253,7 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
   read_sensor_effects(root, read, scene);
   read_calibration(table_of(root.value("calibration")), folder, read, scene);
   if (const auto table = table_of(root.value("forward")))
-    scene.forward = read_forward(*table, scene.sensor);
+    scene.forward = read_forward(*table, is_even(scene.sensor));
 
   if (!scene.sensor.depths.empty())
     scene.reconstruct.smoothing_length =

@@ -103,8 +103,7 @@ std::vector<Taxel> read_file(const Value& value, const std::filesystem::path& fo
   if (common.width) missing.width = common.width->number(not_negative, length).value_or(0.0);
   if (common.depth) missing.depth = common.depth->number(positive, length).value_or(0.0);
   try {
-    return read_taxel_file(*path, missing, length,
-                           static_cast<std::size_t>(most_taxels));
+    return read_taxel_file(*path, missing, length, static_cast<std::size_t>(most_taxels));
   } catch (const std::runtime_error& error) {
     value.problem("names a file that is not in order: " + std::string(error.what()),
                   "a header \"y,depth,reads\", then a row for each taxel, from the lowest y: "

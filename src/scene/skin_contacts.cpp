@@ -15,8 +15,8 @@ constexpr std::array<std::string_view, 5> shape_names = {"sphere", "ellipsoid", 
                                                          "tractions"};
 constexpr std::size_t tractions = 4;
 
-constexpr auto rigid_keys = {"place",     "radius", "radii",   "angle",     "force", "friction",
-                             "direction", "stick",  "torsion", "trajectory"};
+constexpr auto rigid_keys = {"place",    "radius",    "radii", "angle",   "force",
+                             "friction", "direction", "stick", "torsion", "trajectory"};
 constexpr auto sampled_keys = {"spacing", "normal", "tangential_y", "tangential_z"};
 
 constexpr Rule ratio{"must be >= 0 and < 1", [](double x) noexcept { return x >= 0.0 && x < 1.0; }};
@@ -39,13 +39,13 @@ constexpr Unit moment(const Units& units) {
           units.force.divisor * units.length.divisor};
 }
 
-constexpr Key numbers[] = {{"radius", &SkinContact::radius, &positive, length},
-                           {"angle", &SkinContact::angle, &any_number, turned},
-                           {"force", &SkinContact::force, &not_negative, force},
-                           {"friction", &SkinContact::friction, &not_negative, plain},
-                           {"direction", &SkinContact::direction, &any_number, turned},
-                           {"stick", &SkinContact::stick, &ratio, plain},
-                           {"torsion", &SkinContact::torsion, &any_number, moment}};
+constexpr Key keys[] = {{"radius", &SkinContact::radius, &positive, length},
+                        {"angle", &SkinContact::angle, &any_number, turned},
+                        {"force", &SkinContact::force, &not_negative, force},
+                        {"friction", &SkinContact::friction, &not_negative, plain},
+                        {"direction", &SkinContact::direction, &any_number, turned},
+                        {"stick", &SkinContact::stick, &ratio, plain},
+                        {"torsion", &SkinContact::torsion, &any_number, moment}};
 
 /// A key that must be there, and what it says.
 using Needed = std::pair<std::string_view, std::string_view>;
@@ -57,10 +57,9 @@ void read_numbers(Table& table, const Units& units, SkinContact& contact) {
       contact.y = at->front();
       contact.z = at->back();
     }
-  for (const Key& key : numbers)
+  for (const Key& key : keys)
     if (const auto value = table.value(key.name))
-      contact.*key.member =
-          value->number(*key.rule, key.unit(units)).value_or(contact.*key.member);
+      contact.*key.member = value->number(*key.rule, key.unit(units)).value_or(contact.*key.member);
   if (const auto radii = table.value("radii"))
     if (const auto both = read_two(*radii, positive, units.length, "radii = [3.0, 2.0]")) {
       contact.radius = both->front();
@@ -96,8 +95,8 @@ void check_contact(const SkinContact& contact, const SkinScene& scene, const Val
 }
 
 SkinContactTrajectory read_knots(const Value& trajectory, const std::vector<Needed>& needed,
-                                 const SkinContact& contact,
-                                 const SkinScene& scene, const Read& read) {
+                                 const SkinContact& contact, const SkinScene& scene,
+                                 const Read& read) {
   SkinContactTrajectory knots;
   if (!read.timed)
     trajectory.problem("moves the contact over time, and this scene has none",
@@ -195,8 +194,8 @@ SampledPatch read_tractions(Table& table, const Read& read) {
       patch.y = at->front();
       patch.z = at->back();
     }
-  if (const auto spacing = table.required(
-          "spacing", "of the cells, or two along y and z: spacing = 0.5")) {
+  if (const auto spacing =
+          table.required("spacing", "of the cells, or two along y and z: spacing = 0.5")) {
     if (!spacing->is_list())
       patch.spacing_y = patch.spacing_z =
           spacing->number(positive, read.units.length).value_or(1.0);
@@ -239,8 +238,8 @@ void read_skin_contacts(std::vector<Table> tables, const Read& read, SkinScene& 
     else if (*index == tractions)
       scene.contacts.emplace_back(read_tractions(table, read));
     else
-      scene.contacts.emplace_back(read_rigid(table, *shape, static_cast<SkinShape>(*index), scene,
-                                             read, trajectory));
+      scene.contacts.emplace_back(
+          read_rigid(table, *shape, static_cast<SkinShape>(*index), scene, read, trajectory));
     table.finish();
     scene.trajectories.resize(scene.contacts.size());
     if (!trajectory.empty()) scene.trajectories.back() = std::move(trajectory);

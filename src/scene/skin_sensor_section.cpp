@@ -61,8 +61,7 @@ SkinArray read_even(Table& table, Read& read) {
   array.depths = read_depths(one, table.value("depths"), read.units.length);
   read.depths_complete = !array.depths.empty();
   read.reads = table.required("reads", "what each taxel reads: reads = [\"stress_x\"]");
-  if (read.reads)
-    read.reads_complete = read_quantities(*read.reads, skin_quantities, array.reads);
+  if (read.reads) read.reads_complete = read_quantities(*read.reads, skin_quantities, array.reads);
   if (array.rows * array.columns > static_cast<std::size_t>(most_taxels)) {
     if (const auto rows = table.value("rows"))
       rows->problem("times columns makes " + std::to_string(array.rows * array.columns) +

@@ -24,19 +24,19 @@
 namespace tactile_net {
 
 struct SkinReconstructOptions {
-  std::optional<double> alpha{};          ///< absent: a rule chooses it
-  std::optional<AlphaRule> alpha_rule{};  ///< absent: by readings and noise
-  double smoothing_length = 0.0;          ///< l [m]; default: the least depth
-  SkinGridOptions grid{};                 ///< where the tractions lie
-  std::optional<bool> tangential{};       ///< solve for the drags too; absent: see `components`
-  bool nonnegative = false;               ///< p >= 0
+  std::optional<double> alpha{};           ///< absent: a rule chooses it
+  std::optional<AlphaRule> alpha_rule{};   ///< absent: by readings and noise
+  double smoothing_length = 0.0;           ///< l [m]; default: the least depth
+  SkinGridOptions grid{};                  ///< where the tractions lie
+  std::optional<bool> tangential{};        ///< solve for the drags too; absent: see `components`
+  bool nonnegative = false;                ///< p >= 0
   std::optional<double> friction_limit{};  ///< |q| <= limit p; implies p >= 0
 };
 
 /// White noise of every reading.
 struct SkinNoise {
   std::map<SkinQuantity, double> rms{};  ///< of every quantity read [its unit], >= 0
-  bool weights_rows = false;             ///< `rms` was given as a table: each reading is divided by it
+  bool weights_rows = false;  ///< `rms` was given as a table: each reading is divided by it
   std::uint64_t seed = 1;
 };
 
@@ -48,9 +48,9 @@ struct SkinScene {
   std::optional<Units> units{};
   SkinArray sensor{};
   Material material{};
-  std::optional<Timing> time{};  ///< absent: one frame, of loads that have always been there
-  std::size_t frame = 0;         ///< that `run` reconstructs: the reader sets the last
-  std::vector<SkinLoad> contacts{};                   ///< as they are at that frame
+  std::optional<Timing> time{};      ///< absent: one frame, of loads that have always been there
+  std::size_t frame = 0;             ///< that `run` reconstructs: the reader sets the last
+  std::vector<SkinLoad> contacts{};  ///< as they are at that frame
   std::vector<SkinContactTrajectory> trajectories{};  ///< one per contact, empty where it stands
   std::optional<SkinNoise> noise{};
   std::vector<std::size_t> dead_taxels{};  ///< they read 0, and nothing is asked of them
