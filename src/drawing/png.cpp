@@ -80,6 +80,28 @@ Palette diverging(Colour negative, Colour positive) noexcept {
   return palette;
 }
 
+Palette ramp(std::span<const Colour> stops) noexcept {
+  Palette palette{};
+  for (std::size_t i = 0; i < palette.size(); ++i) {
+    // Index 1 is the first stop and 255 the last, so that 128 is the middle.
+    const double at =
+        std::max(static_cast<double>(i) - 1.0, 0.0) / 254.0 * static_cast<double>(stops.size() - 1);
+    const std::size_t stop = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+    const double share = at - static_cast<double>(stop);
+    const auto between = [&](std::uint8_t Colour::*part) {
+      return static_cast<std::uint8_t>(
+          std::lround((1.0 - share) * (stops[stop].*part) + share * (stops[stop + 1].*part)));
+    };
+    palette[i] = {between(&Colour::red), between(&Colour::green), between(&Colour::blue)};
+  }
+  return palette;
+}
+
+std::uint8_t ramp_index(double value) noexcept {
+  if (std::isnan(value)) return 1;
+  return static_cast<std::uint8_t>(std::lround(1.0 + 254.0 * std::clamp(value, 0.0, 1.0)));
+}
+
 std::uint8_t diverging_index(double value) noexcept {
   if (std::isnan(value)) return 128;
   return static_cast<std::uint8_t>(std::lround(128.0 + 127.0 * std::clamp(value, -1.0, 1.0)));

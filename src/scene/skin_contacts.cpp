@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "scene/skin_sections.hpp"
@@ -50,21 +51,26 @@ constexpr Key keys[] = {{"radius", &SkinContact::radius, &positive, length},
 /// A key that must be there, and what it says.
 using Needed = std::pair<std::string_view, std::string_view>;
 
-/// Puts into `contact` what the table names.
-void read_numbers(Table& table, const Units& units, SkinContact& contact) {
-  if (const auto place = table.value("place"))
-    if (const auto at = read_two(*place, any_number, units.length, "place = [1.0, -0.5]")) {
-      contact.y = at->front();
-      contact.z = at->back();
-    }
+/// Puts into `contact` what the table names. @return  all of it was understood
+bool read_numbers(Table& table, const Units& units, SkinContact& contact) {
+  bool good = true;
+  const auto two = [&](std::string_view key, const Rule& rule, std::string_view example,
+                       double& first, double& second) {
+    const auto value = table.value(key);
+    if (!value) return;
+    const auto both = read_two(*value, rule, units.length, example);
+    good = good && both;
+    if (both) std::tie(first, second) = std::pair(both->front(), both->back());
+  };
+  two("place", any_number, "place = [1.0, -0.5]", contact.y, contact.z);
   for (const Key& key : keys)
-    if (const auto value = table.value(key.name))
-      contact.*key.member = value->number(*key.rule, key.unit(units)).value_or(contact.*key.member);
-  if (const auto radii = table.value("radii"))
-    if (const auto both = read_two(*radii, positive, units.length, "radii = [3.0, 2.0]")) {
-      contact.radius = both->front();
-      contact.second_radius = both->back();
+    if (const auto value = table.value(key.name)) {
+      const auto number = value->number(*key.rule, key.unit(units));
+      good = good && number;
+      contact.*key.member = number.value_or(contact.*key.member);
     }
+  two("radii", positive, "radii = [3.0, 2.0]", contact.radius, contact.second_radius);
+  return good;
 }
 
 /// The library's rules for the whole; what it says is put at `where`.
@@ -95,8 +101,8 @@ void check_contact(const SkinContact& contact, const SkinScene& scene, const Val
 }
 
 SkinContactTrajectory read_knots(const Value& trajectory, const std::vector<Needed>& needed,
-                                 const SkinContact& contact, const SkinScene& scene,
-                                 const Read& read) {
+                                 const SkinContact& contact, bool understood,
+                                 const SkinScene& scene, const Read& read) {
   SkinContactTrajectory knots;
   if (!read.timed)
     trajectory.problem("moves the contact over time, and this scene has none",
@@ -117,9 +123,9 @@ SkinContactTrajectory read_knots(const Value& trajectory, const std::vector<Need
     }
     if (knots.empty())
       for (const auto& [key, hint] : needed) (void)table.required(key, hint);
-    read_numbers(table, read.units, knot.contact);
+    understood = read_numbers(table, read.units, knot.contact) && understood;
     table.finish();
-    if (t) check_contact(knot.contact, scene, *t);
+    if (t && understood) check_contact(knot.contact, scene, *t);
     knots.push_back(knot);
   }
   return knots;
@@ -152,10 +158,10 @@ SkinContact read_rigid(Table& table, const Value& where, SkinShape shape, const 
   for (const std::string_view key : sampled_keys)
     table.not_here(key, "applies to the shape \"tractions\" only",
                    "remove it, or give the load by shape = \"tractions\"");
-  read_numbers(table, read.units, contact);
+  const bool understood = read_numbers(table, read.units, contact);
   if (moves)
-    trajectory = read_knots(*moves, in_knots, contact, scene, read);
-  else
+    trajectory = read_knots(*moves, in_knots, contact, understood, scene, read);
+  else if (understood)
     check_contact(contact, scene, where);
   return trajectory.empty() ? contact : trajectory.front().contact;
 }

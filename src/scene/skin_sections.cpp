@@ -168,8 +168,7 @@ void read_reconstruct(Table table, const Read& read, SkinScene& scene) {
   if (const auto alpha = table.value("alpha"))
     read_alpha(*alpha, alpha_unit(read.units, scene), noisy, options.alpha, options.alpha_rule);
   if (const auto length = table.value("smoothing_length"))
-    options.smoothing_length =
-        length->number(not_negative, read.units.length).value_or(options.smoothing_length);
+    options.smoothing_length = length->number(not_negative, read.units.length);
   const bool one_channel = is_whole(scene) && channel_count(scene.sensor) == 1;
   constexpr const char* three =
       "read what tells drags, such as reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]";
@@ -251,7 +250,6 @@ void read_skin_sections(Table& root, const std::filesystem::path& folder, SkinSc
     scene.dead_taxels = read_dead_taxels(*table, scene);
   if (const auto table = table_of(root.value("forward")))
     scene.forward = read_forward(*table, true);
-  if (is_whole(scene)) scene.reconstruct.smoothing_length = least_depth(scene.sensor);
   if (auto table = table_of(root.value("reconstruct"))) read_reconstruct(*table, read, scene);
   for (const Absent& absent : absent_tables) root.not_here(absent.key, absent.why, "remove it");
   check_reads(read, scene);

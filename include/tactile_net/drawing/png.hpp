@@ -24,7 +24,15 @@ using Palette = std::array<Colour, 256>;
 /// dark or light; full colours at the ends.
 [[nodiscard]] Palette diverging(Colour negative, Colour positive) noexcept;
 
-/// The index of a value in a `diverging` palette; beyond -1 ... 1 the ends, NaN as 0.
+/// Colours between stops at equal distances: of values from 0 to 1, or of an odd number of stops
+/// from -1 to 1, whose middle one is 0. @pre  two stops at least
+[[nodiscard]] Palette ramp(std::span<const Colour> stops) noexcept;
+
+/// The index of a value from 0 to 1 in a `ramp`; beyond them the ends, NaN as 0.
+[[nodiscard]] std::uint8_t ramp_index(double value) noexcept;
+
+/// The index of a value in a `diverging` palette, or a `ramp` from -1 to 1; beyond -1 ... 1 the
+/// ends, NaN as 0.
 [[nodiscard]] std::uint8_t diverging_index(double value) noexcept;
 
 /// A PNG file (ISO 15948), its pixels stored without compression.

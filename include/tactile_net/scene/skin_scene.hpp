@@ -24,13 +24,13 @@
 namespace tactile_net {
 
 struct SkinReconstructOptions {
-  std::optional<double> alpha{};           ///< absent: a rule chooses it
-  std::optional<AlphaRule> alpha_rule{};   ///< absent: by readings and noise
-  double smoothing_length = 0.0;           ///< l [m]; default: the least depth
-  SkinGridOptions grid{};                  ///< where the tractions lie
-  std::optional<bool> tangential{};        ///< solve for the drags too; absent: see `components`
-  bool nonnegative = false;                ///< p >= 0
-  std::optional<double> friction_limit{};  ///< |q| <= limit p; implies p >= 0
+  std::optional<double> alpha{};             ///< absent: a rule chooses it
+  std::optional<AlphaRule> alpha_rule{};     ///< absent: by readings and noise
+  std::optional<double> smoothing_length{};  ///< l [m]; absent: the mean depth of the taxels
+  SkinGridOptions grid{};                    ///< where the tractions lie
+  std::optional<bool> tangential{};          ///< solve for the drags too; absent: see `components`
+  bool nonnegative = false;                  ///< p >= 0
+  std::optional<double> friction_limit{};    ///< |q| <= limit p; implies p >= 0
 };
 
 /// White noise of every reading.
@@ -78,8 +78,7 @@ inline constexpr std::size_t most_skin_tractions = 8192;
 /// @throw std::invalid_argument  there is no such frame
 [[nodiscard]] SkinScene at_frame(SkinScene scene, std::size_t frame);
 
-/// A list of numbers of a file in its units, as SI: what `raw_numbers` is for lines, the other way.
-/// One factor for each reading, 1 without [units].
+/// Of every reading, the unit in which a file of this scene has it; without [units] one.
 [[nodiscard]] std::vector<Unit> reading_units(const SkinScene& scene);
 
 /// Readings as a file of this scene has them: in its units.

@@ -29,9 +29,13 @@ std::string_view own_unit(Dimension dimension) noexcept {
 
 }  // namespace
 
-ScaledUnit axis_unit(const Scene& scene, Dimension dimension, double largest) {
-  if (!scene.units) return {.label = std::string(own_unit(dimension))};
+ScaledUnit axis_unit(const std::optional<Units>& units, Dimension dimension, double largest) {
+  if (!units) return {.label = std::string(own_unit(dimension))};
   return scaled_unit(largest, si_unit(dimension));
+}
+
+ScaledUnit axis_unit(const Scene& scene, Dimension dimension, double largest) {
+  return axis_unit(scene.units, dimension, largest);
 }
 
 std::string in_unit(const std::optional<Units>& units, Dimension dimension, double number) {
@@ -42,9 +46,13 @@ std::string in_unit(const Scene& scene, Dimension dimension, double number) {
   return in_unit(scene.units, dimension, number);
 }
 
+std::string in_unit(const std::optional<Units>& units, Dimension dimension, double value,
+                    double deviation) {
+  return units ? with_unit(value, deviation, si_unit(dimension)) : plus_minus(value, deviation);
+}
+
 std::string in_unit(const Scene& scene, Dimension dimension, double value, double deviation) {
-  return scene.units ? with_unit(value, deviation, si_unit(dimension))
-                     : plus_minus(value, deviation);
+  return in_unit(scene.units, dimension, value, deviation);
 }
 
 Dimension residual_dimension(const Scene& scene) noexcept {

@@ -21,6 +21,8 @@ namespace tactile_net::report {
 /// @return         without [units] what the number is a multiple of ("unit of E"), and 1; an empty
 ///                 label for a number without dimension
 [[nodiscard]] ScaledUnit axis_unit(const Scene& scene, Dimension dimension, double largest);
+[[nodiscard]] ScaledUnit axis_unit(const std::optional<Units>& units, Dimension dimension,
+                                   double largest);
 
 /// "4.81 kPa"; without [units] as `brief`.
 [[nodiscard]] std::string in_unit(const Scene& scene, Dimension dimension, double number);
@@ -30,6 +32,8 @@ namespace tactile_net::report {
 /// "4.81 ± 0.02 kPa"; without [units] as `plus_minus`.
 [[nodiscard]] std::string in_unit(const Scene& scene, Dimension dimension, double value,
                                   double deviation);
+[[nodiscard]] std::string in_unit(const std::optional<Units>& units, Dimension dimension,
+                                  double value, double deviation);
 
 /// Of a residual, and of noise beside it: that of the readings, none where they are divided by
 /// their noise.

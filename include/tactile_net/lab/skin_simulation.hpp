@@ -1,0 +1,64 @@
+/// @file
+/// What a skin's contacts do to its sensors, frame by frame.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tactile_net/lab/observer.hpp"
+#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/scene/skin_scene.hpp"
+#include "tactile_net/skin/forward.hpp"
+
+namespace tactile_net::lab {
+
+/// A skin gone through from the first frame to the scene's, as `SensorRecording` does lines.
+class SkinRecording {
+ public:
+  /// Keeps a copy of the scene.
+  /// @throw std::invalid_argument  as `grid` and `ExactSkinModel`
+  explicit SkinRecording(SkinScene scene);
+
+  /// Goes on to the next frame; false if there is none.
+  ///
+  /// @param wanted  false: the readings hold nothing of use, which saves the forward model
+  /// @throw std::invalid_argument, std::runtime_error  as `ExactSkinModel::readings`
+  [[nodiscard]] bool next(bool wanted = true);
+
+  /// Of the frame last taken: t [s], the readings, the mean tractions of the grid's cells [Pa],
+  /// three components, and what presses.
+  [[nodiscard]] double time() const noexcept { return time_; }
+  [[nodiscard]] std::span<const double> readings() const noexcept { return readings_; }
+  [[nodiscard]] const std::vector<double>& truth() const noexcept { return truth_; }
+  [[nodiscard]] const std::vector<SkinLoad>& contacts() const noexcept { return contacts_; }
+
+ private:
+  void load();
+  void add_effects(std::size_t frame);
+
+  SkinScene scene_;
+  SkinGrid grid_;
+  std::optional<ExactSkinModel> model_{};  // absent: the sampled forward model
+  std::size_t next_ = 0;
+  double time_ = 0.0;
+  bool loaded_ = false;  // truth and pure readings are those of contacts that stand
+  std::vector<SkinLoad> contacts_{};
+  std::vector<double> truth_{};
+  std::vector<double> pure_{};
+  std::vector<double> readings_{};
+};
+
+/// The scene's frame.
+struct SkinFrame {
+  std::vector<double> truth{};     ///< three components of every cell [Pa], means over it
+  std::vector<double> readings{};  ///< in the order of the skin's readings
+  SkinWrench wrench{};             ///< of all contacts, exact
+  std::vector<SceneRemark> remarks{};
+};
+
+/// @param observer  hears of every frame up to the scene's
+[[nodiscard]] SkinFrame simulate(const SkinScene& scene, Observer& observer = silent);
+
+}  // namespace tactile_net::lab

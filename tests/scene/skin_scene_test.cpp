@@ -1,0 +1,229 @@
+// Scenes of skins: what a good one says, and for every rule one change that breaks it, with
+// exactly one message, at its place.
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+constexpr std::string_view good = R"([units]
+length = "mm"
+modulus = "MPa"
+stress = "kPa"
+force = "N"
+[sensor]
+rows = 3
+columns = 4
+pitch = [2.0, 1.5]
+depth = 2.0
+reads = ["stress_x", "shear_xy", "shear_xz"]
+[material]
+youngs_modulus = 0.25
+poisson_ratio = 0.48
+layer = { thickness = 4.0, base = "bonded" }
+[time]
+rate = 10.0
+frames = 3
+[[contact]]
+shape = "ellipsoid"
+place = [1.0, -0.5]
+radii = [2.0, 1.0]
+angle = 30.0
+friction = 0.4
+direction = 90.0
+stick = 0.5
+torsion = 0.2
+trajectory = [{ t = 0.0, force = 0.5 }, { t = 0.2, place = [1.5, 0.5], force = 1.5 }]
+[[contact]]
+shape = "tractions"
+spacing = 0.5
+normal = [[0.0, 1.0], [2.0, 3.0]]
+[noise]
+rms = { stress_x = 0.1, shear_xy = 0.05, shear_xz = 0.05 }
+[dead_taxels]
+indices = [5]
+[forward]
+model = "exact"
+[reconstruct]
+methods = ["tikhonov"]
+alpha = "gml"
+friction_limit = 0.8
+spacing = 1.0
+margin = 2.0
+)";
+
+SkinScene skin(const std::string& toml) {
+  return std::get<SkinScene>(parse_any_scene(toml, "skin.toml"));
+}
+
+std::vector<Diagnostic> problems_of(const std::string& toml) {
+  try {
+    (void)parse_any_scene(toml, "skin.toml");
+  } catch (const InputError& error) {
+    return error.diagnostics();
+  }
+  return {};
+}
+
+/// `place` is "line:column".
+struct Case {
+  std::string_view from;
+  std::string_view to;
+  std::string_view place;
+  std::string_view message;
+};
+
+void check_each(const std::vector<Case>& cases) {
+  for (const auto& [from, to, place, message] : cases) {
+    std::string toml{good};
+    const std::size_t at = toml.find(from);
+    CAPTURE(from, to);
+    REQUIRE(at != std::string::npos);
+    toml.replace(at, from.size(), to);
+    const auto problems = problems_of(toml);
+    CAPTURE(InputError{problems}.what());
+    REQUIRE(problems.size() == 1);
+    CHECK(std::to_string(problems[0].line) + ':' + std::to_string(problems[0].column) == place);
+    CHECK_THAT(problems[0].message, ContainsSubstring(std::string{message}));
+  }
+}
+
+/// A file of taxels in a folder of its own, and a scene that names it.
+class TaxelFile {
+ public:
+  explicit TaxelFile(const std::string& csv) {
+    std::filesystem::create_directories(folder_);
+    std::ofstream(folder_ / "palm.csv") << csv;
+    std::ofstream(folder_ / "palm.toml")
+        << "[sensor]\ntaxels = \"palm.csv\"\n[material]\nyoungs_modulus = 1.0\n"
+           "poisson_ratio = 0.45\nlayer = { thickness = 4.0, base = \"bonded\" }\n";
+  }
+  TaxelFile(const TaxelFile&) = delete;
+  TaxelFile& operator=(const TaxelFile&) = delete;
+  ~TaxelFile() { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] AnyScene scene() const { return read_any_scene(folder_ / "palm.toml"); }
+  [[nodiscard]] std::string problem() const {
+    try {
+      (void)scene();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+ private:
+  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "skin_scene_test";
+};
+
+}  // namespace
+
+TEST_CASE("a skin's scene is read in SI, its contacts as they are at the last frame", "[scene]") {
+  const SkinScene scene = skin(std::string(good));
+  CHECK(scene.sensor.rows == 3);
+  CHECK(scene.sensor.columns == 4);
+  CHECK(scene.sensor.pitch_y == 2e-3);
+  CHECK(scene.sensor.pitch_z == 1.5e-3);
+  CHECK(scene.material.youngs_modulus == 0.25e6);
+  CHECK(scene.frame == 2);
+  const auto& contact = std::get<SkinContact>(scene.contacts.at(0));
+  CHECK(contact.shape == SkinShape::ellipsoid);
+  CHECK(contact.y == 1.5e-3);
+  CHECK(contact.force == 1.5);
+  CHECK(contact.second_radius == 1e-3);
+  CHECK_THAT(contact.direction, WithinRel(0.5 * std::numbers::pi, 1e-15));
+  CHECK_THAT(contact.torsion, WithinRel(0.2e-3, 1e-15));
+  CHECK(std::get<SkinContact>(at_frame(scene, 1).contacts[0]).force == 1.0);
+  CHECK(std::get<SampledPatch>(scene.contacts.at(1)).normal == std::vector{0.0, 1e3, 2e3, 3e3});
+  CHECK(scene.noise->weights_rows);
+  CHECK(scene.noise->rms.at(SkinQuantity::shear_xy) == 50.0);
+  CHECK(scene.reconstruct.alpha_rule == AlphaRule::gml);
+  CHECK(components(scene) == 3);
+  CHECK_THROWS_AS(at_frame(scene, 3), std::invalid_argument);
+}
+
+TEST_CASE("a skin is told from a line by rows, columns or a column z", "[scene]") {
+  const std::string rest =
+      "depth = 1.0\nreads = [\"stress_x\"]\n[material]\nyoungs_modulus = 1.0\npoisson_ratio = "
+      "0.4\n";
+  CHECK(std::holds_alternative<Scene>(
+      parse_any_scene("[sensor]\ncount = 4\npitch = 1.0\n" + rest, "a.toml")));
+  CHECK(std::holds_alternative<SkinScene>(
+      parse_any_scene("[sensor]\nrows = 1\ncolumns = 1\npitch = 1.0\n" + rest, "a.toml")));
+  CHECK(std::holds_alternative<Scene>(
+      TaxelFile("y,depth,reads\n0,1,stress_x\n1,1,stress_x\n").scene()));
+  CHECK(std::holds_alternative<SkinScene>(
+      TaxelFile("name,y [m],z [m],depth,reads\na,0,0,1,stress_x shear_xz\n").scene()));
+}
+
+TEST_CASE("who knows lines alone says so of a skin, once", "[scene]") {
+  try {
+    (void)parse_scene(good, "skin.toml");
+    FAIL("a skin is taken for a line");
+  } catch (const InputError& error) {
+    REQUIRE(error.diagnostics().size() == 1);
+    CHECK(error.diagnostics()[0].line == 6);
+    CHECK_THAT(error.diagnostics()[0].message, ContainsSubstring("is of a skin"));
+  }
+}
+
+TEST_CASE("what is wrong with a skin's scene is said at its place", "[scene]") {
+  CHECK(problems_of(std::string(good)).empty());
+  check_each({
+      {"rows = 3", "rows = 0", "7:8", "must be from 1 to 4096"},
+      {"columns = 4", "column = 4", "8:1", "unknown key \"sensor.column\""},
+      {"pitch = [2.0, 1.5]", "pitch = [2.0]", "9:9", "must be two numbers"},
+      {"pitch = [2.0, 1.5]", "pitch = nan", "9:9", "must be a finite number"},
+      {"depth = 2.0", "depth = 5.0", "15:23", "must be at least the sensors' depth"},
+      {"\"shear_xz\"]", "\"shear_yx\"]", "11:34", "unknown quantity"},
+      {"shape = \"ellipsoid\"", "shape = \"cylinder\"", "20:9", "unknown shape"},
+      {"radii = [2.0, 1.0]", "radii = [2.0, -1.0]", "22:15", "must be > 0"},
+      {"stick = 0.5", "stick = 1.0", "26:9", "must be >= 0 and < 1"},
+      {"place = [1.5, 0.5]", "place = [15.0, 0.5]", "28:46", "beside the skin"},
+      {"t = 0.2,", "t = 0.0,", "28:46", "must be later than the knot before"},
+      {"[2.0, 3.0]]", "[2.0]]", "32:23", "as many numbers as the first row"},
+      {", shear_xz = 0.05", "", "34:7", "noise.rms.shear_xz is missing"},
+      {"indices = [5]", "indices = [12]", "36:12", "must be from 0 to 11"},
+      {"indices = [5]", "indices = [5, 5]", "36:15", "names a taxel twice"},
+      {"methods = [\"tikhonov\"]", "methods = [\"dft\"]", "40:12", "unknown method of skins"},
+      {"spacing = 1.0\nmargin", "spacing = 1e-4\nmargin", "43:11", ""},
+      {"spacing = 1.0\nmargin", "spacing = 0.1\nmargin", "43:11", "unknown tractions, more than"},
+      {"margin = 2.0", "margin = 2.0\noffset = true", "45:10", "is not estimated for skins yet"},
+      {"[dead_taxels]", "[network]\n[dead_taxels]", "35:1", "is a circuit"},
+  });
+}
+
+TEST_CASE("displacements along a surface that slips are refused with what to do", "[scene]") {
+  std::string toml(good);
+  toml.replace(toml.find("\"shear_xz\""), 10, "\"displacement_y\"");
+  toml.replace(toml.find("\"bonded\""), 8, "\"frictionless\"");
+  toml.replace(toml.find("shear_xz = 0.05"), 15, "displacement_y = 0.1");
+  const auto problems = problems_of(toml);
+  REQUIRE(problems.size() == 1);
+  CHECK(problems[0].line == 11);
+  CHECK_THAT(problems[0].hint, ContainsSubstring("bonded"));
+}
+
+TEST_CASE("a file of taxels that is not in order is said with its line", "[scene]") {
+  const auto problem = [](const std::string& csv) { return TaxelFile(csv).problem(); };
+  const std::string head = "name,y,z,depth,reads\n";
+  CHECK_THAT(problem(head + "a,0,0,1,stress_x\nb,0,0,1,stress_x\n"),
+             ContainsSubstring("palm.toml:2:10") && ContainsSubstring("is no skin"));
+  CHECK_THAT(problem(head + "a,0,0,1,stress_x\na,1,0,1,stress_x\n"), ContainsSubstring("a"));
+  CHECK_THAT(problem(head + "a,0,nan,1,stress_x\n"),
+             ContainsSubstring("line 2: z is not a finite number"));
+  CHECK_THAT(problem(head + "a,0,0,-1,stress_x\n"), ContainsSubstring("line 2: depth is not > 0"));
+  CHECK_THAT(problem(head + "a,0,0,1,stress\n"), ContainsSubstring("reads names something else"));
+  CHECK_THAT(problem(head + "a,0,0,5,stress_x\n"),
+             ContainsSubstring("at least the sensors' depth"));
+  CHECK_THAT(problem("name,y,z,reads\na,0,0,stress_x\n"),
+             ContainsSubstring("there is no column depth"));
+}
