@@ -16,6 +16,9 @@ struct Svd {
 };
 [[nodiscard]] Svd singular_value_decomposition(const Eigen::MatrixXd& a);
 
+/// The same of a matrix that may be much longer than wide, or wider than long: by a QR first.
+[[nodiscard]] Svd long_singular_value_decomposition(const Eigen::MatrixXd& a);
+
 /// The same without vectors.
 [[nodiscard]] Eigen::VectorXd singular_values(const Eigen::MatrixXd& a);
 

@@ -1,0 +1,239 @@
+#include "tactile_net/skin/cone.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "inverse/checks.hpp"
+#include "numeric/eigen.hpp"
+#include "skin/family_factors.hpp"
+
+namespace tactile_net {
+namespace {
+
+using Eigen::Index;
+
+constexpr double relaxation = 1.6;
+constexpr std::size_t steps_between_checks = 5;
+
+/// Where a projection onto the cone ends.
+enum class Part { apart, sliding, sticking };
+
+/// (p, q_y, q_z) of every cell, projected; without a limit p alone.
+class CellCones {
+ public:
+  CellCones(Index cells, std::size_t components, const Constraints& constraints)
+      : cells_(cells), three_(components == 3), constraints_(constraints) {}
+
+  /// @param visit  of each cell, and the part of the cone on which it ends
+  void project(Eigen::VectorXd& f, const auto& visit) const {
+    for (Index i = 0; i < cells_; ++i) visit(i, project_cell(f, i));
+  }
+  void project(Eigen::VectorXd& f) const {
+    project(f, [](Index, Part) {});
+  }
+
+ private:
+  Part project_cell(Eigen::VectorXd& f, Index i) const {
+    double& p = f(i);
+    if (!constraints_.friction_limit) {
+      if (!constraints_.nonnegative || p > 0.0) return Part::sticking;
+      p = 0.0;
+      return Part::apart;
+    }
+    const double limit = *constraints_.friction_limit;
+    double& y = f(cells_ + i);
+    double& z = f(2 * cells_ + i);
+    const double drag = std::hypot(y, z);
+    if (drag < limit * p) return Part::sticking;
+    const double along = (p + limit * drag) / (1.0 + limit * limit);
+    if (!(along > 0.0)) {
+      p = y = z = 0.0;
+      return Part::apart;
+    }
+    p = along;
+    const double shrunk = drag > 0.0 ? limit * along / drag : 0.0;
+    y *= shrunk;
+    z *= shrunk;
+    return Part::sliding;
+  }
+
+  Index cells_;
+  bool three_;
+  Constraints constraints_;
+};
+
+void check(const SkinProblem& problem, const Constraints& constraints) {
+  if (!constraints.friction_limit) return;
+  if (!(*constraints.friction_limit > 0.0) || !std::isfinite(*constraints.friction_limit))
+    throw std::invalid_argument("friction_limit must be > 0 and finite");
+  if (problem.components != 3)
+    throw std::invalid_argument("a friction limit needs the tangential tractions as unknowns");
+}
+
+/// The largest eigenvalue of P = K'K + alpha L'L, in coordinates in which it is simple: gamma's
+/// squares where L = 1, by power iteration from what K shows best.
+double largest_eigenvalue(const SkinProblem& problem, double alpha) {
+  const auto kernel = as_eigen(problem.kernel);
+  const Eigen::VectorXd spectrum = alpha * stabiliser_spectrum(problem);
+  const CosineCoordinates waves(problem, Eigen::VectorXd::Ones(spectrum.size()));
+  Eigen::VectorXd x = kernel.transpose() * Eigen::VectorXd::Ones(kernel.rows());
+  for (Index i = 0; i < x.size(); ++i)
+    x(i) += 1e-3 * x.cwiseAbs().maxCoeff() * std::cos(static_cast<double>(i));
+  double largest = 0.0;
+  for (int step = 0; step < 100; ++step) {
+    x.normalize();
+    const Eigen::VectorXd image =
+        kernel.transpose() * (kernel * x) +
+        waves.tractions(spectrum.cwiseProduct(Eigen::VectorXd(waves.sums(x))));
+    const double now = image.norm();
+    const bool settled = std::abs(now - largest) <= 1e-4 * now;
+    largest = now;
+    if (settled) break;
+    x = image;
+  }
+  return largest;
+}
+
+}  // namespace
+
+Matrix edges(const SkinProblem& problem, const ConeFace& face) {
+  const std::size_t cells = problem.grid.count();
+  Matrix map{problem.components * cells, face.free.size(),
+             std::vector<double>(problem.components * cells * face.free.size())};
+  for (std::size_t j = 0; j < face.free.size(); ++j) {
+    const auto& [cell, along] = face.free[j];
+    if (cell >= cells) throw std::invalid_argument("a face of another problem");
+    for (std::size_t u = 0; u < problem.components; ++u) map(u * cells + cell, j) = along[u];
+  }
+  return map;
+}
+
+/// (P + rho)^-1 in coordinates in which it is 1 + V Gamma^2 V': L'L + rho is diagonal in cosines.
+struct SkinCone::System {
+  System(const SkinProblem& problem, double alpha, const Constraints& limits)
+      : cells(static_cast<Index>(problem.grid.count())),
+        components(problem.components),
+        constraints(limits),
+        cones(cells, components, limits),
+        largest(largest_eigenvalue(problem, alpha)),
+        rho(std::sqrt(largest) * std::sqrt(alpha * problem.area)),
+        waves(std::make_shared<const CosineCoordinates>(
+            problem, (alpha * stabiliser_spectrum(problem).array() + rho).sqrt().matrix())),
+        factors(problem, waves, mirror_classes(problem), 1.0),
+        kernel(as_eigen(problem.kernel)) {
+    gains = as_eigen(std::span(factors.gamma)).unaryExpr([](double gamma) {
+      const double part = gamma / std::hypot(gamma, 1.0);
+      return part * part;
+    });
+    squares = as_eigen(std::span(factors.gamma)).cwiseAbs2();
+  }
+
+  /// (P + rho)^-1 x.
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& x) const {
+    Eigen::MatrixXd c = waves->sums(x);
+    c -= factors.from_components(gains.asDiagonal() * factors.components(c));
+    return waves->tractions(c);
+  }
+  /// P x.
+  [[nodiscard]] Eigen::VectorXd product(const Eigen::VectorXd& x) const {
+    const Eigen::MatrixXd c = waves->coordinates(x);
+    const Eigen::MatrixXd image =
+        c + factors.from_components(squares.asDiagonal() * factors.components(c));
+    return waves->spread(image) - rho * x;
+  }
+
+  Index cells;
+  std::size_t components;
+  Constraints constraints;
+  CellCones cones;
+  double largest;  // eigenvalue of P
+  double rho;
+  std::shared_ptr<const CosineCoordinates> waves;
+  SkinFamily::Factors factors;
+  Eigen::MatrixXd kernel;
+  Eigen::VectorXd gains, squares;
+};
+
+SkinCone::SkinCone(const SkinProblem& problem, double alpha, const Constraints& constraints) {
+  check_alpha(alpha);
+  check(problem, constraints);
+  system_ = std::make_unique<const System>(problem, alpha, constraints);
+}
+SkinCone::~SkinCone() = default;
+SkinCone::SkinCone(SkinCone&&) noexcept = default;
+SkinCone& SkinCone::operator=(SkinCone&&) noexcept = default;
+
+SkinConeSolution SkinCone::solve(std::span<const double> readings, std::size_t iteration_limit,
+                                 double enough) const {
+  const System& s = *system_;
+  if (std::ssize(readings) != s.factors.weights.size()) return {.status = FrameStatus::wrong_size};
+  if (!all_finite(readings)) return {.status = FrameStatus::not_finite};
+  Eigen::VectorXd g = s.factors.weights.cwiseProduct(as_eigen(readings));
+  const double scale = g.cwiseAbs().maxCoeff();
+  if (!std::isfinite(scale)) return {.status = FrameStatus::too_large};
+  if (scale > 0.0) g = g / scale;
+
+  const Eigen::VectorXd b = s.kernel.transpose() * g;
+  const double size = b.norm();
+  Eigen::VectorXd z = Eigen::VectorXd::Zero(b.size());  // obeys the constraints
+  Eigen::VectorXd u = z;                                // multipliers over rho
+  SkinConeSolution solution;
+  const auto residual = [&] {
+    Eigen::VectorXd moved = z - (s.product(z) - b) / s.largest;
+    s.cones.project(moved);
+    return (z - moved).norm() * s.largest / size;
+  };
+  if (size > 0.0) {
+    solution.verdict = ConstrainedVerdict::iteration_limit;
+    while (solution.iterations < iteration_limit) {
+      ++solution.iterations;
+      const Eigen::VectorXd f = s.solve(b + s.rho * (z - u));
+      const Eigen::VectorXd relaxed = relaxation * f + (1.0 - relaxation) * z;
+      z = relaxed + u;
+      s.cones.project(z);
+      u += relaxed - z;
+      if (solution.iterations % steps_between_checks != 0) continue;
+      solution.residual = residual();
+      if (solution.residual > enough) continue;
+      solution.verdict = ConstrainedVerdict::ok;
+      break;
+    }
+    solution.residual = residual();
+    Eigen::VectorXd before = z + u;  // whose projection z is
+    s.cones.project(before, [&](Index i, Part part) {
+      const auto cell = static_cast<std::size_t>(i);
+      const auto add = [&](double p, double y, double t) {
+        solution.face.free.push_back({cell, {p, y, t}});
+      };
+      solution.apart += part == Part::apart;
+      solution.sliding += part == Part::sliding;
+      solution.sticking += part == Part::sticking;
+      const bool three = s.components == 3;
+      if (part == Part::sliding) {
+        const double limit = *s.constraints.friction_limit;
+        const double y = z(s.cells + i) / (limit * z(i));
+        const double t = z(2 * s.cells + i) / (limit * z(i));
+        const double length = std::hypot(1.0, limit);
+        add(1.0 / length, limit / length * y, limit / length * t);
+        add(0.0, -t, y);
+        return;
+      }
+      if (part == Part::sticking) add(1.0, 0.0, 0.0);
+      if (three && (part == Part::sticking || !s.constraints.friction_limit)) {
+        add(0.0, 1.0, 0.0);
+        add(0.0, 0.0, 1.0);
+      }
+    });
+  } else {
+    solution.apart = static_cast<std::size_t>(s.cells);
+  }
+  z *= scale;
+  if (!z.allFinite()) return {.status = FrameStatus::too_large};
+  solution.tractions.assign(z.begin(), z.end());
+  return solution;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,121 @@
+#include "skin/coordinates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
+
+namespace tactile_net {
+namespace {
+
+using Eigen::Index;
+using Cells = Eigen::Map<const RowMajor>;
+
+/// Column m: cos(pi m (i + 1/2) / n), of unit norm; even and odd to the bit.
+Eigen::MatrixXd cosines(std::size_t count) {
+  const auto n = static_cast<Index>(count);
+  Eigen::MatrixXd waves(n, n);
+  for (Index m = 0; m < n; ++m)
+    for (Index i = 0; i < n; ++i) {
+      const Index mirrored = n - 1 - i;
+      const double sign = mirrored < i && m % 2 == 1 ? -1.0 : 1.0;
+      // The phase is reduced while it is a whole number; the middle of an odd wave is 0.
+      const Index turns = m * (2 * std::min(i, mirrored) + 1) % (4 * n);
+      const bool zero = m % 2 == 1 && mirrored == i;
+      const double phase =
+          std::numbers::pi * static_cast<double>(turns) / (2.0 * static_cast<double>(n));
+      const double size = std::sqrt((m == 0 ? 1.0 : 2.0) / static_cast<double>(n));
+      waves(i, m) = zero ? 0.0 : sign * size * std::cos(phase);
+    }
+  return waves;
+}
+
+/// Of the second difference of wave m, Neumann.
+double difference(std::size_t m, std::size_t count) {
+  const double half =
+      std::sin(0.5 * std::numbers::pi * static_cast<double>(m) / static_cast<double>(count));
+  return 4.0 * half * half;
+}
+
+/// left X right', component by component, of every column.
+Eigen::MatrixXd along_both(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& left,
+                           const Eigen::MatrixXd& right) {
+  const Index cells = left.cols() * right.cols();
+  Eigen::MatrixXd result(columns.rows(), columns.cols());
+  for (Index j = 0; j < columns.cols(); ++j)
+    for (Index start = 0; start < columns.rows(); start += cells) {
+      const Cells x(columns.col(j).data() + start, left.cols(), right.cols());
+      Eigen::Map<RowMajor>(result.col(j).data() + start, left.rows(), right.rows()) =
+          left * x * right.transpose();
+    }
+  return result;
+}
+
+}  // namespace
+
+Eigen::VectorXd stabiliser_spectrum(const SkinProblem& problem) {
+  const SkinGrid& grid = problem.grid;
+  const double y = problem.smoothing_length / grid.spacing_y;
+  const double z = problem.smoothing_length / grid.spacing_z;
+  Eigen::VectorXd spectrum(static_cast<Index>(problem.components * grid.count()));
+  Index at = 0;
+  for (std::size_t u = 0; u < problem.components; ++u) {
+    const double weight = u == 0 ? 1.0 : problem.tangential_weight;
+    for (std::size_t m = 0; m < grid.rows; ++m)
+      for (std::size_t n = 0; n < grid.columns; ++n)
+        spectrum(at++) =
+            problem.area * weight * weight *
+            (1.0 + y * y * difference(m, grid.rows) + z * z * difference(n, grid.columns));
+  }
+  return spectrum;
+}
+
+CosineCoordinates::CosineCoordinates(const SkinProblem& problem, Eigen::VectorXd stretch)
+    : y_(cosines(problem.grid.rows)),
+      z_(cosines(problem.grid.columns)),
+      stretch_(std::move(stretch)) {}
+
+Eigen::MatrixXd CosineCoordinates::tractions(const Eigen::MatrixXd& coordinates) const {
+  return along_both(stretch_.cwiseInverse().asDiagonal() * coordinates, y_, z_);
+}
+
+Eigen::MatrixXd CosineCoordinates::sums(const Eigen::MatrixXd& tractions) const {
+  return stretch_.cwiseInverse().asDiagonal() *
+         along_both(tractions, y_.transpose(), z_.transpose());
+}
+
+Eigen::MatrixXd CosineCoordinates::coordinates(const Eigen::MatrixXd& tractions) const {
+  return stretch_.asDiagonal() * along_both(tractions, y_.transpose(), z_.transpose());
+}
+
+Eigen::MatrixXd CosineCoordinates::spread(const Eigen::MatrixXd& coordinates) const {
+  return along_both(stretch_.asDiagonal() * coordinates, y_, z_);
+}
+
+Eigen::VectorXd CosineCoordinates::squares() const {
+  return along_both(stretch_.cwiseAbs2().cwiseInverse(), y_.cwiseAbs2(), z_.cwiseAbs2());
+}
+
+FaceCoordinates::FaceCoordinates(const SkinProblem& problem, const ConeFace& face) {
+  const CosineCoordinates waves(problem, stabiliser_spectrum(problem).cwiseSqrt());
+  const Eigen::MatrixXd free = as_eigen(tactile_net::edges(problem, face));
+  if (free.cols() == 0)
+    throw std::invalid_argument("every traction is held at zero: no family of any");
+  map_ = divide_upper(free, HouseholderQr(waves.coordinates(free)).triangle());
+}
+
+Eigen::MatrixXd FaceCoordinates::tractions(const Eigen::MatrixXd& coordinates) const {
+  return map_ * coordinates;
+}
+
+Eigen::MatrixXd FaceCoordinates::sums(const Eigen::MatrixXd& tractions) const {
+  return map_.transpose() * tractions;
+}
+
+Eigen::VectorXd FaceCoordinates::squares() const { return map_.rowwise().squaredNorm(); }
+
+}  // namespace tactile_net

@@ -1,0 +1,68 @@
+/// @file
+/// Coordinates of tractions, f = T c, in which the stabiliser is |c|^2. Private.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "tactile_net/skin/cone.hpp"
+#include "tactile_net/skin/problem.hpp"
+
+namespace tactile_net {
+
+class SkinCoordinates {
+ public:
+  SkinCoordinates() = default;
+  SkinCoordinates(const SkinCoordinates&) = delete;
+  SkinCoordinates& operator=(const SkinCoordinates&) = delete;
+  virtual ~SkinCoordinates() = default;
+
+  [[nodiscard]] virtual Eigen::Index count() const noexcept = 0;
+  /// T c, column by column.
+  [[nodiscard]] virtual Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const = 0;
+  /// T' f, column by column.
+  [[nodiscard]] virtual Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const = 0;
+  /// The diagonal of T T'.
+  [[nodiscard]] virtual Eigen::VectorXd squares() const = 0;
+};
+
+/// Cosines along y and z, wave (m, n) of component u at the place of cell (m, n): C, orthonormal,
+/// and T = C / stretch.
+class CosineCoordinates final : public SkinCoordinates {
+ public:
+  /// @param stretch  one number > 0 per wave
+  CosineCoordinates(const SkinProblem& problem, Eigen::VectorXd stretch);
+
+  [[nodiscard]] Eigen::Index count() const noexcept override { return stretch_.size(); }
+  [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
+  [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
+  [[nodiscard]] Eigen::VectorXd squares() const override;
+
+  /// stretch C' f: the coordinates of tractions.
+  [[nodiscard]] Eigen::MatrixXd coordinates(const Eigen::MatrixXd& tractions) const;
+  /// C (stretch c): the transposed of that.
+  [[nodiscard]] Eigen::MatrixXd spread(const Eigen::MatrixXd& coordinates) const;
+
+ private:
+  Eigen::MatrixXd y_, z_;  // waves along each axis, a column each
+  Eigen::VectorXd stretch_;
+};
+
+/// The eigenvalues of L'L, one per wave.
+[[nodiscard]] Eigen::VectorXd stabiliser_spectrum(const SkinProblem& problem);
+
+/// Of what a face of the cones leaves free, made orthonormal by a QR.
+class FaceCoordinates final : public SkinCoordinates {
+ public:
+  /// @throw std::invalid_argument  nothing is free, or the face is of another problem
+  FaceCoordinates(const SkinProblem& problem, const ConeFace& face);
+
+  [[nodiscard]] Eigen::Index count() const noexcept override { return map_.cols(); }
+  [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
+  [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
+  [[nodiscard]] Eigen::VectorXd squares() const override;
+
+ private:
+  Eigen::MatrixXd map_;  // T
+};
+
+}  // namespace tactile_net

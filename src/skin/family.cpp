@@ -1,0 +1,166 @@
+#include "tactile_net/skin/family.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "inverse/checks.hpp"
+#include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
+#include "skin/family_factors.hpp"
+
+namespace tactile_net {
+
+using Eigen::Index;
+
+double stabiliser_condition(const SkinProblem& problem) {
+  const Eigen::VectorXd spectrum = stabiliser_spectrum(problem);
+  return std::sqrt(spectrum.maxCoeff() / spectrum.minCoeff());
+}
+
+SkinFamily::Factors::Factors(const SkinProblem& problem,
+                             std::shared_ptr<const SkinCoordinates> basis,
+                             std::vector<SkinClass> classes, double condition)
+    : weights(as_eigen(std::span(problem.weights))),
+      rows(independent_readings(problem)),
+      coordinates(std::move(basis)),
+      stabiliser_condition(condition) {
+  const Eigen::MatrixXd all = coordinates->sums(as_eigen(problem.kernel).transpose());  // T' K' W
+  for (SkinClass& part : classes) {
+    const Eigen::MatrixXd selected = all(part.waves, Eigen::all);
+    const Eigen::MatrixXd transposed = selected * part.readings.transpose();
+    Block block{.part = std::move(part)};
+    if (transposed.size() > 0) {
+      Svd svd = long_singular_value_decomposition(transposed);
+      block.u = std::move(svd.v);
+      block.v = std::move(svd.u);
+      block.gamma = std::move(svd.values);
+    } else {
+      block.u.resize(transposed.cols(), 0);
+      block.v.resize(transposed.rows(), 0);
+    }
+    gamma.insert(gamma.end(), block.gamma.begin(), block.gamma.end());
+    blocks.push_back(std::move(block));
+  }
+}
+
+Eigen::MatrixXd SkinFamily::Factors::components(const Eigen::MatrixXd& from) const {
+  Eigen::MatrixXd result(std::ssize(gamma), from.cols());
+  Index first = 0;
+  for (const Block& block : blocks) {
+    result.middleRows(first, block.gamma.size()) =
+        block.v.transpose() * from(block.part.waves, Eigen::all);
+    first += block.gamma.size();
+  }
+  return result;
+}
+
+Eigen::MatrixXd SkinFamily::Factors::from_components(const Eigen::MatrixXd& from) const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(coordinates->count(), from.cols());
+  Index first = 0;
+  for (const Block& block : blocks) {
+    result(block.part.waves, Eigen::all) = block.v * from.middleRows(first, block.gamma.size());
+    first += block.gamma.size();
+  }
+  return result;
+}
+
+SkinFamily::SkinFamily(const SkinProblem& problem)
+    : factors_(std::make_unique<const Factors>(
+          problem,
+          std::make_shared<const CosineCoordinates>(problem,
+                                                    stabiliser_spectrum(problem).cwiseSqrt()),
+          mirror_classes(problem), tactile_net::stabiliser_condition(problem))) {}
+
+SkinFamily::SkinFamily(const SkinProblem& problem, const ConeFace& face) {
+  auto coordinates = std::make_shared<const FaceCoordinates>(problem, face);
+  std::vector<SkinClass> whole{whole_class(problem, coordinates->count())};
+  factors_ = std::make_unique<const Factors>(problem, std::move(coordinates), std::move(whole),
+                                             tactile_net::stabiliser_condition(problem));
+}
+SkinFamily::~SkinFamily() = default;
+SkinFamily::SkinFamily(SkinFamily&&) noexcept = default;
+SkinFamily& SkinFamily::operator=(SkinFamily&&) noexcept = default;
+
+std::span<const double> SkinFamily::singular_values() const noexcept { return factors_->gamma; }
+
+std::size_t SkinFamily::classes() const noexcept { return factors_->blocks.size(); }
+
+double SkinFamily::condition(double alpha) const noexcept {
+  const double root = std::sqrt(alpha);
+  const auto [least, most] = std::minmax_element(factors_->gamma.begin(), factors_->gamma.end());
+  const bool wide = factors_->coordinates->count() > std::ssize(factors_->gamma);
+  return std::hypot(*most, root) / std::hypot(wide ? 0.0 : *least, root);
+}
+
+double SkinFamily::stacked_condition(double alpha) const noexcept {
+  return factors_->stabiliser_condition * condition(alpha);
+}
+
+double SkinFamily::degrees_of_freedom(double alpha) const noexcept {
+  double sum = 0.0;
+  for (const double gamma : factors_->gamma) {
+    const double root = gamma / std::hypot(gamma, std::sqrt(alpha));
+    sum += root * root;
+  }
+  return sum;
+}
+
+FilterFrame SkinFamily::analyse(std::span<const double> readings) const {
+  const Factors& factors = *factors_;
+  check_readings(readings, static_cast<std::size_t>(factors.weights.size()));
+  FilterFrame frame{.gamma = factors.gamma, .rows = factors.rows};
+  Eigen::VectorXd g = factors.weights.cwiseProduct(as_eigen(readings));
+  frame.scale = g.cwiseAbs().maxCoeff();
+  if (frame.scale > 0.0) g = g / frame.scale;
+  for (const Factors::Block& block : factors.blocks) {
+    Eigen::VectorXd own = block.part.readings * g;
+    const Eigen::VectorXd beta = block.u.transpose() * own;
+    own -= block.u * beta;
+    frame.beta.insert(frame.beta.end(), beta.begin(), beta.end());
+    frame.outside = std::hypot(frame.outside, own.norm());
+  }
+  return frame;
+}
+
+namespace {
+
+/// gamma / (gamma^2 + alpha), nothing squared.
+double filter(double gamma, double root) {
+  const double size = std::hypot(gamma, root);
+  return gamma / size / size;
+}
+
+}  // namespace
+
+std::vector<double> SkinFamily::solve(const FilterFrame& frame, double alpha) const {
+  check_alpha(alpha);
+  const double root = std::sqrt(alpha);
+  Eigen::VectorXd y(std::ssize(frame.beta));
+  for (Index i = 0; i < y.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    y(i) = frame.beta[at] * filter(frame.gamma[at], root);
+  }
+  const Eigen::VectorXd f =
+      factors_->coordinates->tractions(factors_->from_components(y)) * frame.scale;
+  return {f.begin(), f.end()};
+}
+
+Reconstruction SkinFamily::reconstruction(double alpha) const {
+  check_alpha(alpha);
+  const Factors& factors = *factors_;
+  const double root = std::sqrt(alpha);
+  Eigen::MatrixXd coordinates =
+      Eigen::MatrixXd::Zero(factors.coordinates->count(), factors.weights.size());
+  for (const Factors::Block& block : factors.blocks) {
+    const Eigen::VectorXd filters =
+        block.gamma.unaryExpr([=](double gamma) { return filter(gamma, root); });
+    const Eigen::MatrixXd own = block.v * filters.asDiagonal() * block.u.transpose();
+    coordinates(block.part.waves, Eigen::all) =
+        Eigen::MatrixXd(own * block.part.readings) * factors.weights.asDiagonal();
+  }
+  return {from_eigen(factors.coordinates->tractions(coordinates)), stacked_condition(alpha)};
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,44 @@
+/// @file
+/// What a skin's family of solutions is made of. Private.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "skin/coordinates.hpp"
+#include "skin/mirror.hpp"
+#include "tactile_net/skin/family.hpp"
+
+namespace tactile_net {
+
+struct SkinFamily::Factors {
+  /// readings of the class times W K T = U diag(gamma) V'.
+  struct Block {
+    SkinClass part;
+    Eigen::MatrixXd u{}, v{};
+    Eigen::VectorXd gamma{};  // descending
+  };
+
+  /// @param condition  of L, at most
+  Factors(const SkinProblem& problem, std::shared_ptr<const SkinCoordinates> basis,
+          std::vector<SkinClass> classes, double condition);
+
+  /// V' of each class, applied to coordinates; one class after the other.
+  [[nodiscard]] Eigen::MatrixXd components(const Eigen::MatrixXd& coordinates) const;
+  /// V of each class, applied to components: coordinates.
+  [[nodiscard]] Eigen::MatrixXd from_components(const Eigen::MatrixXd& components) const;
+
+  Eigen::VectorXd weights;
+  std::size_t rows = 0;  // with a weight
+  std::shared_ptr<const SkinCoordinates> coordinates;
+  std::vector<Block> blocks{};
+  std::vector<double> gamma{};  // of all blocks
+  double stabiliser_condition;
+};
+
+/// The most by which L stretches one traction more than another.
+[[nodiscard]] double stabiliser_condition(const SkinProblem& problem);
+
+}  // namespace tactile_net

@@ -1,0 +1,124 @@
+#include "skin/mirror.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+namespace tactile_net {
+namespace {
+
+using Eigen::Index;
+
+/// Of each reading the one that a reflection makes of it; absent: not every one has its like.
+using Mirrors = std::optional<std::vector<std::size_t>>;
+
+Mirrors mirrors(const SkinProblem& problem, Axis along) {
+  const SkinGrid& grid = problem.grid;
+  const double spacing = along == Axis::y ? grid.spacing_y : grid.spacing_z;
+  const double centre = along == Axis::y ? grid.centre_y : grid.centre_z;
+  // Kernels change by a rounding where places do.
+  const double rounding = 1e-12 * (std::abs(centre) + spacing);
+  std::map<std::tuple<std::size_t, double, double>, std::vector<std::size_t>> lines;
+  const auto key = [&](const SkinSite& site) {
+    return std::tuple(site.channel, site.depth, along == Axis::y ? site.z : site.y);
+  };
+  const auto place = [&](const SkinSite& site) {
+    return (along == Axis::y ? site.y : site.z) - centre;
+  };
+  for (std::size_t row = 0; row < problem.sites.size(); ++row)
+    lines[key(problem.sites[row])].push_back(row);
+  std::vector<std::size_t> of(problem.sites.size());
+  for (auto& [unused, rows] : lines) {
+    std::sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+      return place(problem.sites[a]) < place(problem.sites[b]);
+    });
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::size_t row = rows[i];
+      const std::size_t other = rows[rows.size() - 1 - i];
+      if (std::abs(place(problem.sites[row]) + place(problem.sites[other])) > rounding ||
+          problem.weights[row] != problem.weights[other])
+        return std::nullopt;
+      of[row] = other;
+    }
+  }
+  return of;
+}
+
+/// Whether a reading that the reflection leaves alone or exchanges is of a class: +1 even, -1 odd.
+double parity(const SkinSite& site, Axis along, bool normal_is_odd) {
+  return is_odd(site.quantity, SkinTraction::normal, along) != normal_is_odd ? -1.0 : 1.0;
+}
+
+SkinClass class_of(const SkinProblem& problem, const Mirrors& y, const Mirrors& z, bool odd_y,
+                   bool odd_z) {
+  SkinClass one;
+  std::vector<Eigen::Triplet<double>> entries;
+  Index count = 0;
+  for (std::size_t row = 0; row < problem.sites.size(); ++row) {
+    const auto across_y = [&](std::size_t i) { return y ? (*y)[i] : i; };
+    const auto across_z = [&](std::size_t i) { return z ? (*z)[i] : i; };
+    const double sign_y = y ? parity(problem.sites[row], Axis::y, odd_y) : 1.0;
+    const double sign_z = z ? parity(problem.sites[row], Axis::z, odd_z) : 1.0;
+    const std::array images{row, across_y(row), across_z(row), across_y(across_z(row))};
+    if (*std::min_element(images.begin(), images.end()) < row) continue;
+    std::map<std::size_t, double> sum;
+    sum[images[0]] += 1.0;
+    sum[images[1]] += sign_y;
+    sum[images[2]] += sign_z;
+    sum[images[3]] += sign_y * sign_z;
+    double square = 0.0;
+    for (const auto& [unused, value] : sum) square += value * value;
+    if (square == 0.0) continue;  // it is its own image, with the other sign
+    for (const auto& [at, value] : sum)
+      entries.emplace_back(count, static_cast<Index>(at), value / std::sqrt(square));
+    ++count;
+  }
+  one.readings.resize(count, static_cast<Index>(problem.sites.size()));
+  one.readings.setFromTriplets(entries.begin(), entries.end());
+
+  const SkinGrid& grid = problem.grid;
+  Index wave = 0;
+  for (std::size_t u = 0; u < problem.components; ++u)
+    for (std::size_t m = 0; m < grid.rows; ++m)
+      for (std::size_t n = 0; n < grid.columns; ++n, ++wave) {
+        // The tangential traction along an axis is odd where the normal one is even.
+        const bool of_y =
+            !y || (m % 2 == 1) == (odd_y != (skin_tractions[u] == SkinTraction::tangential_y));
+        const bool of_z =
+            !z || (n % 2 == 1) == (odd_z != (skin_tractions[u] == SkinTraction::tangential_z));
+        if (of_y && of_z) one.waves.push_back(wave);
+      }
+  return one;
+}
+
+}  // namespace
+
+std::vector<SkinClass> mirror_classes(const SkinProblem& problem) {
+  const Mirrors y = mirrors(problem, Axis::y);
+  const Mirrors z = mirrors(problem, Axis::z);
+  std::vector<SkinClass> classes;
+  for (const bool odd_y : {false, true})
+    for (const bool odd_z : {false, true}) {
+      if ((odd_y && !y) || (odd_z && !z)) continue;
+      SkinClass one = class_of(problem, y, z, odd_y, odd_z);
+      if (!one.waves.empty()) classes.push_back(std::move(one));
+    }
+  return classes;
+}
+
+SkinClass whole_class(const SkinProblem& problem, Index coordinates) {
+  SkinClass whole;
+  const auto rows = static_cast<Index>(problem.sites.size());
+  whole.readings.resize(rows, rows);
+  whole.readings.setIdentity();
+  whole.waves.resize(static_cast<std::size_t>(coordinates));
+  std::iota(whole.waves.begin(), whole.waves.end(), Index{0});
+  return whole;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,257 @@
+#include "tactile_net/skin/problem.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "inverse/checks.hpp"
+#include "numeric/eigen.hpp"
+#include "skin/coordinates.hpp"
+#include "tactile_net/elasticity/space/skin_kernel.hpp"
+
+namespace tactile_net {
+namespace {
+
+/// What cells of a grid cause at places of one depth.
+class CellKernel {
+ public:
+  CellKernel(const Material& material, double depth, const SkinGrid& grid)
+      : kernel_(material, depth), grid_(grid), depth_(depth) {}
+
+  /// [reading per Pa] of the cell's traction, at each (y, z) from its middle.
+  void operator()(SkinQuantity quantity, SkinTraction component, std::span<const double> y,
+                  std::span<const double> z, std::span<double> readings) const {
+    if (grid_.rectangles) {
+      kernel_(quantity, component, Rectangle{grid_.spacing_y, grid_.spacing_z}, y, z, readings);
+      return;
+    }
+    kernel_(quantity, component, y, z, readings);
+    for (double& reading : readings) reading *= grid_.area();
+  }
+
+  [[nodiscard]] double error_bound(SkinQuantity quantity) const noexcept {
+    const double area = grid_.rectangles ? std::min(grid_.area(), depth_ * depth_) : grid_.area();
+    return kernel_.error_bound(quantity) * area;
+  }
+
+ private:
+  SkinKernel kernel_;
+  const SkinGrid& grid_;
+  double depth_;
+};
+
+/// The kernels of an array, made once for each depth.
+class CellKernels {
+ public:
+  CellKernels(const Material& material, const SkinGrid& grid) : material_(material), grid_(grid) {}
+
+  const CellKernel& operator()(double depth) {
+    return made_.try_emplace(depth, material_, depth, grid_).first->second;
+  }
+
+ private:
+  const Material& material_;
+  const SkinGrid& grid_;
+  std::map<double, CellKernel> made_{};
+};
+
+/// Of an even lattice, which lies on the grid's: readings at all distances of one quadrant, each
+/// taken as often as it occurs.
+void add_lattice(const SkinArray& skin, CellKernels& kernels, SkinProblem& problem) {
+  const SkinGrid& grid = problem.grid;
+  const std::size_t cells = grid.count();
+  std::vector<double> y(cells), z(cells), table(cells);
+  for (std::size_t i = 0; i < cells; ++i) {
+    y[i] = static_cast<double>(i / grid.columns) * grid.spacing_y;
+    z[i] = static_cast<double>(i % grid.columns) * grid.spacing_z;
+  }
+  for (const SkinChannel& channel : channels(skin)) {
+    const CellKernel& kernel = kernels(channel.depth);
+    for (std::size_t u = 0; u < problem.components; ++u) {
+      const SkinTraction component = skin_tractions[u];
+      kernel(channel.quantity, component, y, z, table);
+      const double sign_y = is_odd(channel.quantity, component, Axis::y) ? -1.0 : 1.0;
+      const double sign_z = is_odd(channel.quantity, component, Axis::z) ? -1.0 : 1.0;
+      for (std::size_t i = 0; i < channel.count; ++i) {
+        const std::size_t row = channel.first + i;
+        const std::size_t at_y = grid.margin_rows + i / skin.columns * grid.stride_rows;
+        const std::size_t at_z = grid.margin_columns + i % skin.columns * grid.stride_columns;
+        double* entry = &problem.kernel(row, u * cells);
+        for (std::size_t m = 0; m < grid.rows; ++m) {
+          const bool before_y = at_y < m;
+          const double* quadrant = &table[(before_y ? m - at_y : at_y - m) * grid.columns];
+          const double weight = problem.weights[row] * (before_y ? sign_y : 1.0);
+          for (std::size_t n = 0; n < grid.columns; ++n)
+            *entry++ =
+                at_z < n ? weight * sign_z * quadrant[n - at_z] : weight * quadrant[at_z - n];
+        }
+      }
+    }
+  }
+}
+
+/// Of taxels anywhere: entry by entry.
+void add_places(CellKernels& kernels, SkinProblem& problem) {
+  const SkinGrid& grid = problem.grid;
+  const std::size_t cells = grid.count();
+  std::vector<double> y(cells), z(cells);
+  for (std::size_t row = 0; row < problem.sites.size(); ++row) {
+    const SkinSite& site = problem.sites[row];
+    for (std::size_t i = 0; i < cells; ++i) {
+      y[i] = site.y - grid.y(i / grid.columns);
+      z[i] = site.z - grid.z(i % grid.columns);
+    }
+    for (std::size_t u = 0; u < problem.components; ++u) {
+      const std::span<double> entries(&problem.kernel(row, u * cells), cells);
+      kernels(site.depth)(site.quantity, skin_tractions[u], y, z, entries);
+      for (double& entry : entries) entry *= problem.weights[row];
+    }
+  }
+}
+
+/// Of K in the 2-norm, at most: that of the errors of its entries.
+double kernel_error(CellKernels& kernels, const SkinProblem& problem) {
+  std::map<std::pair<double, SkinQuantity>, double> bounds;
+  double square = 0.0;
+  for (std::size_t row = 0; row < problem.sites.size(); ++row) {
+    const SkinSite& site = problem.sites[row];
+    const auto [bound, is_new] = bounds.try_emplace({site.depth, site.quantity});
+    if (is_new) bound->second = kernels(site.depth).error_bound(site.quantity);
+    square = std::hypot(square, problem.weights[row] * bound->second);
+  }
+  return square * std::sqrt(static_cast<double>(problem.kernel.columns));
+}
+
+/// Of a taxel, where a direction in which there is one has no pitch.
+double taxel_area(const SkinArray& skin) {
+  if (!is_even(skin))
+    return skin.taxels.size() > 1 ? skin.pitch_y * skin.pitch_z
+                                  : least_depth(skin) * least_depth(skin);
+  const double other = skin.rows > 1      ? skin.pitch_y
+                       : skin.columns > 1 ? skin.pitch_z
+                                          : least_depth(skin);
+  return (skin.rows > 1 ? skin.pitch_y : other) * (skin.columns > 1 ? skin.pitch_z : other);
+}
+
+double mean_depth(const std::vector<SkinSite>& sites) {
+  return std::accumulate(sites.begin(), sites.end(), 0.0,
+                         [](double sum, const SkinSite& site) { return sum + site.depth; }) /
+         static_cast<double>(sites.size());
+}
+
+void require(bool holds, const std::string& rule) {
+  if (!holds) throw std::invalid_argument(rule);
+}
+
+}  // namespace
+
+void check(const SkinArray& skin, const Material& material, const SkinProblemOptions& options) {
+  check(skin, material);
+  require(options.components == 1 || options.components == 3,
+          "components must be 1 (normal) or 3 (normal, tangential_y, tangential_z)");
+  require(!options.smoothing_length ||
+              (*options.smoothing_length >= 0.0 && std::isfinite(*options.smoothing_length)),
+          "smoothing_length must be >= 0 and finite");
+  require(options.tangential_weight > 0.0 && std::isfinite(options.tangential_weight),
+          "tangential_weight must be > 0 and finite");
+  const std::vector<SkinChannel> all = channels(skin);
+  if (options.channel_rms.empty()) {
+    const auto kind = [](const SkinChannel& channel) { return traits(channel.quantity).kind; };
+    require(std::all_of(all.begin(), all.end(),
+                        [&](const SkinChannel& one) { return kind(one) == kind(all.front()); }),
+            "stresses, strains and displacements read together need channel_rms: the sum of their "
+            "squares has no unit");
+  } else {
+    require(options.channel_rms.size() == all.size(), "channel_rms needs one value per channel");
+  }
+  for (const double rms : options.channel_rms)
+    require(rms > 0.0 && std::isfinite(rms), "channel_rms must be > 0 and finite");
+  for (const std::size_t taxel : options.dead_taxels)
+    require(taxel < taxel_count(skin), "dead taxel " + std::to_string(taxel) + " is not < " +
+                                           std::to_string(taxel_count(skin)));
+  for (const SkinChannel& channel : all)
+    for (std::size_t u = 0; u < options.components; ++u)
+      check_quantity(channel.quantity, skin_tractions[u], material);
+}
+
+SkinProblem make_problem(const SkinArray& skin, const Material& material,
+                         const SkinProblemOptions& options) {
+  check(skin, material, options);
+  SkinProblem problem{.sites = sites(skin),
+                      .taxels = taxel_count(skin),
+                      .components = options.components,
+                      .grid = grid_of(skin, options.grid),
+                      .tangential_weight = options.tangential_weight};
+  problem.area = problem.grid.area() / taxel_area(skin);
+  problem.smoothing_length = options.smoothing_length.value_or(mean_depth(problem.sites));
+  std::vector<bool> dead(problem.taxels);
+  for (const std::size_t taxel : options.dead_taxels) dead[taxel] = true;
+  for (const SkinSite& site : problem.sites)
+    problem.weights.push_back(dead[site.taxel] ? 0.0
+                              : options.channel_rms.empty()
+                                  ? 1.0
+                                  : 1.0 / options.channel_rms[site.channel]);
+  require(independent_readings(problem) > 0, "every taxel is dead: nothing is measured");
+
+  const std::size_t rows = problem.sites.size();
+  const std::size_t columns = problem.components * problem.grid.count();
+  require(columns <= most_kernel_entries / rows,
+          std::to_string(rows) + " readings and " + std::to_string(columns) +
+              " unknown tractions are more than a dense solver takes: choose a wider spacing");
+  problem.kernel = Matrix{rows, columns, std::vector<double>(rows * columns)};
+  CellKernels kernels(material, problem.grid);
+  if (is_even(skin))
+    add_lattice(skin, kernels, problem);
+  else
+    add_places(kernels, problem);
+  problem.kernel_error = kernel_error(kernels, problem);
+  return problem;
+}
+
+void leave_out(SkinProblem& problem, std::span<const std::size_t> taxels) {
+  for (std::size_t row = 0; row < problem.sites.size(); ++row) {
+    if (std::find(taxels.begin(), taxels.end(), problem.sites[row].taxel) == taxels.end()) continue;
+    problem.weights[row] = 0.0;
+    for (std::size_t column = 0; column < problem.kernel.columns; ++column)
+      problem.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
+  }
+}
+
+std::vector<double> weighted(const SkinProblem& problem, std::span<const double> readings) {
+  check_size(readings, problem.weights.size());
+  std::vector<double> rows(readings.size());
+  std::transform(readings.begin(), readings.end(), problem.weights.begin(), rows.begin(),
+                 [](double reading, double weight) { return weight * reading; });
+  return rows;
+}
+
+std::size_t independent_readings(const SkinProblem& problem) {
+  return static_cast<std::size_t>(std::count_if(problem.weights.begin(), problem.weights.end(),
+                                                [](double w) { return w != 0.0; }));
+}
+
+Matrix normal_matrix(const SkinProblem& problem, double alpha) {
+  check_alpha(alpha);
+  const auto kernel = as_eigen(problem.kernel);
+  const CosineCoordinates waves(problem, Eigen::VectorXd::Ones(kernel.cols()));
+  const Eigen::VectorXd spectrum = alpha * stabiliser_spectrum(problem);
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(kernel.cols(), kernel.cols());
+  RowMajor p = waves.tractions(spectrum.asDiagonal() * waves.sums(identity));
+  p.selfadjointView<Eigen::Upper>().rankUpdate(kernel.transpose());
+  p.triangularView<Eigen::StrictlyLower>() = p.transpose();
+  return from_eigen(p);
+}
+
+std::vector<double> normal_right_side(const SkinProblem& problem,
+                                      std::span<const double> readings) {
+  const std::vector<double> rows = weighted(problem, readings);
+  const Eigen::VectorXd sums = as_eigen(problem.kernel).transpose() * as_eigen(std::span(rows));
+  return {sums.begin(), sums.end()};
+}
+
+}  // namespace tactile_net
