@@ -1,0 +1,39 @@
+/// @file
+/// One frame of a skin's readings, turned into tractions and judged.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/lab/alpha.hpp"
+#include "tactile_net/lab/remark.hpp"
+#include "tactile_net/lab/skin_problem.hpp"
+#include "tactile_net/lab/verdict.hpp"
+
+namespace tactile_net::lab {
+
+struct SkinAnswer {
+  std::vector<double> tractions{};   ///< components x cells [Pa]
+  std::vector<double> deviations{};  ///< of each, one standard deviation [Pa]; empty: not known
+  ChosenAlpha alpha{};
+  Verdict verdict = Verdict::ok;
+  std::optional<SkinConeSolution> cone{};  ///< where the scene has constraints
+  NoiseEstimate noise{};
+  double degrees_of_freedom = 0.0;  ///< of the readings that the tractions use up
+  double condition = 0.0;           ///< `SkinFamily::stacked_condition`
+  SkinWrench wrench{};              ///< of all cells
+  Remarks remarks{};
+};
+
+/// @throw std::invalid_argument  readings have the wrong size or are not finite, or the scene
+///                               cannot be solved: as `make_problem`
+/// @throw std::domain_error      the tractions overflow a double
+[[nodiscard]] SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings);
+
+/// Of one component, of values as the answer has them; empty where it was not solved for.
+[[nodiscard]] std::span<const double> component(std::span<const double> values,
+                                                const SkinGrid& grid, SkinTraction which);
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,55 @@
+/// @file
+/// What follows from a skin's scene alone: each thing made once, when it is first asked for.
+///
+///     const lab::SkinSceneProblem problem(std::get<SkinScene>(read_any_scene("skin.toml")));
+///     const lab::SkinAnswer answer = lab::solve(problem, readings);
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/alpha_tables.hpp"
+#include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/scene/skin_scene.hpp"
+#include "tactile_net/skin/cone.hpp"
+#include "tactile_net/skin/family.hpp"
+#include "tactile_net/skin/problem.hpp"
+
+namespace tactile_net::lab {
+
+/// A copy shares everything that was made. Not thread-safe.
+class SkinSceneProblem {
+ public:
+  explicit SkinSceneProblem(SkinScene scene);
+
+  [[nodiscard]] const SkinScene& scene() const noexcept;
+  /// @throw std::invalid_argument  as `make_problem`, here and below
+  [[nodiscard]] const SkinProblem& problem() const;
+  [[nodiscard]] const SkinGrid& grid() const { return problem().grid; }
+  [[nodiscard]] std::size_t tractions() const {
+    return problem().components * problem().grid.count();
+  }
+  [[nodiscard]] const SkinFamily& family() const;
+  [[nodiscard]] const AlphaTables& alpha_tables(const FilterFrame& frame) const;
+
+  /// The noise's rms of one weighted reading, as the scene states it; absent: not known, or none.
+  [[nodiscard]] std::optional<double> stated_noise() const;
+  [[nodiscard]] const std::optional<Constraints>& constraints() const noexcept;
+
+  /// The scene's rule for alpha, or robust GCV; of few readings as `default_rule`.
+  [[nodiscard]] AlphaRule alpha_rule(const FilterFrame& frame) const;
+
+  /// Of the last alpha asked for. @pre  there are constraints
+  [[nodiscard]] const SkinCone& cone(double alpha) const;
+
+  /// The same without these taxels, and with no other.
+  [[nodiscard]] SkinSceneProblem without(std::span<const std::size_t> taxels) const;
+
+ private:
+  struct Parts;
+  std::shared_ptr<Parts> parts_;
+};
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,91 @@
+#include "tactile_net/lab/skin_problem.hpp"
+
+#include <utility>
+
+namespace tactile_net::lab {
+namespace {
+
+SkinProblemOptions options_of(const SkinScene& scene) {
+  SkinProblemOptions options{.components = components(scene),
+                             .smoothing_length = scene.reconstruct.smoothing_length,
+                             .dead_taxels = scene.dead_taxels,
+                             .grid = scene.reconstruct.grid};
+  if (scene.noise && scene.noise->weights_rows)
+    for (const SkinChannel& channel : channels(scene.sensor))
+      options.channel_rms.push_back(scene.noise->rms.at(channel.quantity));
+  return options;
+}
+
+std::optional<Constraints> constraints_of(const SkinReconstructOptions& options) {
+  if (!options.nonnegative && !options.friction_limit) return std::nullopt;
+  return Constraints{.nonnegative = true, .friction_limit = options.friction_limit};
+}
+
+}  // namespace
+
+struct SkinSceneProblem::Parts {
+  explicit Parts(SkinScene given)
+      : scene(std::move(given)), constraints(constraints_of(scene.reconstruct)) {}
+
+  SkinScene scene;
+  std::optional<Constraints> constraints;
+  std::optional<SkinProblem> problem{};
+  std::optional<SkinFamily> family{};
+  std::optional<AlphaTables> alpha_tables{};
+  std::optional<std::pair<double, SkinCone>> cone{};  // of its alpha
+};
+
+SkinSceneProblem::SkinSceneProblem(SkinScene scene)
+    : parts_(std::make_shared<Parts>(std::move(scene))) {}
+
+const SkinScene& SkinSceneProblem::scene() const noexcept { return parts_->scene; }
+
+const SkinProblem& SkinSceneProblem::problem() const {
+  if (!parts_->problem)
+    parts_->problem =
+        make_problem(parts_->scene.sensor, parts_->scene.material, options_of(parts_->scene));
+  return *parts_->problem;
+}
+
+const SkinFamily& SkinSceneProblem::family() const {
+  if (!parts_->family) parts_->family.emplace(problem());
+  return *parts_->family;
+}
+
+const AlphaTables& SkinSceneProblem::alpha_tables(const FilterFrame& frame) const {
+  if (!parts_->alpha_tables) parts_->alpha_tables.emplace(frame.gamma, frame.rows, frame.shares);
+  return *parts_->alpha_tables;
+}
+
+std::optional<double> SkinSceneProblem::stated_noise() const {
+  const auto& noise = parts_->scene.noise;
+  if (!noise) return std::nullopt;
+  if (noise->weights_rows) return 1.0;
+  const double rms = noise->rms.begin()->second;
+  return rms > 0.0 ? std::optional(rms) : std::nullopt;
+}
+
+const std::optional<Constraints>& SkinSceneProblem::constraints() const noexcept {
+  return parts_->constraints;
+}
+
+AlphaRule SkinSceneProblem::alpha_rule(const FilterFrame& frame) const {
+  if (const auto named = parts_->scene.reconstruct.alpha_rule) return *named;
+  const AlphaTables& tables = alpha_tables(frame);
+  return tables.few_rows() ? default_rule(tables, stated_noise().has_value()) : AlphaRule::rgcv;
+}
+
+const SkinCone& SkinSceneProblem::cone(double alpha) const {
+  auto& made = parts_->cone;
+  if (!made || made->first != alpha)
+    made.emplace(alpha, SkinCone(problem(), alpha, *parts_->constraints));
+  return made->second;
+}
+
+SkinSceneProblem SkinSceneProblem::without(std::span<const std::size_t> taxels) const {
+  SkinScene scene = parts_->scene;
+  scene.dead_taxels.assign(taxels.begin(), taxels.end());
+  return SkinSceneProblem(std::move(scene));
+}
+
+}  // namespace tactile_net::lab
