@@ -94,12 +94,14 @@ std::vector<LoadPart> parts(const SkinContact& contact) {
   const double drag = contact.friction * contact.force;
   const double drag_y = drag * std::cos(contact.direction);
   const double drag_z = drag * std::sin(contact.direction);
-  std::vector<LoadPart> all{
-      {profile, contact, 1.0, {contact.force, drag_y, drag_z}, contact.torsion}};
+  std::vector<LoadPart> all{{profile, contact, 1.0, {contact.force, drag_y, drag_z}, 0.0}};
   if (contact.stick > 0.0 && drag != 0.0) {
     const double share = std::pow(contact.stick, growth);
     all.push_back({profile, contact, contact.stick, {0.0, -share * drag_y, -share * drag_z}, 0.0});
   }
+  // A twist has a sphere's root, whatever the profile of what presses.
+  if (contact.torsion != 0.0)
+    all.push_back({DiscProfile::sphere, contact, 1.0, {0.0, 0.0, 0.0}, contact.torsion});
   return all;
 }
 

@@ -45,7 +45,8 @@ class LoadPart {
   double cosine_, sine_;  // of the angle
 };
 
-/// Whole, and what sticks: two at most.
+/// Whole, what sticks, what twists: the first is as large as the contact. Only the twist has a
+/// torsion, and no force.
 [[nodiscard]] std::vector<LoadPart> parts(const SkinContact& contact);
 
 }  // namespace tactile_net
