@@ -11,7 +11,9 @@ std::string_view style_sheet() noexcept {
         --note: #fff6e5; --note-ink: #7a4b00; --bad: #fdecea; --bad-ink: #8a1c00; --link: #0059a3;
         --blue: #2166ac; --orange: #b25806; --green: #1e6b3c; --red: #b3261e; --amber: #8a5300;
         --card: #f6f8fa; --pad: #f3e3d3; --limb: #b9bec4; --finger-pad: #e6b8a2; }
+.in-dark { display: none; }
 @media screen and (prefers-color-scheme: dark) {
+  .in-light { display: none; } .in-dark { display: inline; }
   :root { --ink: #e6e6e6; --paper: #191919; --rule: #444; --quiet: #aaa; --shade: #0009;
           --note: #33270f; --note-ink: #ffd58a; --bad: #3a1712; --bad-ink: #ffb4a3; --link: #8ab4f8;
           --blue: #6baed6; --orange: #f1a340; --green: #6fcf97; --red: #ff8f80; --amber: #ffd58a;
@@ -82,6 +84,18 @@ figcaption { color: var(--quiet); font-size: .95rem; margin-top: .3rem; }
             background: var(--card); border: 1px solid var(--rule); border-radius: 10px; }
 .cards td::before { content: attr(data-label); display: block; color: var(--quiet); font-size: .8rem; line-height: 1.2; }
 .cards td:first-child { font-weight: 600; }
+.maps { display: grid; gap: 1.2rem 2rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 19rem), 1fr)); align-items: start; }
+.maps.small { grid-template-columns: repeat(auto-fit, minmax(min(100%, 13rem), 1fr)); }
+.maps > div { min-width: 0; max-width: 34rem; } .map-title { margin: 0 0 .4rem; font-weight: 600; }
+.map { display: grid; grid-template-columns: 2.6rem 1fr; } .map > svg { width: 100%; height: auto; display: block; border: 1px solid var(--rule); box-sizing: border-box; }
+.map .ends { display: flex; justify-content: space-between; padding-top: .3rem; font-size: .8rem; line-height: 1.1; color: var(--quiet); font-variant-numeric: tabular-nums; }
+.map image { image-rendering: pixelated; } .taxel-dot { fill: var(--ink); opacity: .35; }
+.arrow, .arrow-rim { fill: none; stroke-linejoin: round; stroke-linecap: round; }
+.arrow { stroke: var(--orange); stroke-width: 3; } .arrow-rim { stroke: var(--paper); stroke-width: 6.5; opacity: .85; }
+.support { fill: none; stroke: var(--ink); stroke-width: 1.6; }
+.colours { display: flex; flex-wrap: wrap; gap: .3rem .6rem; align-items: center; margin-top: .7rem; font-size: .85rem; color: var(--quiet); font-variant-numeric: tabular-nums; }
+.ramp { flex: 0 1 14rem; min-width: 6rem; height: .8rem; border: 1px solid var(--rule); } .arrow-key { margin-left: .8rem; white-space: nowrap; }
+.arrow-key svg { width: 2.6rem; height: .9rem; vertical-align: -.1rem; } .picture path.true { stroke-dasharray: 5 4; stroke-width: 1.6; }
 .hand { width: 100%; max-width: 46rem; max-height: 38rem; display: block; }
 .hand polyline { fill: none; stroke-linecap: round; stroke-linejoin: round; }
 .hand .palm { stroke: var(--limb); stroke-width: 22; opacity: .55; } .hand .link { stroke: var(--limb); stroke-width: 13; }

@@ -1,0 +1,16 @@
+/// @file
+/// The report of `run` for a skin: maps of what presses and drags, found and true, how far they
+/// may be off, sections through the peak, the pad, what the taxels read.
+#pragma once
+
+#include <string>
+
+#include "tactile_net/drawing/figure.hpp"
+#include "tactile_net/lab/skin_run.hpp"
+
+namespace tactile_net::pages {
+
+/// With the files beside it. @param by  the command that made it; empty: not said
+[[nodiscard]] drawing::Page run_page(const lab::SkinExperiment& experiment, const std::string& by);
+
+}  // namespace tactile_net::pages
