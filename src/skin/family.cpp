@@ -67,7 +67,7 @@ Eigen::MatrixXd SkinFamily::Factors::from_components(const Eigen::MatrixXd& from
 }
 
 SkinFamily::SkinFamily(const SkinProblem& problem)
-    : factors_(std::make_unique<const Factors>(
+    : factors_(std::make_shared<const Factors>(
           problem,
           std::make_shared<const CosineCoordinates>(problem,
                                                     stabiliser_spectrum(problem).cwiseSqrt()),
@@ -76,7 +76,7 @@ SkinFamily::SkinFamily(const SkinProblem& problem)
 SkinFamily::SkinFamily(const SkinProblem& problem, const ConeFace& face) {
   auto coordinates = std::make_shared<const FaceCoordinates>(problem, face);
   std::vector<SkinClass> whole{whole_class(problem, coordinates->count())};
-  factors_ = std::make_unique<const Factors>(problem, std::move(coordinates), std::move(whole),
+  factors_ = std::make_shared<const Factors>(problem, std::move(coordinates), std::move(whole),
                                              tactile_net::stabiliser_condition(problem));
 }
 SkinFamily::~SkinFamily() = default;

@@ -66,10 +66,11 @@ class SkinFamily {
   [[nodiscard]] Reconstruction reconstruction(double alpha) const;
 
   struct Factors;
-  [[nodiscard]] const Factors& factors() const noexcept { return *factors_; }
+  /// Shared with covariances.
+  [[nodiscard]] std::shared_ptr<const Factors> factors() const noexcept { return factors_; }
 
  private:
-  std::unique_ptr<const Factors> factors_;
+  std::shared_ptr<const Factors> factors_;
 };
 
 }  // namespace tactile_net

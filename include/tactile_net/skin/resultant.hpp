@@ -1,0 +1,98 @@
+/// @file
+/// What tractions on a skin amount to, each with its deviation: forces, centre, torsion, friction,
+/// and the ellipse that touches.
+///
+/// Sums over all cells carry the noise of the empty ones; so they are taken over the cells of
+/// contacts, as `contact_cells` finds them. All deviations are by first-order propagation of the
+/// covariance.
+///
+///     const std::vector<std::size_t> cells = contact_cells(problem.grid, tractions, bands);
+///     const UncertainWrench wrench = resultant_of(problem.grid, tractions, cells, covariance,
+///     rms); wrench.torsion->value;                 // [N m], about the centre of pressure
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/skin/grid.hpp"
+
+namespace tactile_net {
+
+/// Cells that touch: patches of neighbours whose normal traction is above twice its deviation, with
+/// a peak above four times its own, and around each a rim as wide as what a contact is blurred by,
+/// as far as it presses. In rising order.
+///
+/// @param tractions   one component or three, the normal one first [Pa]
+/// @param deviations  of the normal tractions at least, the noise included [Pa]
+/// @param rim         [m], >= 0: a taxel's depth, say
+/// @throw std::invalid_argument  a size does not fit
+[[nodiscard]] std::vector<std::size_t> contact_cells(const SkinGrid& grid,
+                                                     std::span<const double> tractions,
+                                                     std::span<const double> deviations,
+                                                     double rim = 0.0);
+
+/// Each patch of cells that touch one another, by an edge or a corner, the strongest first.
+[[nodiscard]] std::vector<std::vector<std::size_t>> separate_contacts(
+    const SkinGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells);
+
+struct UncertainWrench {
+  Uncertain normal{};                       ///< F_x [N]
+  std::optional<Uncertain> tangential_y{};  ///< F_y [N]; absent with one component
+  std::optional<Uncertain> tangential_z{};  ///< F_z [N]
+  std::optional<Uncertain> centre_y{};      ///< of pressure [m]; absent if F_x <= 0
+  std::optional<Uncertain> centre_z{};
+  std::optional<Uncertain> torsion{};  ///< about x through it, from y towards z [N m]
+  /// Of these six in this order, row-major; zero where one is absent.
+  std::array<double, 36> covariance{};
+};
+
+/// @param cells      that are summed over: `contact_cells`, or all
+/// @param noise_rms  of one weighted reading
+/// @throw std::invalid_argument  a size does not fit
+[[nodiscard]] UncertainWrench resultant_of(const SkinGrid& grid, std::span<const double> tractions,
+                                           std::span<const std::size_t> cells,
+                                           const Covariance& covariance, double noise_rms);
+
+/// How near a contact is to slipping, as it is and against a limit mu = |q| / p.
+struct SkinFriction {
+  Uncertain ratio{};  ///< |(F_y, F_z)| / F_x of the whole
+  /// The least mu that explains the cells that bear 90 % of the force: that quantile of |q| / p.
+  Uncertain least_limit{};
+  /// sum p r A: the torsion at which all slides about the centre, over mu; no shape assumed [N m].
+  double lever = 0.0;
+  /// 1 - sqrt((F_t / (mu F_x))^2 + (T / (mu lever))^2): < 0 beyond the ellipsoid (Howe and Cutkosky
+  /// 1996). Absent without a limit.
+  std::optional<Uncertain> margin{};
+  std::vector<Uncertain> cell_margins{};  ///< mu p - |q| of each cell [Pa]; none without a limit
+};
+
+/// Absent with one component, or where F_x <= 0.
+/// @param limit  mu, > 0
+/// @throw std::invalid_argument  a size does not fit, limit is not > 0
+[[nodiscard]] std::optional<SkinFriction> friction_of(
+    const SkinGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells,
+    const Covariance& covariance, double noise_rms, std::optional<double> limit = {});
+
+/// How the pressure of a contact is spread: what its second moments mean for its size.
+enum class PressureLaw {
+  hertz,    ///< variance of the place a^2 / 5
+  uniform,  ///< a^2 / 4
+  punch,    ///< a^2 / 3
+};
+
+/// The ellipse that has the second moments of one contact's pressure, which the solver has blurred
+/// by about a depth. Absent if F_x <= 0 or the moments are not an ellipse's.
+struct ContactEllipse {
+  Uncertain radius{};         ///< [m], the longer one
+  Uncertain second_radius{};  ///< [m]
+  Uncertain angle{};  ///< of the longer one from the y axis towards z [rad], in (-pi/2, pi/2]
+};
+[[nodiscard]] std::optional<ContactEllipse> contact_ellipse(
+    const SkinGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells,
+    const Covariance& covariance, double noise_rms, PressureLaw law = PressureLaw::hertz);
+
+}  // namespace tactile_net

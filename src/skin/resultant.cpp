@@ -1,0 +1,263 @@
+#include "tactile_net/skin/resultant.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include "tactile_net/skin/load.hpp"
+
+namespace tactile_net {
+namespace {
+
+using Gradient = std::vector<double>;
+
+/// Tractions of some cells alone, and what they amount to.
+class Contact {
+ public:
+  Contact(const SkinGrid& grid, std::span<const double> tractions,
+          std::span<const std::size_t> cells)
+      : grid_(grid), count_(grid.count()), cells_(cells), own_(tractions.size()) {
+    if (tractions.size() != count_ && tractions.size() != 3 * count_)
+      throw std::invalid_argument("tractions need one value per cell, or three");
+    for (const std::size_t cell : cells) {
+      if (cell >= count_) throw std::invalid_argument("a cell of another grid");
+      for (std::size_t i = cell; i < own_.size(); i += count_) own_[i] = tractions[i];
+    }
+    wrench_ = resultant(own_, grid);
+    if (const auto centre = wrench_.centre()) centre_ = *centre;
+  }
+
+  [[nodiscard]] const SkinWrench& wrench() const noexcept { return wrench_; }
+  [[nodiscard]] bool presses() const noexcept { return wrench_.centre().has_value(); }
+  [[nodiscard]] bool drags() const noexcept { return own_.size() > count_; }
+  [[nodiscard]] std::span<const std::size_t> cells() const noexcept { return cells_; }
+
+  [[nodiscard]] double p(std::size_t cell) const { return own_[cell]; }
+  [[nodiscard]] double q_y(std::size_t cell) const { return own_[count_ + cell]; }
+  [[nodiscard]] double q_z(std::size_t cell) const { return own_[2 * count_ + cell]; }
+  /// From the centre of pressure [m].
+  [[nodiscard]] double y(std::size_t cell) const {
+    return grid_.y(cell / grid_.columns) - centre_.y;
+  }
+  [[nodiscard]] double z(std::size_t cell) const {
+    return grid_.z(cell % grid_.columns) - centre_.z;
+  }
+  [[nodiscard]] double area() const { return grid_.area(); }
+
+  /// The gradient of a result that changes by `of(cell, component)` per Pa.
+  [[nodiscard]] Gradient gradient(const auto& of) const {
+    Gradient all(own_.size());
+    for (const std::size_t cell : cells_)
+      for (std::size_t u = 0; u * count_ < own_.size(); ++u) all[u * count_ + cell] = of(cell, u);
+    return all;
+  }
+  [[nodiscard]] Gradient of_force(std::size_t component) const {
+    return gradient([&](std::size_t, std::size_t u) { return u == component ? area() : 0.0; });
+  }
+  [[nodiscard]] Gradient of_centre(bool along_z) const {
+    return gradient([&](std::size_t cell, std::size_t u) {
+      return u == 0 ? area() * (along_z ? z(cell) : y(cell)) / wrench_.force[0] : 0.0;
+    });
+  }
+  [[nodiscard]] Gradient of_torsion() const {
+    const auto& force = wrench_.force;
+    return gradient([&](std::size_t cell, std::size_t u) {
+      const double on_centre = (force[1] * z(cell) - force[2] * y(cell)) / force[0];
+      return area() * (u == 0 ? on_centre : u == 1 ? -z(cell) : y(cell));
+    });
+  }
+  /// Of a single cell.
+  [[nodiscard]] Gradient at(std::size_t cell, double on_p, double on_y, double on_z) const {
+    Gradient all(own_.size());
+    all[cell] = on_p;
+    if (drags()) {
+      all[count_ + cell] = on_y;
+      all[2 * count_ + cell] = on_z;
+    }
+    return all;
+  }
+
+ private:
+  const SkinGrid& grid_;
+  std::size_t count_;
+  std::span<const std::size_t> cells_;
+  std::vector<double> own_;
+  SkinWrench wrench_{};
+  SkinWrench::Centre centre_{};
+};
+
+/// A value, and how it errs.
+struct Result {
+  double value;
+  Gradient gradient;
+
+  [[nodiscard]] Uncertain uncertain(const Covariance& covariance, double noise_rms) const {
+    return {value, covariance.deviation(gradient) * noise_rms};
+  }
+};
+
+/// a x + b y of gradients.
+Gradient sum(double a, const Gradient& x, double b, const Gradient& y) {
+  Gradient all(x.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = a * x[i] + b * y[i];
+  return all;
+}
+
+/// |q| / p of a cell. @pre  p > 0
+Result ratio_at(const Contact& contact, std::size_t cell) {
+  const double p = contact.p(cell);
+  const double y = contact.q_y(cell);
+  const double z = contact.q_z(cell);
+  const double drag = std::hypot(y, z);
+  const double over = drag > 0.0 ? 1.0 / drag / p : 0.0;
+  return {drag / p, contact.at(cell, -drag / p / p, y * over, z * over)};
+}
+
+/// The cell at which the cells of smaller |q| / p bear 90 % of the force.
+std::size_t ninety_percent(const Contact& contact) {
+  std::vector<std::size_t> order;
+  double all = 0.0;
+  for (const std::size_t cell : contact.cells())
+    if (contact.p(cell) > 0.0) {
+      order.push_back(cell);
+      all += contact.p(cell);
+    }
+  const auto ratio = [&](std::size_t cell) {
+    return std::hypot(contact.q_y(cell), contact.q_z(cell)) / contact.p(cell);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return ratio(a) < ratio(b); });
+  double borne = 0.0;
+  for (const std::size_t cell : order)
+    if ((borne += contact.p(cell)) >= 0.9 * all) return cell;
+  return order.back();
+}
+
+}  // namespace
+
+UncertainWrench resultant_of(const SkinGrid& grid, std::span<const double> tractions,
+                             std::span<const std::size_t> cells, const Covariance& covariance,
+                             double noise_rms) {
+  const Contact contact(grid, tractions, cells);
+  const auto& force = contact.wrench().force;
+  std::array<Gradient, 6> gradients;
+  UncertainWrench result;
+  const auto uncertain = [&](std::size_t i, double value, Gradient gradient) {
+    gradients[i] = std::move(gradient);
+    return Uncertain{value, covariance.deviation(gradients[i]) * noise_rms};
+  };
+  result.normal = uncertain(0, force[0], contact.of_force(0));
+  if (contact.drags()) {
+    result.tangential_y = uncertain(1, force[1], contact.of_force(1));
+    result.tangential_z = uncertain(2, force[2], contact.of_force(2));
+  }
+  if (const auto centre = contact.wrench().centre()) {
+    result.centre_y = uncertain(3, centre->y, contact.of_centre(false));
+    result.centre_z = uncertain(4, centre->z, contact.of_centre(true));
+    if (contact.drags())
+      result.torsion = uncertain(5, *contact.wrench().torsion(), contact.of_torsion());
+  }
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      if (!gradients[i].empty() && !gradients[j].empty())
+        result.covariance[6 * i + j] = result.covariance[6 * j + i] =
+            covariance.covariance(gradients[i], gradients[j]) * noise_rms * noise_rms;
+  return result;
+}
+
+std::optional<SkinFriction> friction_of(const SkinGrid& grid, std::span<const double> tractions,
+                                        std::span<const std::size_t> cells,
+                                        const Covariance& covariance, double noise_rms,
+                                        std::optional<double> limit) {
+  if (limit && !(*limit > 0.0)) throw std::invalid_argument("friction limit must be > 0");
+  const Contact contact(grid, tractions, cells);
+  if (!contact.presses() || !contact.drags()) return std::nullopt;
+  const auto& force = contact.wrench().force;
+  const double drag = std::hypot(force[1], force[2]);
+  const double along_y = drag > 0.0 ? force[1] / drag : 1.0;
+  const double along_z = drag > 0.0 ? force[2] / drag : 0.0;
+  const double ratio = drag / force[0];
+  const Gradient of_drag = sum(along_y, contact.of_force(1), along_z, contact.of_force(2));
+  const Gradient of_ratio = sum(1.0 / force[0], of_drag, -ratio / force[0], contact.of_force(0));
+
+  SkinFriction friction;
+  friction.ratio = Result{ratio, of_ratio}.uncertain(covariance, noise_rms);
+  friction.least_limit =
+      ratio_at(contact, ninety_percent(contact)).uncertain(covariance, noise_rms);
+  for (const std::size_t cell : cells)
+    friction.lever += contact.area() * std::max(contact.p(cell), 0.0) *
+                      std::hypot(contact.y(cell), contact.z(cell));
+  if (!limit) return friction;
+
+  const double slide = ratio / *limit;
+  const double most = *limit * friction.lever;
+  const double twist = most > 0.0 ? *contact.wrench().torsion() / most : 0.0;
+  const double used = std::hypot(slide, twist);
+  // The lever's own error is of second order beside the torsion's.
+  const Gradient of_margin =
+      used > 0.0 ? sum(-slide / used / *limit, of_ratio, most > 0.0 ? -twist / used / most : 0.0,
+                       contact.of_torsion())
+                 : Gradient(tractions.size());
+  friction.margin = Result{1.0 - used, of_margin}.uncertain(covariance, noise_rms);
+  for (const std::size_t cell : cells) {
+    const double q = std::hypot(contact.q_y(cell), contact.q_z(cell));
+    const double over = q > 0.0 ? -1.0 / q : 0.0;
+    const Result margin{
+        *limit * contact.p(cell) - q,
+        contact.at(cell, *limit, contact.q_y(cell) * over, contact.q_z(cell) * over)};
+    friction.cell_margins.push_back(margin.uncertain(covariance, noise_rms));
+  }
+  return friction;
+}
+
+std::optional<ContactEllipse> contact_ellipse(const SkinGrid& grid,
+                                              std::span<const double> tractions,
+                                              std::span<const std::size_t> cells,
+                                              const Covariance& covariance, double noise_rms,
+                                              PressureLaw law) {
+  const Contact contact(grid, tractions, cells);
+  if (!contact.presses()) return std::nullopt;
+  const double force = contact.wrench().force[0];
+  const auto moment = [&](const auto& square) {
+    double all = 0.0;
+    for (const std::size_t cell : cells) all += contact.p(cell) * square(cell);
+    return all * contact.area() / force;
+  };
+  const double yy = moment([&](std::size_t i) { return contact.y(i) * contact.y(i); });
+  const double zz = moment([&](std::size_t i) { return contact.z(i) * contact.z(i); });
+  const double yz = moment([&](std::size_t i) { return contact.y(i) * contact.z(i); });
+  const double half = std::hypot(0.5 * (yy - zz), yz);
+  const double longer = 0.5 * (yy + zz) + half;
+  const double shorter = 0.5 * (yy + zz) - half;
+  if (!(shorter > 0.0)) return std::nullopt;
+  double angle = 0.5 * std::atan2(2.0 * yz, yy - zz);
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  const auto on_p = [&](const auto& of) {
+    return contact.gradient([&](std::size_t cell, std::size_t u) {
+      const double v = c * contact.y(cell) + s * contact.z(cell);
+      const double w = c * contact.z(cell) - s * contact.y(cell);
+      return u == 0 ? contact.area() / force * of(v, w) : 0.0;
+    });
+  };
+  constexpr std::array squares{5.0, 4.0, 3.0};  // a^2 over the variance, by law
+  const double square = squares[static_cast<std::size_t>(law)];
+  const double a = std::sqrt(square * longer);
+  const double b = std::sqrt(square * shorter);
+  const auto uncertain = [&](double value, Gradient gradient) {
+    return Result{value, std::move(gradient)}.uncertain(covariance, noise_rms);
+  };
+  return ContactEllipse{
+      .radius =
+          uncertain(a, on_p([&](double v, double) { return 0.5 * square / a * (v * v - longer); })),
+      .second_radius = uncertain(
+          b, on_p([&](double, double w) { return 0.5 * square / b * (w * w - shorter); })),
+      // Of a circle any.
+      .angle = half > 0.0
+                   ? uncertain(angle, on_p([&](double v, double w) { return 0.5 * v * w / half; }))
+                   : Uncertain{0.0, std::numbers::pi}};
+}
+
+}  // namespace tactile_net
