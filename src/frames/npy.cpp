@@ -51,6 +51,8 @@ NpyFrames::NpyFrames(std::istream& in, std::string file, WantedColumns wanted)
   columns_ = take_shape(header.shape, header.shape_text);
   if (times(columns_, width_) > longest_row || times(frames_, columns_ * width_) > (1ULL << 62))
     fail("has the shape " + header.shape_text + ", larger than any recording", "");
+  if (channels_last_ > 0 && header.fortran_order)
+    fail("is in Fortran's order", "numpy.save(file, numpy.ascontiguousarray(frames))");
   fortran_ = header.fortran_order && header.shape.size() > 1 && frames_ > 1 && columns_ > 1;
   // The whole order differs for three dimensions even of a single frame.
   const bool permuted = header.fortran_order && header.shape.size() == 3;
@@ -90,7 +92,7 @@ std::size_t NpyFrames::take_shape(const std::vector<std::size_t>& shape, const s
             : wanted_.names.front() + " to " + wanted_.names.back() + ", quantity by quantity";
     fail("has " + std::to_string(shape[1]) + " columns, the scene reads " + size, hint);
   }
-  if (shape.size() == 3 && times(shape[1], shape[2]) == wanted) {
+  if (shape.size() == 3 && wanted_.rows == 0 && times(shape[1], shape[2]) == wanted) {
     frames_ = shape[0];
     if (shape[2] == wanted_.taxels || shape[1] == 1 || shape[2] == 1) return wanted;
     fail("has the shape " + text + ", not (frames, " +
@@ -98,6 +100,7 @@ std::size_t NpyFrames::take_shape(const std::vector<std::size_t>& shape, const s
              std::to_string(wanted_.taxels) + "): frames, channels, taxels",
          "numpy.save(file, frames.transpose(0, 2, 1))");
   }
+  if (wanted_.rows > 0 && shape.size() >= 3) return take_lattice(shape, text);
   fail("has the shape " + text + ", not (frames, " + size + ")",
        shape.size() == 1 ? "one frame has " + size +
                                " readings; of one column after another: "
@@ -106,6 +109,27 @@ std::size_t NpyFrames::take_shape(const std::vector<std::size_t>& shape, const s
                          : "frames.reshape(-1, " + size +
                                ") if the rest is in the order of the "
                                "scene: channel by channel, taxel by taxel");
+}
+
+/// (frames, rows, columns, channels), or without the last where there is one channel.
+std::size_t NpyFrames::take_lattice(const std::vector<std::size_t>& shape,
+                                    const std::string& text) {
+  const std::size_t channels = wanted_.names.size() / wanted_.taxels;
+  const std::size_t columns = wanted_.taxels / wanted_.rows;
+  const bool fits = shape.size() <= 4 && shape[1] == wanted_.rows && shape[2] == columns &&
+                    (shape.size() == 4 ? shape[3] : 1) == channels;
+  if (!fits) {
+    const bool exchanged = shape[1] == columns && shape[2] == wanted_.rows;
+    fail("has the shape " + text + ", not (frames, " + std::to_string(wanted_.rows) + ", " +
+             std::to_string(columns) + ", " + std::to_string(channels) +
+             "): frames, rows, columns, channels",
+         exchanged ? "rows and columns are exchanged: numpy.save(file, frames.swapaxes(1, 2)), or "
+                     "sensor.rows and sensor.columns the other way round"
+                   : "one channel for each quantity in the order of sensor.reads, at each depth");
+  }
+  frames_ = shape[0];
+  channels_last_ = channels;
+  return wanted_.names.size();
 }
 
 void NpyFrames::place_columns(std::size_t columns, std::size_t channels) {
@@ -120,6 +144,9 @@ void NpyFrames::place_columns(std::size_t columns, std::size_t channels) {
       stored_at_.push_back(*places.time);
     }
   }
+  if (channels_last_ > 1)
+    for (std::size_t& at : stored_at_)
+      at = at % wanted_.taxels * channels_last_ + at / wanted_.taxels;
   // Fortran's order puts the channels of a taxel side by side.
   const std::size_t taxels = columns / std::max<std::size_t>(channels, 1);
   if (channels > 1)

@@ -13,12 +13,12 @@
 namespace tactile_net::frames {
 namespace {
 
-/// Which columns hold readings of dead taxels.
-std::vector<bool> unread_columns(const Scene& scene) {
+/// Which readings are of dead taxels.
+template <typename Sites>
+std::vector<bool> unread_columns(const Sites& sites, const std::vector<std::size_t>& dead) {
   std::vector<bool> unread;
-  for (const Site& site : sites(scene.sensor))
-    unread.push_back(std::find(scene.dead_taxels.begin(), scene.dead_taxels.end(), site.taxel) !=
-                     scene.dead_taxels.end());
+  for (const auto& site : sites)
+    unread.push_back(std::find(dead.begin(), dead.end(), site.taxel) != dead.end());
   return unread;
 }
 
@@ -38,6 +38,27 @@ std::ifstream open_frames(const std::string& path) {
 
 ReadingsFile::ReadingsFile(const std::string& path, const Scene& scene,
                            std::istream* standard_input, const ReadingsOptions& options)
+    : ReadingsFile(path, standard_input,
+                   {.names = reading_columns(scene.sensor),
+                    .unread = unread_columns(sites(scene.sensor), scene.dead_taxels),
+                    .taxels = scene.sensor.count,
+                    .places = options.columns,
+                    .accept_missing = options.accept_missing},
+                   scene.calibration) {}
+
+ReadingsFile::ReadingsFile(const std::string& path, const SkinScene& scene,
+                           std::istream* standard_input, const ReadingsOptions& options)
+    : ReadingsFile(path, standard_input,
+                   {.names = reading_names(scene.sensor),
+                    .unread = unread_columns(sites(scene.sensor), scene.dead_taxels),
+                    .taxels = taxel_count(scene.sensor),
+                    .rows = is_even(scene.sensor) ? scene.sensor.rows : 0,
+                    .places = options.columns,
+                    .accept_missing = options.accept_missing},
+                   tactile_net::calibration(scene)) {}
+
+ReadingsFile::ReadingsFile(const std::string& path, std::istream* standard_input,
+                           WantedColumns wanted, const std::optional<Calibration>& calibration)
     : live_(path == "-" && standard_input != nullptr), name_(live_ ? "<stdin>" : path) {
   if (!live_) {
     file_ = open_frames(path);
@@ -47,18 +68,14 @@ ReadingsFile::ReadingsFile(const std::string& path, const Scene& scene,
     if (error) bytes_ = 0;
   }
   std::istream& in = live_ ? *standard_input : file_;
-  WantedColumns wanted{.names = reading_columns(scene.sensor),
-                       .unread = unread_columns(scene),
-                       .taxels = scene.sensor.count,
-                       .places = options.columns,
-                       .accept_missing = options.accept_missing};
+  const std::vector<bool> unread = wanted.unread;
   if ((!live_ && is_npy_name(path)) || begins_like_npy(in))
     source_ = std::make_unique<NpyFrames>(in, name_, std::move(wanted));
   else
     source_ = std::make_unique<CsvFrames>(in, name_, std::move(wanted));
-  if (!scene.calibration) return;
-  auto calibrated = std::make_unique<CalibratedFrames>(std::move(source_), name_,
-                                                       *scene.calibration, unread_columns(scene));
+  if (!calibration) return;
+  auto calibrated =
+      std::make_unique<CalibratedFrames>(std::move(source_), name_, *calibration, unread);
   calibrated_ = calibrated.get();
   source_ = std::move(calibrated);
 }

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "tactile_net/skin/covariance.hpp"
+
 namespace tactile_net::lab {
 namespace {
 
@@ -45,6 +47,34 @@ void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFram
         remark::ModelError{.times = answer.noise.model_rms / *answer.noise.stated_rms});
 }
 
+/// Of the prior that sizes the bands: gml's alpha, or where it has no verdict the tractions' own.
+double prior_of(const SkinSceneProblem& problem, const FilterFrame& frame, double alpha) {
+  const bool known = problem.alpha_rule(frame) == AlphaRule::evidence;
+  const AlphaChoice prior =
+      choose_alone(frame, problem.alpha_tables(frame), known ? AlphaRule::evidence : AlphaRule::gml,
+                   problem.stated_noise());
+  return prior.verdict == AlphaVerdict::ok ? prior.alpha : alpha;
+}
+
+/// Bands, the cells that touch, and what the tractions amount to. Under constraints the bands are
+/// those of what the readings say without them: they hold what the constraints have moved.
+void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame) {
+  const SkinGrid& grid = problem.grid();
+  const double alpha = answer.alpha.value;
+  const double rms = answer.noise.rms();
+  const SkinCovariance covariance(problem.family(), alpha, prior_of(problem, frame, alpha));
+  answer.deviations = covariance.deviations();
+  for (double& deviation : answer.deviations) deviation *= rms;
+  const std::span<const double> f = answer.tractions;
+  answer.cells = contact_cells(grid, f, answer.deviations, least_depth(problem.scene().sensor));
+  answer.wrench = resultant_of(grid, f, answer.cells, covariance, rms);
+  answer.friction = friction_of(grid, f, answer.cells, covariance, rms,
+                                problem.scene().reconstruct.friction_limit);
+  const auto apart = separate_contacts(grid, f, answer.cells);
+  answer.contacts = apart.size();
+  if (!apart.empty()) answer.ellipse = contact_ellipse(grid, f, apart.front(), covariance, rms);
+}
+
 }  // namespace
 
 std::span<const double> component(std::span<const double> values, const SkinGrid& grid,
@@ -71,8 +101,8 @@ SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readin
   } else {
     answer.tractions = problem.family().solve(frame, answer.alpha.value);
   }
-  answer.wrench = resultant(answer.tractions, problem.grid());
   judge(answer, problem, frame, readings);
+  add_bands(answer, problem, frame);
   return answer;
 }
 

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "pages/parts.hpp"
 #include "pages/skin_map.hpp"
 #include "pages/skin_section.hpp"
+#include "pages/time_picture.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/csv/skin_csv.hpp"
@@ -55,7 +59,7 @@ Scales scales_of(const lab::SkinExperiment& experiment) {
     scales.negative =
         scales.negative || *std::min_element(p.begin(), p.end()) < -0.03 * scales.pressure;
   };
-  take(experiment.frame.truth);
+  if (experiment.has_truth()) take(experiment.frame.truth);
   take(experiment.answer->tractions);
   return scales;
 }
@@ -72,6 +76,11 @@ std::string traction_map(const lab::SkinExperiment& experiment, const Values& va
   if (scales.drag > 0.02 * scales.pressure && !of(SkinTraction::tangential_y).empty())
     svg += map_arrows(grid, of(SkinTraction::tangential_y), of(SkinTraction::tangential_z),
                       scales.drag);
+  if (&values == &experiment.answer->tractions) {
+    std::vector<bool> touches(experiment.grid.count());
+    for (const std::size_t cell : experiment.answer->cells) touches[cell] = true;
+    svg += map_outline(grid, touches);
+  }
   return map_picture(experiment.scene.units, grid, title, "Map of the tractions, " + title, svg);
 }
 
@@ -86,10 +95,14 @@ std::string tractions_figure(const lab::SkinExperiment& experiment) {
   if (!(scales.pressure > 0.0)) return {};
   const auto& units = experiment.scene.units;
   const bool arrows = scales.drag > 0.02 * scales.pressure;
+  std::vector<std::string> pictures;
+  if (experiment.has_truth())
+    pictures.push_back(traction_map(experiment, experiment.frame.truth, scales, "What presses"));
+  pictures.push_back(traction_map(experiment, experiment.answer->tractions, scales,
+                                  experiment.has_truth() ? "What was found" : ""));
   return figure_html(
       "tractions",
-      maps({traction_map(experiment, experiment.frame.truth, scales, "What presses"),
-            traction_map(experiment, experiment.answer->tractions, scales, "What was found")}) +
+      maps(pictures) +
           colour_bar(
               MapColours::signed_values,
               report::axis_unit(units, Dimension::stress, scales.pressure), scales.pressure,
@@ -97,8 +110,9 @@ std::string tractions_figure(const lab::SkinExperiment& experiment) {
               arrows ? "drag of " + report::in_unit(units, Dimension::stress, scales.drag) : ""),
       std::string("Seen from outside: colours are the pressure, mean of each cell") +
           (arrows ? ", arrows the drag" : "") +
-          ", dots the taxels. Both maps have one scale. What is narrower than the taxels are deep "
-          "is smoothed, for the pad itself hides it.",
+          ", dots the taxels; the line runs around the cells that touch, over which forces are "
+          "summed. What is narrower than the taxels are deep is smoothed, for the pad itself "
+          "hides it.",
       "tractions.csv", "whole-row");
 }
 
@@ -106,12 +120,6 @@ std::string errors_figure(const lab::SkinExperiment& experiment) {
   const SkinGrid& cells = experiment.grid;
   const MapGrid grid = map_grid(cells);
   const auto& units = experiment.scene.units;
-  const auto p = lab::component(experiment.answer->tractions, cells, SkinTraction::normal);
-  const auto truth = lab::component(experiment.frame.truth, cells, SkinTraction::normal);
-  Values off(p.size());
-  for (std::size_t i = 0; i < p.size(); ++i) off[i] = p[i] - truth[i];
-  const double most = largest(off);
-  if (!(most > 0.0)) return {};
   std::vector<std::string> pictures;
   const auto deviation = lab::component(experiment.answer->deviations, cells, SkinTraction::normal);
   if (!deviation.empty()) {
@@ -132,7 +140,7 @@ std::string errors_figure(const lab::SkinExperiment& experiment) {
                                 report::axis_unit(units, Dimension::stress, most), most, true, ""));
   return figure_html("errors", maps(pictures),
                      "A ring of both colours around a contact is its edge, smoothed. Errors all "
-                     "over the skin are noise, and a larger alpha lowers them.",
+                     "over the skin are noise, and a larger alpha lowers them."),
                      "tractions.csv", "whole-row");
 }
 
@@ -150,12 +158,15 @@ std::string sections_figure(const lab::SkinExperiment& experiment) {
 }
 
 std::string pad_figure(const lab::SkinExperiment& experiment) {
-  return figure_html("pad", pad_picture(experiment),
-                     "The pad to scale, cut along y through the peak. On top what presses and "
-                     "drags, true; inside, the stress across the surface that it causes, which is "
-                     "what smooths: blue presses, red pulls. The taxels of all rows are drawn in "
-                     "one plane.",
-                     "tractions.csv", "whole-row");
+  return figure_html(
+      "pad", pad_picture(experiment),
+      std::string("The pad to scale, cut along y through the peak. On top what presses and "
+                  "drags, ") +
+          (experiment.has_truth() ? "true" : "as found") +
+          "; inside, the stress across the surface that it causes, which is "
+          "what smooths: blue presses, red pulls. The taxels of all rows are drawn in "
+          "one plane.",
+      "tractions.csv", "whole-row");
 }
 
 Dimension dimension_of(SkinQuantity quantity) {
@@ -202,7 +213,8 @@ std::string judgement(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
   const lab::SkinAnswer& answer = *experiment.answer;
   std::string html =
-      element("h2", "Found beside true") + drawing::html_table(report::found_cells(experiment));
+      element("h2", experiment.has_truth() ? "Found beside true" : "What was found") +
+      drawing::html_table(report::found_cells(experiment));
   html += "<p>" + verdict_mark(std::string(name(answer.verdict))) + " " +
           drawing::escaped(drawing::typeset("alpha " + brief(answer.alpha.value) + " (" +
                                             std::string(source(answer.alpha)) + "), " +
@@ -223,6 +235,69 @@ std::string scene_html(const SkinScene& scene) {
          drawing::html_list(report::contacts_in_words(scene));
 }
 
+/// All that is drawn of one frame.
+std::string frame_html(const lab::SkinExperiment& experiment) {
+  return tractions_figure(experiment) + sections_figure(experiment) + errors_figure(experiment) +
+         pad_figure(experiment) + judgement(experiment);
+}
+
+/// A value of every frame with its band, as a stretched picture.
+std::string course_picture(const lab::SkinRecordingAnswer& recording, const std::string& title,
+                           Dimension dimension, std::string_view type,
+                           const std::function<std::optional<Uncertain>(std::size_t)>& of) {
+  const std::size_t n = recording.frames.size();
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const auto at = [&](std::size_t i, double deviations) {
+    const auto one = of(i);
+    return one ? one->value + deviations * one->deviation : none;
+  };
+  Range range;
+  for (std::size_t i = 0; i < n; ++i) {
+    range.take(at(i, -2.0));
+    range.take(at(i, 2.0));
+  }
+  if (range.empty()) return {};
+  const auto& units = recording.scene.units;
+  const auto name = [&](std::size_t i) {
+    const std::string& time = recording.frames[i].time;
+    return time.empty() ? "frame " + std::to_string(i) : "t = " + time;
+  };
+  return element("p", title, "map-title") +
+         stretched_picture(
+             n, range, report::axis_unit(units, dimension, std::max(range.high, -range.low)), title,
+             "low",
+             level_line(n, range, 0.0, "zero") +
+                 area_of(
+                     n, range, [&](std::size_t i) { return at(i, -2.0); },
+                     [&](std::size_t i) { return at(i, 2.0); }, std::string(type) + "-area") +
+                 path_of(
+                     n, range, [&](std::size_t i) { return at(i, 0.0); }, type),
+             {name(0), name(n / 2), name(n - 1)});
+}
+
+std::string course_figure(const lab::SkinRecordingAnswer& recording) {
+  if (recording.frames.size() < 2) return {};
+  const auto wrench = [&](std::size_t i) -> const UncertainWrench& {
+    return recording.frames[i].wrench;
+  };
+  std::vector<std::string> pictures = {
+      course_picture(recording, "Force into the skin", Dimension::point_force, "normal",
+                     [&](std::size_t i) { return std::optional(wrench(i).normal); })};
+  const std::tuple<const char*, Dimension, std::optional<Uncertain> UncertainWrench::*> others[] = {
+      {"Drag along y", Dimension::point_force, &UncertainWrench::tangential_y},
+      {"Drag along z", Dimension::point_force, &UncertainWrench::tangential_z},
+      {"Torsion", Dimension::moment, &UncertainWrench::torsion}};
+  for (const auto& [title, dimension, member] : others)
+    pictures.push_back(
+        course_picture(recording, title, dimension, "tangential",
+                       [&, which = member](std::size_t i) { return wrench(i).*which; }));
+  pictures.erase(std::remove(pictures.begin(), pictures.end(), ""), pictures.end());
+  return figure_html("course", maps(pictures),
+                     "Every frame by itself, of the cells that touch; bands are two standard "
+                     "deviations.",
+                     "result.json", "whole-row");
+}
+
 }  // namespace
 
 drawing::Page run_page(const lab::SkinExperiment& experiment, const std::string& by) {
@@ -234,12 +309,35 @@ drawing::Page run_page(const lab::SkinExperiment& experiment, const std::string&
   html += answer_box(report::answers(experiment));
   html += paragraphs(report::warnings(experiment), "note");
   if (experiment.answer) {
-    html += tractions_figure(experiment) + sections_figure(experiment) + errors_figure(experiment) +
-            pad_figure(experiment) + judgement(experiment);
+    html += frame_html(experiment);
   } else {
     html += element("p", experiment.refusal, "bad");
   }
   html += readings_figure(experiment);
+  html += colophon("The scene, the files, the command", scene_html(scene), page.files,
+                   Made{.by = by, .files = {"result.json"}});
+  page.html = page_html(scene.file + " - tactile-net", html);
+  return page;
+}
+
+drawing::Page recording_page(const lab::SkinRecordingAnswer& recording, const std::string& readings,
+                             const std::string& by) {
+  const SkinScene& scene = recording.scene;
+  const lab::SkinExperiment hardest{.scene = scene,
+                                    .grid = recording.grid,
+                                    .frame = {.readings = recording.readings},
+                                    .answer = recording.answer};
+  drawing::Page page{.files = report::run_files(hardest)};
+  std::string html =
+      heading(scene.title, scene.file,
+              readings + ", " + std::to_string(recording.frames.size()) +
+                  (recording.frames.size() == 1 ? " frame; " : " frames; ") +
+                  report::sensor_in_words(scene) + "; " + report::material_in_words(scene));
+  html += answer_box(report::answers(recording));
+  html += paragraphs(report::warnings(hardest), "note") + course_figure(recording);
+  if (recording.frames.size() > 1)
+    html += element("h2", "Frame " + std::to_string(recording.hardest) + ", which presses hardest");
+  html += frame_html(hardest) + readings_figure(hardest);
   html += colophon("The scene, the files, the command", scene_html(scene), page.files,
                    Made{.by = by, .files = {"result.json"}});
   page.html = page_html(scene.file + " - tactile-net", html);

@@ -52,7 +52,7 @@ struct Line {
     for (const double value : truth) range.take(value);
   }
   [[nodiscard]] std::string svg(const Range& range, const std::string& type) const {
-    const std::size_t n = truth.size();
+    const std::size_t n = std::max(truth.size(), found.size());
     const auto of = [](const std::vector<double>& values) {
       return [&values](std::size_t i) { return values[i]; };
     };
@@ -62,7 +62,7 @@ struct Line {
           n, range, [&](std::size_t i) { return found[i] - band(i); },
           [&](std::size_t i) { return found[i] + band(i); }, type + "-area");
     if (!found.empty()) text += path_of(n, range, of(found), type);
-    return text + path_of(n, range, of(truth), type + " true");
+    return truth.empty() ? text : text + path_of(n, range, of(truth), type + " true");
   }
 };
 
@@ -73,7 +73,12 @@ struct Interior {
   std::vector<double> stress{};  ///< row by row from the surface
 };
 
-/// The true tractions as a load, no larger than what presses.
+/// What stands on the pad: the truth where it is known.
+const std::vector<double>& shown(const lab::SkinExperiment& experiment) {
+  return experiment.has_truth() ? experiment.frame.truth : experiment.answer->tractions;
+}
+
+/// That as a load.
 SampledPatch patch_of(const lab::SkinExperiment& experiment) {
   const SkinGrid& grid = experiment.grid;
   SampledPatch patch{.rows = grid.rows,
@@ -83,7 +88,7 @@ SampledPatch patch_of(const lab::SkinExperiment& experiment) {
                      .spacing_y = grid.spacing_y,
                      .spacing_z = grid.spacing_z};
   const auto take = [&](SkinTraction which) {
-    const auto all = lab::component(experiment.frame.truth, grid, which);
+    const auto all = lab::component(shown(experiment), grid, which);
     return std::vector(all.begin(), all.end());
   };
   patch.normal = take(SkinTraction::normal);
@@ -139,7 +144,7 @@ std::string section_picture(const lab::SkinExperiment& experiment, Axis along) {
   Range range;
   normal.widen(range);
   if (!drag.found.empty()) drag.widen(range);
-  const std::size_t n = normal.truth.size();
+  const std::size_t n = normal.found.size();
   const auto& units = experiment.scene.units;
   const auto place = [&](std::size_t i) {
     const double at = along == Axis::y ? grid.y(i) : grid.z(i);
@@ -156,7 +161,7 @@ std::string section_picture(const lab::SkinExperiment& experiment, Axis along) {
          drawing::escaped(drawing::typeset(other)) + ": <span class=\"key-normal\">p</span>" +
          (drag.found.empty() ? ""
                              : ", <span class=\"key-tangential\">q<sub>" + axis + "</sub></span>") +
-         "; dashed: true</p>" +
+         (experiment.has_truth() ? "; dashed: true</p>" : "</p>") +
          stretched_picture(
              n, range,
              report::axis_unit(units, Dimension::stress, std::max(range.high, -range.low)),
@@ -182,7 +187,7 @@ std::string pad_picture(const lab::SkinExperiment& experiment) {
                     "\" role=\"img\" aria-label=\"Section of the pad along y through the peak\">\n";
   svg += "<rect class=\"pad\" x=\"0\" y=\"" + px(surface) + "\" width=\"1000\" height=\"" +
          px(thickness) + "\"/>\n";
-  const auto p = along_line(experiment.frame.truth, grid, SkinTraction::normal, Axis::y, peak);
+  const auto p = along_line(shown(experiment), grid, SkinTraction::normal, Axis::y, peak);
   const double most = *std::max_element(p.begin(), p.end());
   if (most > 0.0) {
     const Interior inside = interior_of(experiment, bottom, grid.z(peak.column));
@@ -211,8 +216,7 @@ std::string pad_picture(const lab::SkinExperiment& experiment) {
     for (std::size_t i = 0; i < p.size(); ++i)
       area += 'L' + px(at(grid.y(i))) + ' ' + px(surface - 90.0 * std::max(p[i], 0.0) / most);
     svg += "<path class=\"pressure\" d=\"" + area + "L1000 " + px(surface) + "Z\"/>\n";
-    const auto q =
-        along_line(experiment.frame.truth, grid, SkinTraction::tangential_y, Axis::y, peak);
+    const auto q = along_line(shown(experiment), grid, SkinTraction::tangential_y, Axis::y, peak);
     std::string arrows;
     for (std::size_t i = 0; i < q.size(); ++i) {
       const double length = 60.0 * q[i] / most;

@@ -59,17 +59,19 @@ SkinScene at_frame(SkinScene scene, std::size_t frame) {
   return scene;
 }
 
-std::vector<Unit> reading_units(const SkinScene& scene) {
-  std::vector<Unit> units;
+std::optional<Calibration> calibration(const SkinScene& scene) {
+  if (!scene.units) return std::nullopt;
+  Calibration result;
   for (const SkinSite& site : sites(scene.sensor))
-    units.push_back(scene.units ? unit_of(*scene.units, site.quantity) : Unit{});
-  return units;
+    result.gain.push_back(unit_of(*scene.units, site.quantity).to_si(1.0));
+  result.baseline.resize(result.gain.size());
+  result.offset.resize(result.gain.size());
+  return result;
 }
 
 std::vector<double> raw_numbers(const SkinScene& scene, std::span<const double> readings) {
-  const std::vector<Unit> units = reading_units(scene);
-  std::vector<double> raw;
-  for (std::size_t i = 0; i < readings.size(); ++i) raw.push_back(units[i].from_si(readings[i]));
+  std::vector<double> raw(readings.begin(), readings.end());
+  if (const auto units = calibration(scene)) uncalibrate(*units, raw);
   return raw;
 }
 

@@ -25,7 +25,8 @@ namespace tactile_net::frames {
 /// column, in blocks of frames of at most 8 MiB (or one frame), and only from a file that can be
 /// gone back in.
 ///
-/// An array of shape (frames, channels, taxels) is read as (frames, channels * taxels); one of a
+/// Of a skin on a lattice (frames, rows, columns, channels) too, in C order. An array of shape
+/// (frames, channels, taxels) is read as (frames, channels * taxels); one of a
 /// single dimension, as long as a frame, is one frame.
 class NpyFrames final : public FrameSource {
  public:
@@ -55,6 +56,7 @@ class NpyFrames final : public FrameSource {
   [[noreturn]] void fail(const std::string& message, const std::string& hint) const;
   /// Sets `frames_`; the number of columns of a frame.
   std::size_t take_shape(const std::vector<std::size_t>& shape, const std::string& text);
+  std::size_t take_lattice(const std::vector<std::size_t>& shape, const std::string& text);
   void place_columns(std::size_t columns, std::size_t channels);
   void read_row();
   void read_block();
@@ -67,8 +69,9 @@ class NpyFrames final : public FrameSource {
   std::size_t width_ = 8;  // bytes of a number
   bool fortran_ = false;
   bool any_unread_ = false;
-  std::size_t header_ = 0;   // bytes
-  std::size_t columns_ = 0;  // of the array
+  std::size_t channels_last_ = 0;  // of an array of a skin; 0: it has another shape
+  std::size_t header_ = 0;         // bytes
+  std::size_t columns_ = 0;        // of the array
   std::size_t frames_ = 0;
   std::size_t next_ = 0;
   std::size_t block_ = 1;               // frames held at once

@@ -13,6 +13,7 @@
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/frames/source.hpp"
 #include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/skin_scene.hpp"
 
 namespace tactile_net::frames {
 
@@ -38,6 +39,10 @@ class ReadingsFile {
   ReadingsFile(const std::string& path, const Scene& scene, std::istream* standard_input = nullptr,
                const ReadingsOptions& options = {});
 
+  /// The same of a skin, whose .npy may also have the shape (frames, rows, columns, channels).
+  ReadingsFile(const std::string& path, const SkinScene& scene,
+               std::istream* standard_input = nullptr, const ReadingsOptions& options = {});
+
   [[nodiscard]] FrameSource& source() noexcept { return *source_; }
   /// For messages.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
@@ -51,6 +56,9 @@ class ReadingsFile {
   [[nodiscard]] const Calibration* calibration() const noexcept;
 
  private:
+  ReadingsFile(const std::string& path, std::istream* standard_input, WantedColumns wanted,
+               const std::optional<Calibration>& calibration);
+
   bool live_;
   std::string name_;
   std::ifstream file_;

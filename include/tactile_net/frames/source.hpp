@@ -25,6 +25,9 @@ struct WantedColumns {
   /// Per name: true if its values do not matter (a dead taxel) and may be any text; empty: all do.
   std::vector<bool> unread{};
   std::size_t taxels = 0;  ///< the last dimension of an array (frames, channels, taxels)
+  /// Of a skin on a lattice: taxels lie in so many rows, and an array may also have the shape
+  /// (frames, rows, columns, channels); 0: none.
+  std::size_t rows = 0;
   /// Where the columns stand, in place of their names: "2-42", "t=1,4-44", "a,b,c"; numbers count
   /// from 1, `t=` says where the times are; empty: they are found by name.
   std::string places{};

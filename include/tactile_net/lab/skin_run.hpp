@@ -16,7 +16,7 @@ namespace tactile_net::lab {
 struct SkinExperiment {
   SkinScene scene{};
   SkinGrid grid{};
-  SkinFrame frame{};
+  SkinFrame frame{};                   ///< of a recording without `truth`, which nobody knows
   std::optional<SkinAnswer> answer{};  ///< absent: `refusal` says why
   std::string refusal{};
   /// Of p, q_y and q_z: root mean square of answer - truth over that of the true p; NaN where
@@ -25,6 +25,7 @@ struct SkinExperiment {
   double setup_seconds = 0.0;  ///< until the first frame is solved, without it; NaN: not timed
   double frame_seconds = 0.0;
 
+  [[nodiscard]] bool has_truth() const noexcept { return !frame.truth.empty(); }
   [[nodiscard]] bool succeeded() const noexcept {
     return answer && answer->verdict != Verdict::failed;
   }

@@ -6,11 +6,19 @@
 #include <string>
 
 #include "tactile_net/drawing/figure.hpp"
+#include "tactile_net/lab/skin_recording.hpp"
 #include "tactile_net/lab/skin_run.hpp"
 
 namespace tactile_net::pages {
 
 /// With the files beside it. @param by  the command that made it; empty: not said
 [[nodiscard]] drawing::Page run_page(const lab::SkinExperiment& experiment, const std::string& by);
+
+/// The page of a recording: every frame's forces, and all of the frame that presses hardest.
+///
+/// @param readings  the recording's name
+/// @pre  there is a frame
+[[nodiscard]] drawing::Page recording_page(const lab::SkinRecordingAnswer& recording,
+                                           const std::string& readings, const std::string& by);
 
 }  // namespace tactile_net::pages

@@ -16,6 +16,7 @@
 #include "tactile_net/scene/scene.hpp"
 #include "tactile_net/scene/timing.hpp"
 #include "tactile_net/scene/units.hpp"
+#include "tactile_net/sensing/calibration.hpp"
 #include "tactile_net/skin/array.hpp"
 #include "tactile_net/skin/grid.hpp"
 #include "tactile_net/skin/load.hpp"
@@ -78,8 +79,8 @@ inline constexpr std::size_t most_skin_tractions = 8192;
 /// @throw std::invalid_argument  there is no such frame
 [[nodiscard]] SkinScene at_frame(SkinScene scene, std::size_t frame);
 
-/// Of every reading, the unit in which a file of this scene has it; without [units] one.
-[[nodiscard]] std::vector<Unit> reading_units(const SkinScene& scene);
+/// From the numbers of a file to readings in SI; absent where they are the same.
+[[nodiscard]] std::optional<Calibration> calibration(const SkinScene& scene);
 
 /// Readings as a file of this scene has them: in its units.
 [[nodiscard]] std::vector<double> raw_numbers(const SkinScene& scene,

@@ -1,5 +1,7 @@
 #include "tactile_net/report/csv/skin_csv.hpp"
 
+#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,7 +33,7 @@ std::string tractions_csv(const lab::SkinExperiment& experiment) {
     add(experiment.answer->tractions, "");
     add(experiment.answer->deviations, "_deviation");
   }
-  add(experiment.frame.truth, "_true");
+  if (!experiment.frame.truth.empty()) add(experiment.frame.truth, "_true");
   std::string text;
   frames::append_header(text, names, false);
   for (std::size_t row = 0; row < grid.rows; ++row)
@@ -47,6 +49,42 @@ std::string tractions_csv(const lab::SkinExperiment& experiment) {
 
 drawing::Files run_files(const lab::SkinExperiment& experiment) {
   return {{"readings.csv", readings_csv(experiment)}, {"tractions.csv", tractions_csv(experiment)}};
+}
+
+std::vector<std::string> traction_columns(const SkinGrid& grid, std::size_t components) {
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < components; ++c)
+    for (std::size_t row = 0; row < grid.rows; ++row)
+      for (std::size_t column = 0; column < grid.columns; ++column)
+        names.push_back(std::string(name(skin_tractions[c])) + '_' + std::to_string(row) + '_' +
+                        std::to_string(column));
+  return names;
+}
+
+std::vector<std::string> wrench_columns() {
+  std::vector<std::string> names;
+  for (const char* what :
+       {"normal", "tangential_y", "tangential_z", "centre_y", "centre_z", "torsion", "friction"}) {
+    names.emplace_back(what);
+    names.push_back(std::string(what) + "_deviation");
+  }
+  return names;
+}
+
+std::vector<double> wrench_values(const lab::SkinAnswer& answer) {
+  std::vector<double> values;
+  const auto add = [&](const std::optional<Uncertain>& one) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    values.push_back(one ? one->value : none);
+    values.push_back(one ? one->deviation : none);
+  };
+  const UncertainWrench& wrench = answer.wrench;
+  add(wrench.normal);
+  for (const auto* one : {&wrench.tangential_y, &wrench.tangential_z, &wrench.centre_y,
+                          &wrench.centre_z, &wrench.torsion})
+    add(*one);
+  add(answer.friction ? std::optional(answer.friction->ratio) : std::nullopt);
+  return values;
 }
 
 }  // namespace tactile_net::report

@@ -17,7 +17,8 @@ struct DocumentKind {
 
 namespace kind {
 inline constexpr DocumentKind run{"run"};
-inline constexpr DocumentKind skin_run{"skin_run"};  ///< run, of a skin
+inline constexpr DocumentKind skin_run{"skin_run"};      ///< run, of a skin
+inline constexpr DocumentKind skin_solve{"skin_solve"};  ///< solve, of a skin
 inline constexpr DocumentKind explain{"explain"};  ///< run --explain
 inline constexpr DocumentKind relax{"relax"};
 inline constexpr DocumentKind deck{"deck"};  ///< relax FILE.cir

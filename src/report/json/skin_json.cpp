@@ -10,13 +10,22 @@
 namespace tactile_net::report {
 namespace {
 
+Json skin_units_json(const Units& units) {
+  Json json = units_json(units);
+  json["force"] = si_unit(Dimension::point_force);
+  return json;
+}
+
 Json scene_json(const DocumentKind& kind, const SkinScene& scene) {
   Json json = document(kind);
   json["scene"] = scene.file;
-  if (scene.units) {
-    json["units"] = units_json(*scene.units);
-    json["units"]["force"] = si_unit(Dimension::point_force);
-  }
+  Json simulated = Json::array();
+  if (components(scene) == 3 && !scene.contacts.empty()) simulated.push_back("friction");
+  if (scene.material.layer) simulated.push_back("layer");
+  if (scene.noise) simulated.push_back("noise");
+  if (!scene.dead_taxels.empty()) simulated.push_back("dead_taxels");
+  json["effects"] = {{"simulated", simulated}, {"absent", Json::array()}};
+  if (scene.units) json["units"] = skin_units_json(*scene.units);
   if (scene.time)
     json["frame"] = {
         {"index", scene.frame}, {"of", scene.time->frames}, {"t", scene.time->time(scene.frame)}};
@@ -44,6 +53,32 @@ Json wrench_json(const SkinWrench& wrench) {
           {"torsion", number_or_null(wrench.torsion())}};
 }
 
+Json pair_json(const std::optional<Uncertain>& a, const std::optional<Uncertain>& b) {
+  return a && b ? Json{uncertain_json(*a), uncertain_json(*b)} : Json(nullptr);
+}
+
+Json found_json(const UncertainWrench& wrench) {
+  return {{"normal", uncertain_json(wrench.normal)},
+          {"tangential_y", uncertain_or_null(wrench.tangential_y)},
+          {"tangential_z", uncertain_or_null(wrench.tangential_z)},
+          {"centre", pair_json(wrench.centre_y, wrench.centre_z)},
+          {"torsion", uncertain_or_null(wrench.torsion)}};
+}
+
+Json friction_json(const std::optional<SkinFriction>& friction) {
+  if (!friction) return nullptr;
+  return {{"ratio", uncertain_json(friction->ratio)},
+          {"least_limit", uncertain_json(friction->least_limit)},
+          {"margin", uncertain_or_null(friction->margin)}};
+}
+
+Json ellipse_json(const std::optional<ContactEllipse>& ellipse) {
+  if (!ellipse) return nullptr;
+  return {{"radius", uncertain_json(ellipse->radius)},
+          {"second_radius", uncertain_json(ellipse->second_radius)},
+          {"angle", uncertain_json(ellipse->angle)}};
+}
+
 Json grid_json(const SkinGrid& grid) {
   Json y = Json::array();
   Json z = Json::array();
@@ -59,7 +94,11 @@ Json answer_json(const lab::SkinExperiment& experiment) {
                {"verdict", name(answer.verdict)},
                {"tractions", fields(answer.tractions, experiment.grid)},
                {"deviations", fields(answer.deviations, experiment.grid)},
-               {"resultant", wrench_json(answer.wrench)},
+               {"cells", answer.cells},
+               {"contacts", answer.contacts},
+               {"resultant", found_json(answer.wrench)},
+               {"friction", friction_json(answer.friction)},
+               {"ellipse", ellipse_json(answer.ellipse)},
                {"relative_error",
                 {finite_or_null(experiment.relative[0]), finite_or_null(experiment.relative[1]),
                  finite_or_null(experiment.relative[2])}},
@@ -95,6 +134,35 @@ std::string experiment_json(const lab::SkinExperiment& experiment) {
   json["answer"] = experiment.answer ? answer_json(experiment) : Json(nullptr);
   json["warnings"] = warnings(experiment);
   if (!experiment.refusal.empty()) json["failure"] = experiment.refusal;
+  return text_of(json);
+}
+
+std::string simulate_json(const SkinScene& scene, std::size_t frames,
+                          std::span<const std::string> columns) {
+  Json json = scene_json(kind::simulate, scene);
+  json.erase("frame");
+  json["frames"] = frames;
+  json["rate"] = scene.time ? Json(scene.time->rate) : Json(nullptr);
+  json["columns"] = columns;
+  json["frames_cut_off"] = Json::object();
+  return text_of(json);
+}
+
+std::string recording_json(const lab::SkinRecordingAnswer& recording, const std::string& readings) {
+  Json json = document(kind::skin_solve);
+  json["scene"] = recording.scene.file;
+  json["readings"] = readings;
+  if (recording.scene.units) json["units"] = skin_units_json(*recording.scene.units);
+  json["grid"] = grid_json(recording.grid);
+  json["hardest"] = recording.hardest;
+  json["frames"] = Json::array();
+  for (const lab::SkinRecordingAnswer::Frame& frame : recording.frames)
+    json["frames"].push_back({{"t", frame.time.empty() ? Json(nullptr) : Json(frame.time)},
+                              {"verdict", name(frame.verdict)},
+                              {"alpha", frame.alpha.value},
+                              {"alpha_rule", source(frame.alpha)},
+                              {"resultant", found_json(frame.wrench)},
+                              {"friction", uncertain_or_null(frame.friction)}});
   return text_of(json);
 }
 

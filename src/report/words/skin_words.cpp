@@ -68,23 +68,22 @@ std::string depths_in_words(const SkinScene& scene) {
   return join(all, " and ");
 }
 
-/// The drag as a size and where it goes.
-struct Drag {
-  double size = 0.0;
-  double direction = 0.0;
-};
-Drag drag_of(const SkinWrench& wrench) {
-  return {std::hypot(wrench.force[1], wrench.force[2]),
-          std::atan2(wrench.force[2], wrench.force[1])};
+std::string uncertain(const SkinScene& scene, Dimension dimension, const Uncertain& value) {
+  return in_unit(scene.units, dimension, value.value, value.deviation);
+}
+
+/// Further from the truth than four deviations and two per cent of the force.
+bool is_off(const Uncertain& found, double exact, double scale) {
+  return std::abs(found.value - exact) > 4.0 * found.deviation + 0.02 * std::abs(scale);
 }
 
 Answer pressed(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
   const lab::SkinAnswer& found = *experiment.answer;
   const double exact = experiment.frame.wrench.force[0];
-  Answer answer{force(scene, found.wrench.force[0]),
+  Answer answer{uncertain(scene, Dimension::point_force, found.wrench.normal),
                 "normal force; the contacts press with " + force(scene, exact),
-                std::abs(found.wrench.force[0] - exact) > 0.05 * std::abs(exact)};
+                is_off(found.wrench.normal, exact, exact)};
   if (found.verdict != lab::Verdict::ok) {
     answer.meaning += ". " + std::string(name(found.verdict)) + ": " +
                       std::string(report::in_words(found.verdict));
@@ -93,30 +92,69 @@ Answer pressed(const lab::SkinExperiment& experiment) {
   return answer;
 }
 
+/// The size of a drag, to first order.
+Uncertain drag_of(const UncertainWrench& wrench) {
+  const double y = wrench.tangential_y->value;
+  const double z = wrench.tangential_z->value;
+  const double size = std::hypot(y, z);
+  const double dy = wrench.tangential_y->deviation;
+  const double dz = wrench.tangential_z->deviation;
+  if (!(size > 0.0)) return {0.0, std::max(dy, dz)};
+  const double both = wrench.covariance[1 * 6 + 2];
+  const double variance = y * y * dy * dy + 2.0 * y * z * both + z * z * dz * dz;
+  return {size, std::sqrt(std::max(variance, 0.0)) / size};
+}
+
+double direction(double y, double z) { return std::atan2(z, y); }
+
 std::optional<Answer> dragged(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
-  if (components(scene) == 1) return std::nullopt;
-  const Drag found = drag_of(experiment.answer->wrench);
-  const Drag exact = drag_of(experiment.frame.wrench);
-  const double pressure = std::abs(experiment.frame.wrench.force[0]);
-  Answer answer{force(scene, found.size), "drag", false};
-  if (found.size > 0.01 * pressure) answer.meaning += " towards " + degrees(found.direction);
-  answer.meaning += exact.size > 0.0 ? "; the contacts drag with " + force(scene, exact.size) +
-                                           " towards " + degrees(exact.direction)
-                                     : "; the contacts do not drag";
-  answer.doubtful = std::abs(found.size - exact.size) > 0.05 * pressure;
+  const UncertainWrench& wrench = experiment.answer->wrench;
+  if (!wrench.tangential_y || !wrench.tangential_z) return std::nullopt;
+  const Uncertain found = drag_of(wrench);
+  const auto& exact = experiment.frame.wrench.force;
+  const double size = std::hypot(exact[1], exact[2]);
+  Answer answer{uncertain(scene, Dimension::point_force, found), "drag",
+                is_off(found, size, exact[0])};
+  if (found.value > 3.0 * found.deviation)
+    answer.meaning +=
+        " towards " + degrees(direction(wrench.tangential_y->value, wrench.tangential_z->value));
+  answer.meaning += size > 1e-9 * std::abs(exact[0])
+                        ? "; the contacts drag with " + force(scene, size) + " towards " +
+                              degrees(direction(exact[1], exact[2]))
+                        : "; the contacts do not drag";
   return answer;
 }
 
 std::optional<Answer> placed(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
-  const auto centre = experiment.answer->wrench.centre();
+  const UncertainWrench& wrench = experiment.answer->wrench;
   const auto exact = experiment.frame.wrench.centre();
-  if (!centre || !exact) return std::nullopt;
-  const double off = std::hypot(centre->y - exact->y, centre->z - exact->z);
-  return Answer{place(scene, centre->y, centre->z),
+  if (!wrench.centre_y || !wrench.centre_z || !exact) return std::nullopt;
+  const double off =
+      std::hypot(wrench.centre_y->value - exact->y, wrench.centre_z->value - exact->z);
+  return Answer{uncertain(scene, Dimension::length, *wrench.centre_y) + ", " +
+                    uncertain(scene, Dimension::length, *wrench.centre_z),
                 "centre of pressure (y, z), " + length(scene, off) + " off the true one",
-                off > least_depth(scene.sensor)};
+                off > 0.5 * least_depth(scene.sensor)};
+}
+
+/// How near to slipping, and what turns.
+std::optional<Answer> gripped(const lab::SkinExperiment& experiment) {
+  const SkinScene& scene = experiment.scene;
+  const auto& friction = experiment.answer->friction;
+  const auto& torsion = experiment.answer->wrench.torsion;
+  if (!friction) return std::nullopt;
+  Answer answer{plus_minus(friction->ratio.value, friction->ratio.deviation),
+                "drag over force, the least friction that holds"};
+  if (const auto& limit = scene.reconstruct.friction_limit)
+    answer.meaning += "; the limit stated is " + brief(*limit);
+  if (const auto exact = experiment.frame.wrench.torsion(); torsion && exact) {
+    answer.meaning += "; torsion " + uncertain(scene, Dimension::moment, *torsion);
+    if (std::abs(*exact) > torsion->deviation)
+      answer.meaning += ", true " + in_unit(scene.units, Dimension::moment, *exact);
+  }
+  return answer;
 }
 
 }  // namespace
@@ -171,6 +209,7 @@ std::vector<Answer> answers(const lab::SkinExperiment& experiment) {
   std::vector<Answer> all = {pressed(experiment)};
   if (const auto answer = dragged(experiment)) all.push_back(*answer);
   if (const auto answer = placed(experiment)) all.push_back(*answer);
+  if (const auto answer = gripped(experiment)) all.push_back(*answer);
   if (std::isfinite(experiment.relative[0]))
     all.push_back({percent(experiment.relative[0]) + " off",
                    "the true pressure, root mean square over the cells",
@@ -178,24 +217,58 @@ std::vector<Answer> answers(const lab::SkinExperiment& experiment) {
   return all;
 }
 
+std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
+  const SkinScene& scene = recording.scene;
+  const UncertainWrench& wrench = recording.answer->wrench;
+  std::vector<Answer> all = {{uncertain(scene, Dimension::point_force, wrench.normal),
+                              "the hardest press, in frame " + std::to_string(recording.hardest)}};
+  if (wrench.tangential_y && wrench.tangential_z) {
+    const Uncertain drag = drag_of(wrench);
+    all.push_back({uncertain(scene, Dimension::point_force, drag), "its drag"});
+    if (drag.value > 3.0 * drag.deviation)
+      all.back().meaning +=
+          " towards " + degrees(direction(wrench.tangential_y->value, wrench.tangential_z->value));
+  }
+  if (wrench.centre_y && wrench.centre_z)
+    all.push_back({uncertain(scene, Dimension::length, *wrench.centre_y) + ", " +
+                       uncertain(scene, Dimension::length, *wrench.centre_z),
+                   "its centre of pressure (y, z)"});
+  const auto good = static_cast<std::size_t>(
+      std::count_if(recording.frames.begin(), recording.frames.end(),
+                    [](const auto& frame) { return frame.verdict == lab::Verdict::ok; }));
+  all.push_back({std::to_string(good) + " of " + std::to_string(recording.frames.size()),
+                 "frames have the verdict ok", good < recording.frames.size()});
+  return all;
+}
+
 std::vector<std::vector<std::string>> found_cells(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
-  const SkinWrench& found = experiment.answer->wrench;
+  const lab::SkinAnswer& answer = *experiment.answer;
+  const UncertainWrench& wrench = answer.wrench;
   const SkinWrench& exact = experiment.frame.wrench;
-  std::vector<std::vector<std::string>> rows = {{"of the contact", "found", "true"}};
-  constexpr std::array names = {"force into the skin", "drag along y", "drag along z"};
-  for (std::size_t c = 0; c < components(scene); ++c)
-    rows.push_back({names[c], force(scene, found.force[c]), force(scene, exact.force[c])});
-  const auto centre = [&](const SkinWrench& wrench) {
-    const auto at = wrench.centre();
-    return at ? place(scene, at->y, at->z) : std::string("-");
+  const bool compared = experiment.has_truth();
+  std::vector<std::vector<std::string>> rows = {{"of the contact", "found"}};
+  if (compared) rows.front().emplace_back("true");
+  const auto add = [&](const char* what, Dimension dimension, const std::optional<Uncertain>& found,
+                       std::optional<double> true_value) {
+    if (!found) return;
+    rows.push_back({what, uncertain(scene, dimension, *found)});
+    if (compared)
+      rows.back().push_back(true_value ? in_unit(scene.units, dimension, *true_value) : "-");
   };
-  rows.push_back({"centre of pressure (y, z)", centre(found), centre(exact)});
-  const auto torsion = [&](const SkinWrench& wrench) {
-    const auto value = wrench.torsion();
-    return value ? in_unit(scene.units, Dimension::moment, *value) : std::string("-");
-  };
-  if (components(scene) == 3) rows.push_back({"torsion about it", torsion(found), torsion(exact)});
+  const auto centre = exact.centre();
+  add("force into the skin", Dimension::point_force, wrench.normal, exact.force[0]);
+  add("drag along y", Dimension::point_force, wrench.tangential_y, exact.force[1]);
+  add("drag along z", Dimension::point_force, wrench.tangential_z, exact.force[2]);
+  add("centre of pressure, y", Dimension::length, wrench.centre_y,
+      centre ? std::optional(centre->y) : std::nullopt);
+  add("centre of pressure, z", Dimension::length, wrench.centre_z,
+      centre ? std::optional(centre->z) : std::nullopt);
+  add("torsion about it", Dimension::moment, wrench.torsion, exact.torsion());
+  if (answer.ellipse) {
+    add("radius (Hertz)", Dimension::length, answer.ellipse->radius, std::nullopt);
+    add("second radius", Dimension::length, answer.ellipse->second_radius, std::nullopt);
+  }
   return rows;
 }
 

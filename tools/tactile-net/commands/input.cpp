@@ -27,6 +27,11 @@ Scene read_scene(const std::string& path, std::istream& in) {
   return parse_scene(input.text, input.name);
 }
 
+AnyScene read_any_scene(const std::string& path, std::istream& in) {
+  const InputText input = input_text(path, in);
+  return parse_any_scene(input.text, input.name);
+}
+
 Hand read_hand(const std::string& path, std::istream& in, const HandOptions& options) {
   const InputText input = input_text(path, in);
   return parse_hand(input.text, input.name, options);

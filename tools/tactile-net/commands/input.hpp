@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tactile_net/scene/hand.hpp"
-#include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::tool {
 
@@ -26,6 +26,7 @@ struct InputText {
 /// A scene from standard input names files relative to the current folder, and so does a hand.
 /// @throw InputError  as `tactile_net::read_scene` and `tactile_net::read_hand`
 [[nodiscard]] Scene read_scene(const std::string& path, std::istream& in);
+[[nodiscard]] AnyScene read_any_scene(const std::string& path, std::istream& in);
 [[nodiscard]] Hand read_hand(const std::string& path, std::istream& in, const HandOptions& options);
 
 /// @throw WrongUsage  both are to come from standard input

@@ -1,14 +1,21 @@
 #include "commands/run.hpp"
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
 
 #include "commands/input.hpp"
 #include "failure.hpp"
 #include "tactile_net/lab/run.hpp"
+#include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/pages/run_page.hpp"
+#include "tactile_net/pages/skin_page.hpp"
 #include "tactile_net/report/json/run_json.hpp"
+#include "tactile_net/report/json/skin_json.hpp"
 #include "tactile_net/report/json/workload_json.hpp"
+#include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
 
@@ -16,8 +23,7 @@ namespace tactile_net::tool {
 namespace {
 
 /// As the options say; who names a circuit wants to see it.
-Scene scene_of(const RunOptions& options, const Streams& streams) {
-  Scene scene = read_scene(options.scene, streams.in);
+Scene scene_of(Scene scene, const RunOptions& options, const Streams& streams) {
   if (options.frame) scene = at_frame(std::move(scene), *options.frame);
   apply(options.network, scene, streams.err);
   auto& methods = scene.reconstruct.methods;
@@ -37,10 +43,31 @@ void explain(const Scene& scene, const RunOptions& options, const Streams& strea
                 progress);
 }
 
-}  // namespace
+/// What a skin's run does not do.
+void refuse_for_skins(const RunOptions& options) {
+  const auto refuse = [](bool given, const char* option, const char* why) {
+    if (given) throw WrongUsage(option, std::string(why) + ", and this scene is of a skin");
+  };
+  refuse(options.explain, "--explain", "counts the work for line arrays");
+  refuse(options.compare_rules, "--compare-rules", "compares rules for line arrays");
+  refuse(options.network.any(), "--realization", "and its like make circuits of line arrays");
+}
 
-void run(const RunOptions& options, const Streams& streams) {
-  const Scene scene = scene_of(options, streams);
+void run(SkinScene scene, const RunOptions& options, const Streams& streams) {
+  refuse_for_skins(options);
+  if (options.frame) scene = at_frame(std::move(scene), *options.frame);
+  Results results(options.results, streams);
+  Progress progress(streams);
+  const lab::SkinExperiment experiment = lab::run(scene, lab::monotonic_time, progress);
+  results.write({.print = [&](std::ostream& out) { report::print_experiment(out, experiment); },
+                 .json = [&] { return report::experiment_json(experiment); },
+                 .page = [&] { return pages::run_page(experiment, streams.command); }},
+                progress);
+  if (!experiment.succeeded()) throw CheckFailed("there is no answer that holds");
+}
+
+void run(Scene line, const RunOptions& options, const Streams& streams) {
+  const Scene scene = scene_of(std::move(line), options, streams);
   if (options.explain) return explain(scene, options, streams);
   const std::unique_ptr<Simulator> simulator = lab::make_simulator(options.simulator);
   Results results(options.results, streams);
@@ -55,6 +82,13 @@ void run(const RunOptions& options, const Streams& streams) {
                  .page = [&] { return pages::run_page(experiment, streams.command); }},
                 progress);
   if (!experiment.succeeded()) throw CheckFailed("not every method has an answer that holds");
+}
+
+}  // namespace
+
+void run(const RunOptions& options, const Streams& streams) {
+  std::visit([&](auto scene) { run(std::move(scene), options, streams); },
+             read_any_scene(options.scene, streams.in));
 }
 
 }  // namespace tactile_net::tool

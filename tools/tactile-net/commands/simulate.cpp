@@ -3,13 +3,21 @@
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
 
+#include "commands/frames_file.hpp"
 #include "commands/input.hpp"
 #include "commands/results.hpp"
 #include "tactile_net/frames/open.hpp"
+#include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/lab/summary.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/csv/skin_csv.hpp"
 #include "tactile_net/report/json/simulate_json.hpp"
+#include "tactile_net/report/json/skin_json.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
 
@@ -47,10 +55,32 @@ class TruthFile {
   std::vector<double> row_;
 };
 
-}  // namespace
+void run(const SkinScene& scene, const SimulateOptions& options, const Streams& streams) {
+  const std::vector<std::string> columns = reading_names(scene.sensor);
+  FramesFile output(options.output, columns, scene.time.has_value(), streams.out);
+  std::optional<FramesFile> truth;
+  if (!options.truth.empty())
+    truth.emplace(options.truth, report::traction_columns(grid(scene), 3), scene.time.has_value(),
+                  streams.out);
+  const auto summary = output_if(options.json, streams);
 
-void run(const SimulateOptions& options, const Streams& streams) {
-  const Scene scene = read_scene(options.scene, streams.in);
+  Progress progress(streams);
+  lab::SkinRecording recording(scene);
+  std::size_t frames = 0;
+  while (recording.next()) {
+    const std::string time = shortest(recording.time());
+    output.add(time, raw_numbers(scene, recording.readings()));
+    if (truth) truth->add(time, recording.truth());
+    ++frames;
+    if (progress.due()) progress.say(std::to_string(frames) + " frames ...");
+  }
+  progress.clear();
+  output.commit();
+  if (truth) truth->commit();
+  if (summary) write(summary.get(), report::simulate_json(scene, frames, columns));
+}
+
+void run(const Scene& scene, const SimulateOptions& options, const Streams& streams) {
   const std::vector<std::string> columns = frames::reading_columns(scene.sensor);
   frames::OutputFile output(options.output, &streams.out);
   const std::unique_ptr<frames::FrameSink> sink =
@@ -77,6 +107,13 @@ void run(const SimulateOptions& options, const Streams& streams) {
   for (const std::string& sentence : report::in_words(recorded))
     streams.err << "note: " << sentence << '\n';
   if (summary) write(summary.get(), report::simulate_json(scene, recorded, columns));
+}
+
+}  // namespace
+
+void run(const SimulateOptions& options, const Streams& streams) {
+  std::visit([&](const auto& scene) { run(scene, options, streams); },
+             read_any_scene(options.scene, streams.in));
 }
 
 }  // namespace tactile_net::tool

@@ -10,12 +10,14 @@
 #include <span>
 #include <system_error>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "commands/input.hpp"
 #include "commands/recording.hpp"
 #include "commands/recording_results.hpp"
 #include "commands/results.hpp"
+#include "commands/solve_skin.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
@@ -177,11 +179,8 @@ InputError with_frames_before(const InputError& error, std::size_t frames,
   return InputError(std::move(diagnostics));
 }
 
-}  // namespace
-
-void run(const SolveOptions& options, const Streams& streams) {
-  check_one_standard_input(options.scene, options.readings);
-  const lab::SceneProblem stated(read_scene(options.scene, streams.in));
+void solve_line(Scene scene, const SolveOptions& options, const Streams& streams) {
+  const lab::SceneProblem stated(std::move(scene));
   const Method method = options.method;
   const lab::SceneProblem problem = with_noise(stated, options);
   const lab::Missing missing = options.missing;
@@ -242,6 +241,15 @@ void run(const SolveOptions& options, const Streams& streams) {
                   .remarks = any ? solved.last.remarks : remarks,
                   .seconds = lab::monotonic_time() - start},
                  remarks, findings);
+}
+
+}  // namespace
+
+void run(const SolveOptions& options, const Streams& streams) {
+  check_one_standard_input(options.scene, options.readings);
+  AnyScene scene = read_any_scene(options.scene, streams.in);
+  if (const auto* skin = std::get_if<SkinScene>(&scene)) return solve_skin(*skin, options, streams);
+  solve_line(std::get<Scene>(std::move(scene)), options, streams);
 }
 
 }  // namespace tactile_net::tool

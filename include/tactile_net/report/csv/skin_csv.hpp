@@ -2,7 +2,9 @@
 /// What `run` has found on a skin, as CSV.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/lab/skin_run.hpp"
@@ -12,5 +14,13 @@ namespace tactile_net::report {
 /// readings.csv, one frame as `solve` takes it, and tractions.csv, a row per cell: y and z of its
 /// middle, the tractions found, their deviations where they are known, and the true ones.
 [[nodiscard]] drawing::Files run_files(const lab::SkinExperiment& experiment);
+
+/// Of every cell, "normal_3_5" of row 3 and column 5, component after component.
+[[nodiscard]] std::vector<std::string> traction_columns(const SkinGrid& grid,
+                                                        std::size_t components);
+
+/// What one frame amounts to, each value with its deviation; NaN where there is none.
+[[nodiscard]] std::vector<std::string> wrench_columns();
+[[nodiscard]] std::vector<double> wrench_values(const lab::SkinAnswer& answer);
 
 }  // namespace tactile_net::report

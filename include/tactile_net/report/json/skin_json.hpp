@@ -2,13 +2,26 @@
 /// What was found on a skin, as JSON.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 
+#include "tactile_net/lab/skin_recording.hpp"
 #include "tactile_net/lab/skin_run.hpp"
 
 namespace tactile_net::report {
 
 /// docs/schemas/skin_run.json
 [[nodiscard]] std::string experiment_json(const lab::SkinExperiment& experiment);
+
+/// A recording of a skin: docs/schemas/simulate.json.
+///
+/// @param columns  of the file of readings
+[[nodiscard]] std::string simulate_json(const SkinScene& scene, std::size_t frames,
+                                        std::span<const std::string> columns);
+
+/// A recording solved: docs/schemas/skin_solve.json. @param readings  the file of readings
+[[nodiscard]] std::string recording_json(const lab::SkinRecordingAnswer& recording,
+                                         const std::string& readings);
 
 }  // namespace tactile_net::report

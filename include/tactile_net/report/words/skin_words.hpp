@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/lab/skin_recording.hpp"
 #include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/report/words/answers.hpp"
 
@@ -25,6 +26,9 @@ namespace tactile_net::report {
 
 /// How hard, how it is dragged, where, how near to slipping, and how far from the truth.
 [[nodiscard]] std::vector<Answer> answers(const lab::SkinExperiment& experiment);
+
+/// The same of a recording: of the frame that presses hardest, and how many can be trusted.
+[[nodiscard]] std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording);
 
 /// What was found beside what is true, as cells of a table: force, drag, centre, torsion.
 [[nodiscard]] std::vector<std::vector<std::string>> found_cells(

@@ -1,0 +1,33 @@
+/// @file
+/// A file of frames, CSV or .npy, written as a whole.
+#pragma once
+
+#include <memory>
+#include <ostream>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "tactile_net/frames/open.hpp"
+
+namespace tactile_net::tool {
+
+class FramesFile {
+ public:
+  /// @throw CannotCreate  as `frames::make_sink`
+  FramesFile(const std::string& path, std::span<const std::string> columns, bool with_time,
+             std::ostream& standard_output)
+      : file_(path, &standard_output), sink_(frames::make_sink(file_, path, columns, with_time)) {}
+
+  void add(std::string_view time, std::span<const double> values) { sink_->add(time, values); }
+  void commit() {
+    sink_->finish();
+    file_.commit();
+  }
+
+ private:
+  frames::OutputFile file_;
+  std::unique_ptr<frames::FrameSink> sink_;
+};
+
+}  // namespace tactile_net::tool
