@@ -52,6 +52,11 @@ class SkinKernel {
                   std::span<const double> y, std::span<const double> z,
                   std::span<double> readings) const noexcept;
 
+  /// What the base adds to a half space's readings from unit point forces, zeros on a half space.
+  /// It changes with the place over lengths of 2 h - depth, h = thickness, and not of the depth.
+  void base_part(SkinQuantity quantity, SkinTraction component, std::span<const double> y,
+                 std::span<const double> z, std::span<double> readings) const noexcept;
+
   /// The largest error of a point load's reading: 1e-13 of 3 / (2 pi depth^2) for stresses, of
   /// (1 + nu) / E times that for strains, of 3 (1 + nu) / (2 pi E depth) for displacements, which
   /// is about what a half space reads on the load's axis. Of a rectangle's as much times its area,
