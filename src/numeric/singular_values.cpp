@@ -1,4 +1,6 @@
 #include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "numeric/decompositions.hpp"
@@ -16,8 +18,13 @@ Svd long_singular_value_decomposition(const Eigen::MatrixXd& a) {
     std::swap(svd.u, svd.v);
     return svd;
   }
-  const HouseholderQr qr(a);
+  // Reflections square entries; a power of two scales them without a rounding.
+  int exponent = 0;
+  std::frexp(a.cwiseAbs().maxCoeff(), &exponent);
+  const double size = std::ldexp(1.0, std::clamp(exponent, -1000, 1000));
+  const HouseholderQr qr(a / size);
   Svd svd = singular_value_decomposition(qr.triangle());
+  svd.values *= size;
   Eigen::MatrixXd u = Eigen::MatrixXd::Zero(a.rows(), a.cols());
   u.topRows(a.cols()) = svd.u;
   svd.u = qr.rotate_back(u);

@@ -73,6 +73,31 @@ void check(const SkinProblem& problem, const Constraints& constraints) {
     throw std::invalid_argument("a friction limit needs the tangential tractions as unknowns");
 }
 
+/// Factors that make numbers of K and of both tractions one size; cones stay cones.
+struct Scales {
+  explicit Scales(const SkinProblem& problem)
+      : kernel(as_eigen(problem.kernel).cwiseAbs().maxCoeff()), drag(problem.tangential_weight) {
+    if (!(kernel > 0.0)) kernel = 1.0;
+  }
+
+  [[nodiscard]] SkinProblem applied(SkinProblem problem) const {
+    const std::size_t cells = problem.grid.count();
+    for (std::size_t row = 0; row < problem.kernel.rows; ++row)
+      for (std::size_t i = 0; i < problem.kernel.columns; ++i)
+        problem.kernel(row, i) /= i < cells ? kernel : kernel * drag;
+    problem.tangential_weight = 1.0;
+    return problem;
+  }
+  [[nodiscard]] Constraints applied(Constraints constraints) const {
+    if (constraints.friction_limit) *constraints.friction_limit *= drag;
+    return constraints;
+  }
+  [[nodiscard]] double applied(double alpha) const { return alpha / kernel / kernel; }
+
+  double kernel;  // its largest entry
+  double drag;    // tangential tractions are multiplied by it
+};
+
 /// The largest eigenvalue of P = K'K + alpha L'L, in coordinates in which it is simple: gamma's
 /// squares where L = 1, by power iteration from what K shows best.
 double largest_eigenvalue(const SkinProblem& problem, double alpha) {
@@ -99,6 +124,10 @@ double largest_eigenvalue(const SkinProblem& problem, double alpha) {
 
 }  // namespace
 
+double constrained_alpha(AlphaRule rule, double alpha) noexcept {
+  return rule == AlphaRule::rgcv || rule == AlphaRule::aicc ? 0.5 * alpha : alpha;
+}
+
 Matrix edges(const SkinProblem& problem, const ConeFace& face) {
   const std::size_t cells = problem.grid.count();
   Matrix map{problem.components * cells, face.free.size(),
@@ -113,8 +142,9 @@ Matrix edges(const SkinProblem& problem, const ConeFace& face) {
 
 /// (P + rho)^-1 in coordinates in which it is 1 + V Gamma^2 V': L'L + rho is diagonal in cosines.
 struct SkinCone::System {
-  System(const SkinProblem& problem, double alpha, const Constraints& limits)
-      : cells(static_cast<Index>(problem.grid.count())),
+  System(const SkinProblem& problem, double alpha, const Constraints& limits, const Scales& made)
+      : scales(made),
+        cells(static_cast<Index>(problem.grid.count())),
         components(problem.components),
         constraints(limits),
         cones(cells, components, limits),
@@ -145,6 +175,7 @@ struct SkinCone::System {
     return waves->spread(image) - rho * x;
   }
 
+  Scales scales;  // of what has been made one size
   Index cells;
   std::size_t components;
   Constraints constraints;
@@ -160,7 +191,9 @@ struct SkinCone::System {
 SkinCone::SkinCone(const SkinProblem& problem, double alpha, const Constraints& constraints) {
   check_alpha(alpha);
   check(problem, constraints);
-  system_ = std::make_unique<const System>(problem, alpha, constraints);
+  const Scales scales(problem);
+  system_ = std::make_unique<const System>(scales.applied(problem), scales.applied(alpha),
+                                           scales.applied(constraints), scales);
 }
 SkinCone::~SkinCone() = default;
 SkinCone::SkinCone(SkinCone&&) noexcept = default;
@@ -216,8 +249,9 @@ SkinConeSolution SkinCone::solve(std::span<const double> readings, std::size_t i
         const double limit = *s.constraints.friction_limit;
         const double y = z(s.cells + i) / (limit * z(i));
         const double t = z(2 * s.cells + i) / (limit * z(i));
-        const double length = std::hypot(1.0, limit);
-        add(1.0 / length, limit / length * y, limit / length * t);
+        const double slope = limit / s.scales.drag;
+        const double length = std::hypot(1.0, slope);
+        add(1.0 / length, slope / length * y, slope / length * t);
         add(0.0, -t, y);
         return;
       }
@@ -230,7 +264,8 @@ SkinConeSolution SkinCone::solve(std::span<const double> readings, std::size_t i
   } else {
     solution.apart = static_cast<std::size_t>(s.cells);
   }
-  z *= scale;
+  z *= scale / s.scales.kernel;
+  if (s.components == 3) z.tail(2 * s.cells) /= s.scales.drag;
   if (!z.allFinite()) return {.status = FrameStatus::too_large};
   solution.tractions.assign(z.begin(), z.end());
   return solution;

@@ -109,8 +109,9 @@ double force_share(DiscProfile profile, std::span<const SurfaceVector> corners) 
 
 SurfaceVector dome_moment(std::span<const SurfaceVector> corners) noexcept {
   // Green's theorem: u k and v k are the derivatives of -k^3 / 3.
-  return {-sum_over(corners, [](const Side& s) { return s.along.z * dome_along(s); }) / 3.0,
-          sum_over(corners, [](const Side& s) { return s.along.y * dome_along(s); }) / 3.0};
+  constexpr double scale = 0.5 / pi;
+  return {-sum_over(corners, [](const Side& s) { return s.along.z * dome_along(s); }) * scale,
+          sum_over(corners, [](const Side& s) { return s.along.y * dome_along(s); }) * scale};
 }
 
 }  // namespace tactile_net

@@ -15,7 +15,8 @@ namespace tactile_net {
 [[nodiscard]] double force_share(DiscProfile profile,
                                  std::span<const SurfaceVector> corners) noexcept;
 
-/// The integrals of u sqrt(1 - s^2) and v sqrt(1 - s^2) over the part of the polygon in the disc.
+/// The integrals of u f and v f over the polygon, f = 3 / (2 pi) sqrt(1 - s^2) the sphere's
+/// traction.
 [[nodiscard]] SurfaceVector dome_moment(std::span<const SurfaceVector> corners) noexcept;
 
 }  // namespace tactile_net

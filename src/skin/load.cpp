@@ -101,12 +101,10 @@ void add_means(const LoadPart& part, const SkinGrid& grid, std::span<double> mea
                   means[k * grid.count() + cell] +=
                       share * part.force[k] / grid.spacing_y / grid.spacing_z;
                 if (part.torsion == 0.0) return;
-                // The integral over the cell is a b times that over (u, v).
                 const auto [u, v] = dome_moment(corners);
                 const SurfaceVector twist = part.twist(u, v);
-                const double area = part.a / grid.spacing_y * (part.b / grid.spacing_z);
-                means[grid.count() + cell] += area * twist.y;
-                means[2 * grid.count() + cell] += area * twist.z;
+                means[grid.count() + cell] += twist.y / grid.spacing_y / grid.spacing_z;
+                means[2 * grid.count() + cell] += twist.z / grid.spacing_y / grid.spacing_z;
               });
 }
 

@@ -53,27 +53,22 @@ SurfaceVector LoadPart::from_middle(double u, double v) const noexcept {
   return {cosine_ * (a * u) - sine_ * (b * v), sine_ * (a * u) + cosine_ * (b * v)};
 }
 
-/// c (-r_z, r_y); the torsion is c a b (a^2 + b^2) times the integral of u^2 sqrt(1 - s^2) over
-/// the disc, 2 pi / 15.
+/// Across the way r from the middle, and as long: its torsion is that of 3 / (2 pi a b) sqrt(1 -
+/// s^2) over the ellipse, (a^2 + b^2) / 5 a length squared.
 SurfaceVector LoadPart::twist(double u, double v) const noexcept {
-  const double square = a / b + b / a;  // (a^2 + b^2) / (a b)
-  const double c = 7.5 * torsion / pi / square / a / b;
+  const double per_length = 5.0 * torsion / (a / b + b / a);
   const SurfaceVector r = from_middle(u, v);
-  return {-(c * (r.z / a) / b), c * (r.y / a) / b};
+  return {-(per_length * (r.z / a) / b), per_length * (r.y / a) / b};
 }
 
 double LoadPart::traction(SkinTraction component, double at_y, double at_z) const noexcept {
   const auto [u, v] = inside(at_y, at_z);
   const double s = std::hypot(u, v);
   if (!(s <= 1.0)) return 0.0;
-  const double own = force[static_cast<std::size_t>(component)];
-  double sum = own == 0.0 ? 0.0 : tactile_net::traction(Disc{profile, 1.0, own}, s) / a / b;
-  if (torsion != 0.0 && component != SkinTraction::normal) {
-    const SurfaceVector around = twist(u, v);
-    sum += std::sqrt((1.0 - s) * (1.0 + s)) *
-           (component == SkinTraction::tangential_y ? around.y : around.z);
-  }
-  return sum;
+  double own = force[static_cast<std::size_t>(component)];
+  if (torsion != 0.0 && component != SkinTraction::normal)
+    own = component == SkinTraction::tangential_y ? twist(u, v).y : twist(u, v).z;
+  return own == 0.0 ? 0.0 : tactile_net::traction(Disc{profile, 1.0, own}, s) / a / b;
 }
 
 SkinWrench LoadPart::resultant() const noexcept {

@@ -16,9 +16,9 @@ struct SurfaceVector {
   double z = 0.0;
 };
 
-/// Tractions force * profile, and around the middle those of a twist, on the ellipse with the half
-/// axes a (turned by `angle` from y towards z) and b. In the ellipse's own coordinates, (u, v), it
-/// is the unit disc: profile = its disc's traction at s = |(u, v)|, over a b.
+/// Tractions force * profile on the ellipse with the half axes a (turned from y towards z) and b.
+/// In the ellipse's own coordinates, (u, v), it is the unit disc: profile = a unit force's traction
+/// on that disc, over a b. A twist has a force that turns around the middle, in place of one.
 class LoadPart {
  public:
   LoadPart(DiscProfile profile, const SkinContact& contact, double scale,
@@ -32,7 +32,7 @@ class LoadPart {
   [[nodiscard]] SurfaceVector inside(double y, double z) const noexcept;
   /// The place of (u, v), from the middle [m].
   [[nodiscard]] SurfaceVector from_middle(double u, double v) const noexcept;
-  /// The traction of the twist at (u, v), over sqrt(1 - s^2) [Pa].
+  /// The force of the twist at (u, v) [N].
   [[nodiscard]] SurfaceVector twist(double u, double v) const noexcept;
 
   DiscProfile profile;

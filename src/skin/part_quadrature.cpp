@@ -16,8 +16,8 @@ constexpr std::size_t first_angles = 8;
 constexpr std::size_t most_levels = 16;                    // 8 * 2^15 angles
 constexpr std::size_t most_points = std::size_t{1} << 26;  // for one taxel and part
 constexpr int most_halvings = 24;
-constexpr double ring_share = 1.0 / 32.0;   // of the tolerance, for a ring's mean
-constexpr double panel_share = 1.0 / 32.0;  // and for a panel
+constexpr double ring_share = 1.0 / 32.0;   // of the tolerance, for the rings of a panel
+constexpr double panel_share = 1.0 / 32.0;  // and for the panel
 
 /// A point of the way from the middle to the rim: s, and the weight of its ring's mean in the
 /// integral, per dt.
@@ -102,7 +102,7 @@ void PartQuadrature::add_ring_points(const Taxel& taxel, double s, std::size_t l
   const std::vector<SurfaceVector>& own = angles_[level];
   const std::size_t count = own.size();
   points_ += count;
-  for (auto* buffer : {&y_, &z_, &values_, &weighted_}) buffer->resize(count);
+  for (auto* buffer : {&y_, &z_, &values_}) buffer->resize(count);
   if (twists) twist_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto [y, z] = part.from_middle(s * own[i].y, s * own[i].z);
@@ -123,12 +123,11 @@ void PartQuadrature::add_ring_points(const Taxel& taxel, double s, std::size_t l
               values_[i] * (component == SkinTraction::tangential_y ? twist_[i].y : twist_[i].z);
       else
         for (const double value : values_) own_sum += value;
-      // A twist's traction is over the dome's root: 2 pi a b / 3 of the sphere's weights.
-      sum[q] += own_sum * (twists ? 2.0 * pi / 3.0 * part.a * part.b : force);
+      sum[q] += twists ? own_sum : own_sum * force;
     }
 }
 
-void PartQuadrature::ring(const Taxel& taxel, double s, Values& mean) {
+void PartQuadrature::ring(const Taxel& taxel, double s, double share, Values& mean) {
   const LoadPart& part = taxel.part;
   // Angles no further apart than the kernel is wide, so that none of it can be missed.
   const double nearest = std::hypot(length_, std::min(part.a, part.b) * std::abs(s - taxel.s));
@@ -152,7 +151,7 @@ void PartQuadrature::ring(const Taxel& taxel, double s, Values& mean) {
     before = mean;
     refine();
     mean = means();
-    if (taxel.agree(before, mean, ring_share)) return;
+    if (taxel.agree(before, mean, share)) return;
     if (level + 1 == most_levels || points_ > most_points) {
       converged_ = false;
       return;
@@ -173,7 +172,7 @@ void PartQuadrature::panel(const Taxel& taxel, double from, double to, int halvi
       const auto [s, weight] =
           ring_at(taxel.part.profile, centre + sign * half * Kronrod::abscissa()[i]);
       Values mean;
-      ring(taxel, s, mean);
+      ring(taxel, s, ring_share / (weight * (to - from)), mean);
       for (std::size_t q = 0; q < taxel.quantities.size(); ++q) {
         fine[q] += half * weight * mean[q] * Kronrod::weights()[i];
         if (i % 2 == 1) coarse[q] += half * weight * mean[q] * Gauss::weights()[i / 2];

@@ -42,14 +42,14 @@ class PartQuadrature {
   using Values = std::array<double, most>;
   struct Taxel;
 
-  void ring(const Taxel& taxel, double s, Values& mean);
+  void ring(const Taxel& taxel, double s, double share, Values& mean);
   void add_ring_points(const Taxel& taxel, double s, std::size_t level, Values& sum);
   void panel(const Taxel& taxel, double from, double to, int halvings, Values& sum);
 
   PointLoads kernel_;
   double length_;
   std::vector<std::vector<SurfaceVector>> angles_;  // of a level those that the ones before lack
-  std::vector<double> y_, z_, values_, weighted_;   // of a ring's points
+  std::vector<double> y_, z_, values_;              // of a ring's points
   std::vector<SurfaceVector> twist_;
   std::size_t points_ = 0;  // of this taxel, so far
   bool converged_ = true;

@@ -11,88 +11,27 @@
 
 #include "inverse/checks.hpp"
 #include "numeric/eigen.hpp"
+#include "skin/cell_kernel.hpp"
 #include "skin/coordinates.hpp"
-#include "tactile_net/elasticity/space/skin_kernel.hpp"
 
 namespace tactile_net {
 namespace {
 
-/// What cells of a grid cause at places of one depth.
-class CellKernel {
- public:
-  CellKernel(const Material& material, double depth, const SkinGrid& grid)
-      : kernel_(material, depth), grid_(grid), depth_(depth) {}
-
-  /// [reading per Pa] of the cell's traction, at each (y, z) from its middle.
-  void operator()(SkinQuantity quantity, SkinTraction component, std::span<const double> y,
-                  std::span<const double> z, std::span<double> readings) const {
-    if (grid_.rectangles) {
-      kernel_(quantity, component, Rectangle{grid_.spacing_y, grid_.spacing_z}, y, z, readings);
-      return;
-    }
-    kernel_(quantity, component, y, z, readings);
-    for (double& reading : readings) reading *= grid_.area();
-  }
-
-  [[nodiscard]] double error_bound(SkinQuantity quantity) const noexcept {
-    const double area = grid_.rectangles ? std::min(grid_.area(), depth_ * depth_) : grid_.area();
-    return kernel_.error_bound(quantity) * area;
-  }
-
- private:
-  SkinKernel kernel_;
-  const SkinGrid& grid_;
-  double depth_;
-};
-
-/// The kernels of an array, made once for each depth.
-class CellKernels {
- public:
-  CellKernels(const Material& material, const SkinGrid& grid) : material_(material), grid_(grid) {}
-
-  const CellKernel& operator()(double depth) {
-    return made_.try_emplace(depth, material_, depth, grid_).first->second;
-  }
-
- private:
-  const Material& material_;
-  const SkinGrid& grid_;
-  std::map<double, CellKernel> made_{};
-};
-
-/// Of an even lattice, which lies on the grid's: readings at all distances of one quadrant, each
-/// taken as often as it occurs.
+/// Of taxels on the grid's lattice.
 void add_lattice(const SkinArray& skin, CellKernels& kernels, SkinProblem& problem) {
   const SkinGrid& grid = problem.grid;
-  const std::size_t cells = grid.count();
-  std::vector<double> y(cells), z(cells), table(cells);
-  for (std::size_t i = 0; i < cells; ++i) {
-    y[i] = static_cast<double>(i / grid.columns) * grid.spacing_y;
-    z[i] = static_cast<double>(i % grid.columns) * grid.spacing_z;
-  }
-  for (const SkinChannel& channel : channels(skin)) {
-    const CellKernel& kernel = kernels(channel.depth);
+  for (const SkinChannel& channel : channels(skin))
     for (std::size_t u = 0; u < problem.components; ++u) {
-      const SkinTraction component = skin_tractions[u];
-      kernel(channel.quantity, component, y, z, table);
-      const double sign_y = is_odd(channel.quantity, component, Axis::y) ? -1.0 : 1.0;
-      const double sign_z = is_odd(channel.quantity, component, Axis::z) ? -1.0 : 1.0;
+      const LatticeKernel kernel(kernels(channel.depth), channel.quantity, skin_tractions[u], grid);
       for (std::size_t i = 0; i < channel.count; ++i) {
         const std::size_t row = channel.first + i;
-        const std::size_t at_y = grid.margin_rows + i / skin.columns * grid.stride_rows;
-        const std::size_t at_z = grid.margin_columns + i % skin.columns * grid.stride_columns;
-        double* entry = &problem.kernel(row, u * cells);
-        for (std::size_t m = 0; m < grid.rows; ++m) {
-          const bool before_y = at_y < m;
-          const double* quadrant = &table[(before_y ? m - at_y : at_y - m) * grid.columns];
-          const double weight = problem.weights[row] * (before_y ? sign_y : 1.0);
+        const auto [at_row, at_column] = cell_of(skin, grid, i);
+        double* entry = &problem.kernel(row, u * grid.count());
+        for (std::size_t m = 0; m < grid.rows; ++m)
           for (std::size_t n = 0; n < grid.columns; ++n)
-            *entry++ =
-                at_z < n ? weight * sign_z * quadrant[n - at_z] : weight * quadrant[at_z - n];
-        }
+            *entry++ = problem.weights[row] * kernel(at_row, at_column, m, n);
       }
     }
-  }
 }
 
 /// Of taxels anywhere: entry by entry.
@@ -205,7 +144,7 @@ SkinProblem make_problem(const SkinArray& skin, const Material& material,
               " unknown tractions are more than a dense solver takes: choose a wider spacing");
   problem.kernel = Matrix{rows, columns, std::vector<double>(rows * columns)};
   CellKernels kernels(material, problem.grid);
-  if (is_even(skin))
+  if (is_lattice(skin, problem.grid))
     add_lattice(skin, kernels, problem);
   else
     add_places(kernels, problem);

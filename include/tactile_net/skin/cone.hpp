@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
@@ -49,6 +50,11 @@ struct SkinConeSolution {
   std::size_t sticking = 0;  ///< inside; without a limit all that touch
   ConeFace face{};
 };
+
+/// The alpha for tractions that obey constraints, where a rule chose one without: what pulls and
+/// what slips need no smoothing away any more. Half of that of rgcv and aicc, and of the others as
+/// it is; measured in docs/internals/skin.md.
+[[nodiscard]] double constrained_alpha(AlphaRule rule, double alpha) noexcept;
 
 class SkinCone {
  public:

@@ -1,0 +1,120 @@
+/// @file
+/// Before any reading: which tractions can a skin tell apart?
+///
+/// First wave by wave, by the kernels' exact transforms: three tractions p, q_L along the wave and
+/// q_T across it, whose field is the curl of q. Some readings never see a combination, at any
+/// number of depths. Then the finite array: what only its ends decide is known badly, however well
+/// it looks.
+///
+///     const SkinObservability told = observability(skin, silicone, options);
+///     told.hidden[0].curl                  // the curl of q is seen by no depth of stress_x
+///     told.finite.boundary_only            // combinations that only the ends of the array decide
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/skin/array.hpp"
+#include "tactile_net/skin/problem.hpp"
+
+namespace tactile_net {
+
+/// What ripples exp(i (k_y y + k_z z)) of p, q_y and q_z cause in each channel, each row divided by
+/// its noise: channels x components, row-major [weighted reading per Pa]. Of uneven skins a row for
+/// each quantity and depth, as if each taxel were a share of one of them everywhere.
+///
+/// @param options  `components` and `channel_rms` are read
+/// @throw std::invalid_argument  as `make_problem`
+[[nodiscard]] std::vector<std::complex<double>> skin_symbol(const SkinArray& skin,
+                                                            const Material& material,
+                                                            const SkinProblemOptions& options,
+                                                            double wavenumber_y,
+                                                            double wavenumber_z);
+
+/// How well one wave's tractions are told apart.
+struct WaveSight {
+  std::vector<double> singular_values{};  ///< one a component, descending [weighted reading per Pa]
+  std::size_t rank = 0;                   ///< those above 1e-10 of the largest
+  double condition = 1.0;                 ///< largest over smallest; infinite below full rank
+};
+/// @throw std::invalid_argument  as `make_problem`
+[[nodiscard]] WaveSight wave_sight(const SkinArray& skin, const Material& material,
+                                   const SkinProblemOptions& options, double wavenumber_y,
+                                   double wavenumber_z);
+
+/// Of which waves something is said.
+enum class WaveDirection { any, along_y, along_z, diagonal, mean };
+
+/// "any", "along_y", "along_z", "diagonal", "mean".
+[[nodiscard]] std::string_view name(WaveDirection direction) noexcept;
+
+/// What no reading shows of waves in a direction, whatever their length. Of the mean, `divergence`
+/// is q_y and `curl` q_z.
+struct HiddenWaves {
+  WaveDirection direction = WaveDirection::any;
+  bool normal = false;      ///< p
+  bool divergence = false;  ///< q_L, along the wave
+  bool curl = false;        ///< q_T, across it
+  std::size_t mixed = 0;    ///< combinations of several of them, besides
+  [[nodiscard]] std::size_t count() const noexcept {
+    return static_cast<std::size_t>(normal) + static_cast<std::size_t>(divergence) +
+           static_cast<std::size_t>(curl) + mixed;
+  }
+};
+
+/// Cells at the taxels, without a margin: as many unknowns as places, times components.
+struct FiniteSight {
+  std::size_t tractions = 0;
+  /// Singular values of W K up to the larger of max(rows, columns) eps |W K| and the kernel's
+  /// error.
+  std::size_t hidden = 0;
+  double condition = 1.0;  ///< of the others: largest over smallest
+  /// What the lattice without ends would hide, summed over its waves, and what of it shows in the
+  /// finite array: by its ends alone.
+  std::size_t hidden_waves = 0;
+  std::size_t boundary_only = 0;
+};
+
+struct SkinObservability {
+  std::vector<HiddenWaves> hidden{};    ///< any direction first; others where they hide more
+  std::optional<FiniteSight> finite{};  ///< of even lattices
+};
+
+/// Some 40 small decompositions; of an even lattice one for each wave, and one of W K.
+/// @throw std::invalid_argument  as `make_problem`
+[[nodiscard]] SkinObservability observability(const SkinArray& skin, const Material& material,
+                                              const SkinProblemOptions& options);
+
+/// How well a ripple of each traction is known from one frame of the whole array.
+struct SkinResolution {
+  double wavenumber_y = 0.0;  ///< [1/m]
+  double wavenumber_z = 0.0;
+  /// Standard deviation of the ripples' amplitudes p, q_y, q_z [Pa] per unit of weighted noise;
+  /// infinite: not seen.
+  std::array<double, 3> deviations{};
+
+  /// [m]; infinite: the mean.
+  [[nodiscard]] double wavelength() const noexcept;
+};
+
+/// For the waves of a lattice without ends of as many rows and columns, half of them (the other
+/// half is the same by symmetry), the mean first, then row after row. As `resolutions` of
+/// inverse/resolution.hpp; dead taxels are not considered.
+///
+/// @throw std::invalid_argument  as `make_problem`
+[[nodiscard]] std::vector<SkinResolution> skin_resolutions(const SkinArray& skin,
+                                                           const Material& material,
+                                                           const SkinProblemOptions& options);
+
+/// The shortest wavelength such that it and every longer one, the mean aside, has at most `limit`
+/// [Pa per unit of weighted noise] in `component`; absent: none.
+[[nodiscard]] std::optional<double> resolvable_wavelength(std::span<const SkinResolution> all,
+                                                          SkinTraction component, double limit);
+
+}  // namespace tactile_net
