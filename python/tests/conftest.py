@@ -18,7 +18,7 @@ import tactile_net as tn
 
 PROJECT = Path(__file__).resolve().parents[2]
 SCENES = sorted(
-    path for path in (PROJECT / "scenes").rglob("*.toml") if path.parent.name not in ("hands", "sweeps") and path.name != "hand.toml"
+    path for path in (PROJECT / "scenes").rglob("*.toml") if path.parent.name not in ("hands", "skins", "sweeps") and not path.name.startswith(("hand.", "skin-")) and path.name != "hand.toml"
 )
 
 settings.register_profile("suite", deadline=None, derandomize=True, max_examples=60)

@@ -28,7 +28,9 @@ ChosenAlpha alpha_of(const SkinSceneProblem& problem, const FilterFrame& frame) 
   if (const auto& given = problem.scene().reconstruct.alpha) return {.value = *given};
   const AlphaChoice choice = choose_alone(frame, problem.alpha_tables(frame),
                                           problem.alpha_rule(frame), problem.stated_noise());
-  return {.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
+  const double alpha =
+      problem.constraints() ? constrained_alpha(choice.rule, choice.alpha) : choice.alpha;
+  return {.value = alpha, .rule = choice.rule, .verdict = choice.verdict};
 }
 
 void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame,

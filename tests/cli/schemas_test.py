@@ -111,12 +111,17 @@ recorded = scenes / "recorded"
 with tempfile.TemporaryDirectory() as place:
     place = pathlib.Path(place)
     for scene in sorted(scenes.rglob("*.toml")):
-        if scene.parent.name not in ("recorded", "hands", "sweeps"):
+        if scene.parent.name not in ("recorded", "hands", "skins", "sweeps"):
             check("explain", written("run", scene, "--explain"), scene)
     # Of each: another circuit, other effects, two channels, a scene over time, a method without an answer.
     for name in ("nic", "edge-of-array", "dragged", "two-strains", "effects/everything", "effects/sliding",
                  "circuits/rail", "thesis/example-3.2"):
         check("run", written("run", scenes / f"{name}.toml"), name)
+    for name in ("sphere", "pressure-pad"):  # three tractions, and one
+        check("skin_run", written("run", scenes / "skins" / f"{name}.toml"), name)
+    pad = (recorded / "skin-pad-uneven.toml", "--readings", recorded / "skin-pad-uneven.csv")
+    subprocess.run([tool, "solve", *pad, "-q", "-o", place / "f.csv", "--json", place / "s"], check=True)
+    check("skin_solve", (place / "s").read_text(), "a skin's recording")
     for name in ("fingertip", "two-strains", "dragged-two-depths"):
         check("identify", written("identify", scenes / f"{name}.toml"), name)
     for name in ("nic", "circuits/crossbar", "circuits/least-squares"):
@@ -125,7 +130,7 @@ with tempfile.TemporaryDirectory() as place:
         check("relax", written("relax", scenes / f"{name}.toml"), name)
     subprocess.run([tool, "gen", scenes / "nic.toml", "-o", place / "nic.cir"], check=True)
     check("deck", written("relax", place / "nic.cir"), "a deck")
-    for name in ("fingertip", "effects/sliding"):
+    for name in ("fingertip", "effects/sliding", "skins/row"):
         subprocess.run([tool, "simulate", scenes / f"{name}.toml", "-q", "-o", place / "g.csv", "--json", place / "s"],
                        check=True)
         check("simulate", (place / "s").read_text(), name)

@@ -1,0 +1,117 @@
+// A skin's scene from contacts to tractions and back.
+#include "tactile_net/lab/skin_run.hpp"
+
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tactile_net/lab/skin_recording.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+SkinScene skin(const std::string& more = "") {
+  const std::string toml =
+      "[sensor]\nrows = 7\ncolumns = 6\npitch = 1.0\ndepth = 1.0\n"
+      "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
+      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+      "[[contact]]\nshape = \"sphere\"\nplace = [0.3, -0.2]\nradius = 1.5\nforce = 1.0\n"
+      "friction = 0.4\ndirection = 30.0\n[noise]\nrms = 1e-4\n";
+  return std::get<SkinScene>(parse_any_scene(toml + more, "skin.toml"));
+}
+
+}  // namespace
+
+TEST_CASE("what was found is the truth within its own deviations", "[lab][skin]") {
+  const lab::SkinExperiment experiment = lab::run(skin());
+  REQUIRE(experiment.answer);
+  const UncertainWrench& found = experiment.answer->wrench;
+  const SkinWrench& exact = experiment.frame.wrench;
+  CHECK_THAT(exact.force[0], WithinRel(1.0, 1e-12));
+  const auto near = [](const Uncertain& one, double value, double scale) {
+    CAPTURE(one.value, one.deviation, value);
+    CHECK(std::abs(one.value - value) < 4.0 * one.deviation + 0.03 * scale);
+  };
+  near(found.normal, exact.force[0], 1.0);
+  near(*found.tangential_y, exact.force[1], 1.0);
+  near(*found.tangential_z, exact.force[2], 1.0);
+  near(*found.centre_y, 0.3, 1.0);
+  near(*found.centre_z, -0.2, 1.0);
+  CHECK(experiment.relative[0] < 0.3);
+  CHECK(experiment.answer->contacts == 1);
+}
+
+TEST_CASE("under a friction limit every cell obeys it", "[lab][skin]") {
+  const double limit = 0.5;
+  const lab::SkinExperiment experiment = lab::run(skin("[reconstruct]\nfriction_limit = 0.5\n"));
+  REQUIRE(experiment.answer);
+  const auto of = [&](SkinTraction which) {
+    return lab::component(experiment.answer->tractions, experiment.grid, which);
+  };
+  const auto p = of(SkinTraction::normal);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    CHECK(p[i] >= 0.0);
+    CHECK(std::hypot(of(SkinTraction::tangential_y)[i], of(SkinTraction::tangential_z)[i]) <=
+          limit * p[i] * (1.0 + 1e-12) + 1e-15);
+  }
+  REQUIRE(experiment.answer->cone);
+  CHECK(experiment.answer->cone->residual < 1e-5);
+}
+
+TEST_CASE("without contacts nothing is found that is larger than its deviation", "[lab][skin]") {
+  SkinScene scene = skin();
+  scene.contacts.clear();
+  scene.trajectories.clear();
+  const lab::SkinExperiment experiment = lab::run(scene);
+  REQUIRE(experiment.answer);
+  CHECK(experiment.answer->cells.empty());
+  CHECK(experiment.frame.remarks.size() == 1);
+}
+
+TEST_CASE("equal scenes give equal bytes, and each frame noise of its own", "[lab][skin]") {
+  SkinScene scene = skin();
+  scene.time = Timing{.rate = 1.0, .frames = 2};
+  lab::SkinRecording once(scene);
+  lab::SkinRecording again(scene);
+  scene.frame = 1;
+  lab::SkinRecording both(scene);
+  REQUIRE(once.next());
+  REQUIRE(again.next());
+  REQUIRE(both.next());
+  const std::vector first(both.readings().begin(), both.readings().end());
+  CHECK(std::vector(once.readings().begin(), once.readings().end()) == first);
+  CHECK(std::vector(again.readings().begin(), again.readings().end()) == first);
+  REQUIRE(both.next());
+  CHECK(std::vector(both.readings().begin(), both.readings().end()) != first);
+  CHECK_FALSE(both.next());
+}
+
+TEST_CASE("dead taxels read zero, and are not believed", "[lab][skin]") {
+  SkinScene scene = skin("[dead_taxels]\nindices = [20, 21]\n");
+  const lab::SkinExperiment experiment = lab::run(scene);
+  REQUIRE(experiment.answer);
+  for (std::size_t i = 0; const SkinSite& site : sites(scene.sensor)) {
+    if (site.taxel == 20) CHECK(experiment.frame.readings[i] == 0.0);
+    ++i;
+  }
+  CHECK_THAT(experiment.answer->wrench.normal.value, WithinAbs(1.0, 0.05));
+}
+
+TEST_CASE("a recording keeps the frame that presses hardest", "[lab][skin]") {
+  const SkinScene scene = skin();
+  const lab::SkinSceneProblem problem(scene);
+  std::vector<double> readings = lab::simulate(scene).readings;
+  lab::SkinRecordingAnswer recording{.scene = scene, .grid = problem.grid()};
+  for (const double share : {0.5, 1.0, 0.7}) {
+    std::vector<double> part = readings;
+    for (double& reading : part) reading *= share;
+    recording.add("", part, solve(problem, part));
+  }
+  CHECK(recording.frames.size() == 3);
+  CHECK(recording.hardest == 1);
+  CHECK(recording.readings == readings);
+}
