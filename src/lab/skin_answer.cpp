@@ -45,36 +45,81 @@ void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFram
     answer.remarks.emplace_back(remark::Unexplained{left / all});
   }
   if (answer.noise.model_rms > 0.0)
-    answer.remarks.emplace_back(
-        remark::ModelError{.times = answer.noise.model_rms / *answer.noise.stated_rms});
+    answer.remarks.emplace_back(remark::ModelError{
+        .times = answer.noise.model_rms / *answer.noise.stated_rms, .held = true});
 }
 
-/// Of the prior that sizes the bands: gml's alpha, or where it has no verdict the tractions' own.
-double prior_of(const SkinSceneProblem& problem, const FilterFrame& frame, double alpha) {
-  const bool known = problem.alpha_rule(frame) == AlphaRule::evidence;
-  const AlphaChoice prior =
-      choose_alone(frame, problem.alpha_tables(frame), known ? AlphaRule::evidence : AlphaRule::gml,
-                   problem.stated_noise());
-  return prior.verdict == AlphaVerdict::ok ? prior.alpha : alpha;
+/// Of the prior that sizes the bands: gml's alpha, or where that has no verdict the tractions' own.
+AlphaChoice prior_of(const FilterFrame& frame, AlphaRule rule, double alpha,
+                     std::optional<double> stated) {
+  AlphaChoice prior = choose_alone(
+      frame, rule == AlphaRule::evidence ? AlphaRule::evidence : AlphaRule::gml, stated);
+  if (prior.verdict != AlphaVerdict::ok) prior.alpha = alpha;
+  return prior;
 }
 
-/// Bands, the cells that touch, and what the tractions amount to. Under constraints the bands are
-/// those of what the readings say without them: they hold what the constraints have moved.
-void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame) {
+/// Whether all cells together press for certain, though no single one may: cells that are narrow
+/// for their depth share what is told of them. Under constraints noise can only push: of it the sum
+/// is some deviations, and not as many as are asked for.
+bool presses(const SkinGrid& grid, std::span<const double> tractions, const Covariance& covariance,
+             double rms) {
+  constexpr double certain = 8.0;  // deviations
+  std::vector<std::size_t> all(grid.count());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const Uncertain force = resultant_of(grid, tractions, all, covariance, rms).normal;
+  return force.value > certain * force.deviation;
+}
+
+/// Makes deviations small enough for the highest pressure to be certain.
+void scale_to_peak(std::vector<double>& deviations, std::span<const double> pressure) {
+  const auto peak = static_cast<std::size_t>(std::max_element(pressure.begin(), pressure.end()) -
+                                             pressure.begin());
+  const double certain = 0.2 * pressure[peak];
+  if (!(deviations[peak] > certain)) return;
+  const double factor = certain / deviations[peak];
+  for (double& deviation : deviations) deviation *= factor;
+}
+
+/// Bands, the cells that touch, and what the tractions amount to. Under constraints the contacts
+/// are judged by what these leave free; the bands of cells are those without constraints, which
+/// hold what the constraints have moved.
+void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame,
+               std::span<const double> readings) {
   const SkinGrid& grid = problem.grid();
   const double alpha = answer.alpha.value;
-  const double rms = answer.noise.rms();
-  const SkinCovariance covariance(problem.family(), alpha, prior_of(problem, frame, alpha));
-  answer.deviations = covariance.deviations();
+  // An error of the model counts for noise.
+  const double rms = answer.noise.model_rms > 0.0 ? answer.noise.residual_rms : answer.noise.rms();
+  const AlphaRule rule = problem.alpha_rule(frame);
+  const SkinCovariance own(problem.family(), alpha,
+                           prior_of(frame, rule, alpha, problem.stated_noise()).alpha);
+  answer.deviations = own.deviations();
   for (double& deviation : answer.deviations) deviation *= rms;
+
+  std::optional<SkinCovariance> of_face;
+  std::vector<double> touching = answer.deviations;
+  if (answer.cone) {
+    if (answer.cone->face.free.empty()) return;
+    const SkinFamily family(problem.problem(), answer.cone->face);
+    of_face.emplace(family, alpha,
+                    prior_of(family.analyse(readings), rule, alpha, problem.stated_noise()).alpha);
+    touching = of_face->deviations();
+    for (double& deviation : touching) deviation *= rms;
+  }
+  const Covariance& covariance = of_face ? *of_face : own;
   const std::span<const double> f = answer.tractions;
-  answer.cells = contact_cells(grid, f, answer.deviations, least_depth(problem.scene().sensor));
+  const double rim = 0.5 * least_depth(problem.scene().sensor);
+  answer.cells = contact_cells(grid, f, touching, rim);
+  if (answer.cells.empty() && presses(grid, f, covariance, rms)) {
+    scale_to_peak(touching, f.first(grid.count()));
+    answer.cells = contact_cells(grid, f, touching, rim);
+  }
+  if (answer.cells.empty()) return;
   answer.wrench = resultant_of(grid, f, answer.cells, covariance, rms);
   answer.friction = friction_of(grid, f, answer.cells, covariance, rms,
                                 problem.scene().reconstruct.friction_limit);
   const auto apart = separate_contacts(grid, f, answer.cells);
   answer.contacts = apart.size();
-  if (!apart.empty()) answer.ellipse = contact_ellipse(grid, f, apart.front(), covariance, rms);
+  answer.ellipse = contact_ellipse(grid, f, apart.front(), covariance, rms);
 }
 
 }  // namespace
@@ -104,7 +149,7 @@ SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readin
     answer.tractions = problem.family().solve(frame, answer.alpha.value);
   }
   judge(answer, problem, frame, readings);
-  add_bands(answer, problem, frame);
+  add_bands(answer, problem, frame, readings);
   return answer;
 }
 

@@ -3,6 +3,36 @@
 #include <utility>
 
 namespace tactile_net::lab {
+namespace {
+
+void show(SkinRecordingAnswer& recording, const SkinAnswer& found) {
+  const auto& frames = recording.frames;
+  auto& shown = recording.shown;
+  std::size_t& per_shown = recording.per_shown;
+  const auto harder = [&](std::size_t a, std::size_t b) {
+    return frames[a].wrench.normal.value > frames[b].wrench.normal.value;
+  };
+  const std::size_t frame = frames.size() - 1;
+  if (shown.empty() || shown.back().count == per_shown) {
+    shown.push_back({frame, 1, found.tractions, found.cells});
+  } else {
+    const std::size_t count = shown.back().count + 1;
+    if (harder(frame, shown.back().frame))
+      shown.back() = {frame, count, found.tractions, found.cells};
+    shown.back().count = count;
+  }
+  if (shown.size() < SkinRecordingAnswer::most_shown || shown.back().count < per_shown) return;
+  std::vector<SkinRecordingAnswer::Shown> merged;
+  for (std::size_t i = 0; i + 1 < shown.size(); i += 2) {
+    const std::size_t count = shown[i].count + shown[i + 1].count;
+    merged.push_back(std::move(shown[harder(shown[i + 1].frame, shown[i].frame) ? i + 1 : i]));
+    merged.back().count = count;
+  }
+  shown = std::move(merged);
+  per_shown *= 2;
+}
+
+}  // namespace
 
 void SkinRecordingAnswer::add(std::string time, std::span<const double> frame_readings,
                               const SkinAnswer& found) {
@@ -12,6 +42,7 @@ void SkinRecordingAnswer::add(std::string time, std::span<const double> frame_re
        .alpha = found.alpha,
        .wrench = found.wrench,
        .friction = found.friction ? std::optional(found.friction->ratio) : std::nullopt});
+  show(*this, found);
   if (answer && found.wrench.normal.value <= answer->wrench.normal.value) return;
   hardest = frames.size() - 1;
   readings.assign(frame_readings.begin(), frame_readings.end());

@@ -45,11 +45,11 @@ SkinExperiment run(const SkinScene& scene, const std::function<double()>& clock,
     observer.step({.kind = Step::Kind::method});
     const double start = now();
     const SkinSceneProblem problem(scene);
+    (void)problem.family();
+    const double ready = now();
     experiment.answer = solve(problem, experiment.frame.readings);
-    const double solved = now();
-    if (clock) (void)solve(problem, experiment.frame.readings);
-    experiment.frame_seconds = now() - solved;
-    experiment.setup_seconds = solved - start - experiment.frame_seconds;
+    experiment.setup_seconds = ready - start;
+    experiment.frame_seconds = now() - ready;
     experiment.relative = errors(experiment);
   } catch (const std::domain_error& error) {
     experiment.refusal = error.what();

@@ -99,7 +99,7 @@ std::string map_image(const MapGrid& grid, std::span<const double> values, doubl
 
 std::string map_arrows(const MapGrid& grid, std::span<const double> along_y,
                        std::span<const double> along_z, double most) {
-  constexpr std::size_t most_arrows = 18;  // along the longer side
+  constexpr std::size_t most_arrows = 24;  // along the longer side
   const std::size_t block = (std::max(grid.rows, grid.columns) + most_arrows - 1) / most_arrows;
   const double reach =
       grid.scale() * std::min(grid.spacing_y, grid.spacing_z) * static_cast<double>(block) / most;
@@ -119,7 +119,7 @@ std::string map_arrows(const MapGrid& grid, std::span<const double> along_y,
       const double across = reach * y / cells;
       const double down = reach * z / cells;
       const double length = std::hypot(across, down);
-      if (!(length > 2.5)) continue;
+      if (!(length > std::max(3.0, 0.1 * reach * most))) continue;
       const double middle_r = 0.5 * static_cast<double>(r + last_r - 1);
       const double middle_c = 0.5 * static_cast<double>(c + last_c - 1);
       const double x0 = grid.across(grid.first_y + middle_r * grid.spacing_y) - 0.5 * across;

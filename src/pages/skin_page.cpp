@@ -49,39 +49,38 @@ double largest_drag(const Values& values, const SkinGrid& grid) {
   return most;
 }
 
+/// Widens the scales so that these tractions fit.
+void take(Scales& scales, const Values& values, const SkinGrid& grid) {
+  const auto p = lab::component(values, grid, SkinTraction::normal);
+  scales.pressure = std::max(scales.pressure, largest(p));
+  scales.drag = std::max(scales.drag, largest_drag(values, grid));
+  scales.negative =
+      scales.negative || *std::min_element(p.begin(), p.end()) < -0.03 * scales.pressure;
+}
+
 Scales scales_of(const lab::SkinExperiment& experiment) {
-  const SkinGrid& grid = experiment.grid;
   Scales scales;
-  const auto take = [&](const Values& values) {
-    const auto p = lab::component(values, grid, SkinTraction::normal);
-    scales.pressure = std::max(scales.pressure, largest(p));
-    scales.drag = std::max(scales.drag, largest_drag(values, grid));
-    scales.negative =
-        scales.negative || *std::min_element(p.begin(), p.end()) < -0.03 * scales.pressure;
-  };
-  if (experiment.has_truth()) take(experiment.frame.truth);
-  take(experiment.answer->tractions);
+  if (experiment.has_truth()) take(scales, experiment.frame.truth, experiment.grid);
+  take(scales, experiment.answer->tractions, experiment.grid);
   return scales;
 }
 
-std::string traction_map(const lab::SkinExperiment& experiment, const Values& values,
-                         const Scales& scales, const std::string& title) {
-  const MapGrid grid = map_grid(experiment.grid);
-  const auto of = [&](SkinTraction which) {
-    return lab::component(values, experiment.grid, which);
-  };
+/// @param cells  that touch, around which a line runs
+std::string traction_map(const SkinScene& scene, const SkinGrid& cells_of, const Values& values,
+                         const std::vector<std::size_t>& cells, const Scales& scales,
+                         const std::string& title) {
+  const MapGrid grid = map_grid(cells_of);
+  const auto of = [&](SkinTraction which) { return lab::component(values, cells_of, which); };
   std::string svg =
       map_image(grid, of(SkinTraction::normal), scales.pressure, MapColours::signed_values) +
-      map_taxels(grid, experiment.scene.sensor);
+      map_taxels(grid, scene.sensor);
   if (scales.drag > 0.02 * scales.pressure && !of(SkinTraction::tangential_y).empty())
     svg += map_arrows(grid, of(SkinTraction::tangential_y), of(SkinTraction::tangential_z),
                       scales.drag);
-  if (&values == &experiment.answer->tractions) {
-    std::vector<bool> touches(experiment.grid.count());
-    for (const std::size_t cell : experiment.answer->cells) touches[cell] = true;
-    svg += map_outline(grid, touches);
-  }
-  return map_picture(experiment.scene.units, grid, title, "Map of the tractions, " + title, svg);
+  std::vector<bool> touches(cells_of.count());
+  for (const std::size_t cell : cells) touches[cell] = true;
+  svg += map_outline(grid, touches);
+  return map_picture(scene.units, grid, title, "Map of the tractions, " + title, svg);
 }
 
 std::string maps(const std::vector<std::string>& pictures) {
@@ -97,8 +96,10 @@ std::string tractions_figure(const lab::SkinExperiment& experiment) {
   const bool arrows = scales.drag > 0.02 * scales.pressure;
   std::vector<std::string> pictures;
   if (experiment.has_truth())
-    pictures.push_back(traction_map(experiment, experiment.frame.truth, scales, "What presses"));
-  pictures.push_back(traction_map(experiment, experiment.answer->tractions, scales,
+    pictures.push_back(traction_map(experiment.scene, experiment.grid, experiment.frame.truth, {},
+                                    scales, "What presses"));
+  pictures.push_back(traction_map(experiment.scene, experiment.grid, experiment.answer->tractions,
+                                  experiment.answer->cells, scales,
                                   experiment.has_truth() ? "What was found" : ""));
   return figure_html(
       "tractions",
@@ -113,35 +114,43 @@ std::string tractions_figure(const lab::SkinExperiment& experiment) {
           ", dots the taxels; the line runs around the cells that touch, over which forces are "
           "summed. What is narrower than the taxels are deep is smoothed, for the pad itself "
           "hides it.",
-      "tractions.csv", "whole-row");
+      "tractions.csv", "skin");
 }
 
+/// How far the pressure may be off, and where the truth is known how far it is.
 std::string errors_figure(const lab::SkinExperiment& experiment) {
   const SkinGrid& cells = experiment.grid;
   const MapGrid grid = map_grid(cells);
   const auto& units = experiment.scene.units;
   std::vector<std::string> pictures;
-  const auto deviation = lab::component(experiment.answer->deviations, cells, SkinTraction::normal);
-  if (!deviation.empty()) {
-    const double widest = largest(deviation);
-    pictures.push_back(map_picture(units, grid, "How far p may be off: one standard deviation",
-                                   "Map of the deviation of the pressure",
-                                   map_image(grid, deviation, widest, MapColours::sizes) +
-                                       map_taxels(grid, experiment.scene.sensor)) +
-                       colour_bar(MapColours::sizes,
-                                  report::axis_unit(units, Dimension::stress, widest), widest,
-                                  false, ""));
+  const auto add = [&](const std::string& title, std::span<const double> values,
+                       MapColours colours) {
+    const double most = largest(values);
+    if (!(most > 0.0)) return;
+    pictures.push_back(
+        map_picture(
+            units, grid, title, title,
+            map_image(grid, values, most, colours) + map_taxels(grid, experiment.scene.sensor)) +
+        colour_bar(colours, report::axis_unit(units, Dimension::stress, most), most, true, ""));
+  };
+  add("How far p may be off: one standard deviation",
+      lab::component(experiment.answer->deviations, cells, SkinTraction::normal),
+      MapColours::sizes);
+  if (experiment.has_truth()) {
+    const auto p = lab::component(experiment.answer->tractions, cells, SkinTraction::normal);
+    const auto truth = lab::component(experiment.frame.truth, cells, SkinTraction::normal);
+    Values off(p.size());
+    for (std::size_t i = 0; i < p.size(); ++i) off[i] = p[i] - truth[i];
+    add("How far p is off: found minus true", off, MapColours::signed_values);
   }
-  pictures.push_back(map_picture(units, grid, "How far p is off: found minus true",
-                                 "Map of the pressure's error",
-                                 map_image(grid, off, most, MapColours::signed_values) +
-                                     map_taxels(grid, experiment.scene.sensor)) +
-                     colour_bar(MapColours::signed_values,
-                                report::axis_unit(units, Dimension::stress, most), most, true, ""));
-  return figure_html("errors", maps(pictures),
-                     "A ring of both colours around a contact is its edge, smoothed. Errors all "
-                     "over the skin are noise, and a larger alpha lowers them."),
-                     "tractions.csv", "whole-row");
+  if (pictures.empty()) return {};
+  return figure_html(
+      "errors", maps(pictures),
+      experiment.has_truth()
+          ? "A ring of both colours around a contact is its edge, smoothed. Errors all over the "
+            "skin are noise, and a larger alpha lowers them."
+          : "Where taxels tell little it is most: beyond the last of them, and between them.",
+      "tractions.csv", "skin");
 }
 
 std::string sections_figure(const lab::SkinExperiment& experiment) {
@@ -154,7 +163,7 @@ std::string sections_figure(const lab::SkinExperiment& experiment) {
                    "together: look for dashes outside of them. "
                  : "") +
           "Values are means over cells.",
-      "tractions.csv", "whole-row");
+      "tractions.csv", "skin");
 }
 
 std::string pad_figure(const lab::SkinExperiment& experiment) {
@@ -166,7 +175,7 @@ std::string pad_figure(const lab::SkinExperiment& experiment) {
           "; inside, the stress across the surface that it causes, which is "
           "what smooths: blue presses, red pulls. The taxels of all rows are drawn in "
           "one plane.",
-      "tractions.csv", "whole-row");
+      "tractions.csv", "skin");
 }
 
 Dimension dimension_of(SkinQuantity quantity) {
@@ -206,7 +215,7 @@ std::string readings_figure(const lab::SkinExperiment& experiment) {
          figure_html("readings", "<div class=\"maps small\">" + pictures + "</div>",
                      "What the taxels read, a square each: all that the answer is made of. Blue is "
                      "compression, or along +y and +z.",
-                     "readings.csv", "whole-row");
+                     "readings.csv", "skin");
 }
 
 std::string judgement(const lab::SkinExperiment& experiment) {
@@ -275,8 +284,7 @@ std::string course_picture(const lab::SkinRecordingAnswer& recording, const std:
              {name(0), name(n / 2), name(n - 1)});
 }
 
-std::string course_figure(const lab::SkinRecordingAnswer& recording) {
-  if (recording.frames.size() < 2) return {};
+std::string course_pictures(const lab::SkinRecordingAnswer& recording) {
   const auto wrench = [&](std::size_t i) -> const UncertainWrench& {
     return recording.frames[i].wrench;
   };
@@ -291,11 +299,54 @@ std::string course_figure(const lab::SkinRecordingAnswer& recording) {
     pictures.push_back(
         course_picture(recording, title, dimension, "tangential",
                        [&, which = member](std::size_t i) { return wrench(i).*which; }));
-  pictures.erase(std::remove(pictures.begin(), pictures.end(), ""), pictures.end());
-  return figure_html("course", maps(pictures),
-                     "Every frame by itself, of the cells that touch; bands are two standard "
-                     "deviations.",
-                     "result.json", "whole-row");
+  std::string html;
+  for (const std::string& picture : pictures) html += picture;
+  return html;
+}
+
+/// Every frame that is kept as a map, one at a time, by a slider.
+std::string frames_figure(const lab::SkinRecordingAnswer& recording) {
+  if (recording.shown.size() < 2) return {};
+  const SkinGrid& grid = recording.grid;
+  Scales scales;
+  for (const auto& one : recording.shown) take(scales, one.tractions, grid);
+  if (!(scales.pressure > 0.0)) return {};
+  const auto& units = recording.scene.units;
+  std::string html;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < recording.shown.size(); ++i)
+    if (recording.shown[i].frame == recording.hardest) first = i;
+  for (std::size_t i = 0; i < recording.shown.size(); ++i) {
+    const auto& one = recording.shown[i];
+    const lab::SkinRecordingAnswer::Frame& frame = recording.frames[one.frame];
+    const std::string title =
+        "Frame " + std::to_string(one.frame) + (frame.time.empty() ? "" : ", t = " + frame.time) +
+        ": " +
+        report::in_unit(units, Dimension::point_force, frame.wrench.normal.value,
+                        frame.wrench.normal.deviation) +
+        (frame.verdict == lab::Verdict::ok ? "" : ", " + std::string(name(frame.verdict)));
+    html += std::string("<div class=\"frame\"") + (i == first ? ">" : " hidden>") +
+            traction_map(recording.scene, grid, one.tractions, one.cells, scales, title) + "</div>";
+  }
+  const std::string last = std::to_string(recording.shown.size() - 1);
+  return figure_html(
+      "frames",
+      "<div class=\"maps\"><div>" + html + "<input type=\"range\" id=\"frame\" min=\"0\" max=\"" +
+          last + "\" value=\"" + std::to_string(first) + "\" aria-label=\"Frame\">" +
+          colour_bar(MapColours::signed_values,
+                     report::axis_unit(units, Dimension::stress, scales.pressure), scales.pressure,
+                     scales.negative,
+                     scales.drag > 0.02 * scales.pressure
+                         ? "drag of " + report::in_unit(units, Dimension::stress, scales.drag)
+                         : "") +
+          "</div><div>" + course_pictures(recording) +
+          "</div></div><script>{const r=document.getElementById('frame'),"
+          "f=document.querySelectorAll('.frame');r.oninput=()=>f.forEach((e,i)=>"
+          "{e.hidden=i!=r.value})}</script>",
+      "Drag the slider through the recording: colours are the pressure, arrows the drag, on one "
+      "scale for all frames. Beside it every frame by itself, of the cells that touch; bands are "
+      "two standard deviations.",
+      "result.json", "skin");
 }
 
 }  // namespace
@@ -334,7 +385,7 @@ drawing::Page recording_page(const lab::SkinRecordingAnswer& recording, const st
                   (recording.frames.size() == 1 ? " frame; " : " frames; ") +
                   report::sensor_in_words(scene) + "; " + report::material_in_words(scene));
   html += answer_box(report::answers(recording));
-  html += paragraphs(report::warnings(hardest), "note") + course_figure(recording);
+  html += paragraphs(report::warnings(hardest), "note") + frames_figure(recording);
   if (recording.frames.size() > 1)
     html += element("h2", "Frame " + std::to_string(recording.hardest) + ", which presses hardest");
   html += frame_html(hardest) + readings_figure(hardest);

@@ -148,7 +148,7 @@ std::string section_picture(const lab::SkinExperiment& experiment, Axis along) {
   const auto& units = experiment.scene.units;
   const auto place = [&](std::size_t i) {
     const double at = along == Axis::y ? grid.y(i) : grid.z(i);
-    return report::in_unit(units, Dimension::length, at);
+    return at == 0.0 ? "0" : report::in_unit(units, Dimension::length, at);
   };
   const std::string axis = along == Axis::y ? "y" : "z";
   const std::string other =

@@ -84,9 +84,10 @@ figcaption { color: var(--quiet); font-size: .95rem; margin-top: .3rem; }
             background: var(--card); border: 1px solid var(--rule); border-radius: 10px; }
 .cards td::before { content: attr(data-label); display: block; color: var(--quiet); font-size: .8rem; line-height: 1.2; }
 .cards td:first-child { font-weight: 600; }
+figure.skin { max-width: none; margin: 0 0 2rem; } .frame[hidden] { display: none; }
 .maps { display: grid; gap: 1.2rem 2rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 19rem), 1fr)); align-items: start; }
 .maps.small { grid-template-columns: repeat(auto-fit, minmax(min(100%, 13rem), 1fr)); }
-.maps > div { min-width: 0; max-width: 34rem; } .map-title { margin: 0 0 .4rem; font-weight: 600; }
+.maps > div { min-width: 0; max-width: 36rem; } .map-title { margin: 0 0 .4rem; font-weight: 600; }
 .map { display: grid; grid-template-columns: 2.6rem 1fr; } .map > svg { width: 100%; height: auto; display: block; border: 1px solid var(--rule); box-sizing: border-box; }
 .map .ends { display: flex; justify-content: space-between; padding-top: .3rem; font-size: .8rem; line-height: 1.1; color: var(--quiet); font-variant-numeric: tabular-nums; }
 .map image { image-rendering: pixelated; } .taxel-dot { fill: var(--ink); opacity: .35; }

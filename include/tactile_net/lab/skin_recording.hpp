@@ -23,13 +23,25 @@ struct SkinRecordingAnswer {
     std::optional<Uncertain> friction{};  ///< drag over force
   };
 
+  /// Tractions of a frame, for a picture; the one that presses hardest of `count` neighbours.
+  struct Shown {
+    std::size_t frame = 0;
+    std::size_t count = 1;
+    std::vector<double> tractions{};
+    std::vector<std::size_t> cells{};  ///< that touch
+  };
+  static constexpr std::size_t most_shown = 64;
+
   SkinScene scene{};
   SkinGrid grid{};
   std::vector<Frame> frames{};
+  std::size_t per_shown = 1;  ///< frames that one of these stands for
+  std::vector<Shown> shown{};          ///< in the order of time, at most `most_shown`
   std::size_t hardest = 0;             ///< the frame with the largest normal force
   std::vector<double> readings{};      ///< of that one
   std::optional<SkinAnswer> answer{};  ///< of that one; absent: there is no frame
 
+  /// Memory grows by what is kept of a frame alone.
   void add(std::string time, std::span<const double> frame_readings, const SkinAnswer& found);
 };
 

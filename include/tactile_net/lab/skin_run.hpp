@@ -22,8 +22,8 @@ struct SkinExperiment {
   /// Of p, q_y and q_z: root mean square of answer - truth over that of the true p; NaN where
   /// nothing presses or the component was not solved for.
   std::array<double, 3> relative{};
-  double setup_seconds = 0.0;  ///< until the first frame is solved, without it; NaN: not timed
-  double frame_seconds = 0.0;
+  double setup_seconds = 0.0;  ///< until a frame can be solved; NaN: not timed
+  double frame_seconds = 0.0;  ///< of a frame with all that is said of it
 
   [[nodiscard]] bool has_truth() const noexcept { return !frame.truth.empty(); }
   [[nodiscard]] bool succeeded() const noexcept {
