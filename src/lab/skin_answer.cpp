@@ -58,16 +58,12 @@ AlphaChoice prior_of(const FilterFrame& frame, AlphaRule rule, double alpha,
   return prior;
 }
 
-/// Whether all cells together press for certain, though no single one may: cells that are narrow
-/// for their depth share what is told of them. Under constraints noise can only push: of it the sum
-/// is some deviations, and not as many as are asked for.
-bool presses(const SkinGrid& grid, std::span<const double> tractions, const Covariance& covariance,
-             double rms) {
-  constexpr double certain = 8.0;  // deviations
-  std::vector<std::size_t> all(grid.count());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  const Uncertain force = resultant_of(grid, tractions, all, covariance, rms).normal;
-  return force.value > certain * force.deviation;
+/// Whether the sum over cells is certain, though no single one may be: cells that are narrow for
+/// their depth share what is told of them. Under constraints noise can only push: of it the sum is
+/// some deviations, and not as many as are asked for.
+bool is_certain(const Uncertain& force) {
+  constexpr double deviations = 6.0;
+  return force.value > deviations * force.deviation;
 }
 
 /// Makes deviations small enough for the highest pressure to be certain.
@@ -109,7 +105,10 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   const std::span<const double> f = answer.tractions;
   const double rim = 0.5 * least_depth(problem.scene().sensor);
   answer.cells = contact_cells(grid, f, touching, rim);
-  if (answer.cells.empty() && presses(grid, f, covariance, rms)) {
+  std::vector<std::size_t> summed(grid.count());
+  std::iota(summed.begin(), summed.end(), std::size_t{0});
+  answer.wrench = resultant_of(grid, f, summed, covariance, rms);
+  if (answer.cells.empty() && is_certain(answer.wrench.normal)) {
     scale_to_peak(touching, f.first(grid.count()));
     answer.cells = contact_cells(grid, f, touching, rim);
   }

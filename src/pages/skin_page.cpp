@@ -34,6 +34,9 @@ double largest(std::span<const double> values) {
   return most;
 }
 
+/// Drags that are smaller beside the pressure are not drawn: noise has some everywhere.
+constexpr double least_drag = 0.1;
+
 /// What a map of tractions is drawn with: one scale for found and true, so that they compare.
 struct Scales {
   double pressure = 0.0;
@@ -74,7 +77,7 @@ std::string traction_map(const SkinScene& scene, const SkinGrid& cells_of, const
   std::string svg =
       map_image(grid, of(SkinTraction::normal), scales.pressure, MapColours::signed_values) +
       map_taxels(grid, scene.sensor);
-  if (scales.drag > 0.02 * scales.pressure && !of(SkinTraction::tangential_y).empty())
+  if (scales.drag > least_drag * scales.pressure && !of(SkinTraction::tangential_y).empty())
     svg += map_arrows(grid, of(SkinTraction::tangential_y), of(SkinTraction::tangential_z),
                       scales.drag);
   std::vector<bool> touches(cells_of.count());
@@ -93,7 +96,7 @@ std::string tractions_figure(const lab::SkinExperiment& experiment) {
   const Scales scales = scales_of(experiment);
   if (!(scales.pressure > 0.0)) return {};
   const auto& units = experiment.scene.units;
-  const bool arrows = scales.drag > 0.02 * scales.pressure;
+  const bool arrows = scales.drag > least_drag * scales.pressure;
   std::vector<std::string> pictures;
   if (experiment.has_truth())
     pictures.push_back(traction_map(experiment.scene, experiment.grid, experiment.frame.truth, {},
@@ -336,7 +339,7 @@ std::string frames_figure(const lab::SkinRecordingAnswer& recording) {
           colour_bar(MapColours::signed_values,
                      report::axis_unit(units, Dimension::stress, scales.pressure), scales.pressure,
                      scales.negative,
-                     scales.drag > 0.02 * scales.pressure
+                     scales.drag > least_drag * scales.pressure
                          ? "drag of " + report::in_unit(units, Dimension::stress, scales.drag)
                          : "") +
           "</div><div>" + course_pictures(recording) +

@@ -40,13 +40,18 @@ std::vector<double> along_line(const std::vector<double>& values, const SkinGrid
 /// A component's curve, its band and the truth.
 struct Line {
   std::vector<double> found, deviation, truth;
+  bool pushes_only = false;  ///< nothing is below 0, and so no band
 
   [[nodiscard]] double band(std::size_t i) const {
     return deviation.empty() ? 0.0 : 2.0 * deviation[i];
   }
+  [[nodiscard]] double low(std::size_t i) const {
+    const double below = found[i] - band(i);
+    return pushes_only ? std::max(below, 0.0) : below;
+  }
   void widen(Range& range) const {
     for (std::size_t i = 0; i < found.size(); ++i) {
-      range.take(found[i] - band(i));
+      range.take(low(i));
       range.take(found[i] + band(i));
     }
     for (const double value : truth) range.take(value);
@@ -59,7 +64,7 @@ struct Line {
     std::string text;
     if (!deviation.empty())
       text += area_of(
-          n, range, [&](std::size_t i) { return found[i] - band(i); },
+          n, range, [&](std::size_t i) { return low(i); },
           [&](std::size_t i) { return found[i] + band(i); }, type + "-area");
     if (!found.empty()) text += path_of(n, range, of(found), type);
     return truth.empty() ? text : text + path_of(n, range, of(truth), type + " true");
@@ -136,9 +141,10 @@ std::string section_picture(const lab::SkinExperiment& experiment, Axis along) {
       return along_line(values, grid, which, along, peak);
     };
     return Line{of(experiment.answer->tractions), of(experiment.answer->deviations),
-                of(experiment.frame.truth)};
+                of(experiment.frame.truth), false};
   };
-  const Line normal = line(SkinTraction::normal);
+  Line normal = line(SkinTraction::normal);
+  normal.pushes_only = experiment.answer->cone.has_value();
   const Line drag =
       line(along == Axis::y ? SkinTraction::tangential_y : SkinTraction::tangential_z);
   Range range;

@@ -62,7 +62,7 @@ TEST_CASE("run of a skin says force, drag and place, and draws maps", "[cli][ski
   CHECK(json["kind"] == "skin_run");
   const std::size_t cells = json["grid"]["y"].size() * json["grid"]["z"].size();
   CHECK(json["answer"]["tractions"]["tangential_z"].size() == cells);
-  CHECK_THAT(json["answer"]["resultant"]["normal"]["value"].get<double>(), WithinAbs(0.2, 0.01));
+  CHECK_THAT(json["answer"]["resultant"]["normal"]["value"].get<double>(), WithinAbs(0.2, 0.02));
   CHECK_THAT(read_text(folder / "out/tractions.csv"),
              ContainsSubstring("y,z,normal,tangential_y,tangential_z,normal_deviation"));
 }

@@ -22,10 +22,10 @@ struct SkinAnswer {
   Verdict verdict = Verdict::ok;
   std::optional<SkinConeSolution> cone{};  ///< where the scene has constraints
   NoiseEstimate noise{};
-  double degrees_of_freedom = 0.0;          ///< of the readings that the tractions use up
-  double condition = 0.0;                   ///< `SkinFamily::stacked_condition`
-  std::vector<std::size_t> cells{};         ///< that touch: `contact_cells`
-  UncertainWrench wrench{};                 ///< of those cells
+  double degrees_of_freedom = 0.0;   ///< of the readings that the tractions use up
+  double condition = 0.0;            ///< `SkinFamily::stacked_condition`
+  std::vector<std::size_t> cells{};  ///< that touch: `contact_cells`
+  UncertainWrench wrench{};          ///< of those cells; of all where none is certain to touch
   std::optional<SkinFriction> friction{};   ///< absent with one component, or where nothing touches
   std::optional<ContactEllipse> ellipse{};  ///< of the strongest contact, by Hertz' law
   std::size_t contacts = 0;                 ///< that lie apart
