@@ -109,7 +109,7 @@ TEST_CASE("one rms holds for every quantity, a table weights the rows", "[scene]
   CHECK_FALSE(one.weights_rows);
 
   const auto each = parse(smallest + "[noise.rms]\nshear_xy = 2\nstress_x = 1\n").noise.value();
-  CHECK(each.rms == std::map<Quantity, double>{{Quantity::stress_x, 1}, {Quantity::shear_xy, 2}});
+  CHECK(each.rms == PerQuantity<double>{{Quantity::stress_x, 1}, {Quantity::shear_xy, 2}});
   CHECK(each.weights_rows);
 }
 

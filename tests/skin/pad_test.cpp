@@ -28,7 +28,8 @@ struct Pad {
   std::array<std::vector<double>, 5> readings{};
 };
 
-Pad read_pad(const std::string& wanted) {
+/// @param step  every so many taxels
+Pad read_pad(const std::string& wanted, std::size_t step) {
   Pad pad;
   std::ifstream file(SOURCE "/scenes/skins/pad/readings-clean.csv");
   std::string line;
@@ -37,7 +38,7 @@ Pad read_pad(const std::string& wanted) {
     std::istringstream fields(line);
     std::vector<std::string> values;
     for (std::string field; std::getline(fields, field, ',');) values.push_back(field);
-    if (values.at(1) != wanted) continue;
+    if (values.at(1) != wanted || std::stoul(values.at(0)) % step != 0) continue;
     const auto number = [&](std::size_t i) { return std::stod(values.at(i)); };
     const auto frame = static_cast<std::size_t>(number(5));
     if (frame == 0) pad.taxels.push_back({values[0], number(3), number(4), number(2), columns});
@@ -110,7 +111,7 @@ std::vector<double> differences(const Pad& pad) {
 }  // namespace
 
 TEST_CASE("finite elements read what the exact forward model says", "[skin][reference]") {
-  const Pad pad = read_pad("grid");
+  const Pad pad = read_pad("grid", 1);
   REQUIRE(pad.taxels.size() == 289);
   const auto found = differences(pad);
   // What the README states of the elements' own error.
@@ -122,8 +123,8 @@ TEST_CASE("finite elements read what the exact forward model says", "[skin][refe
 }
 
 TEST_CASE("so they do at depths of the taxels' own", "[skin][reference]") {
-  const Pad pad = read_pad("skin");
-  REQUIRE(pad.taxels.size() == 150);
+  const Pad pad = read_pad("skin", 3);
+  REQUIRE(pad.taxels.size() == 50);
   const auto found = differences(pad);
   for (std::size_t q = 0; q < columns.size(); ++q) {
     CAPTURE(name(columns[q]));

@@ -101,7 +101,7 @@ double chebyshev_angle(std::size_t i) {
 }
 
 /// J_j(k r) / (k r)^j, j = 0 ... 3, at all radii and nodes: they know neither material nor depth.
-/// 9 MB, made once in a process, in some 0.2 s; a depth takes a tenth of that.
+/// 9 MB, made once in a process, in 0.1 s; a depth then takes some milliseconds.
 class BesselValues {
  public:
   using Row = std::vector<std::array<double, 4>>;
