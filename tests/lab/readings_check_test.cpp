@@ -268,6 +268,23 @@ TEST_CASE("each planted defect is found", "[lab][check]") {
   CHECK(names == (defect.also.contains(defect.expected) ? Names{} : Names{defect.expected}));
 }
 
+TEST_CASE("a constant that is found with the loads is no baseline, a drift of it no drift",
+          "[lab][check]") {
+  Recording recording = record(pad(41, "\"stress_x\", \"stress_y\"", presses, 3));
+  const auto names = [&](bool found_with_loads) {
+    recording.scene.reconstruct.offset = found_with_loads;
+    return kinds(check(recording));
+  };
+  for (std::size_t k = 0; k < recording.frames.size(); ++k)
+    for (std::size_t i = 0; i < 41; ++i)
+      recording.frames[k][i] += 10.0 * noise + 0.1 * noise * static_cast<double>(k);
+  CHECK(names(false).contains("drift"));
+  CHECK(names(true).empty());
+  recording.frames = record(pad(41, "\"stress_x\", \"stress_y\"", presses, 3)).frames;
+  for (auto& frame : recording.frames) frame[7] += 20.0 * noise;  // of one taxel alone
+  CHECK(names(true).contains("baseline"));
+}
+
 TEST_CASE("a check says where, how much and what to write", "[lab][check]") {
   const std::uint64_t seed = GENERATE(1u, 2u, 3u);
   const Recording clean = record(pad(41, "\"stress_x\"", presses, seed));
