@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
@@ -47,7 +48,7 @@ TEST_CASE("the symbol's condition is what was measured in another program",
     for (std::size_t i = 0; i < sizes.size(); ++i) {
       const SkinArray skin = skin_of(4, reads, {1.0});
       const WaveSight sight =
-          wave_sight(skin, unit, {}, sizes[i] * std::cos(M_PI / 6.0), sizes[i] * 0.5);
+          wave_sight(skin, unit, {}, sizes[i] * std::cos(std::numbers::pi / 6.0), sizes[i] * 0.5);
       CAPTURE(name(reads[1]), sizes[i]);
       CHECK(sight.rank == 3);
       CHECK_THAT(sight.condition, WithinRel(condition[i], 0.03));
