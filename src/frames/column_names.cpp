@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "frames/csv_layout.hpp"
 #include "tactile_net/elasticity/quantity.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::frames {
 namespace {
@@ -27,13 +27,6 @@ bool all_digits(std::string_view text) {
 template <std::size_t size>
 bool holds(const std::array<std::string_view, size>& table, std::string_view text) {
   return std::find(table.begin(), table.end(), text) != table.end();
-}
-
-std::optional<std::size_t> number_of(std::string_view digits) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
-  return number;
 }
 
 /// Takes what stands between brackets at the end off the text; empty: there are none.
@@ -74,14 +67,14 @@ ColumnName column_name(std::string_view text) {
     brackets = take_brackets(rest);  // "stress_x[0] [Pa]"
   }
   if (all_digits(brackets)) {
-    name.number = number_of(brackets);
+    name.number = whole_number(brackets);
   } else {
     std::size_t digits = 0;
     while (digits < rest.size() && is_digit(rest[rest.size() - 1 - digits])) ++digits;
     // "stress_x@1" is a channel's own name: the number behind '@' is no taxel's.
     const bool of_depth = digits < rest.size() && rest[rest.size() - 1 - digits] == '@';
     if (digits > 0 && !of_depth) {
-      name.number = number_of(rest.substr(rest.size() - digits));
+      name.number = whole_number(rest.substr(rest.size() - digits));
       rest.remove_suffix(digits);
     }
   }

@@ -1,20 +1,13 @@
 #include "frames/column_places.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 
 #include "frames/csv_layout.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::frames {
 namespace {
-
-std::optional<std::size_t> whole_number(std::string_view text) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
 
 [[noreturn]] void fail(const std::string& message) {
   throw std::invalid_argument("--columns: " + message +

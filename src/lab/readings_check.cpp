@@ -56,11 +56,13 @@ struct ReadingsChecker::Parts {
       : scene(std::move(given)),
         weights(reading_weights(scene)),
         tracks(reading_count(scene.sensor)),
+        spikes(scene.sensor, weights),
         triples(most_groups_of(tracks.size())) {}
 
   Scene scene;
   std::vector<double> weights;  // per reading
   std::vector<ReadingTrack> tracks;
+  SpikeTrack spikes;
   FrameTriples triples;
   ClockTrack clock;
   std::size_t frames = 0;
@@ -71,6 +73,8 @@ struct ReadingsChecker::Parts {
   double peak_size = 0.0;
   std::size_t peak_frame = 0;
 
+  /// @param of_loads  told of the frames solved; null: none is
+  [[nodiscard]] ReadingsCheck judged(Observer* of_loads) const;
   void say_frames(ReadingsCheck& check) const;
   void say_channels(const Evidence& evidence, ReadingsCheck& check) const;
 };
@@ -100,6 +104,7 @@ void ReadingsChecker::add(std::optional<double> time, std::span<const double> re
     p.peak = p.last;
     p.peak_frame = p.frames;
   }
+  p.spikes.add(readings);
   p.triples.add(readings);
   ++p.frames;
 }
@@ -144,28 +149,29 @@ void ReadingsChecker::Parts::say_channels(const Evidence& evidence, ReadingsChec
   }
 }
 
-ReadingsCheck ReadingsChecker::result(Observer& observer) const {
-  const Parts& p = *parts_;
-  ReadingsCheck check{.scene = p.scene, .frames = p.frames};
-  p.say_frames(check);
-  Evidence evidence{.scene = p.scene,
-                    .frames = p.frames,
-                    .tracks = p.tracks,
-                    .triples = p.triples.all(),
-                    .living = std::vector<bool>(p.tracks.size(), true)};
-  evidence.bury(p.scene.dead_taxels);
+ReadingsCheck ReadingsChecker::Parts::judged(Observer* of_loads) const {
+  ReadingsCheck check{.scene = scene, .frames = frames};
+  say_frames(check);
+  Evidence evidence{.scene = scene,
+                    .frames = frames,
+                    .tracks = tracks,
+                    .triples = triples.all(),
+                    .spikes = spikes.spikes(),
+                    .living = std::vector<bool>(tracks.size(), true)};
+  evidence.bury(scene.dead_taxels);
   for (const Finding& one : check.findings)
-    if (const auto* missing = std::get_if<finding::ValuesMissing>(&one))
-      evidence.bury(missing->taxels);
-  p.say_channels(evidence, check);
-  if (p.frames == 0) return check;
-  const Findings by_scene = scene_findings(p.scene);
+    if (const auto* without = std::get_if<finding::ValuesMissing>(&one))
+      evidence.bury(without->taxels);
+  say_channels(evidence, check);
+  if (frames == 0) return check;
+  const Findings by_scene = scene_findings(scene);
 
   check.sampled = evidence.triples.size();
   const StillNoise noise = judge_taxels(evidence, check.findings);
   check.still = noise.known() ? noise.still.size() : 0;
   if (std::find(evidence.living.begin(), evidence.living.end(), true) != evidence.living.end()) {
-    PatternSolver solver(p.scene);
+    PatternSolver solver(scene);
+    if (is_fathomable(by_scene)) judge_spikes(evidence, noise, solver, check.findings);
     // With lengths that cannot be right no load explains anything.
     const RestState rest =
         is_fathomable(by_scene) ? judge_rest(evidence, noise, solver, check.findings) : RestState{};
@@ -173,12 +179,20 @@ ReadingsCheck ReadingsChecker::result(Observer& observer) const {
     if (noise.known())
       for (std::size_t c = 0; c < check.channels.size(); ++c)
         check.channels[c].noise = rest.noise.empty() ? noise.of_channel[c] : rest.noise[c];
-    check.peak = PeakFrame{.frame = p.peak_frame};
-    judge_loads(evidence, rest.baseline, p.peak, solver, observer, check);
-    judge_scale(check);
+    if (of_loads != nullptr) {
+      check.peak = PeakFrame{.frame = peak_frame};
+      judge_loads(evidence, rest.baseline, peak, solver, *of_loads, check);
+      judge_scale(check);
+    }
   }
   check.findings.insert(check.findings.end(), by_scene.begin(), by_scene.end());
   return check;
 }
+
+ReadingsCheck ReadingsChecker::result(Observer& observer) const {
+  return parts_->judged(&observer);
+}
+
+ReadingsCheck ReadingsChecker::result_without_loads() const { return parts_->judged(nullptr); }
 
 }  // namespace tactile_net::lab

@@ -47,7 +47,7 @@ SceneProblem with_recorded_noise(const SceneProblem& problem,
   for (std::size_t k = 0; k < most_frames && next(readings); ++k)
     checker.add(std::nullopt, readings);
   Scene scene = problem.scene();
-  scene.noise = recorded_noise(checker.result());
+  scene.noise = recorded_noise(checker.result_without_loads());
   return scene.noise ? SceneProblem(std::move(scene)) : problem;
 }
 

@@ -87,6 +87,8 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
   const SceneProblem& scene = frame.problem();
   const double alpha = result.alpha->value;
   FrameUncertainty bands;
+  if (scene.options().unknown_offsets)
+    bands.offsets = offsets(scene.problem(), frame.readings(), tractions);
   bands.noise = estimate_noise(frame.residual(tractions), frame.analysed().rows,
                                degrees_of_freedom(frame, result), scene.stated_noise());
   double rms = bands.noise.rms();

@@ -98,4 +98,11 @@ bool read_number(std::string_view text, double& number) noexcept {
   return error == std::errc{} && stop == end;
 }
 
+std::optional<std::size_t> whole_number(std::string_view text) noexcept {
+  std::size_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
+}
+
 }  // namespace tactile_net

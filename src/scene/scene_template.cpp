@@ -1,7 +1,6 @@
 #include "tactile_net/scene/scene_template.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "scene/document.hpp"
 #include "scene/sections.hpp"
 #include "scene/table.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 
 namespace tactile_net {
@@ -19,16 +19,9 @@ class NoPlace : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-std::optional<std::size_t> index_in(std::string_view step) {
-  std::size_t index = 0;
-  const char* const end = step.data() + step.size();
-  const auto [stop, error] = std::from_chars(step.data(), end, index);
-  return error == std::errc{} && stop == end ? std::optional(index) : std::nullopt;
-}
-
 /// The element of a list that a step of a path names.
 std::size_t place_in(const toml::array& list, std::string_view step, std::string_view key) {
-  const auto index = index_in(step);
+  const auto index = whole_number(step);
   if (!index || *index >= list.size())
     throw NoPlace(std::string(key) + ": the scene's list has " + std::to_string(list.size()) +
                   ", counted from 0");
@@ -66,7 +59,7 @@ void set(toml::table& scene, const Setting& setting) {
 std::string without_indices(std::string_view key) {
   std::vector<std::string> names;
   for (const std::string_view step : split(key, '.'))
-    if (!index_in(step)) names.emplace_back(step);
+    if (!whole_number(step)) names.emplace_back(step);
   return join(names, ".");
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -61,16 +60,8 @@ std::optional<std::string_view> field(std::string_view line, std::string_view ke
   return trimmed(line.substr(key.size() + 1));
 }
 
-template <class Number>
-std::optional<Number> number(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::size_t size_field(const Cursor& cursor, std::string_view text, const char* what) {
-  const auto value = number<std::size_t>(text);
+  const auto value = whole_number(text);
   if (!value) cursor.fail(std::string(what) + " is not a number");
   return *value;
 }

@@ -1,35 +1,19 @@
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "study/digital.hpp"
 #include "study/planned_frame.hpp"
 #include "study/points.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
+#include "tactile_net/sensing/resampled.hpp"
 
 namespace tactile_net::study {
 namespace {
-
-/// f of a coarser array at the places of the fine one, piecewise linear.
-std::vector<double> interpolated(std::span<const double> f, std::size_t coarse, std::size_t stride,
-                                 std::size_t fine) {
-  std::vector<double> result;
-  for (std::size_t first = 0; first < f.size(); first += coarse)
-    for (std::size_t i = 0; i < fine; ++i) {
-      const std::size_t k = std::min(i / stride, coarse - 2);
-      const double share = static_cast<double>(i - k * stride) / static_cast<double>(stride);
-      result.push_back(std::lerp(f[first + k], f[first + k + 1], share));
-    }
-  return result;
-}
 
 /// Every `stride`-th taxel of the scene. Alpha keeps its meaning: all sums of the functional have
 /// as many terms fewer.
 WorkPoint coarser(const StudyInput& input, std::size_t stride, const WorkCurve& curve,
                   const Knob& knob, const lab::Clock& clock) {
-  const std::size_t n = input.scene().sensor.count;
   Scene scene = input.scene();
   scene.sensor = every(input.scene().sensor, stride);
   const Surface places = surface(input.scene());
@@ -41,7 +25,7 @@ WorkPoint coarser(const StudyInput& input, std::size_t stride, const WorkCurve& 
     ++i;
   }
   auto [f, seconds] = planned_frame(lab::SceneProblem(scene).problem(), input.alpha, g, clock);
-  if (!on_grid) f = interpolated(f, scene.sensor.count, stride, n);
+  if (!on_grid) f = resampled(f, surface(scene), places);
   WorkPoint result = point(input, curve, knob, f, seconds);
   result.error_to_solution.reset();  // fewer readings, another problem
   return result;

@@ -1,7 +1,6 @@
 #include "tactile_net/sweep/journal.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
@@ -35,13 +35,6 @@ std::string content_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::optional<std::size_t> number_in(std::string_view text) {
-  std::size_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
-}
-
 /// The next line, without its end; nothing: no whole one is left.
 std::optional<std::string_view> next_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
@@ -58,7 +51,7 @@ std::optional<JournalHead> take_head(std::string_view& text) {
   if (!first || !second) return std::nullopt;
   const std::vector<std::string> said = fields(*first);
   if (said.size() != 5 || said[0] != mark) return std::nullopt;
-  const auto points = number_in(said[3]);
+  const auto points = whole_number(said[3]);
   const std::vector<std::string> names = fields(*second);
   const auto seed = std::find(names.begin(), names.end(), "seed");
   if (!points || names.front() != "index" || seed == names.end()) return std::nullopt;
@@ -88,9 +81,9 @@ std::optional<Line> line_in(std::string_view text) {
   const std::size_t slash = text.substr(0, comma).find('/');
   if (comma == text.npos || slash == text.npos) return std::nullopt;
   const std::string_view row = text.substr(comma + 1);
-  const auto part = number_in(text.substr(0, slash));
-  const auto parts = number_in(text.substr(slash + 1, comma - slash - 1));
-  const auto index = number_in(row.substr(0, row.find(',')));
+  const auto part = whole_number(text.substr(0, slash));
+  const auto parts = whole_number(text.substr(slash + 1, comma - slash - 1));
+  const auto index = whole_number(row.substr(0, row.find(',')));
   if (!part || !parts || !index || *part > *parts || (*part == 0) != (*parts == 0))
     return std::nullopt;
   return Line{*part, *parts, *index, row};

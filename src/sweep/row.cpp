@@ -1,6 +1,5 @@
 #include "tactile_net/sweep/row.hpp"
 
-#include <charconv>
 #include <cmath>
 
 #include "tactile_net/numeric/number_text.hpp"
@@ -25,9 +24,9 @@ bool read(const std::string& field, std::string& text) {
   return true;
 }
 bool read(const std::string& field, std::uint64_t& number) {
-  const char* const end = field.data() + field.size();
-  const auto [stop, error] = std::from_chars(field.data(), end, number);
-  return error == std::errc{} && stop == end;
+  const auto read = whole_number(field);
+  number = read.value_or(0);
+  return read.has_value();
 }
 bool read(const std::string& field, std::optional<double>& number) {
   number.reset();

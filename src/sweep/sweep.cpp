@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <deque>
 #include <map>
@@ -19,6 +18,7 @@
 
 #include "sweep/worker.hpp"
 #include "tactile_net/frames/folder_lock.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sweep/journal.hpp"
 
 namespace tactile_net::sweep {
@@ -189,16 +189,13 @@ class Supervisor {
 }  // namespace
 
 Shard shard_in(std::string_view text) {
-  Shard shard;
   const std::size_t slash = text.find('/');
-  const auto read = [](std::string_view part, std::size_t& number) {
-    const auto [stop, error] = std::from_chars(part.data(), part.data() + part.size(), number);
-    return error == std::errc{} && stop == part.data() + part.size();
-  };
-  if (slash == text.npos || !read(text.substr(0, slash), shard.number) ||
-      !read(text.substr(slash + 1), shard.count))
+  const auto number = whole_number(text.substr(0, slash));
+  const auto count = slash == text.npos ? std::nullopt : whole_number(text.substr(slash + 1));
+  if (!number || !count)
     throw std::invalid_argument("'" + std::string(text) +
                                 "' is no shard: the third of eight is 3/8");
+  const Shard shard{.number = *number, .count = *count};
   if (shard.number < 1 || shard.number > shard.count)
     throw std::invalid_argument("'" + std::string(text) + "': shards are counted from 1 to " +
                                 std::to_string(shard.count));

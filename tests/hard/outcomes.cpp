@@ -16,6 +16,7 @@
 #include "tactile_net/inverse/fft_tikhonov.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tests/eigen.hpp"
 #include "tests/hard/reference.hpp"
 
 namespace tactile_net::hard {
@@ -215,8 +216,7 @@ Reals refined_minimiser(const Case& c, const RealMatrix& kernel, const Reals& ri
   const InverseProblem problem = make_problem(c.array, c.material, c.options);
   const Matrix p = normal_matrix(problem, c.alpha);
   const auto n = static_cast<Eigen::Index>(p.rows);
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Eigen::LLT<Eigen::MatrixXd> factors(Eigen::Map<const RowMajor>(p.values.data(), n, n));
+  const Eigen::LLT<Eigen::MatrixXd> factors(view(p));
   Reals f(p.rows, 0);
   for (int step = 0; step < 30; ++step) {
     const Reals gradient = reference_gradient(kernel, right, c.alpha, ratio, c.array.count, f);
@@ -251,11 +251,8 @@ std::vector<Outcome> large_outcomes(const Case& c) {
   const InverseProblem problem = make_problem(c.array, c.material, c.options);
   const Matrix p = normal_matrix(problem, c.alpha);
   const auto n = static_cast<Eigen::Index>(p.rows);
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::VectorXd squares =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
-          Eigen::Map<const RowMajor>(p.values.data(), n, n), Eigen::EigenvaluesOnly)
-          .eigenvalues();
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(view(p), Eigen::EigenvaluesOnly).eigenvalues();
   const double condition = std::sqrt(squares(n - 1) / squares(0));
 
   const RealMatrix kernel = reference_matrix(c.array, c.material, c.options, false);

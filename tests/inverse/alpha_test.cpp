@@ -12,6 +12,7 @@
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
+#include "tests/eigen.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
@@ -129,13 +130,11 @@ TEST_CASE("rules find the least of what they are defined by", "[alpha]") {
                        sample(contacts, {31, 0.5, {1.5}, {Quantity::stress_x}}));
   const double noise = 3e-3;
   add_noise(g, noise, 2, 3);  // a frame in which gcv has a least too
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Eigen::MatrixXd k = Eigen::Map<const RowMajor>(problem.kernel.values.data(), 31, 31);
-  const Eigen::Map<const Eigen::VectorXd> readings(g.data(), 31);
+  const Eigen::MatrixXd k = view(problem.kernel);
+  const auto readings = view(g);
   const auto criterion = [&](AlphaRule rule, double alpha) {
     const Matrix p = normal_matrix(problem, alpha);
-    const Eigen::MatrixXd h =
-        k * Eigen::Map<const RowMajor>(p.values.data(), 31, 31).llt().solve(k.transpose());
+    const Eigen::MatrixXd h = k * view(p).llt().solve(k.transpose());
     const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(31, 31) - h;
     if (rule == AlphaRule::gml)
       return readings.dot(left * readings) / std::pow(left.determinant(), 1.0 / 31.0);

@@ -10,22 +10,12 @@
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 #include "tests/catch.hpp"
+#include "tests/eigen.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-Eigen::MatrixXd view(const Matrix& matrix) {
-  return Eigen::Map<const RowMajor>(matrix.values.data(), static_cast<Eigen::Index>(matrix.rows),
-                                    static_cast<Eigen::Index>(matrix.columns));
-}
-
-Eigen::VectorXd view(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
-}
 
 const SensorArray both{31, 0.5, {1.0}, {Quantity::stress_x, Quantity::shear_xy}};
 const Material pad{1.0, 0.45};

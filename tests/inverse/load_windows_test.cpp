@@ -10,6 +10,7 @@
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
+#include "tests/eigen.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
@@ -56,11 +57,10 @@ TEST_CASE("with one window the bands are those of every amplitude, as likely as 
   // By dense inverses, over a finer scale of alpha: p(g | alpha) of N(0, sigma^2 (I + K L^-2
   // K'/alpha)).
   const auto n = static_cast<Eigen::Index>(f.size());
-  const Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>> k(
-      problem.kernel.values.data(), 9, n);
+  const auto k = view(problem.kernel);
   const auto normal = [&](double at) {
     const Matrix p = normal_matrix(problem, at);
-    return Eigen::MatrixXd(Eigen::Map<const Eigen::MatrixXd>(p.values.data(), n, n));
+    return Eigen::MatrixXd(view(p));
   };
   const Eigen::MatrixXd stabiliser = normal(1.0) - k.transpose() * k;
   const Eigen::MatrixXd prior = k * stabiliser.inverse() * k.transpose();

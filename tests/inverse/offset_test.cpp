@@ -20,21 +20,13 @@
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
+#include "tests/eigen.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-Eigen::Map<const RowMajor> view(const Matrix& matrix) {
-  return {matrix.values.data(), static_cast<Eigen::Index>(matrix.rows),
-          static_cast<Eigen::Index>(matrix.columns)};
-}
-Eigen::Map<const Eigen::VectorXd> view(std::span<const double> values) {
-  return {values.data(), std::ssize(values)};
-}
 std::vector<double> listed(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
 
 /// The same problem with its offsets known to be 0, and with them to be found.

@@ -8,18 +8,12 @@
 
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
+#include "tests/eigen.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-Eigen::Map<const RowMajor> view(const Matrix& matrix) {
-  return {matrix.values.data(), static_cast<Eigen::Index>(matrix.rows),
-          static_cast<Eigen::Index>(matrix.columns)};
-}
 
 const SensorArray array{21, 0.5, {1.5}, {Quantity::stress_x}};
 const Material material{1.0, 0.45};

@@ -13,21 +13,12 @@
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 #include "tests/catch.hpp"
+#include "tests/eigen.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-Eigen::Map<const RowMajor> view(const Matrix& matrix) {
-  return {matrix.values.data(), static_cast<Eigen::Index>(matrix.rows),
-          static_cast<Eigen::Index>(matrix.columns)};
-}
-Eigen::Map<const Eigen::VectorXd> view(const std::vector<double>& values) {
-  return {values.data(), std::ssize(values)};
-}
 
 std::vector<double> solved(const Reconstruction& inverse, const std::vector<double>& readings) {
   std::vector<double> f(inverse.tractions());

@@ -6,6 +6,7 @@
 
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tests/catch.hpp"
+#include "tests/eigen.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
@@ -109,8 +110,7 @@ TEST_CASE("amplitudes scatter as predicted, in the sampled problem of a long arr
   const ProblemOptions options{.unknowns = 2, .channel_rms = {2.0, 2.0}};
   const InverseProblem problem = make_problem(array, pad, options);
   const auto predicted = resolutions(array, pad, options);
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
-      kernel(problem.kernel.values.data(), size, size);
+  const auto kernel = view(problem.kernel);
 
   // Columns: cosines j = 0 ... most - 1, sines, of the normal, then of the tangential traction.
   constexpr Eigen::Index most = 64;

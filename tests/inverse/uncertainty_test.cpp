@@ -11,20 +11,12 @@
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
+#include "tests/eigen.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
 
-namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-Eigen::MatrixXd view(const Matrix& matrix) {
-  return Eigen::Map<const RowMajor>(matrix.values.data(), static_cast<Eigen::Index>(matrix.rows),
-                                    static_cast<Eigen::Index>(matrix.columns));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("the covariance is the inverse of P", "[uncertainty]") {
   for (const auto& [name, problem] : sample_problems()) {

@@ -60,6 +60,14 @@ TEST_CASE("a text that is not a number as a whole is refused", "[number_text]") 
   CHECK_FALSE(read_number(text, number));
 }
 
+TEST_CASE("whole numbers are counted from 0, and nothing is behind them", "[number_text]") {
+  CHECK(whole_number("0") == 0);
+  CHECK(whole_number("18446744073709551615") == std::numeric_limits<std::size_t>::max());
+  const char* text = GENERATE("", "-1", "+1", " 1", "1 ", "1.", "1x", "18446744073709551616");
+  CAPTURE(text);
+  CHECK_FALSE(whole_number(text));
+}
+
 /// Numbers as a German program's streams write them: "1.234,5".
 struct German : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }

@@ -9,13 +9,12 @@
 #include "tactile_net/simulator/child_process.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
 #include "tests/catch.hpp"
+#include "tests/eigen.hpp"
 #include "tests/network/networks.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct Case {
   Matrix p;
@@ -27,7 +26,7 @@ struct Case {
 Case make_case(std::size_t n, unsigned seed) {
   Case one{.p = random_definite(n, seed)};
   const auto size = static_cast<Eigen::Index>(n);
-  one.dense = Eigen::Map<const RowMajor>(one.p.values.data(), size, size);
+  one.dense = view(one.p);
   one.b = one.dense.col(0).cwiseAbs() - Eigen::VectorXd::Constant(size, 0.3);
   one.answer = one.dense.ldlt().solve(one.b);
   return one;

@@ -92,6 +92,9 @@ class ReadingsChecker {
   /// would hide a wrong sign.
   [[nodiscard]] ReadingsCheck result(Observer& observer = silent) const;
 
+  /// The same without what loads say, from `solved` on: no frame is solved.
+  [[nodiscard]] ReadingsCheck result_without_loads() const;
+
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;

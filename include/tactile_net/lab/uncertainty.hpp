@@ -20,6 +20,7 @@ struct FrameUncertainty {
   UncertainResultant resultant{};
   std::vector<double> deviation{};  ///< of every traction [Pa], one standard deviation
   bool holds_model_error = false;   ///< it counts for noise in them
+  std::vector<double> offsets{};    ///< of each channel's readings; none where they are known
 };
 
 /// By `LoadWindows` where the problem has them; of line loads over taxels with what may press

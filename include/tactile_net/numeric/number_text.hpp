@@ -11,6 +11,8 @@
 
 #include <charconv>
 #include <concepts>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -48,5 +50,8 @@ void append_number(std::string& out, double number);
 
 /// The number that is the whole text, or nothing: no sign `+`, no blank, no locale.
 [[nodiscard]] bool read_number(std::string_view text, double& number) noexcept;
+
+/// The whole number from 0 on that is the whole text, or nothing.
+[[nodiscard]] std::optional<std::size_t> whole_number(std::string_view text) noexcept;
 
 }  // namespace tactile_net

@@ -4,8 +4,8 @@
 ///     p >= 0     and     |(q_y, q_z)| <= limit p
 ///
 /// A cone of second order in every cell, onto which a projection is known in closed form: solved by
-/// alternating directions (ADMM; Boyd and others 2011) with the penalty sqrt(lambda_max alpha) and
-/// relaxation 1.6, in the family's classes, factored once for all frames.
+/// alternating directions (ADMM; Boyd and others 2011) with the penalty 2 sqrt(lambda_max alpha)
+/// and relaxation 1.6, in the family's classes, factored once for all frames.
 #pragma once
 
 #include <array>

@@ -37,7 +37,7 @@ namespace tactile_net {
 /// Patches are sums of `SkinKernel`'s rectangles.
 class ExactSkinModel {
  public:
-  /// In a layer some 0.1 s for each depth.
+  /// In a layer some milliseconds for each depth, and 0.1 s once in a process.
   ///
   /// @throw std::invalid_argument  the skin or the material is out of range, a taxel lies below the
   ///                               base

@@ -42,6 +42,21 @@ class Weighted {
   std::vector<double> weights_;
 };
 
+/// What is left of a pattern where the scene has each channel's constant found with the loads.
+std::vector<double> beside_offsets(const Evidence& evidence, std::span<const double> pattern) {
+  std::vector<double> left(pattern.begin(), pattern.end());
+  if (!evidence.scene.reconstruct.offset) return left;
+  for (const Channel& channel : evidence.channels) {
+    const std::size_t end = channel.first + channel.count;
+    std::vector<double> values;
+    for (std::size_t i = channel.first; i < end; ++i)
+      if (evidence.living[i]) values.push_back(left[i]);
+    const double constant = median(values);
+    for (std::size_t i = channel.first; i < end; ++i) left[i] -= constant;
+  }
+  return left;
+}
+
 /// Tells contacts from what electronics and temperature add.
 class NoContactTest {
  public:
@@ -52,14 +67,15 @@ class NoContactTest {
 
   /// Rms over that of the noise.
   [[nodiscard]] double times(std::span<const double> pattern) const {
-    return noise_ > 0.0 ? weighted_.rms(pattern) / noise_ : 0.0;
+    return noise_ > 0.0 ? weighted_.rms(beside_offsets(evidence_, pattern)) / noise_ : 0.0;
   }
 
   /// True where no load within the array explains it: it is larger than noise, and either rougher
   /// than a buried sensor can read, or the same from end to end.
   ///
   /// @param frames  how many its noise is averaged over
-  [[nodiscard]] bool operator()(std::span<const double> pattern, std::size_t frames) {
+  [[nodiscard]] bool operator()(std::span<const double> read, std::size_t frames) {
+    const std::vector<double> pattern = beside_offsets(evidence_, read);
     const double size = weighted_.rms(pattern);
     if (size < noise_) return false;
     unexplained_ = 1.0;

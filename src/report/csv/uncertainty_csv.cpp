@@ -7,7 +7,7 @@
 
 namespace tactile_net::report {
 
-std::vector<std::string> uncertainty_columns(std::size_t count, bool with_tangential) {
+std::vector<std::string> uncertainty_columns(const lab::SceneProblem& problem) {
   std::vector<std::string> columns;
   for (const std::string name : {"normal_force", "tangential_force", "centre", "angle"}) {
     columns.push_back(name);
@@ -15,8 +15,12 @@ std::vector<std::string> uncertainty_columns(std::size_t count, bool with_tangen
   }
   columns.emplace_back("residual_rms");
   columns.emplace_back("model_rms");
-  for (std::string& traction : frames::traction_columns(count, with_tangential))
+  for (std::string& traction :
+       frames::traction_columns(problem.surface().count, problem.options().unknowns > 1))
     columns.push_back(traction.insert(traction.find('_'), "_deviation"));
+  if (problem.options().unknown_offsets)
+    for (const Channel& channel : channels(problem.scene().sensor))
+      columns.push_back("offset_" + channel.name);
   columns.emplace_back("data");
   columns.emplace_back("alpha");
   columns.emplace_back("verdict");
@@ -39,6 +43,7 @@ std::vector<double> uncertainty_values(const lab::FrameUncertainty& uncertainty,
   values.push_back(uncertainty.noise.residual_rms);
   values.push_back(uncertainty.noise.model_rms);
   values.insert(values.end(), uncertainty.deviation.begin(), uncertainty.deviation.end());
+  values.insert(values.end(), uncertainty.offsets.begin(), uncertainty.offsets.end());
   values.push_back(!data                ? unknown
                    : data->consistent() ? 0.0
                                         : 1.0 + static_cast<double>(data->doubts.front()));

@@ -1,6 +1,5 @@
 #include "command_line/arguments.hpp"
 
-#include <charconv>
 #include <sstream>
 #include <stdexcept>
 
@@ -29,10 +28,9 @@ void read(const std::string& text, double& value) {
 }
 
 void read(const std::string& text, std::size_t& value) {
-  const char* const end = text.data() + text.size();
-  if (const auto [stop, error] = std::from_chars(text.data(), end, value);
-      error != std::errc{} || stop != end)
-    throw std::invalid_argument("'" + text + "' is no whole number from 0");
+  const auto number = whole_number(text);
+  if (!number) throw std::invalid_argument("'" + text + "' is no whole number from 0");
+  value = *number;
 }
 
 std::string standard(const std::string& value) { return value; }

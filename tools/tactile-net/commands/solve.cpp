@@ -39,8 +39,7 @@ class UncertaintyFile {
  public:
   UncertaintyFile(const std::string& path, const lab::SceneProblem& problem, bool with_time,
                   const Streams& streams)
-      : columns_(
-            report::uncertainty_columns(problem.surface().count, problem.options().unknowns > 1)),
+      : columns_(report::uncertainty_columns(problem)),
         output_(path, &streams.out),
         sink_(output_.stream(), columns_, with_time) {}
 

@@ -28,7 +28,8 @@ void check_quantity(SkinQuantity quantity, SkinTraction component, const Materia
 /// `check_quantity`'s are NaN. Places are finite; lengths may be of any size.
 class SkinKernel {
  public:
-  /// O(1) on a half space; some 0.1 s in a layer, for all quantities together.
+  /// O(1) on a half space; in a layer some milliseconds, for all quantities together, and 0.1 s for
+  /// what all depths share, once in a process.
   ///
   /// @throw std::invalid_argument  the material is out of range; depth is not > 0, or below the
   /// base

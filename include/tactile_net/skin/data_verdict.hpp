@@ -1,0 +1,51 @@
+/// @file
+/// Whether a skin's readings can be true: as inverse/data_verdict.hpp, with friction's cone in
+/// space.
+///
+/// A contact whose W K f lies nearer to W g than white noise of the stated rms reaches in 999
+/// frames of 1000 is sought among the tractions found, then by `SkinCone` with less and less
+/// smoothing. Where there is none, the sign and single taxels are tried. Constants added to a
+/// channel are not looked for.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "tactile_net/inverse/data_verdict.hpp"
+#include "tactile_net/skin/problem.hpp"
+
+namespace tactile_net {
+
+/// Made once for a problem; const, so threads may share one.
+class SkinDataJudge {
+ public:
+  /// As three `SkinCone`.
+  ///
+  /// @param problem   that tractions are found for
+  /// @param contacts  the same rows on a grid on which contacts are sought, fine enough for narrow
+  /// ones;
+  ///                  absent: that of the problem
+  /// @param limits    `inner` is not read
+  /// @throw std::invalid_argument  a limit is not > 0, or a size does not fit
+  SkinDataJudge(const SkinProblem& problem, DataLimits limits);
+  SkinDataJudge(const SkinProblem& problem, const SkinProblem& contacts, DataLimits limits);
+  ~SkinDataJudge();
+  SkinDataJudge(SkinDataJudge&&) noexcept;
+  SkinDataJudge& operator=(SkinDataJudge&&) noexcept;
+
+  /// One frame: a product by K where the tractions found are nearly a contact's own; else up to
+  /// three solves by `SkinCone`, and where no contact explains the frame a few cones without a
+  /// taxel each.
+  ///
+  /// @param readings   g, one per row of K, finite
+  /// @param tractions  that a method found for them [Pa]
+  /// @throw std::invalid_argument  a size does not fit
+  [[nodiscard]] DataVerdict judge(std::span<const double> readings,
+                                  std::span<const double> tractions) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<const Parts> parts_;
+};
+
+}  // namespace tactile_net

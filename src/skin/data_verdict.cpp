@@ -1,0 +1,229 @@
+#include "tactile_net/skin/data_verdict.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "inverse/checks.hpp"
+#include "inverse/significance.hpp"
+#include "numeric/eigen.hpp"
+#include "tactile_net/skin/cone.hpp"
+#include "tactile_net/skin/family.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr double false_alarms = 1e-3;   ///< of honest frames, each test
+constexpr double usual_friction = 1.0;  ///< of rubber on what it touches, at most
+constexpr std::size_t most_suspects = 4;
+constexpr std::size_t iteration_limit = 1000;
+constexpr double converged = 1e-5;
+/// Over the square of the largest singular value, in the order in which they are tried.
+constexpr std::array smoothings = {1e-4, 1e-6, 1e-8};
+
+bool positive(double value) { return value > 0.0 && std::isfinite(value); }
+
+double largest_square(const SkinProblem& problem) {
+  const SkinFamily family(problem);
+  const auto gammas = family.singular_values();
+  const double largest = *std::max_element(gammas.begin(), gammas.end());
+  return largest * largest;
+}
+
+}  // namespace
+
+struct SkinDataJudge::Parts {
+  Parts(const SkinProblem& problem, const SkinProblem& sought, DataLimits given);
+
+  /// Of W (K f - g) over the noise, by the best contact found: as soon as it is enough.
+  [[nodiscard]] Eigen::VectorXd left_by_contact(const SkinProblem& of, double least,
+                                                std::span<const double> readings,
+                                                double enough) const;
+  [[nodiscard]] std::vector<double> nearest_contact(std::span<const double> tractions) const;
+  [[nodiscard]] Eigen::VectorXd left(const SkinProblem& of, std::span<const double> readings,
+                                     std::span<const double> tractions) const;
+  [[nodiscard]] double strain(std::span<const double> g, std::span<const double> f) const;
+  [[nodiscard]] std::optional<std::size_t> bad_taxel(std::span<const double> readings,
+                                                     const Eigen::VectorXd& residual) const;
+  /// Of a residual's norm, where so many rows are taken by something else than noise.
+  [[nodiscard]] double limit(double taken) const {
+    return std::sqrt(chi_squared_limit(std::max(rows - taken, 1.0), false_alarms));
+  }
+
+  DataLimits limits;
+  SkinProblem problem;
+  SkinProblem contacts;
+  Constraints press{};
+  double unit;  // of all that is weighted: the noise, where it is known
+  double rows;
+  double least_alpha;  // smoothings stand for it
+};
+
+SkinDataJudge::Parts::Parts(const SkinProblem& found_for, const SkinProblem& sought,
+                            DataLimits given)
+    : limits(std::move(given)),
+      problem(found_for),
+      contacts(sought),
+      unit(limits.noise_rms.value_or(1.0)),
+      rows(static_cast<double>(independent_readings(problem))),
+      least_alpha(largest_square(contacts)) {
+  const auto require = [](bool holds, const char* rule) {
+    if (!holds) throw std::invalid_argument(rule);
+  };
+  require(!limits.noise_rms || positive(*limits.noise_rms), "noise_rms must be > 0 and finite");
+  require(!limits.friction_limit || positive(*limits.friction_limit),
+          "friction_limit must be > 0 and finite");
+  require(!limits.largest_traction || positive(*limits.largest_traction),
+          "largest_traction must be > 0 and finite");
+  require(
+      limits.largest_readings.empty() ||
+          (limits.largest_readings.size() == problem.weights.size() &&
+           std::all_of(limits.largest_readings.begin(), limits.largest_readings.end(), positive)),
+      "largest_readings needs one value > 0 per row, or none");
+  require(contacts.weights == problem.weights && contacts.components == problem.components,
+          "contacts need the rows and components of the problem");
+  if (problem.components == 3)
+    press.friction_limit = limits.friction_limit.value_or(usual_friction);
+}
+
+Eigen::VectorXd SkinDataJudge::Parts::left(const SkinProblem& of, std::span<const double> readings,
+                                           std::span<const double> tractions) const {
+  const std::vector<double> g = weighted(of, readings);
+  return (as_eigen(std::span(g)) - as_eigen(of.kernel) * as_eigen(tractions)) / unit;
+}
+
+Eigen::VectorXd SkinDataJudge::Parts::left_by_contact(const SkinProblem& of, double least,
+                                                      std::span<const double> readings,
+                                                      double enough) const {
+  Eigen::VectorXd best;
+  for (const double smoothing : smoothings) {
+    const SkinConeSolution found =
+        SkinCone(of, smoothing * least, press).solve(readings, iteration_limit, converged);
+    if (found.status != FrameStatus::ok) continue;
+    Eigen::VectorXd residual = left(of, readings, found.tractions);
+    if (best.size() == 0 || residual.norm() < best.norm()) best = std::move(residual);
+    if (best.norm() <= enough) break;
+  }
+  return best;
+}
+
+/// Of the tractions found, what presses: with no more friction than the cone allows.
+std::vector<double> SkinDataJudge::Parts::nearest_contact(std::span<const double> f) const {
+  std::vector<double> contact(f.begin(), f.end());
+  const std::size_t cells = problem.grid.count();
+  for (std::size_t i = 0; i < cells; ++i) {
+    contact[i] = std::max(contact[i], 0.0);
+    if (problem.components == 1) continue;
+    double& y = contact[cells + i];
+    double& z = contact[2 * cells + i];
+    const double drag = std::hypot(y, z);
+    const double most = *press.friction_limit * contact[i];
+    if (drag <= most) continue;
+    y *= most / drag;
+    z *= most / drag;
+  }
+  return contact;
+}
+
+double SkinDataJudge::Parts::strain(std::span<const double> g, std::span<const double> f) const {
+  double largest = 0.0;
+  const auto cells = static_cast<std::ptrdiff_t>(problem.grid.count());
+  if (limits.largest_traction)
+    largest = std::abs(std::accumulate(f.begin(), f.begin() + cells, 0.0)) /
+              static_cast<double>(cells) / *limits.largest_traction;
+  for (std::size_t i = 0; i < limits.largest_readings.size(); ++i)
+    if (problem.weights[i] > 0.0)
+      largest = std::max(largest, std::abs(g[i]) / limits.largest_readings[i]);
+  return largest;
+}
+
+/// Of the taxels with the largest residuals the one without which a contact explains the rest best.
+std::optional<std::size_t> SkinDataJudge::Parts::bad_taxel(std::span<const double> readings,
+                                                           const Eigen::VectorXd& residual) const {
+  std::vector<double> squares(problem.taxels), taken(problem.taxels);
+  for (std::size_t row = 0; row < problem.sites.size(); ++row) {
+    const std::size_t taxel = problem.sites[row].taxel;
+    squares[taxel] += std::pow(residual(static_cast<Eigen::Index>(row)), 2);
+    taken[taxel] += problem.weights[row] > 0.0;
+  }
+  std::vector<std::size_t> order(problem.taxels);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return squares[a] > squares[b]; });
+  order.resize(std::min(order.size(), most_suspects));
+  std::optional<std::size_t> worst;
+  double best = std::numeric_limits<double>::infinity();
+  for (const std::size_t taxel : order) {
+    if (taken[taxel] == 0.0 || taken[taxel] >= rows) continue;
+    SkinProblem rest = contacts;
+    leave_out(rest, std::span(&taxel, 1));
+    const double most = limit(taken[taxel]);
+    const double norm = left_by_contact(rest, least_alpha, readings, most).norm();
+    const double gain = residual.squaredNorm() - norm * norm;
+    const double chance =
+        chi_squared_limit(taken[taxel], false_alarms / static_cast<double>(problem.taxels));
+    if (norm > most || gain < chance || norm >= best) continue;
+    best = norm;
+    worst = taxel;
+  }
+  return worst;
+}
+
+SkinDataJudge::SkinDataJudge(const SkinProblem& problem, DataLimits limits)
+    : SkinDataJudge(problem, problem, std::move(limits)) {}
+SkinDataJudge::SkinDataJudge(const SkinProblem& problem, const SkinProblem& contacts,
+                             DataLimits limits)
+    : parts_(std::make_unique<const Parts>(problem, contacts, std::move(limits))) {}
+SkinDataJudge::~SkinDataJudge() = default;
+SkinDataJudge::SkinDataJudge(SkinDataJudge&&) noexcept = default;
+SkinDataJudge& SkinDataJudge::operator=(SkinDataJudge&&) noexcept = default;
+
+DataVerdict SkinDataJudge::judge(std::span<const double> readings,
+                                 std::span<const double> tractions) const {
+  const Parts& p = *parts_;
+  check_size(readings, p.problem.weights.size());
+  if (tractions.size() != p.problem.kernel.columns)
+    throw std::invalid_argument("tractions need one value per column of the problem");
+  DataVerdict verdict{.noise_known = p.limits.noise_rms.has_value()};
+  verdict.strain = p.strain(readings, tractions);
+  if (verdict.strain > 1.0) {  // in which unit the rest would be judged nobody knows
+    verdict.doubts.push_back(DataDoubt::implausible);
+    return verdict;
+  }
+  if (!verdict.noise_known) return verdict;
+
+  const double rms = p.unit / std::sqrt(p.rows);  // of a norm
+  const double most = p.limit(0.0);
+  verdict.residual_limit = most * rms;
+  Eigen::VectorXd residual = p.left(p.problem, readings, p.nearest_contact(tractions));
+  if (!(residual.norm() <= most)) {
+    const Eigen::VectorXd best = p.left_by_contact(p.contacts, p.least_alpha, readings, most);
+    if (best.size() > 0 && !(residual.norm() <= best.norm())) residual = best;
+  }
+  verdict.residual_rms = residual.norm() * rms;
+  if (residual.norm() <= most) return verdict;
+  if (!residual.allFinite()) {  // of no noise that a number can say
+    verdict.doubts.push_back(DataDoubt::misfit);
+    return verdict;
+  }
+
+  std::vector<double> turned(readings.begin(), readings.end());
+  for (double& reading : turned) reading = -reading;
+  verdict.taxel = p.bad_taxel(readings, residual);
+  if (verdict.taxel)
+    verdict.doubts.push_back(DataDoubt::bad_taxel);
+  else if (p.left_by_contact(p.contacts, p.least_alpha, turned, most).norm() <= most ||
+           p.left(p.problem, readings, tractions).norm() <= most)
+    verdict.doubts.push_back(DataDoubt::pulls);
+  else
+    verdict.doubts.push_back(DataDoubt::misfit);
+  return verdict;
+}
+
+}  // namespace tactile_net

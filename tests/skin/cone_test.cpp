@@ -1,0 +1,200 @@
+#include "tactile_net/skin/cone.hpp"
+
+#include <limits>
+
+#include "tactile_net/skin/family.hpp"
+#include "tests/catch.hpp"
+#include "tests/skin/skins.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+struct Frame {
+  SkinProblem problem;
+  std::vector<double> readings;
+};
+
+Frame dragged(std::size_t count, const SkinProblemOptions& options = {}) {
+  const SkinArray skin = square_skin(count, 2e-3);
+  Frame frame{make_problem(skin, silicone, options), {}};
+  std::mt19937 random(11);
+  frame.readings =
+      exact_readings(skin, silicone, random_contacts(random, 0.5e-3 * static_cast<double>(count)));
+  (void)add_noise(frame.readings, 0.01, random);
+  return frame;
+}
+
+/// Onto |q| <= limit p, by Moreau's two cones: what is left is in the polar one.
+void project(std::vector<double>& f, double limit) {
+  const std::size_t cells = f.size() / 3;
+  for (std::size_t i = 0; i < cells; ++i) {
+    double& p = f[i];
+    const double drag = std::hypot(f[cells + i], f[2 * cells + i]);
+    if (drag <= limit * p) continue;
+    const double along = std::max(p + limit * drag, 0.0) / (1.0 + limit * limit);
+    const double share = drag > 0.0 ? limit * along / drag : 0.0;
+    p = along;
+    f[cells + i] *= share;
+    f[2 * cells + i] *= share;
+  }
+}
+
+/// Nesterov's accelerated projected gradients with restarts: another way to the same minimum.
+std::vector<double> by_gradients(const Frame& frame, double alpha, double limit) {
+  const Matrix p = normal_matrix(frame.problem, alpha);
+  const std::vector<double> b = normal_right_side(frame.problem, frame.readings);
+  double bound = 0.0;  // of the largest eigenvalue
+  for (std::size_t i = 0; i < p.rows; ++i) {
+    double sum = 0.0;
+    for (const double entry : p.row(i)) sum += std::abs(entry);
+    bound = std::max(bound, sum);
+  }
+  std::vector<double> f(b.size()), y = f;
+  double t = 1.0;
+  for (int step = 0; step < 20000; ++step) {
+    const std::vector<double> image = product(p, y);
+    std::vector<double> next = y;
+    for (std::size_t i = 0; i < b.size(); ++i) next[i] -= (image[i] - b[i]) / bound;
+    project(next, limit);
+    double against = 0.0;
+    for (std::size_t i = 0; i < b.size(); ++i) against += (y[i] - next[i]) * (next[i] - f[i]);
+    if (against > 0.0) t = 1.0;
+    const double after = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * t * t));
+    for (std::size_t i = 0; i < b.size(); ++i)
+      y[i] = next[i] + (t - 1.0) / after * (next[i] - f[i]);
+    if (distance(next, f) <= 1e-12 * norm(next)) return next;
+    f = next;
+    t = after;
+  }
+  return f;
+}
+
+}  // namespace
+
+TEST_CASE("the cone's tractions are those of projected gradients", "[skin][cone]") {
+  const double weight = GENERATE(1.0, 4.0);
+  CAPTURE(weight);
+  const Frame frame = dragged(5, {.tangential_weight = weight, .grid = {.margin = 1e-3}});
+  for (const double alpha : {1e-2, 1e-3}) {
+    const double limit = 0.5;
+    const SkinConeSolution found = SkinCone(frame.problem, alpha, {.friction_limit = limit})
+                                       .solve(frame.readings, 20000, 1e-11);
+    REQUIRE(found.status == FrameStatus::ok);
+    CHECK(found.verdict == ConstrainedVerdict::ok);
+    CHECK(found.residual <= 1e-11);
+    const std::vector<double> expected = by_gradients(frame, alpha, limit);
+    CHECK(distance(found.tractions, expected) <= 1e-7 * norm(expected));
+  }
+}
+
+TEST_CASE("nothing pulls, and friction keeps its limit in every cell", "[skin][cone][property]") {
+  const Frame frame = dragged(8);
+  const double limit = 0.3;
+  const SkinConeSolution found =
+      SkinCone(frame.problem, 1e-3, {.friction_limit = limit}).solve(frame.readings);
+  REQUIRE(found.verdict == ConstrainedVerdict::ok);
+  const std::size_t cells = frame.problem.grid.count();
+  CHECK(found.apart + found.sliding + found.sticking == cells);
+  CHECK(found.sliding > 0);
+  CHECK(found.apart > 0);
+  std::size_t touching = 0;
+  for (std::size_t i = 0; i < cells; ++i) {
+    const double p = found.tractions[i];
+    const double drag = std::hypot(found.tractions[cells + i], found.tractions[2 * cells + i]);
+    CHECK(p >= 0.0);
+    CHECK(drag <= limit * p * (1.0 + 1e-14));
+    touching += p > 0.0;
+  }
+  CHECK(touching == found.sliding + found.sticking);
+  CHECK(found.face.free.size() == 2 * found.sliding + 3 * found.sticking);
+}
+
+TEST_CASE("a family on the face finds the cone's tractions again", "[skin][cone][family]") {
+  const Frame frame = dragged(8, {.tangential_weight = 2.0});
+  const double alpha = 1e-3;
+  const SkinConeSolution found =
+      SkinCone(frame.problem, alpha, {.friction_limit = 0.8}).solve(frame.readings, 5000, 1e-10);
+  REQUIRE(found.sticking > 0);
+  const SkinFamily face(frame.problem, found.face);
+  const std::vector<double> f = face.solve(face.analyse(frame.readings), alpha);
+  // A face is flat where the cone is round: equal to first order only where nothing slides.
+  CHECK(distance(f, found.tractions) <= 0.1 * norm(found.tractions));
+
+  // Without friction's limit a face is flat: equal.
+  const SkinConeSolution pressed =
+      SkinCone(frame.problem, alpha, {.nonnegative = true}).solve(frame.readings, 20000, 1e-12);
+  const SkinFamily flat(frame.problem, pressed.face);
+  CHECK(distance(flat.solve(flat.analyse(frame.readings), alpha), pressed.tractions) <=
+        1e-6 * norm(pressed.tractions));
+}
+
+TEST_CASE("without constraints that bind the cone's tractions are the family's", "[skin][cone]") {
+  const Frame frame = dragged(6);
+  const SkinFamily family(frame.problem);
+  const std::vector<double> free = family.solve(family.analyse(frame.readings), 1e-2);
+  const SkinConeSolution found =
+      SkinCone(frame.problem, 1e-2, {.nonnegative = false}).solve(frame.readings, 5000, 1e-12);
+  CHECK(distance(found.tractions, free) <= 1e-10 * norm(free));
+}
+
+TEST_CASE("a dense array's cone is found within the steps that were promised", "[skin][cone]") {
+  const Frame frame = dragged(16);
+  const double alpha = GENERATE(1e-3, 1e-4, 1e-5);
+  CAPTURE(alpha);
+  const SkinConeSolution found =
+      SkinCone(frame.problem, alpha, {.friction_limit = 0.8}).solve(frame.readings);
+  CHECK(found.verdict == ConstrainedVerdict::ok);
+  CHECK(found.residual <= 1e-6);
+  CHECK(found.iterations <= 500);
+}
+
+TEST_CASE("the constraints take away half of the error", "[skin][cone][alpha]") {
+  const SkinArray skin = square_skin(10, 2e-3);
+  const SkinProblem problem = make_problem(skin, silicone);
+  const SkinFamily family(problem);
+  std::mt19937 random(31);
+  double without = 0.0;
+  double with = 0.0;
+  for (int contact = 0; contact < 6; ++contact) {
+    const std::vector<SkinLoad> loads = random_contacts(random, 5e-3);
+    const std::vector<double> truth = cell_means(loads, problem.grid);
+    std::vector<double> readings = exact_readings(skin, silicone, loads);
+    (void)add_noise(readings, 0.01, random);
+    const FilterFrame frame = family.analyse(readings);
+    const AlphaChoice chosen = choose_alone(frame, AlphaRule::aicc);
+    without += distance(family.solve(frame, chosen.alpha), truth) / norm(truth);
+    const double alpha = constrained_alpha(chosen.rule, chosen.alpha);
+    with += distance(SkinCone(problem, alpha, {.friction_limit = 0.8}).solve(readings).tractions,
+                     truth) /
+            norm(truth);
+  }
+  CHECK(with <= 0.8 * without);
+}
+
+TEST_CASE("a frame that stops early, is none, or is empty, is said to be so", "[skin][cone]") {
+  const Frame frame = dragged(6);
+  const SkinCone cone(frame.problem, 1e-5, {.friction_limit = 0.8});
+  const SkinConeSolution early = cone.solve(frame.readings, 3);
+  CHECK(early.verdict == ConstrainedVerdict::iteration_limit);
+  CHECK(early.iterations == 3);
+  CHECK(early.residual > 1e-6);
+  CHECK(cone.solve(std::vector<double>(3)).status == FrameStatus::wrong_size);
+  std::vector<double> readings = frame.readings;
+  readings[4] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(cone.solve(readings).status == FrameStatus::not_finite);
+  const SkinConeSolution silent = cone.solve(std::vector<double>(readings.size()));
+  CHECK(silent.status == FrameStatus::ok);
+  CHECK(silent.apart == frame.problem.grid.count());
+  CHECK(norm(silent.tractions) == 0.0);
+  CHECK(silent.face.free.empty());
+  CHECK_THROWS_WITH(SkinFamily(frame.problem, silent.face), ContainsSubstring("held at zero"));
+  CHECK_THROWS_WITH(SkinFamily(frame.problem, ConeFace{{{10000, {1.0, 0.0, 0.0}}}}),
+                    ContainsSubstring("another problem"));
+  CHECK_THROWS_WITH(SkinCone(frame.problem, 1.0, {.friction_limit = 0.0}),
+                    ContainsSubstring("friction_limit"));
+  CHECK_THROWS_WITH(SkinCone(frame.problem, 0.0, {}), ContainsSubstring("alpha"));
+  const SkinProblem one = make_problem(square_skin(4, 2e-3), silicone, {.components = 1});
+  CHECK_THROWS_WITH(SkinCone(one, 1.0, {.friction_limit = 1.0}), ContainsSubstring("tangential"));
+  CHECK(SkinCone(one, 1.0, {}).solve(std::vector<double>(48, 1.0)).status == FrameStatus::ok);
+}

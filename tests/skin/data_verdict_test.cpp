@@ -1,0 +1,99 @@
+#include "tactile_net/skin/data_verdict.hpp"
+
+#include <limits>
+
+#include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/skin/family.hpp"
+#include "tests/catch.hpp"
+#include "tests/skin/skins.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+/// A skin's readings of honest contacts with 1 % noise, and what a solver makes of them.
+class Bench {
+ public:
+  Bench() : family_(problem_) {}
+
+  struct Frame {
+    std::vector<double> readings{};
+    double rms = 0.0;
+  };
+  Frame frame(const Material& material = silicone, double depth = 2e-3) {
+    Frame made{exact_readings(square_skin(8, depth), material, random_contacts(random_, 4e-3)),
+               0.0};
+    made.rms = add_noise(made.readings, 0.01, random_);
+    return made;
+  }
+  DataVerdict judge(const std::vector<double>& readings, DataLimits limits) const {
+    const FilterFrame seen = family_.analyse(readings);
+    const double alpha = choose_alone(seen, AlphaRule::aicc).alpha;
+    return SkinDataJudge(problem_, std::move(limits)).judge(readings, family_.solve(seen, alpha));
+  }
+
+ private:
+  SkinProblem problem_ = make_problem(square_skin(8, 2e-3), silicone);
+  SkinFamily family_;
+  std::mt19937 random_{17};
+};
+
+}  // namespace
+
+TEST_CASE("honest frames of a skin are not doubted", "[skin][data]") {
+  Bench bench;
+  for (int i = 0; i < 12; ++i) {
+    const auto [readings, rms] = bench.frame();
+    const DataVerdict verdict = bench.judge(readings, {.noise_rms = rms});
+    CAPTURE(i, verdict.residual_rms, verdict.residual_limit);
+    CHECK(verdict.consistent());
+    CHECK(verdict.residual_rms <= verdict.residual_limit);
+  }
+}
+
+TEST_CASE("a skin's single liar is found, and a sign turned round", "[skin][data]") {
+  Bench bench;
+  for (int i = 0; i < 3; ++i) {
+    const auto [readings, rms] = bench.frame();
+    std::vector<double> lies = readings;
+    lies[27] += 30.0 * rms;
+    const DataVerdict liar = bench.judge(lies, {.noise_rms = rms});
+    REQUIRE(liar.has(DataDoubt::bad_taxel));
+    CHECK(liar.taxel == 27U);
+    for (double& reading : lies) reading = 0.0;
+    for (std::size_t k = 0; k < lies.size(); ++k) lies[k] = -readings[k];
+    CHECK(bench.judge(lies, {.noise_rms = rms}).has(DataDoubt::pulls));
+  }
+}
+
+TEST_CASE("a skin of another depth fits nothing, and a strain beyond 1 is no reading",
+          "[skin][data]") {
+  Bench bench;
+  const auto [readings, rms] = bench.frame(silicone, 0.7e-3);
+  const DataVerdict wrong = bench.judge(readings, {.noise_rms = 0.1 * rms});
+  CHECK_FALSE(wrong.consistent());
+  CHECK(wrong.residual_rms > wrong.residual_limit);
+  CHECK(bench.judge(readings, {}).consistent());  // of what noise nobody said
+  const DataVerdict huge = bench.judge(
+      readings, {.noise_rms = rms, .largest_readings = std::vector<double>(192, 1e-3 * rms)});
+  CHECK(huge.has(DataDoubt::implausible));
+  CHECK(huge.strain > 1.0);
+}
+
+TEST_CASE("limits of a skin's judge that are none are refused", "[skin][data]") {
+  const SkinProblem problem = make_problem(square_skin(3, 2e-3), silicone);
+  const auto refused = [&](const DataLimits& limits, const std::string& rule) {
+    CHECK_THROWS_WITH(SkinDataJudge(problem, limits), ContainsSubstring(rule));
+  };
+  refused({.noise_rms = 0.0}, "noise_rms");
+  refused({.friction_limit = -1.0}, "friction_limit");
+  refused({.largest_traction = std::numeric_limits<double>::infinity()}, "largest_traction");
+  refused({.largest_readings = {1.0}}, "one value > 0 per row");
+  CHECK_THROWS_WITH(SkinDataJudge(problem, make_problem(square_skin(4, 2e-3), silicone), {}),
+                    ContainsSubstring("rows and components"));
+  const SkinDataJudge judge(problem, {.noise_rms = 1.0});
+  CHECK_THROWS_WITH(judge.judge(std::vector<double>(2), std::vector<double>(3)),
+                    ContainsSubstring("2 values"));
+  CHECK(judge.judge(std::vector<double>(27), std::vector<double>(problem.kernel.columns))
+            .consistent());
+}

@@ -1,0 +1,291 @@
+#include "tactile_net/skin/family.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "tactile_net/inverse/alpha_tables.hpp"
+#include "tactile_net/inverse/tangential_weight.hpp"
+#include "tactile_net/skin/cone.hpp"
+#include "tactile_net/skin/covariance.hpp"
+#include "tactile_net/skin/tangential_weight.hpp"
+#include "tests/catch.hpp"
+#include "tests/skin/skins.hpp"
+
+using namespace tactile_net;
+using enum SkinQuantity;
+
+namespace {
+
+struct Named {
+  std::string name;
+  SkinProblem problem;
+  std::size_t classes;
+};
+
+/// Even and odd, one row, one taxel, rectangles, dead rows that mirror themselves and not, places
+/// anywhere, one component, one place at two depths.
+std::vector<Named> problems() {
+  const auto make = [](SkinArray skin, const SkinProblemOptions& options = {},
+                       const Material& material = silicone) {
+    return make_problem(skin, material, options);
+  };
+  SkinArray row = square_skin(6, 2e-3);
+  row.rows = 1;
+  SkinArray oblong = square_skin(4, 1.5e-3, {stress_x, stress_y, stress_z});
+  oblong.columns = 7;
+  oblong.pitch_z = 1.7e-3;
+  SkinArray depths = square_skin(3, 1e-3, {stress_x, shear_xy});
+  depths.depths = {1e-3, 2e-3};
+  const Material firm{.youngs_modulus = 2e5, .poisson_ratio = 0.5};
+  const Material thin{.poisson_ratio = 0.48, .layer = Layer{2e-3, Base::bonded}};
+  const SkinTaxel place{"", 0.3e-3, 0.1e-3, 1e-3, press_and_drag};
+  return {
+      {"even", make(square_skin(6, 2e-3)), 4},
+      {"odd, incompressible", make(square_skin(5, 2e-3), {}, firm), 4},
+      {"oblong, three normal stresses", make(oblong), 4},
+      {"one row", make(row), 4},
+      {"one taxel", make(square_skin(1, 2e-3)), 4},
+      {"one taxel, one component", make(square_skin(1, 2e-3, {stress_x}), {.components = 1}), 4},
+      {"rectangles", make(square_skin(4, 0.5e-3)), 4},
+      {"two depths, weighted",
+       make(depths, {.tangential_weight = 2.0, .channel_rms = {1.0, 2.0, 3.0, 4.0}}), 4},
+      {"dead rows that mirror themselves", make(square_skin(4, 2e-3), {.dead_taxels = {4, 7}}), 2},
+      {"a dead taxel", make(square_skin(4, 2e-3), {.dead_taxels = {1}}), 1},
+      {"the base of a layer", make(square_skin(4, 2e-3), {}, thin), 4},
+      {"displacements",
+       make(square_skin(4, 2e-3, {displacement_x, displacement_y, displacement_z}), {},
+            {.youngs_modulus = 1e3, .poisson_ratio = 0.0}),
+       4},
+      {"places anywhere",
+       make(uneven_skin({{"a", -1e-3, 0.2e-3, 1e-3, press_and_drag},
+                         {"b", 1.1e-3, 0.9e-3, 1.5e-3, {stress_x}},
+                         {"c", 0.3e-3, -2e-3, 2e-3, press_and_drag}})),
+       1},
+      {"two taxels at one place",
+       make(uneven_skin({place, {"below", 0.3e-3, 0.1e-3, 2e-3, press_and_drag}})), 4},
+      {"places that mirror themselves",
+       make(uneven_skin(
+           {{"a", -1e-3, 0.0, 1e-3, press_and_drag}, {"b", 1e-3, 0.0, 1e-3, press_and_drag}})),
+       4}};
+}
+
+std::vector<double> random_readings(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> value;
+  std::vector<double> readings(count);
+  for (double& reading : readings) reading = value(random);
+  return readings;
+}
+
+double largest(std::span<const double> values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+TEST_CASE("a family's tractions solve the normal equations, in every class", "[skin][family]") {
+  for (const auto& [name, problem, classes] : problems()) {
+    CAPTURE(name);
+    const SkinFamily family(problem);
+    CHECK(family.classes() == classes);
+    const std::vector<double> readings = random_readings(problem.weights.size(), 1);
+    const FilterFrame frame = family.analyse(readings);
+    const double top = largest(family.singular_values());
+    for (const double share : {1.0, 1e-3, 1e-6}) {
+      const double alpha = share * top * top;
+      const std::vector<double> f = family.solve(frame, alpha);
+      const std::vector<double> b = normal_right_side(problem, readings);
+      const std::vector<double> image = product(normal_matrix(problem, alpha), f);
+      CHECK(distance(image, b) <= 1e-12 * norm(b));
+      std::vector<double> by_matrix(f.size());
+      REQUIRE(family.reconstruction(alpha).solve(readings, by_matrix) == FrameStatus::ok);
+      CHECK(distance(by_matrix, f) <= 1e-11 * norm(f));
+    }
+  }
+}
+
+TEST_CASE("classes are parts of one decomposition: the same frame, filters and traces",
+          "[skin][family][property]") {
+  // A reading's weight a rounding away from its mirror's leaves nothing to mirror.
+  SkinProblem problem = make_problem(square_skin(6, 2e-3), silicone);
+  const SkinFamily apart(problem);
+  problem.weights[0] *= 1.0 + std::numeric_limits<double>::epsilon();
+  const SkinFamily whole(problem);
+  REQUIRE(apart.classes() == 4);
+  REQUIRE(whole.classes() == 1);
+  std::vector<double> a(apart.singular_values().begin(), apart.singular_values().end());
+  std::vector<double> b(whole.singular_values().begin(), whole.singular_values().end());
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) CHECK_THAT(a[i], WithinAbs(b[i], 1e-14 * b.back()));
+
+  const std::vector<double> readings = random_readings(problem.weights.size(), 2);
+  const FilterFrame one = apart.analyse(readings);
+  const FilterFrame other = whole.analyse(readings);
+  CHECK_THAT(norm(one.beta), WithinRel(norm(other.beta), 1e-13));
+  CHECK(one.rows == other.rows);
+  for (const AlphaRule rule : {AlphaRule::rgcv, AlphaRule::aicc, AlphaRule::evidence}) {
+    const double alpha = choose_alone(one, rule, 0.1).alpha;
+    CHECK_THAT(alpha, WithinRel(choose_alone(other, rule, 0.1).alpha, 1e-7));
+    CHECK_THAT(apart.degrees_of_freedom(alpha), WithinRel(whole.degrees_of_freedom(alpha), 1e-12));
+    CHECK_THAT(apart.condition(alpha), WithinRel(whole.condition(alpha), 1e-12));
+    const std::vector<double> f = apart.solve(one, alpha);
+    CHECK(distance(f, whole.solve(other, alpha)) <= 1e-10 * norm(f));
+  }
+}
+
+TEST_CASE("neither alpha, nor tractions, nor bands follow the grid's spacing",
+          "[skin][family][property]") {
+  const SkinArray skin = square_skin(8, 4e-3);
+  const std::vector<SkinLoad> loads{SkinContact{.radius = 3e-3, .force = 0.5, .friction = 0.3}};
+  std::vector<double> readings = exact_readings(skin, silicone, loads);
+  std::mt19937 random(5);
+  const double rms = add_noise(readings, 0.01, random);
+  struct Answer {
+    double alpha;
+    std::array<double, 3> forces;  // of a soft window about the load
+    std::array<double, 3> deviations;
+  };
+  const auto solve = [&](double spacing) {
+    const SkinProblem problem =
+        make_problem(skin, silicone, {.grid = {.spacing = spacing, .margin = 4e-3}});
+    const SkinGrid& grid = problem.grid;
+    const SkinFamily family(problem);
+    const FilterFrame frame = family.analyse(readings);
+    const double alpha = choose_alone(frame, AlphaRule::evidence, rms).alpha;
+    const std::vector<double> f = family.solve(frame, 1e-3);
+    const SkinCovariance covariance(family, 1e-3, 1e-4);
+    Answer answer{alpha, {}, {}};
+    for (std::size_t u = 0; u < 3; ++u) {
+      std::vector<double> window(f.size());
+      for (std::size_t i = 0; i < grid.count(); ++i)
+        window[u * grid.count() + i] =
+            grid.area() *
+            std::exp(-std::pow(
+                std::hypot(grid.y(i / grid.columns), grid.z(i % grid.columns)) / 3e-3, 2));
+      answer.forces[u] = std::inner_product(f.begin(), f.end(), window.begin(), 0.0);
+      answer.deviations[u] = covariance.deviation(window);
+    }
+    return answer;
+  };
+  const Answer coarse = solve(1e-3);
+  const Answer fine = solve(0.5e-3);
+  CHECK_THAT(fine.alpha, WithinRel(coarse.alpha, 0.05));
+  for (std::size_t u = 0; u < 3; ++u) {
+    CHECK_THAT(fine.forces[u], WithinAbs(coarse.forces[u], 0.005 * coarse.forces[0]));
+    CHECK_THAT(fine.deviations[u], WithinRel(coarse.deviations[u], 0.03));
+  }
+}
+
+TEST_CASE("units do not matter, however large or small", "[skin][family][property]") {
+  // Lengths times 1e150 or 1e-150, tractions times 1e100 or 1e-100.
+  const SkinArray skin = square_skin(4, 2e-3);
+  const std::vector<double> readings = random_readings(48, 7);
+  const SkinProblem problem = make_problem(skin, silicone);
+  const SkinFamily family(problem);
+  const FilterFrame frame = family.analyse(readings);
+  const double alpha = choose_alone(frame, AlphaRule::rgcv).alpha;
+  const std::vector<double> f = family.solve(frame, alpha);
+  const std::vector<double> g =
+      SkinCone(problem, alpha, {.friction_limit = 0.5}).solve(readings).tractions;
+  for (const double length : {1e-150, 1e150})
+    for (const double pressure : {1e-100, 1e100}) {
+      CAPTURE(length, pressure);
+      SkinArray scaled = skin;
+      scaled.pitch_y *= length;
+      scaled.pitch_z *= length;
+      scaled.depths[0] *= length;
+      std::vector<double> read = readings;
+      for (double& one : read) one *= pressure;
+      const SkinProblem other = make_problem(scaled, silicone);
+      const SkinFamily large(other);
+      const FilterFrame seen = large.analyse(read);
+      const double chosen = choose_alone(seen, AlphaRule::rgcv).alpha;
+      CHECK_THAT(chosen, WithinRel(alpha, 1e-6));
+      std::vector<double> back = large.solve(seen, alpha);
+      for (double& one : back) one /= pressure;
+      CHECK(distance(back, f) <= 1e-10 * norm(f));
+      back = SkinCone(other, alpha, {.friction_limit = 0.5}).solve(read).tractions;
+      for (double& one : back) one /= pressure;
+      CHECK(distance(back, g) <= 1e-4 * norm(g));
+    }
+  // Strains of a skin as hard as 1e150: gammas of 1e-150.
+  const Material hard{.youngs_modulus = 1e150, .poisson_ratio = 0.45};
+  const std::vector<SkinQuantity> strains{strain_x, shear_strain_xy, shear_strain_xz};
+  const SkinFamily small(make_problem(square_skin(4, 2e-3, strains), hard));
+  const SkinFamily plain(
+      make_problem(square_skin(4, 2e-3, strains), {.youngs_modulus = 1.0, .poisson_ratio = 0.45}));
+  CHECK_THAT(largest(small.singular_values()),
+             WithinRel(1e-150 * largest(plain.singular_values()), 1e-12));
+}
+
+TEST_CASE("a frame without a signal has no tractions", "[skin][family]") {
+  const SkinProblem problem = make_problem(square_skin(4, 2e-3), silicone);
+  const SkinFamily family(problem);
+  const FilterFrame frame = family.analyse(std::vector<double>(48));
+  CHECK(frame.scale == 0.0);
+  const AlphaChoice choice = choose_alone(frame, AlphaRule::rgcv);
+  CHECK(norm(family.solve(frame, choice.alpha)) == 0.0);
+}
+
+TEST_CASE("frames and alphas that are none are refused", "[skin][family]") {
+  const SkinFamily family(make_problem(square_skin(3, 2e-3), silicone));
+  std::vector<double> readings(27);
+  CHECK_THROWS_WITH(family.analyse(std::vector<double>(5)), ContainsSubstring("5 values"));
+  readings[3] = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_WITH(family.analyse(readings), ContainsSubstring("not finite"));
+  readings[3] = 0.0;
+  const FilterFrame frame = family.analyse(readings);
+  CHECK_THROWS_WITH(family.solve(frame, 0.0), ContainsSubstring("alpha"));
+  CHECK_THROWS_WITH(family.reconstruction(-1.0), ContainsSubstring("alpha"));
+}
+
+TEST_CASE("the default rule's alpha is near the best one on contacts that nobody saw",
+          "[skin][family][alpha]") {
+  const SkinArray skin = square_skin(10, 2e-3);
+  const SkinProblem problem = make_problem(skin, silicone);
+  const SkinFamily family(problem);
+  const AlphaTables tables(family.singular_values(), independent_readings(problem));
+  // Readings by another grid, three times as fine.
+  const SkinGrid fine = grid_of(skin, {.spacing = 1e-3 / 3.0, .margin = 4e-3});
+  std::mt19937 random(20);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<double> ratios;
+  for (int contact = 0; contact < 20; ++contact) {
+    const std::vector<SkinLoad> loads = random_contacts(random, 5e-3);
+    const std::vector<double> truth = cell_means(loads, problem.grid);
+    std::vector<double> readings = sampled_readings(skin, silicone, fine, cell_means(loads, fine));
+    (void)add_noise(readings, 1e-3 * std::pow(50.0, unit(random)), random);
+    const FilterFrame frame = family.analyse(readings);
+    double best = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 60; ++i)
+      best = std::min(best, distance(family.solve(frame, std::pow(10.0, -9.0 + i / 6.0)), truth));
+    const double alpha = choose_alone(frame, tables, AlphaRule::aicc).alpha;
+    ratios.push_back(distance(family.solve(frame, alpha), truth) / best);
+  }
+  CHECK(largest(ratios) <= 1.2);
+}
+
+TEST_CASE("the readings know whether anything drags", "[skin][family][alpha]") {
+  const SkinArray skin = square_skin(8, 2e-3);
+  const SkinProblem problem = make_problem(skin, silicone);
+  std::mt19937 random(8);
+  const auto weight = [&](double friction) {
+    const std::vector<SkinLoad> loads{
+        SkinContact{.radius = 3e-3, .force = 0.5, .friction = friction, .direction = 0.7}};
+    std::vector<double> readings = exact_readings(skin, silicone, loads);
+    const double rms = add_noise(readings, 0.01, random);
+    return likeliest_tangential_weight(problem, readings, rms);
+  };
+  const double pressed = weight(0.0);
+  const double dragged = weight(0.8);
+  CHECK(pressed >= 4.0);
+  CHECK(dragged < pressed);
+  CHECK(std::count(tangential_weights.begin(), tangential_weights.end(), dragged) == 1);
+  const SkinProblem one = make_problem(skin, silicone, {.components = 1});
+  CHECK(likeliest_tangential_weight(one, std::vector<double>(192, 1.0)) == 1.0);
+}

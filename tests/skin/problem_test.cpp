@@ -1,0 +1,107 @@
+#include "tactile_net/skin/problem.hpp"
+
+#include <limits>
+
+#include "tests/catch.hpp"
+#include "tests/skin/skins.hpp"
+
+using namespace tactile_net;
+
+TEST_CASE("a problem's kernel times a load's cell means is what the forward model samples",
+          "[skin][problem][property]") {
+  const std::vector<SkinLoad> loads{SkinContact{
+      .y = 0.4e-3, .z = -0.7e-3, .radius = 2e-3, .force = 0.3, .friction = 0.4, .direction = 1.0}};
+  const double depth = GENERATE(2e-3, 0.4e-3);  // point loads, rectangles
+  Material material{.youngs_modulus = 2e5, .poisson_ratio = 0.5};
+  if (GENERATE(false, true)) material.layer = Layer{4e-3, Base::bonded};
+  CAPTURE(depth, material.layer.has_value());
+  SkinArray skin = square_skin(4, depth, {SkinQuantity::stress_x, SkinQuantity::shear_yz});
+  SECTION("of a lattice") {}
+  SECTION("of one row") { skin.rows = 1; }
+  SECTION("of places anywhere") {
+    skin = uneven_skin({{"a", -1e-3, 0.2e-3, depth, press_and_drag},
+                        {"b", 1.1e-3, 0.9e-3, 1.5 * depth, {SkinQuantity::stress_y}},
+                        {"c", 0.3e-3, -2e-3, depth, press_and_drag}});
+  }
+  const SkinProblem problem = make_problem(skin, material);
+  const std::vector<double> means = cell_means(loads, problem.grid);
+  const std::vector<double> expected = sampled_readings(skin, material, problem.grid, means);
+  CHECK(distance(product(problem.kernel, means), expected) <= 1e-13 * norm(expected));
+}
+
+TEST_CASE("a dead taxel's rows count for nothing, whether known before or after",
+          "[skin][problem]") {
+  const SkinArray skin = square_skin(4, 2e-3);
+  SkinProblem later = make_problem(skin, silicone, {.channel_rms = {2.0, 1.0, 0.5}});
+  const SkinProblem before =
+      make_problem(skin, silicone, {.channel_rms = {2.0, 1.0, 0.5}, .dead_taxels = {5, 6}});
+  leave_out(later, std::vector<std::size_t>{5, 6});
+  CHECK(later.kernel.values == before.kernel.values);
+  CHECK(later.weights == before.weights);
+  CHECK(independent_readings(before) == 3 * 14);
+  std::vector<double> readings(48, 1.0);
+  CHECK(weighted(before, readings)[5] == 0.0);
+  CHECK(weighted(before, readings)[4] == 0.5);
+}
+
+TEST_CASE("the stabiliser is the integral of f^2 + l^2 |grad f|^2 over a taxel's area",
+          "[skin][problem][property]") {
+  // Of the normal matrix, alpha so large that it is all that counts.
+  const SkinProblem problem = make_problem(
+      square_skin(3, 2e-3), silicone,
+      {.smoothing_length = 3e-3, .tangential_weight = 2.0, .grid = {.spacing = 0.5e-3}});
+  const SkinGrid& grid = problem.grid;
+  const double alpha = 1e12;
+  const Matrix p = normal_matrix(problem, alpha);
+  std::mt19937 random(3);
+  std::normal_distribution<double> value;
+  std::vector<double> f(p.columns);
+  for (double& one : f) one = value(random);
+  double expected = 0.0;
+  for (std::size_t u = 0; u < 3; ++u)
+    for (std::size_t m = 0; m < grid.rows; ++m)
+      for (std::size_t n = 0; n < grid.columns; ++n) {
+        const auto at = [&](std::size_t row, std::size_t column) {
+          return f[(u * grid.rows + row) * grid.columns + column];
+        };
+        double sum = at(m, n) * at(m, n);
+        if (m + 1 < grid.rows) sum += 36.0 * std::pow(at(m + 1, n) - at(m, n), 2);
+        if (n + 1 < grid.columns) sum += 36.0 * std::pow(at(m, n + 1) - at(m, n), 2);
+        expected += (u == 0 ? 1.0 : 4.0) * 0.25 * sum;
+      }
+  const std::vector<double> image = product(p, f);
+  double found = 0.0;
+  for (std::size_t i = 0; i < f.size(); ++i) found += f[i] * image[i] / alpha;
+  CHECK_THAT(found, WithinRel(expected, 1e-11));
+}
+
+TEST_CASE("what a problem of a skin cannot be made of is refused with the rule",
+          "[skin][problem]") {
+  const SkinArray skin = square_skin(4, 2e-3);
+  const auto refused = [&](const SkinProblemOptions& options, const std::string& rule) {
+    CHECK_THROWS_WITH(make_problem(skin, silicone, options), ContainsSubstring(rule));
+  };
+  refused({.components = 2}, "components must be 1");
+  refused({.smoothing_length = -1.0}, "smoothing_length");
+  refused({.smoothing_length = std::numeric_limits<double>::quiet_NaN()}, "smoothing_length");
+  refused({.tangential_weight = 0.0}, "tangential_weight");
+  refused({.channel_rms = {1.0}}, "one value per channel");
+  refused({.channel_rms = {1.0, 0.0, 1.0}}, "channel_rms must be > 0");
+  refused({.dead_taxels = {16}}, "dead taxel 16 is not < 16");
+  std::vector<std::size_t> all(16);
+  for (std::size_t i = 0; i < 16; ++i) all[i] = i;
+  refused({.dead_taxels = all}, "every taxel is dead");
+  refused({.grid = {.spacing = 4e-6}}, "choose a");
+  CHECK_THROWS_WITH(
+      make_problem(square_skin(4, 2e-3, {SkinQuantity::stress_x, SkinQuantity::displacement_y}),
+                   silicone),
+      ContainsSubstring("need channel_rms"));
+  const Material slips{.poisson_ratio = 0.4, .layer = Layer{4e-3, Base::frictionless}};
+  CHECK_THROWS_WITH(make_problem(square_skin(4, 2e-3, {SkinQuantity::displacement_y}), slips),
+                    ContainsSubstring("slides without end"));
+  CHECK_NOTHROW(
+      make_problem(square_skin(4, 2e-3, {SkinQuantity::displacement_y}), slips, {.components = 1}));
+  CHECK_THROWS_WITH(weighted(make_problem(skin, silicone), std::vector<double>(3)),
+                    ContainsSubstring("3 values, the problem has 48"));
+  CHECK_THROWS_WITH(normal_matrix(make_problem(skin, silicone), 0.0), ContainsSubstring("alpha"));
+}

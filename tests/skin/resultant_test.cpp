@@ -1,0 +1,280 @@
+#include "tactile_net/skin/resultant.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "tactile_net/inverse/alpha_tables.hpp"
+#include "tactile_net/skin/cone.hpp"
+#include "tactile_net/skin/covariance.hpp"
+#include "tests/catch.hpp"
+#include "tests/skin/skins.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+std::vector<std::size_t> all_cells(const SkinGrid& grid) {
+  std::vector<std::size_t> cells(grid.count());
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  return cells;
+}
+
+/// Every traction errs by itself, by as much as it says.
+class White final : public Covariance {
+ public:
+  explicit White(std::size_t count) : count_(count) {}
+  [[nodiscard]] std::vector<double> deviations() const override {
+    return std::vector<double>(count_, 1.0);
+  }
+  [[nodiscard]] double deviation(std::span<const double> weights) const override {
+    return norm(weights);
+  }
+  [[nodiscard]] double covariance(std::span<const double> a,
+                                  std::span<const double> b) const override {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  }
+  [[nodiscard]] double degrees_of_freedom() const noexcept override { return 0.0; }
+
+ private:
+  std::size_t count_;
+};
+
+}  // namespace
+
+TEST_CASE("bands are the root of the diagonal of the inverse normal matrix",
+          "[skin][covariance][property]") {
+  // With the prior's alpha the same the covariance is P^-1: P C w = w for every w.
+  SkinProblem problem = make_problem(square_skin(4, 2e-3), silicone, {.tangential_weight = 2.0});
+  if (GENERATE(false, true)) leave_out(problem, std::vector<std::size_t>{2});
+  const SkinFamily family(problem);
+  const double alpha = 1e-3;
+  const SkinCovariance covariance(family, alpha, alpha);
+  const Matrix p = normal_matrix(problem, alpha);
+  const std::size_t n = p.rows;
+  const std::vector<double> deviations = covariance.deviations();
+  for (const std::size_t i : {std::size_t{0}, n / 3 + 20, n - 7}) {
+    std::vector<double> unit(n), column(n);
+    unit[i] = 1.0;
+    for (std::size_t j = 0; j < n; ++j) {
+      std::vector<double> other(n);
+      other[j] = 1.0;
+      column[j] = covariance.covariance(unit, other);
+    }
+    CHECK(distance(product(p, column), unit) <= 1e-10);
+    CHECK_THAT(deviations[i], WithinRel(std::sqrt(column[i]), 1e-10));
+    CHECK_THAT(covariance.deviation(unit), WithinRel(deviations[i], 1e-10));
+  }
+  CHECK_THAT(covariance.degrees_of_freedom(), WithinRel(family.degrees_of_freedom(alpha), 1e-14));
+  CHECK_THROWS_WITH(SkinCovariance(family, 0.0, 1.0), ContainsSubstring("alpha"));
+}
+
+TEST_CASE("two deviations hold about the share of the truth that they promise",
+          "[skin][covariance]") {
+  const SkinArray skin = square_skin(10, 3e-3);
+  const SkinProblem problem = make_problem(skin, silicone);
+  const SkinFamily family(problem);
+  const AlphaTables tables(family.singular_values(), independent_readings(problem));
+  const SkinGrid& grid = problem.grid;
+  std::mt19937 random(44);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  double covered = 0.0;
+  double constrained = 0.0;
+  double count = 0.0;
+  for (int contact = 0; contact < 8; ++contact) {
+    const std::vector<SkinLoad> loads = random_contacts(random, 5e-3);
+    const std::vector<double> truth = cell_means(loads, grid);
+    std::vector<double> readings = exact_readings(skin, silicone, loads);
+    const double rms = add_noise(readings, 1e-3 * std::pow(50.0, unit(random)), random);
+    const FilterFrame frame = family.analyse(readings);
+    const double alpha = choose_alone(frame, tables, AlphaRule::rgcv).alpha;
+    const auto share = [&](const SkinFamily& of, double at, std::span<const double> f) {
+      const FilterFrame seen = of.analyse(readings);
+      const SkinCovariance covariance(of, at, choose_alone(seen, AlphaRule::gml).alpha);
+      const double noise =
+          estimate_noise(problem, readings, f, covariance.degrees_of_freedom(), rms).rms();
+      const std::vector<double> deviations = covariance.deviations();
+      double inside = 0.0;
+      for (std::size_t i = 0; i < f.size(); ++i) {
+        const std::size_t row = i % grid.count() / grid.columns;
+        const std::size_t column = i % grid.columns;
+        // Beyond the taxels the bands are the prior's, and hold whatever is there.
+        if (row < grid.margin_rows || row >= grid.rows - grid.margin_rows ||
+            column < grid.margin_columns || column >= grid.columns - grid.margin_columns)
+          continue;
+        inside += std::abs(f[i] - truth[i]) <= 2.0 * deviations[i] * noise;
+        if (&of == &family) ++count;
+      }
+      return inside;
+    };
+    covered += share(family, alpha, family.solve(frame, alpha));
+    const double less = constrained_alpha(AlphaRule::rgcv, alpha);
+    const SkinConeSolution found = SkinCone(problem, less, {.friction_limit = 0.8}).solve(readings);
+    constrained += share(SkinFamily(problem, found.face), less, found.tractions);
+  }
+  CHECK(covered / count >= 0.95);
+  CHECK(covered / count <= 0.998);
+  CHECK(constrained / count >= 0.93);
+}
+
+TEST_CASE("forces, centre and torsion of cells' means are the load's own",
+          "[skin][resultant][property]") {
+  const SkinGrid grid = make_problem(square_skin(12, 2e-3), silicone).grid;
+  const std::vector<SkinLoad> loads{SkinContact{.y = 0.7e-3,
+                                                .z = -1.2e-3,
+                                                .radius = 3e-3,
+                                                .force = 0.4,
+                                                .friction = 0.3,
+                                                .direction = 2.0,
+                                                .torsion = 1e-4}};
+  const std::vector<double> means = cell_means(loads, grid);
+  const White white(means.size());
+  const std::vector<std::size_t> cells = all_cells(grid);
+  const UncertainWrench found = resultant_of(grid, means, cells, white, 2.0);
+  const SkinWrench expected = resultant(loads);
+  CHECK_THAT(found.normal.value, WithinRel(expected.force[0], 1e-12));
+  CHECK_THAT(found.tangential_y->value, WithinRel(expected.force[1], 1e-12));
+  CHECK_THAT(found.tangential_z->value, WithinRel(expected.force[2], 1e-12));
+  CHECK_THAT(found.centre_y->value, WithinAbs(0.7e-3, 2e-5));
+  CHECK_THAT(found.centre_z->value, WithinAbs(-1.2e-3, 2e-5));
+  CHECK_THAT(found.torsion->value, WithinRel(1e-4, 0.03));
+  CHECK_THAT(found.normal.deviation,
+             WithinRel(2.0 * grid.area() * std::sqrt(static_cast<double>(cells.size())), 1e-12));
+  CHECK_THAT(found.covariance[0], WithinRel(std::pow(found.normal.deviation, 2), 1e-12));
+
+  // Deviations are slopes: a step along each gradient, by differences.
+  std::mt19937 random(6);
+  std::normal_distribution<double> value;
+  std::vector<double> step(means.size()), moved = means, back = means;
+  for (double& one : step) one = value(random);
+  const double size = 1e-3;
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    moved[i] += size * step[i];
+    back[i] -= size * step[i];
+  }
+  class Along final : public Covariance {
+   public:
+    explicit Along(std::vector<double> step) : step_(std::move(step)) {}
+    [[nodiscard]] std::vector<double> deviations() const override { return step_; }
+    [[nodiscard]] double deviation(std::span<const double> weights) const override {
+      return std::inner_product(weights.begin(), weights.end(), step_.begin(), 0.0);
+    }
+    [[nodiscard]] double covariance(std::span<const double> a,
+                                    std::span<const double> b) const override {
+      return deviation(a) * deviation(b);
+    }
+    [[nodiscard]] double degrees_of_freedom() const noexcept override { return 0.0; }
+
+   private:
+    std::vector<double> step_;
+  } const along(step);
+  const auto slope = [&](const auto& of) {
+    return (of(std::span<const double>(moved)) - of(std::span<const double>(back))) / (2.0 * size);
+  };
+  const auto wrench = [&](std::span<const double> f) {
+    return resultant_of(grid, f, cells, along, 1.0);
+  };
+  const UncertainWrench rates = wrench(means);
+  CHECK_THAT(rates.centre_y->deviation,
+             WithinRel(slope([&](auto f) { return wrench(f).centre_y->value; }), 1e-6));
+  CHECK_THAT(rates.centre_z->deviation,
+             WithinRel(slope([&](auto f) { return wrench(f).centre_z->value; }), 1e-6));
+  CHECK_THAT(rates.torsion->deviation,
+             WithinRel(slope([&](auto f) { return wrench(f).torsion->value; }), 1e-6));
+  const auto friction = [&](std::span<const double> f) {
+    return *friction_of(grid, f, cells, along, 1.0, 0.5);
+  };
+  CHECK_THAT(friction(means).ratio.deviation,
+             WithinRel(slope([&](auto f) { return friction(f).ratio.value; }), 1e-6));
+  const auto ellipse = [&](std::span<const double> f) {
+    return *contact_ellipse(grid, f, cells, along, 1.0);
+  };
+  CHECK_THAT(ellipse(means).radius.deviation,
+             WithinRel(slope([&](auto f) { return ellipse(f).radius.value; }), 1e-5));
+  CHECK_THAT(ellipse(means).second_radius.deviation,
+             WithinRel(slope([&](auto f) { return ellipse(f).second_radius.value; }), 1e-5));
+  CHECK_THAT(ellipse(means).angle.deviation,
+             WithinRel(slope([&](auto f) { return ellipse(f).angle.value; }), 1e-4));
+}
+
+TEST_CASE("friction: what slides is at its limit, what is twisted is too", "[skin][resultant]") {
+  const SkinGrid grid = make_problem(square_skin(16, 2e-3), silicone).grid;
+  const std::vector<std::size_t> cells = all_cells(grid);
+  const White white(3 * grid.count());
+  const auto friction = [&](const SkinContact& contact, std::optional<double> limit) {
+    const std::vector<SkinLoad> loads{contact};
+    return *friction_of(grid, cell_means(loads, grid), cells, white, 1.0, limit);
+  };
+  const SkinFriction slides =
+      friction({.radius = 4e-3, .force = 0.5, .friction = 0.4, .direction = 0.7}, 0.4);
+  CHECK_THAT(slides.ratio.value, WithinRel(0.4, 1e-12));
+  CHECK_THAT(slides.least_limit.value, WithinRel(0.4, 1e-9));
+  CHECK_THAT(slides.margin->value, WithinAbs(0.0, 1e-3));
+  for (const Uncertain& margin : slides.cell_margins) CHECK(margin.value >= -1e-9);
+  // Full spin of a Hertz circle: mu F 3 pi a / 16.
+  CHECK_THAT(slides.lever, WithinRel(0.5 * 3.0 * std::numbers::pi * 4e-3 / 16.0, 0.02));
+  const SkinFriction rests = friction({.radius = 4e-3, .force = 0.5}, 0.4);
+  CHECK_THAT(rests.margin->value, WithinAbs(1.0, 1e-3));
+  CHECK_FALSE(friction({.radius = 4e-3, .force = 0.5}, {}).margin.has_value());
+  CHECK_FALSE(
+      friction_of(grid, std::vector<double>(3 * grid.count()), cells, white, 1.0).has_value());
+  CHECK_THROWS_WITH(friction({}, 0.0), ContainsSubstring("limit"));
+}
+
+TEST_CASE("a contact's ellipse has its radii by its law", "[skin][resultant]") {
+  const SkinGrid grid = make_problem(square_skin(20, 2e-3), silicone).grid;
+  const std::vector<std::size_t> cells = all_cells(grid);
+  const White white(3 * grid.count());
+  const std::vector<SkinLoad> loads{SkinContact{.shape = SkinShape::ellipsoid,
+                                                .radius = 6e-3,
+                                                .second_radius = 3.5e-3,
+                                                .angle = 0.4,
+                                                .force = 1.0}};
+  const ContactEllipse found =
+      *contact_ellipse(grid, cell_means(loads, grid), cells, white, 1.0, PressureLaw::hertz);
+  CHECK_THAT(found.radius.value, WithinRel(6e-3, 0.01));
+  CHECK_THAT(found.second_radius.value, WithinRel(3.5e-3, 0.03));
+  CHECK_THAT(found.angle.value, WithinAbs(0.4, 0.01));
+  const std::vector<SkinLoad> punch{
+      SkinContact{.shape = SkinShape::punch, .radius = 5e-3, .force = 1.0}};
+  const ContactEllipse flat =
+      *contact_ellipse(grid, cell_means(punch, grid), cells, white, 1.0, PressureLaw::punch);
+  CHECK_THAT(flat.radius.value, WithinRel(5e-3, 0.02));
+  CHECK_THAT(flat.second_radius.value, WithinRel(flat.radius.value, 1e-9));
+  CHECK_FALSE(contact_ellipse(grid, std::vector<double>(3 * grid.count()), cells, white, 1.0));
+}
+
+TEST_CASE("cells of contacts are patches with a peak, and their rim", "[skin][resultant]") {
+  const SkinGrid grid{.rows = 6, .columns = 7, .spacing_y = 1.0, .spacing_z = 1.0};
+  std::vector<double> p(42);
+  const std::vector<double> deviations(42, 1.0);
+  const auto at = [&](std::size_t row, std::size_t column) -> double& {
+    return p[7 * row + column];
+  };
+  at(1, 1) = 5.0;  // a peak
+  at(2, 2) = 2.5;  // touches it by a corner
+  at(4, 5) = 3.0;  // not certain
+  at(5, 0) = -9.0;
+  CHECK(contact_cells(grid, p, deviations) == std::vector<std::size_t>{8, 16});
+  at(4, 5) = 30.0;
+  CHECK(contact_cells(grid, p, deviations) == std::vector<std::size_t>{8, 16, 33});
+  CHECK(contact_cells(grid, p, deviations, 1.0).size() == 14 + 9);
+  const auto apart = separate_contacts(grid, p, contact_cells(grid, p, deviations));
+  REQUIRE(apart.size() == 2);
+  CHECK(apart[0] == std::vector<std::size_t>{33});
+  CHECK(apart[1] == std::vector<std::size_t>{8, 16});
+  CHECK(contact_cells(grid, std::vector<double>(42), deviations).empty());
+  CHECK_THROWS_WITH(contact_cells(grid, p, std::vector<double>(3)), ContainsSubstring("per cell"));
+  CHECK_THROWS_WITH(contact_cells(grid, p, deviations, -1.0), ContainsSubstring("rim"));
+
+  const White white(42);
+  const UncertainWrench pressed =
+      resultant_of(grid, p, contact_cells(grid, p, deviations), white, 1.0);
+  CHECK(pressed.normal.value == 37.5);
+  CHECK_FALSE(pressed.torsion.has_value());
+  CHECK_FALSE(friction_of(grid, p, all_cells(grid), white, 1.0).has_value());
+  CHECK_FALSE(resultant_of(grid, p, std::vector<std::size_t>{35}, white, 1.0).centre_y.has_value());
+  CHECK_THROWS_WITH(resultant_of(grid, std::vector<double>(5), all_cells(grid), white, 1.0),
+                    ContainsSubstring("per cell"));
+}
