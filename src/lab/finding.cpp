@@ -15,6 +15,7 @@ constexpr std::array<std::string_view, std::variant_size_v<Finding>> names = {
     "dead_taxels",
     "stuck_taxels",
     "noisy_taxels",
+    "single_frame_spikes",
     "saturated_taxels",
     "baseline",
     "drift",

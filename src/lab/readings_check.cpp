@@ -56,11 +56,13 @@ struct ReadingsChecker::Parts {
       : scene(std::move(given)),
         weights(reading_weights(scene)),
         tracks(reading_count(scene.sensor)),
+        spikes(scene.sensor, weights),
         triples(most_groups_of(tracks.size())) {}
 
   Scene scene;
   std::vector<double> weights;  // per reading
   std::vector<ReadingTrack> tracks;
+  SpikeTrack spikes;
   FrameTriples triples;
   ClockTrack clock;
   std::size_t frames = 0;
@@ -102,6 +104,7 @@ void ReadingsChecker::add(std::optional<double> time, std::span<const double> re
     p.peak = p.last;
     p.peak_frame = p.frames;
   }
+  p.spikes.add(readings);
   p.triples.add(readings);
   ++p.frames;
 }
@@ -153,6 +156,7 @@ ReadingsCheck ReadingsChecker::Parts::judged(Observer* of_loads) const {
                     .frames = frames,
                     .tracks = tracks,
                     .triples = triples.all(),
+                    .spikes = spikes.spikes(),
                     .living = std::vector<bool>(tracks.size(), true)};
   evidence.bury(scene.dead_taxels);
   for (const Finding& one : check.findings)
@@ -167,6 +171,7 @@ ReadingsCheck ReadingsChecker::Parts::judged(Observer* of_loads) const {
   check.still = noise.known() ? noise.still.size() : 0;
   if (std::find(evidence.living.begin(), evidence.living.end(), true) != evidence.living.end()) {
     PatternSolver solver(scene);
+    if (is_fathomable(by_scene)) judge_spikes(evidence, noise, solver, check.findings);
     // With lengths that cannot be right no load explains anything.
     const RestState rest =
         is_fathomable(by_scene) ? judge_rest(evidence, noise, solver, check.findings) : RestState{};

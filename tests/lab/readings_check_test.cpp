@@ -145,6 +145,12 @@ const std::vector<Defect>& defects() {
          for (auto& frame : r.frames) frame[3] += white(random);
        },
        "noisy_taxels"},
+      {"single frames of one taxel",
+       [](Recording& r, auto&) {
+         for (const std::size_t k : {30u, 110u, 222u}) r.frames[k][4] += 60.0 * noise;
+         r.frames[350][4] -= 80.0 * noise;
+       },
+       "single_frame_spikes"},
       {"stuck from the start",
        [](Recording& r, auto&) {
          for (auto& frame : r.frames) frame[4] = 123.0;
@@ -253,10 +259,10 @@ TEST_CASE("nothing is suspicious about a clean recording of a coarse array", "[l
 }
 
 TEST_CASE("each planted defect is found", "[lab][check]") {
-  const auto at = static_cast<std::size_t>(GENERATE(range(0, 21)));
+  const auto at = static_cast<std::size_t>(GENERATE(range(0, 22)));
   const std::size_t count = GENERATE(11u, 41u);
   const std::uint64_t seed = GENERATE(1u, 2u);
-  REQUIRE(defects().size() == 21);
+  REQUIRE(defects().size() == 22);
   const Defect& defect = defects()[at];
   CAPTURE(defect.name, count, seed);
   Recording recording = record(pad(count, "\"stress_x\"", presses, seed));
@@ -319,6 +325,19 @@ TEST_CASE("a check says where, how much and what to write", "[lab][check]") {
     CHECK(run.worst == 30);
     CHECK(run.first == 100);
     CHECK(run.frames == 150);
+  }
+  {
+    Recording spiked = clean;
+    for (const std::size_t k : {30u, 110u, 222u}) spiked.frames[k][12] += 60.0 * noise;
+    const auto spikes = found<finding::SingleFrameSpikes>(check(spiked));
+    CHECK(spikes.taxels == std::vector<std::size_t>{12});
+    CHECK(spikes.frames == 3);
+    CHECK_THAT(spikes.times, WithinRel(60.0, 0.2));
+  }
+  {
+    Recording tapped = clean;  // a press for one frame, which is no defect
+    for (std::size_t i = 0; i < 41; ++i) tapped.frames[350][i] += tapped.frames[100][i];
+    CHECK(kinds(check(tapped)) == Names{});
   }
   {
     Recording silent = clean;

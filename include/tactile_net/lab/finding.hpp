@@ -48,6 +48,13 @@ struct NoisyTaxels {
   std::size_t worst = 0;
   double times = 0.0;  ///< the worst one's noise over that of its channel
 };
+struct SingleFrameSpikes {
+  std::vector<std::size_t> taxels{};  ///< that jump for one frame, alone, as under no load
+  std::size_t worst = 0;
+  std::size_t frame = 0;   ///< of the worst one's largest jump
+  std::size_t frames = 0;  ///< with a jump, at least
+  double times = 0.0;      ///< the largest jump over the noise of its channel
+};
 struct SaturatedTaxels {
   std::vector<std::size_t> taxels{};  ///< whose largest or least values are many equal ones
   double limit = 0.0;                 ///< that value, of the first of them
@@ -120,14 +127,13 @@ struct PitchCoarse {
 
 }  // namespace finding
 
-using Finding =
-    std::variant<finding::NoFrames, finding::TimeBackwards, finding::TimeRepeats,
-                 finding::FramesRepeat, finding::ValuesMissing, finding::DeadTaxels,
-                 finding::StuckTaxels, finding::NoisyTaxels, finding::SaturatedTaxels,
-                 finding::Baseline, finding::Drift, finding::NoiseTaken, finding::NoiseDiffers,
-                 finding::NoiseColoured, finding::ResidualDiffers, finding::ScaleBy1000,
-                 finding::WholePadPulled, finding::TractionExceedsModulus, finding::DeformationTiny,
-                 finding::MixedUnits, finding::DepthBeyondArray, finding::PitchCoarse>;
+using Finding = std::variant<
+    finding::NoFrames, finding::TimeBackwards, finding::TimeRepeats, finding::FramesRepeat,
+    finding::ValuesMissing, finding::DeadTaxels, finding::StuckTaxels, finding::NoisyTaxels,
+    finding::SingleFrameSpikes, finding::SaturatedTaxels, finding::Baseline, finding::Drift,
+    finding::NoiseTaken, finding::NoiseDiffers, finding::NoiseColoured, finding::ResidualDiffers,
+    finding::ScaleBy1000, finding::WholePadPulled, finding::TractionExceedsModulus,
+    finding::DeformationTiny, finding::MixedUnits, finding::DepthBeyondArray, finding::PitchCoarse>;
 using Findings = std::vector<Finding>;
 
 /// The spelling in JSON: "dead_taxels".

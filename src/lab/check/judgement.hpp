@@ -8,6 +8,7 @@
 
 #include "lab/check/pattern_solver.hpp"
 #include "lab/check/rest.hpp"
+#include "lab/check/spike_track.hpp"
 #include "sensing/frame_triples.hpp"
 #include "sensing/reading_track.hpp"
 #include "tactile_net/lab/readings_check.hpp"
@@ -20,6 +21,7 @@ struct Evidence {
   std::size_t frames;
   std::span<const ReadingTrack> tracks;  ///< per reading
   std::span<const FrameTriple> triples;
+  std::span<const SpikeTrack::Spikes> spikes;  ///< per reading
   std::vector<bool> living;  ///< per reading: its taxel is not dead, nor found to be broken
   std::vector<Site> sites = tactile_net::sites(scene.sensor);           ///< per reading
   std::vector<Channel> channels = tactile_net::channels(scene.sensor);  ///< of neighbours
@@ -31,6 +33,10 @@ struct Evidence {
 /// Taxels that are dead, stuck, saturated or noisy, which are buried; and the noise of the others.
 /// Saturated ones stay alive: what they read below their limit is right.
 [[nodiscard]] StillNoise judge_taxels(Evidence& evidence, Findings& findings);
+
+/// Taxels that jump for single frames.
+void judge_spikes(const Evidence& evidence, const StillNoise& noise, PatternSolver& solver,
+                  Findings& findings);
 
 /// What the readings are when nothing presses, for whoever wants to take it off.
 struct RestState {

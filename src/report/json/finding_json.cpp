@@ -22,6 +22,13 @@ Json numbers(const finding::StuckTaxels& f) {
 Json numbers(const finding::NoisyTaxels& f) {
   return {{"taxels", f.taxels}, {"worst", f.worst}, {"times", f.times}};
 }
+Json numbers(const finding::SingleFrameSpikes& f) {
+  return {{"taxels", f.taxels},
+          {"worst", f.worst},
+          {"frame", f.frame},
+          {"frames", f.frames},
+          {"times", f.times}};
+}
 Json numbers(const finding::SaturatedTaxels& f) {
   return {{"taxels", f.taxels}, {"limit", f.limit}, {"frames", f.frames}};
 }

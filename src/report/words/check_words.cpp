@@ -131,6 +131,15 @@ Words say(const finding::NoisyTaxels& f, const Scene& scene) {
               brief(f.times) + " times the noise of the others",
           dead_advice(f.taxels, scene) + "; or mend the contact"};
 }
+Words say(const finding::SingleFrameSpikes& f, const Scene&) {
+  return {taxels(f.taxels, "jumps", "jump") + " for single frames, " + std::to_string(f.frames) +
+              " at least, and those beside do not: by " + brief(f.times) +
+              " times the noise in taxel " + std::to_string(f.worst) + ", frame " +
+              std::to_string(f.frame) + "; no load does that",
+          "a loose contact, or a bit lost on the way? empty these fields, and solve --missing "
+          "estimate finds them from the other taxels; as they are, solve doubts such frames "
+          "(bad_taxel)"};
+}
 Words say(const finding::SaturatedTaxels& f, const Scene& scene) {
   return {taxels(f.taxels, "is", "are") + " cut off at the end of the range: " +
               std::to_string(f.frames) + " equal readings of " + reading(scene, 0, f.limit),
