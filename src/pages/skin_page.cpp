@@ -68,7 +68,7 @@ Scales scales_of(const lab::SkinExperiment& experiment) {
   return scales;
 }
 
-/// @param cells  that touch, around which a line runs
+/// @param cells  that touch, around which a line runs, and whose drags are drawn; none: all are
 std::string traction_map(const SkinScene& scene, const SkinGrid& cells_of, const Values& values,
                          const std::vector<std::size_t>& cells, const Scales& scales,
                          const std::string& title) {
@@ -77,11 +77,18 @@ std::string traction_map(const SkinScene& scene, const SkinGrid& cells_of, const
   std::string svg =
       map_image(grid, of(SkinTraction::normal), scales.pressure, MapColours::signed_values) +
       map_taxels(grid, scene.sensor);
-  if (scales.drag > least_drag * scales.pressure && !of(SkinTraction::tangential_y).empty())
-    svg += map_arrows(grid, of(SkinTraction::tangential_y), of(SkinTraction::tangential_z),
-                      scales.drag);
   std::vector<bool> touches(cells_of.count());
   for (const std::size_t cell : cells) touches[cell] = true;
+  const auto drag = [&](SkinTraction which) {
+    const auto values_of = of(which);
+    Values shown(values_of.begin(), values_of.end());
+    for (std::size_t k = 0; k < shown.size() && !cells.empty(); ++k)
+      if (!touches[k]) shown[k] = 0.0;
+    return shown;
+  };
+  if (scales.drag > least_drag * scales.pressure && !of(SkinTraction::tangential_y).empty())
+    svg += map_arrows(grid, drag(SkinTraction::tangential_y), drag(SkinTraction::tangential_z),
+                      scales.drag);
   svg += map_outline(grid, touches);
   return map_picture(scene.units, grid, title, "Map of the tractions, " + title, svg);
 }

@@ -152,9 +152,11 @@ std::string section_picture(const lab::SkinExperiment& experiment, Axis along) {
   if (!drag.found.empty()) drag.widen(range);
   const std::size_t n = normal.found.size();
   const auto& units = experiment.scene.units;
-  const auto place = [&](std::size_t i) {
-    const double at = along == Axis::y ? grid.y(i) : grid.z(i);
+  const auto in_words = [&](double at) {
     return at == 0.0 ? "0" : report::in_unit(units, Dimension::length, at);
+  };
+  const auto place = [&](std::size_t i) {
+    return in_words(along == Axis::y ? grid.y(i) : grid.z(i));
   };
   const std::string axis = along == Axis::y ? "y" : "z";
   const std::string other =

@@ -141,22 +141,30 @@ std::optional<Answer> placed(const lab::SkinExperiment& experiment) {
                 off > 0.5 * least_depth(scene.sensor)};
 }
 
-/// How near to slipping, and what turns.
+/// How near to slipping.
 std::optional<Answer> gripped(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
   const auto& friction = experiment.answer->friction;
-  const auto& torsion = experiment.answer->wrench.torsion;
   if (!friction) return std::nullopt;
   Answer answer{plus_minus(friction->ratio.value, friction->ratio.deviation),
                 "drag over force, the least friction that holds"};
   if (const auto& limit = scene.reconstruct.friction_limit)
     answer.meaning += "; the limit stated is " + brief(*limit);
-  if (const auto exact = experiment.frame.wrench.torsion(); torsion && exact) {
-    answer.meaning += "; torsion " + uncertain(scene, Dimension::moment, *torsion);
-    if (std::abs(*exact) > torsion->deviation)
-      answer.meaning += ", true " + in_unit(scene.units, Dimension::moment, *exact);
-  }
   return answer;
+}
+
+/// What turns, where it does for certain or in truth.
+std::optional<Answer> twisted(const lab::SkinExperiment& experiment) {
+  const SkinScene& scene = experiment.scene;
+  const auto& found = experiment.answer->wrench.torsion;
+  const auto exact = experiment.frame.wrench.torsion();
+  if (!found || !exact) return std::nullopt;
+  const bool turns = std::abs(*exact) > 3.0 * found->deviation;
+  if (!turns && std::abs(found->value) < 3.0 * found->deviation) return std::nullopt;
+  return Answer{uncertain(scene, Dimension::moment, *found),
+                "torsion about the centre; the contacts twist with " +
+                    (turns ? in_unit(scene.units, Dimension::moment, *exact) : "none to speak of"),
+                std::abs(found->value - *exact) > 4.0 * found->deviation};
 }
 
 }  // namespace
@@ -211,6 +219,7 @@ std::vector<Answer> answers(const lab::SkinExperiment& experiment) {
   std::vector<Answer> all = {pressed(experiment)};
   if (const auto answer = dragged(experiment)) all.push_back(*answer);
   if (const auto answer = placed(experiment)) all.push_back(*answer);
+  if (const auto answer = twisted(experiment)) all.push_back(*answer);
   if (const auto answer = gripped(experiment)) all.push_back(*answer);
   return all;
 }
