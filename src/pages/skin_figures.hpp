@@ -1,0 +1,41 @@
+/// @file
+/// Private. The figures of a skin's pages.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pages/skin_map.hpp"
+#include "tactile_net/lab/skin_run.hpp"
+
+namespace tactile_net::pages {
+
+/// Drags that are smaller beside the pressure are not drawn: noise has some everywhere.
+inline constexpr double least_drag = 0.1;
+
+/// What a map of tractions is drawn with: one scale for found and true, so that they compare.
+struct Scales {
+  double pressure = 0.0;
+  double drag = 0.0;
+  bool negative = false;
+};
+
+/// Widens the scales so that these tractions fit.
+void take(Scales& scales, const std::vector<double>& values, const SkinGrid& grid);
+
+/// @param cells  that touch, around which a line runs, and whose drags are drawn; none: all are
+[[nodiscard]] std::string traction_map(const SkinScene& scene, const SkinGrid& cells_of,
+                                       const std::vector<double>& values,
+                                       const std::vector<std::size_t>& cells, const Scales& scales,
+                                       const std::string& title);
+
+/// Side by side where the window is wide.
+[[nodiscard]] std::string maps(const std::vector<std::string>& pictures);
+
+/// All that is drawn of one frame: tractions, sections, errors, the pad, and the numbers.
+[[nodiscard]] std::string frame_html(const lab::SkinExperiment& experiment);
+
+/// Small maps, one for each channel of an even skin.
+[[nodiscard]] std::string readings_figure(const lab::SkinExperiment& experiment);
+
+}  // namespace tactile_net::pages
