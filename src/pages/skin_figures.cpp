@@ -2,19 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <optional>
-#include <tuple>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "pages/parts.hpp"
 #include "pages/skin_section.hpp"
-#include "pages/time_picture.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/csv/skin_csv.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 

@@ -1,5 +1,6 @@
 #include "tactile_net/drawing/png.hpp"
 
+#include <array>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -108,6 +109,25 @@ TEST_CASE("base64 as RFC 4648 gives it", "[png]") {
   CHECK(base64("fooba") == "Zm9vYmE=");
   CHECK(base64("foobar") == "Zm9vYmFy");
   CHECK(base64(std::string("\xff\x00\xfe", 3)) == "/wD+");
+}
+
+TEST_CASE("a ramp runs from its first stop to its last, its middle stop at 0", "[png]") {
+  constexpr std::array stops = {Colour{200, 0, 0}, Colour{255, 255, 255}, Colour{0, 0, 100}};
+  const Palette palette = ramp(stops);
+  const auto is = [&](std::size_t index, const Colour& colour) {
+    CAPTURE(index);
+    CHECK(palette[index].red == colour.red);
+    CHECK(palette[index].green == colour.green);
+    CHECK(palette[index].blue == colour.blue);
+    CHECK(palette[index].opacity == 255);
+  };
+  is(diverging_index(-1.0), stops[0]);
+  is(diverging_index(0.0), stops[1]);
+  is(diverging_index(1.0), stops[2]);
+  is(ramp_index(0.0), stops[0]);
+  is(ramp_index(1.0), stops[2]);
+  is(ramp_index(0.5), stops[1]);
+  CHECK(ramp_index(7.0) == ramp_index(1.0));
 }
 
 }  // namespace tactile_net::drawing
