@@ -17,8 +17,11 @@ from hypothesis import settings
 import tactile_net as tn
 
 PROJECT = Path(__file__).resolve().parents[2]
+OTHERS = {"hands", "skins", "sweeps"}  # folders without scenes of line arrays
 SCENES = sorted(
-    path for path in (PROJECT / "scenes").rglob("*.toml") if path.parent.name not in ("hands", "skins", "sweeps") and not path.name.startswith(("hand.", "skin-")) and path.name != "hand.toml"
+    path
+    for path in (PROJECT / "scenes").rglob("*.toml")
+    if path.parent.name not in OTHERS and path.name != "hand.toml" and not path.name.startswith("skin-")
 )
 
 settings.register_profile("suite", deadline=None, derandomize=True, max_examples=60)
