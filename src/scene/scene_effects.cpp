@@ -50,7 +50,8 @@ std::string seconds(const Scene& scene, double number) {
 std::string each(const Scene& scene, const PerQuantity<double>& values) {
   if (values.empty()) return "0";
   const auto number = [&](const auto& one) {
-    return in_unit(scene, is_strain(one.first) ? Dimension::none : Dimension::stress, one.second);
+    const bool is_strain = traits(one.first).kind == QuantityKind::strain;
+    return in_unit(scene, is_strain ? Dimension::none : Dimension::stress, one.second);
   };
   const auto differs = [&](const auto& one) {
     return one.second != values.begin()->second || number(one) != number(*values.begin());

@@ -104,13 +104,12 @@ TEST_CASE("every table of the format arrives in the scene", "[scene]") {
 
 TEST_CASE("one rms holds for every quantity, a table weights the rows", "[scene]") {
   const auto one = parse(smallest + "[noise]\nrms = 0.5\n").noise.value();
-  CHECK(one.rms ==
-        std::map<Quantity, double>{{Quantity::stress_x, 0.5}, {Quantity::shear_xy, 0.5}});
+  CHECK(one.rms == PerQuantity<double>{{Quantity::stress_x, 0.5}, {Quantity::shear_xy, 0.5}});
   CHECK(one.seed == 1);
   CHECK_FALSE(one.weights_rows);
 
   const auto each = parse(smallest + "[noise.rms]\nshear_xy = 2\nstress_x = 1\n").noise.value();
-  CHECK(each.rms == std::map<Quantity, double>{{Quantity::stress_x, 1}, {Quantity::shear_xy, 2}});
+  CHECK(each.rms == PerQuantity<double>{{Quantity::stress_x, 1}, {Quantity::shear_xy, 2}});
   CHECK(each.weights_rows);
 }
 

@@ -70,35 +70,80 @@ std::array<double, 4> reduced_bessel(double x) {
   return sums;
 }
 
-/// One node of the integral over k: the amplitudes times weight k^(1 + j) / (2 pi).
+/// One node of the integral over k.
 struct Node {
   double k;
-  LayerFunctionValues values;
+  double weight;
 };
 
-std::vector<Node> nodes(const Material& layer, double depth, double width) {
+/// As wide as `width`, one panel after the other, up to k = end: those of one end are the first of
+/// those of another.
+std::vector<Node> nodes(double end, double width) {
   using Rule = boost::math::quadrature::gauss<double, 20>;
-  Material half_space = layer;
-  half_space.layer.reset();
-  const double end = largest_decay / (2.0 - depth);
   const auto count = static_cast<std::size_t>(std::ceil(end / width));
   std::vector<Node> all;
   all.reserve(count * 20);
   for (std::size_t panel = 0; panel < count; ++panel)
     for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
-      for (const double side : {-1.0, 1.0}) {
-        const double k =
-            (static_cast<double>(panel) + 0.5 * (1.0 + side * Rule::abscissa()[i])) * width;
-        Node node{k, amplitudes(plane_wave(layer, depth, k), layer.poisson_ratio)};
-        const LayerFunctionValues half =
-            amplitudes(plane_wave(half_space, depth, k), layer.poisson_ratio);
-        for (std::size_t t = 0; t < tables; ++t) {
-          double factor = 0.5 * width * Rule::weights()[i] * k / (2.0 * pi);
-          for (int j = 0; j < layer_table_orders[t]; ++j) factor *= k;
-          node.values[t] = (node.values[t] - half[t]) * factor;
-        }
-        all.push_back(node);
+      for (const double side : {-1.0, 1.0})
+        all.push_back(
+            {(static_cast<double>(panel) + 0.5 * (1.0 + side * Rule::abscissa()[i])) * width,
+             0.5 * width * Rule::weights()[i]});
+  return all;
+}
+
+/// 20 points resolve 20 radians of J_j(k r), and poles as far as 0.739 beside a panel 1 wide.
+double width_for(std::size_t panel) { return std::min(1.0, 20.0 / edges[panel + 1]); }
+
+/// Chebyshev's node i of a panel of r, as an angle.
+double chebyshev_angle(std::size_t i) {
+  return pi * (static_cast<double>(i) + 0.5) / LayerTables::At::count;
+}
+
+/// J_j(k r) / (k r)^j, j = 0 ... 3, at all radii and nodes: they know neither material nor depth.
+/// 9 MB, made once in a process, in 0.1 s; a depth then takes some milliseconds.
+class BesselValues {
+ public:
+  using Row = std::vector<std::array<double, 4>>;
+
+  /// Of node i of a panel of r, for the nodes of k that any depth asks for.
+  static const Row& at(std::size_t panel, std::size_t i) {
+    static const BesselValues all;
+    return all.rows_[panel * LayerTables::At::count + i];
+  }
+
+ private:
+  BesselValues() {
+    for (std::size_t panel = 0; panel < panels; ++panel) {
+      const std::vector<Node> all = nodes(largest_decay, width_for(panel));
+      for (std::size_t i = 0; i < LayerTables::At::count; ++i) {
+        const double r = edges[panel] + 0.5 * (edges[panel + 1] - edges[panel]) *
+                                            (1.0 + std::cos(chebyshev_angle(i)));
+        Row& row = rows_.emplace_back();
+        row.reserve(all.size());
+        for (const Node& node : all) row.push_back(reduced_bessel(node.k * r));
       }
+    }
+  }
+  std::vector<Row> rows_;
+};
+
+/// The amplitudes, layer minus half space, times weight k^(1 + j) / (2 pi), at each node.
+std::vector<LayerFunctionValues> integrand(const Material& layer, double depth, double width) {
+  Material half_space = layer;
+  half_space.layer.reset();
+  std::vector<LayerFunctionValues> all;
+  for (const auto& [k, weight] : nodes(largest_decay / (2.0 - depth), width)) {
+    LayerFunctionValues values = amplitudes(plane_wave(layer, depth, k), layer.poisson_ratio);
+    const LayerFunctionValues half =
+        amplitudes(plane_wave(half_space, depth, k), layer.poisson_ratio);
+    for (std::size_t t = 0; t < tables; ++t) {
+      double factor = weight * k / (2.0 * pi);
+      for (int j = 0; j < layer_table_orders[t]; ++j) factor *= k;
+      values[t] = (values[t] - half[t]) * factor;
+    }
+    all.push_back(values);
+  }
   return all;
 }
 
@@ -113,22 +158,18 @@ LayerTables::LayerTables(const Material& material, double depth)
   const Material layer{
       .youngs_modulus = 1.0, .poisson_ratio = nu_, .layer = Layer{1.0, material.layer->base}};
   double width = 0.0;
-  std::vector<Node> integrand;
+  std::vector<LayerFunctionValues> values;
   for (std::size_t panel = 0; panel < panels; ++panel) {
-    // 20 points resolve 20 radians of J_j(k r), and poles as far as 0.739 beside a panel 1 wide.
-    const double needed = std::min(1.0, 20.0 / edges[panel + 1]);
-    if (needed != width) integrand = nodes(layer, depth, width = needed);
+    if (width_for(panel) != width) values = integrand(layer, depth, width = width_for(panel));
     double* const coefficients = coefficients_.data() + panel * tables * count;
     for (std::size_t i = 0; i < count; ++i) {
-      const double angle = pi * (static_cast<double>(i) + 0.5) / count;
-      const double r =
-          edges[panel] + 0.5 * (edges[panel + 1] - edges[panel]) * (1.0 + std::cos(angle));
+      const double angle = chebyshev_angle(i);
+      const BesselValues::Row& bessel = BesselValues::at(panel, i);
       LayerFunctionValues sums{};
-      for (const Node& node : integrand) {
-        const std::array<double, 4> bessel = reduced_bessel(node.k * r);
+      for (std::size_t node = 0; node < values.size(); ++node)
         for (std::size_t t = 0; t < tables; ++t)
-          sums[t] += node.values[t] * bessel[static_cast<std::size_t>(layer_table_orders[t])];
-      }
+          sums[t] +=
+              values[node][t] * bessel[node][static_cast<std::size_t>(layer_table_orders[t])];
       for (std::size_t t = 0; t < tables; ++t)
         for (std::size_t n = 0; n < count; ++n)
           coefficients[t * count + n] +=

@@ -64,10 +64,11 @@ class LayerTables {
     /// f / r^j.
     [[nodiscard]] double operator()(LayerTable table) const noexcept;
 
+    static constexpr std::size_t count = 16;
+
    private:
     friend class LayerTables;
     At() = default;
-    static constexpr std::size_t count = 16;
     const double* coefficients_ = nullptr;
     std::array<double, count> polynomials_{};
   };

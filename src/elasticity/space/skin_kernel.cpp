@@ -210,6 +210,13 @@ void SkinKernel::operator()(SkinQuantity quantity, SkinTraction component, const
     readings[i] += added(quantity, component, load, y[i], z[i]);
 }
 
+void SkinKernel::base_part(SkinQuantity quantity, SkinTraction component, std::span<const double> y,
+                           std::span<const double> z, std::span<double> readings) const noexcept {
+  assert(y.size() == readings.size() && z.size() == readings.size());
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    readings[i] = tables_ ? added(quantity, component, y[i], z[i]) : 0.0;
+}
+
 double SkinKernel::error_bound(SkinQuantity quantity) const noexcept {
   constexpr double relative = 1e-13;
   const double compliance = (1.0 + material_.poisson_ratio) / material_.youngs_modulus;

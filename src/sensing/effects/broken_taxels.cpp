@@ -7,16 +7,16 @@
 namespace tactile_net {
 namespace {
 
-void require_taxels(std::span<const std::size_t> indices, const SensorArray& array) {
+void require_taxels(std::span<const std::size_t> indices, const SignalLayout& sensor) {
   for (const std::size_t taxel : indices)
-    require(taxel < array.count, "a taxel's index", "be less than their count", taxel);
+    require(taxel < sensor.taxels, "a taxel's index", "be less than their count", taxel);
 }
 
 class Stuck final : public SensorEffect {
  public:
-  Stuck(const StuckTaxels& stuck, const SensorArray& array) {
-    require_taxels(stuck.indices, array);
-    for (std::size_t reading = 0; const Site& site : sites(array)) {
+  Stuck(const StuckTaxels& stuck, const SignalLayout& sensor) {
+    require_taxels(stuck.indices, sensor);
+    for (std::size_t reading = 0; const SignalReading& site : sensor.readings) {
       const std::vector<double>& values = value_of(stuck.values, site.quantity, "values");
       require(values.size() == stuck.indices.size(), "values", "be as many as indices",
               values.size());
@@ -39,9 +39,9 @@ class Stuck final : public SensorEffect {
 
 class Dead final : public SensorEffect {
  public:
-  Dead(const DeadTaxels& dead, const SensorArray& array) {
-    require_taxels(dead.indices, array);
-    for (std::size_t reading = 0; const Site& site : sites(array)) {
+  Dead(const DeadTaxels& dead, const SignalLayout& sensor) {
+    require_taxels(dead.indices, sensor);
+    for (std::size_t reading = 0; const SignalReading& site : sensor.readings) {
       if (std::find(dead.indices.begin(), dead.indices.end(), site.taxel) != dead.indices.end())
         readings_.push_back(reading);
       ++reading;
@@ -55,9 +55,9 @@ class Dead final : public SensorEffect {
 
 }  // namespace
 
-std::unique_ptr<SensorEffect> make_effect(const StuckTaxels& stuck, const SensorArray& array) {
+std::unique_ptr<SensorEffect> make_effect(const StuckTaxels& stuck, const SignalLayout& sensor) {
   if (stuck.indices.empty()) return nullptr;
-  return std::make_unique<Stuck>(stuck, array);
+  return std::make_unique<Stuck>(stuck, sensor);
 }
 
 void kill(std::span<double> readings, std::span<const std::size_t> dead_taxels) noexcept {
@@ -67,9 +67,9 @@ void kill(std::span<double> readings, std::span<const std::size_t> dead_taxels) 
   }
 }
 
-std::unique_ptr<SensorEffect> make_effect(const DeadTaxels& dead, const SensorArray& array) {
+std::unique_ptr<SensorEffect> make_effect(const DeadTaxels& dead, const SignalLayout& sensor) {
   if (dead.indices.empty()) return nullptr;
-  return std::make_unique<Dead>(dead, array);
+  return std::make_unique<Dead>(dead, sensor);
 }
 
 }  // namespace tactile_net

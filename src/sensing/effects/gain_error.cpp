@@ -8,11 +8,11 @@ namespace {
 
 class Gains final : public SensorEffect {
  public:
-  Gains(const GainError& error, const SensorArray& array) {
-    if (!error.values.empty()) require_one_per_taxel(error.values, array, "values");
+  Gains(const GainError& error, const SignalLayout& sensor) {
+    if (!error.values.empty()) require_one_per_taxel(error.values, sensor, "values");
     require_not_negative("rms", error.rms);
     std::vector<NormalStream> draws;  // per channel
-    for (const Site& site : sites(array)) {
+    for (const SignalReading& site : sensor.readings) {
       if (site.channel == draws.size())
         draws.emplace_back(error.seed, site.channel, Draws::gain_error);
       factor_.push_back(
@@ -29,9 +29,9 @@ class Gains final : public SensorEffect {
 
 }  // namespace
 
-std::unique_ptr<SensorEffect> make_effect(const GainError& error, const SensorArray& array) {
+std::unique_ptr<SensorEffect> make_effect(const GainError& error, const SignalLayout& sensor) {
   if (error.rms == 0.0 && all_zero(error.values)) return nullptr;
-  return std::make_unique<Gains>(error, array);
+  return std::make_unique<Gains>(error, sensor);
 }
 
 }  // namespace tactile_net

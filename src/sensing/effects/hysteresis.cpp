@@ -9,15 +9,15 @@ namespace {
 
 class Plays final : public SensorEffect {
  public:
-  Plays(const Hysteresis& hysteresis, const SensorArray& array)
-      : weights_(hysteresis.weights), channel_(channel_of_readings(array)) {
+  Plays(const Hysteresis& hysteresis, const SignalLayout& sensor)
+      : weights_(hysteresis.weights), channel_(channel_of_readings(sensor)) {
     double all = 0.0;
     for (const double weight : weights_) {
       require_positive("weight", weight);
       all += weight;
     }
     require(all <= 1.0 + 1e-12, "weights", "add up to 1 at most", all);
-    for (const Channel& channel : channels(array)) {
+    for (const SignalChannel& channel : sensor.channels) {
       thresholds_.push_back(value_of(hysteresis.thresholds, channel.quantity, "thresholds"));
       require(thresholds_.back().size() == weights_.size(), "thresholds", "be as many as weights",
               thresholds_.back().size());
@@ -49,9 +49,10 @@ class Plays final : public SensorEffect {
 
 }  // namespace
 
-std::unique_ptr<SensorEffect> make_effect(const Hysteresis& hysteresis, const SensorArray& array) {
+std::unique_ptr<SensorEffect> make_effect(const Hysteresis& hysteresis,
+                                          const SignalLayout& sensor) {
   if (all_zero(hysteresis.thresholds)) return nullptr;
-  return std::make_unique<Plays>(hysteresis, array);
+  return std::make_unique<Plays>(hysteresis, sensor);
 }
 
 }  // namespace tactile_net

@@ -33,7 +33,7 @@ class Lagging final : public SensorEffect {
 
 }  // namespace
 
-std::unique_ptr<SensorEffect> make_effect(const LowPass& low_pass, const SensorArray&) {
+std::unique_ptr<SensorEffect> make_effect(const LowPass& low_pass, const SignalLayout&) {
   require_not_negative("time_constant", low_pass.time_constant);
   if (low_pass.time_constant == 0.0) return nullptr;
   return std::make_unique<Lagging>(low_pass.time_constant);

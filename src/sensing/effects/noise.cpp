@@ -11,8 +11,8 @@ namespace {
 
 class Noise final : public SensorEffect {
  public:
-  Noise(const NoiseModel& noise, const SensorArray& array) : channels_(channels(array)) {
-    for (const Channel& channel : channels_) {
+  Noise(const NoiseModel& noise, const SignalLayout& sensor) : channels_(sensor.channels) {
+    for (const SignalChannel& channel : channels_) {
       rms_.push_back(value_of(noise.rms, channel.quantity, "rms"));
       require_not_negative("rms", rms_.back());
       streams_.emplace_back(noise.seed, streams_.size(), Draws::noise);
@@ -25,17 +25,17 @@ class Noise final : public SensorEffect {
   }
 
  private:
-  std::vector<Channel> channels_;
+  std::vector<SignalChannel> channels_;
   std::vector<double> rms_;
   std::vector<NormalStream> streams_;
 };
 
 }  // namespace
 
-std::unique_ptr<SensorEffect> make_effect(const NoiseModel& noise, const SensorArray& array) {
+std::unique_ptr<SensorEffect> make_effect(const NoiseModel& noise, const SignalLayout& sensor) {
   const bool silent = std::all_of(noise.rms.begin(), noise.rms.end(),
                                   [](const auto& rms) { return rms.second == 0.0; });
-  return silent ? nullptr : std::make_unique<Noise>(noise, array);
+  return silent ? nullptr : std::make_unique<Noise>(noise, sensor);
 }
 
 void add_noise(std::span<double> readings, double rms, std::uint64_t seed, std::size_t channel) {

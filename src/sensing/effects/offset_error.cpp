@@ -8,12 +8,12 @@ namespace {
 
 class Offsets final : public SensorEffect {
  public:
-  Offsets(const OffsetError& error, const SensorArray& array) {
+  Offsets(const OffsetError& error, const SignalLayout& sensor) {
     if (!error.values.empty()) {
-      offset_ = of_readings(error.values, array, "values");
+      offset_ = of_readings(error.values, sensor, "values");
       return;
     }
-    for (std::size_t c = 0; const Channel& channel : channels(array)) {
+    for (std::size_t c = 0; const SignalChannel& channel : sensor.channels) {
       NormalStream draw(error.seed, c++, Draws::offset_error);
       const double rms = value_of(error.rms, channel.quantity, "rms");
       require_not_negative("rms", rms);
@@ -30,11 +30,11 @@ class Offsets final : public SensorEffect {
 
 }  // namespace
 
-std::unique_ptr<SensorEffect> make_effect(const OffsetError& error, const SensorArray& array) {
+std::unique_ptr<SensorEffect> make_effect(const OffsetError& error, const SignalLayout& sensor) {
   const bool none = std::all_of(error.rms.begin(), error.rms.end(),
                                 [](const auto& rms) { return rms.second == 0.0; });
   if (none && all_zero(error.values)) return nullptr;
-  return std::make_unique<Offsets>(error, array);
+  return std::make_unique<Offsets>(error, sensor);
 }
 
 }  // namespace tactile_net

@@ -16,7 +16,7 @@ namespace tactile_net {
 
 /// The value of a quantity. @throw std::invalid_argument  there is none
 template <typename T>
-const T& value_of(const PerQuantity<T>& values, Quantity quantity, std::string_view what) {
+const T& value_of(const PerQuantity<T>& values, SignalQuantity quantity, std::string_view what) {
   const auto found = values.find(quantity);
   if (found == values.end())
     throw std::invalid_argument(std::string(what) + " must name every quantity that is read (" +
@@ -25,9 +25,9 @@ const T& value_of(const PerQuantity<T>& values, Quantity quantity, std::string_v
 }
 
 /// @throw std::invalid_argument  not one value per taxel
-inline void require_one_per_taxel(const std::vector<double>& values, const SensorArray& array,
+inline void require_one_per_taxel(const std::vector<double>& values, const SignalLayout& sensor,
                                   const std::string& what) {
-  require(values.size() == array.count, what, "hold one value per taxel", values.size());
+  require(values.size() == sensor.taxels, what, "hold one value per taxel", values.size());
 }
 
 /// @throw std::invalid_argument  a value is negative, infinite or NaN
@@ -36,9 +36,9 @@ inline void require_not_negative(const std::string& what, double value) {
 }
 
 /// Which channel each reading is of.
-inline std::vector<std::size_t> channel_of_readings(const SensorArray& array) {
+inline std::vector<std::size_t> channel_of_readings(const SignalLayout& sensor) {
   std::vector<std::size_t> all;
-  for (const Site& site : sites(array)) all.push_back(site.channel);
+  for (const SignalReading& site : sensor.readings) all.push_back(site.channel);
   return all;
 }
 
@@ -46,11 +46,11 @@ inline std::vector<std::size_t> channel_of_readings(const SensorArray& array) {
 ///
 /// @throw std::invalid_argument  a quantity is missing, or has not one value per taxel
 inline std::vector<double> of_readings(const PerQuantity<std::vector<double>>& values,
-                                       const SensorArray& array, const std::string& what) {
+                                       const SignalLayout& sensor, const std::string& what) {
   std::vector<double> all;
-  for (const Site& site : sites(array)) {
+  for (const SignalReading& site : sensor.readings) {
     const std::vector<double>& own = value_of(values, site.quantity, what);
-    require_one_per_taxel(own, array, what);
+    require_one_per_taxel(own, sensor, what);
     all.push_back(own[site.taxel]);
   }
   return all;

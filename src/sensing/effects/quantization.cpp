@@ -42,7 +42,7 @@ void quantize(std::span<double> readings, const Converter& converter) noexcept {
   }
 }
 
-std::unique_ptr<SensorEffect> make_effect(const Converter& converter, const SensorArray&) {
+std::unique_ptr<SensorEffect> make_effect(const Converter& converter, const SignalLayout&) {
   require(converter.bits >= 1 && converter.bits <= 32, "bits", "be from 1 to 32", converter.bits);
   require(converter.low < converter.high, "range", "begin below its end", converter.low);
   return std::make_unique<Levels>(converter);

@@ -38,7 +38,7 @@ class Window final : public SensorEffect {
 
 }  // namespace
 
-std::unique_ptr<SensorEffect> make_effect(const Sampling& sampling, const SensorArray&) {
+std::unique_ptr<SensorEffect> make_effect(const Sampling& sampling, const SignalLayout&) {
   require_not_negative("aperture", sampling.aperture);
   if (sampling.aperture == 0.0) return nullptr;
   return std::make_unique<Window>(sampling.aperture);

@@ -9,8 +9,8 @@ namespace {
 
 class Limits final : public SensorEffect {
  public:
-  Limits(const Saturation& saturation, const SensorArray& array) {
-    for (const Site& site : sites(array)) {
+  Limits(const Saturation& saturation, const SignalLayout& sensor) {
+    for (const SignalReading& site : sensor.readings) {
       range_.push_back(value_of(saturation.range, site.quantity, "range"));
       require(range_.back().low < range_.back().high, "range", "begin below its end",
               range_.back().low);
@@ -43,8 +43,9 @@ class Limits final : public SensorEffect {
 
 }  // namespace
 
-std::unique_ptr<SensorEffect> make_effect(const Saturation& saturation, const SensorArray& array) {
-  return std::make_unique<Limits>(saturation, array);
+std::unique_ptr<SensorEffect> make_effect(const Saturation& saturation,
+                                          const SignalLayout& sensor) {
+  return std::make_unique<Limits>(saturation, sensor);
 }
 
 }  // namespace tactile_net

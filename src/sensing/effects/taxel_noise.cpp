@@ -8,10 +8,10 @@ namespace {
 
 class NoiseOfTaxels final : public SensorEffect {
  public:
-  NoiseOfTaxels(const TaxelNoise& noise, const SensorArray& array)
-      : rms_(of_readings(noise.rms, array, "rms")), channel_(channel_of_readings(array)) {
+  NoiseOfTaxels(const TaxelNoise& noise, const SignalLayout& sensor)
+      : rms_(of_readings(noise.rms, sensor, "rms")), channel_(channel_of_readings(sensor)) {
     for (const double rms : rms_) require_not_negative("rms", rms);
-    for (std::size_t c = 0; c < channel_count(array); ++c)
+    for (std::size_t c = 0; c < sensor.channels.size(); ++c)
       streams_.emplace_back(noise.seed, c, Draws::taxel_noise);
   }
   void apply(const Instant&, std::span<double> readings) override {
@@ -27,9 +27,9 @@ class NoiseOfTaxels final : public SensorEffect {
 
 }  // namespace
 
-std::unique_ptr<SensorEffect> make_effect(const TaxelNoise& noise, const SensorArray& array) {
+std::unique_ptr<SensorEffect> make_effect(const TaxelNoise& noise, const SignalLayout& sensor) {
   if (all_zero(noise.rms)) return nullptr;
-  return std::make_unique<NoiseOfTaxels>(noise, array);
+  return std::make_unique<NoiseOfTaxels>(noise, sensor);
 }
 
 }  // namespace tactile_net

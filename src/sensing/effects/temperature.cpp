@@ -10,11 +10,11 @@ namespace {
 
 class Drifting final : public SensorEffect {
  public:
-  Drifting(const TemperatureDrift& drift, const SensorArray& array)
+  Drifting(const TemperatureDrift& drift, const SignalLayout& sensor)
       : gain_(drift.gain), change_(drift.change) {
     require(change_.times.size() == change_.values.size() && !change_.times.empty(), "change",
             "hold one value per time, and one at least", change_.values.size());
-    for (const Site& site : sites(array))
+    for (const SignalReading& site : sensor.readings)
       offset_.push_back(value_of(drift.offset, site.quantity, "offset"));
   }
   void apply(const Instant& at, std::span<double> readings) override {
@@ -31,12 +31,13 @@ class Drifting final : public SensorEffect {
 
 }  // namespace
 
-std::unique_ptr<SensorEffect> make_effect(const TemperatureDrift& drift, const SensorArray& array) {
+std::unique_ptr<SensorEffect> make_effect(const TemperatureDrift& drift,
+                                          const SignalLayout& sensor) {
   const bool steady =
       drift.gain == 0.0 && std::all_of(drift.offset.begin(), drift.offset.end(),
                                        [](const auto& offset) { return offset.second == 0.0; });
   if (steady || all_zero(drift.change.values)) return nullptr;
-  return std::make_unique<Drifting>(drift, array);
+  return std::make_unique<Drifting>(drift, sensor);
 }
 
 }  // namespace tactile_net

@@ -33,9 +33,9 @@ double zero_beyond(const Spectrum& spectrum, Spectrum::const_iterator own) {
 
 class Creeping final : public SensorEffect {
  public:
-  Creeping(std::vector<CreepTerm> terms, const SensorArray& array) : terms_(std::move(terms)) {
-    for (const Channel& channel : channels(array))
-      if (is_strain(channel.quantity))
+  Creeping(std::vector<CreepTerm> terms, const SignalLayout& sensor) : terms_(std::move(terms)) {
+    for (const SignalChannel& channel : sensor.channels)
+      if (channel.quantity.creeps())
         blocks_.push_back({channel.first, std::vector<double>(channel.count),
                            std::vector<double>(terms_.size() * channel.count)});
   }
@@ -58,7 +58,7 @@ class Creeping final : public SensorEffect {
   [[nodiscard]] bool has_memory() const noexcept override { return true; }
 
  private:
-  struct Block {  // one channel of strains
+  struct Block {  // one channel of strains, or of displacements
     std::size_t first = 0;
     std::vector<double> before{};
     std::vector<double> states{};  // count x terms
@@ -108,11 +108,13 @@ double creep(std::span<const CreepTerm> terms, double t) noexcept {
 }
 
 std::unique_ptr<SensorEffect> make_effect(const Viscoelasticity& viscoelasticity,
-                                          const SensorArray& array) {
+                                          const SignalLayout& sensor) {
   std::vector<CreepTerm> terms = creep_terms(viscoelasticity.terms);
-  const bool strains = std::any_of(array.reads.begin(), array.reads.end(), is_strain);
-  if (terms.empty() || !strains) return nullptr;
-  return std::make_unique<Creeping>(std::move(terms), array);
+  const bool any_creeps =
+      std::any_of(sensor.channels.begin(), sensor.channels.end(),
+                  [](const SignalChannel& channel) { return channel.quantity.creeps(); });
+  if (terms.empty() || !any_creeps) return nullptr;
+  return std::make_unique<Creeping>(std::move(terms), sensor);
 }
 
 }  // namespace tactile_net

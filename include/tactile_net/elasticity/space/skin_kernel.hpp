@@ -28,7 +28,8 @@ void check_quantity(SkinQuantity quantity, SkinTraction component, const Materia
 /// `check_quantity`'s are NaN. Places are finite; lengths may be of any size.
 class SkinKernel {
  public:
-  /// O(1) on a half space; some 0.1 s in a layer, for all quantities together.
+  /// O(1) on a half space; in a layer some milliseconds, for all quantities together, and 0.1 s for
+  /// what all depths share, once in a process.
   ///
   /// @throw std::invalid_argument  the material is out of range; depth is not > 0, or below the
   /// base
@@ -51,6 +52,11 @@ class SkinKernel {
   void operator()(SkinQuantity quantity, SkinTraction component, const Rectangle& load,
                   std::span<const double> y, std::span<const double> z,
                   std::span<double> readings) const noexcept;
+
+  /// What the base adds to a half space's readings from unit point forces, zeros on a half space.
+  /// It changes with the place over lengths of 2 h - depth, h = thickness, and not of the depth.
+  void base_part(SkinQuantity quantity, SkinTraction component, std::span<const double> y,
+                 std::span<const double> z, std::span<double> readings) const noexcept;
 
   /// The largest error of a point load's reading: 1e-13 of 3 / (2 pi depth^2) for stresses, of
   /// (1 + nu) / E times that for strains, of 3 (1 + nu) / (2 pi E depth) for displacements, which

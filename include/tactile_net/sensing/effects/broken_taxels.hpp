@@ -17,7 +17,7 @@ struct StuckTaxels {
   PerQuantity<std::vector<double>> values{};  ///< one per index [unit of the reading]
 };
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const StuckTaxels& stuck,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 /// A dead taxel reads zero: readings of one channel, and indices below their count.
 void kill(std::span<double> readings, std::span<const std::size_t> dead_taxels) noexcept;
@@ -26,6 +26,6 @@ struct DeadTaxels {
   std::vector<std::size_t> indices{};  ///< < count
 };
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const DeadTaxels& dead,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 }  // namespace tactile_net

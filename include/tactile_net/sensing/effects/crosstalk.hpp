@@ -8,17 +8,18 @@
 
 namespace tactile_net {
 
-/// Between neighbours i and j of one channel, `fraction` of the difference of their signals flows:
+/// Between neighbours i and j of one channel, `fraction` of the difference of their signals flows;
+/// on a line
 ///
 ///     out(j) = in(j) + fraction (in(j-1) - in(j)) + fraction (in(j+1) - in(j))
 ///
-/// A taxel at an end has one neighbour. The sum over the array and a signal that is the same
-/// everywhere stay what they are.
+/// A taxel at an end has one neighbour; of a skin's lattice one inside has four. The sum over the
+/// array and a signal that is the same everywhere stay what they are.
 struct Crosstalk {
-  double fraction = 0.0;  ///< 0 ... 0.5
+  double fraction = 0.0;  ///< 0 ... 1 over the most neighbours: of a line 0.5
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Crosstalk& crosstalk,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 }  // namespace tactile_net

@@ -4,7 +4,7 @@
 /// Every effect is a plain struct that says how strong it is, in a file of its own, and a function
 /// `make_effect` that turns it into a stage of the signal path (signal_path.hpp); it throws
 /// std::invalid_argument where a value is out of the range that the struct states, a quantity that
-/// the array reads has none, or lists do not fit the array. A strength of zero makes no stage: it
+/// the sensor reads has none, or lists do not fit it. A strength of zero makes no stage: it
 /// is the effect's absence, bit for bit. What is drawn at random comes from a stream of the
 /// effect's own, so that no effect changes what another draws.
 #pragma once
@@ -16,14 +16,13 @@
 #include <span>
 #include <string_view>
 
-#include "tactile_net/elasticity/quantity.hpp"
-#include "tactile_net/sensing/array.hpp"
+#include "tactile_net/sensing/effects/signal_layout.hpp"
 
 namespace tactile_net {
 
-/// A strength in the unit of the readings: one for every quantity that the array reads.
+/// A strength in the unit of the readings: one for every quantity that the sensor reads.
 template <typename T>
-using PerQuantity = std::map<Quantity, T>;
+using PerQuantity = std::map<SignalQuantity, T>;
 
 /// A moment at which the path is gone through.
 struct Instant {

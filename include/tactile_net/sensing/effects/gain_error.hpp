@@ -18,6 +18,6 @@ struct GainError {
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const GainError& error,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 }  // namespace tactile_net

@@ -22,6 +22,6 @@ struct Hysteresis {
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Hysteresis& hysteresis,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 }  // namespace tactile_net

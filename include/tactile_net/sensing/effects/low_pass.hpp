@@ -15,6 +15,6 @@ struct LowPass {
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const LowPass& low_pass,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 }  // namespace tactile_net

@@ -20,7 +20,7 @@ struct NoiseModel {
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const NoiseModel& noise,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 /// Adds white Gaussian noise of that rms [unit of the readings] to one channel: that of the first
 /// frame.

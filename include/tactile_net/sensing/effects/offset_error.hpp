@@ -19,6 +19,6 @@ struct OffsetError {
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const OffsetError& error,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 }  // namespace tactile_net

@@ -20,6 +20,6 @@ void quantize(std::span<double> readings, const Converter& converter) noexcept;
 
 /// Each frame says how many of its readings lay beyond the levels.
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Converter& converter,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 }  // namespace tactile_net

@@ -16,6 +16,6 @@ struct Sampling {
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Sampling& sampling,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 }  // namespace tactile_net

@@ -19,6 +19,6 @@ struct Saturation {
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Saturation& saturation,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 }  // namespace tactile_net

@@ -18,6 +18,6 @@ struct TaxelNoise {
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const TaxelNoise& noise,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 }  // namespace tactile_net

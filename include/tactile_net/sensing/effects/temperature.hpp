@@ -17,6 +17,6 @@ struct TemperatureDrift {
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const TemperatureDrift& drift,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 }  // namespace tactile_net

@@ -49,6 +49,6 @@ struct CreepTerm {
 
 /// The load is zero before t = 0.
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Viscoelasticity& viscoelasticity,
-                                                        const SensorArray& array);
+                                                        const SignalLayout& sensor);
 
 }  // namespace tactile_net

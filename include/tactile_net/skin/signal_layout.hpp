@@ -1,0 +1,20 @@
+/// @file
+/// A skin as the effects of the signal path see it.
+///
+///     stages.push_back(make_effect(NoiseModel{.rms = {{SkinQuantity::stress_x, 2.0}}},
+///                                  signal_layout(skin)));
+#pragma once
+
+#include "tactile_net/sensing/effects/signal_layout.hpp"
+#include "tactile_net/skin/array.hpp"
+
+namespace tactile_net {
+
+/// Taxels side by side are those one row or one column apart; of an uneven skin those no further
+/// apart than 1.3 times the mean distance to the nearest one, which on a square lattice are four,
+/// on a hexagonal one six.
+///
+/// @pre  a skin in its range
+[[nodiscard]] SignalLayout signal_layout(const SkinArray& skin);
+
+}  // namespace tactile_net
