@@ -37,7 +37,8 @@ LatticeKernel::LatticeKernel(const CellKernel& kernel, SkinQuantity quantity,
   std::vector<double> y(grid.count());
   std::vector<double> z(grid.count());
   for (std::size_t i = 0; i < grid.count(); ++i) {
-    y[i] = static_cast<double>(i / grid.columns) * grid.spacing_y;
+    const std::size_t row = i / grid.columns;
+    y[i] = static_cast<double>(row) * grid.spacing_y;
     z[i] = static_cast<double>(i % grid.columns) * grid.spacing_z;
   }
   kernel(quantity, component, y, z, quadrant_);

@@ -7,6 +7,7 @@
 
 #include "skin/load_part.hpp"
 #include "skin/part_quadrature.hpp"
+#include "skin/patch.hpp"
 #include "tactile_net/elasticity/space/disc.hpp"
 #include "tactile_net/elasticity/space/half_space.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -65,7 +66,7 @@ class ExactSkinModel::Summation {
   Summation& operator=(const Summation&) = delete;
 
   void add(const SkinContact& contact) {
-    const std::vector<LoadPart> all = parts(contact);
+    const LoadParts all = parts(contact);
     std::vector<double> tolerances;
     std::vector<double> sums;
     for (const Place& place : depth_.places) {
@@ -85,27 +86,21 @@ class ExactSkinModel::Summation {
   }
 
   void add(const SampledPatch& patch) {
-    const SkinGrid grid{.rows = patch.rows,
-                        .columns = patch.columns,
-                        .spacing_y = patch.spacing_y,
-                        .spacing_z = patch.spacing_z,
-                        .centre_y = patch.y,
-                        .centre_z = patch.z};
+    const SkinGrid grid = grid_of(patch);
     const Rectangle rectangle{patch.spacing_y, patch.spacing_z};
-    for (const auto& [component, values] :
-         {std::pair(SkinTraction::normal, &patch.normal),
-          std::pair(SkinTraction::tangential_y, &patch.tangential_y),
-          std::pair(SkinTraction::tangential_z, &patch.tangential_z)})
-      for (std::size_t i = 0; i < values->size(); ++i) {
-        if ((*values)[i] == 0.0) continue;
+    for (const SkinTraction component : skin_tractions) {
+      const std::vector<double>& own = values(patch, component);
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        if (own[i] == 0.0) continue;
         const double y = grid.y(i / grid.columns);
         const double z = grid.z(i % grid.columns);
         for (const Place& place : depth_.places)
           for (std::size_t q = 0; q < place.quantities.size(); ++q)
             readings_[place.targets[q]] +=
-                (*values)[i] *
+                own[i] *
                 depth_.kernel(place.quantities[q], component, rectangle, place.y - y, place.z - z);
       }
+    }
   }
 
  private:

@@ -30,9 +30,9 @@ ShapeTraits shape_traits(SkinShape shape) noexcept {
 
 }  // namespace
 
-LoadPart::LoadPart(DiscProfile own, const SkinContact& contact, double scale,
+LoadPart::LoadPart(DiscProfile own_profile, const SkinContact& contact, double scale,
                    const std::array<double, 3>& own_force, double own_torsion) noexcept
-    : profile(own),
+    : profile(own_profile),
       y(contact.y),
       z(contact.z),
       a(scale * contact.radius),
@@ -84,19 +84,20 @@ SkinSupport LoadPart::support() const noexcept {
   return {y - half_y, y + half_y, z - half_z, z + half_z};
 }
 
-std::vector<LoadPart> parts(const SkinContact& contact) {
+LoadParts parts(const SkinContact& contact) noexcept {
   const auto [profile, growth] = shape_traits(contact.shape);
   const double drag = contact.friction * contact.force;
   const double drag_y = drag * std::cos(contact.direction);
   const double drag_z = drag * std::sin(contact.direction);
-  std::vector<LoadPart> all{{profile, contact, 1.0, {contact.force, drag_y, drag_z}, 0.0}};
+  LoadParts all;
+  all.add({profile, contact, 1.0, {contact.force, drag_y, drag_z}, 0.0});
   if (contact.stick > 0.0 && drag != 0.0) {
     const double share = std::pow(contact.stick, growth);
-    all.push_back({profile, contact, contact.stick, {0.0, -share * drag_y, -share * drag_z}, 0.0});
+    all.add({profile, contact, contact.stick, {0.0, -share * drag_y, -share * drag_z}, 0.0});
   }
   // A twist has a sphere's root, whatever the profile of what presses.
   if (contact.torsion != 0.0)
-    all.push_back({DiscProfile::sphere, contact, 1.0, {0.0, 0.0, 0.0}, contact.torsion});
+    all.add({DiscProfile::sphere, contact, 1.0, {0.0, 0.0, 0.0}, contact.torsion});
   return all;
 }
 

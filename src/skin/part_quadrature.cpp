@@ -134,7 +134,7 @@ void PartQuadrature::ring(const Taxel& taxel, double s, double share, Values& me
   const double wanted = 1.0 + s * std::max(part.a, part.b) / nearest;
   Values sum{};
   std::size_t level = 0;
-  double count = static_cast<double>(first_angles);
+  auto count = static_cast<double>(first_angles);
   add_ring_points(taxel, s, 0, sum);
   const auto refine = [&] {
     add_ring_points(taxel, s, ++level, sum);

@@ -30,7 +30,9 @@ void add_places(const SkinArray& skin, CellKernels& kernels, const SkinGrid& gri
                 std::size_t components, std::span<const double> tractions,
                 std::span<double> readings) {
   const std::size_t count = grid.count();
-  std::vector<double> y(count), z(count), row(count);
+  std::vector<double> y(count);
+  std::vector<double> z(count);
+  std::vector<double> row(count);
   for (std::size_t reading = 0; const SkinSite& site : sites(skin)) {
     for (std::size_t i = 0; i < count; ++i) {
       y[i] = site.y - grid.y(i / grid.columns);

@@ -33,7 +33,8 @@ namespace tactile_net {
 /// (elasticity/space/disc.hpp) in a half space, from depths of radius / 64 on. Ellipses, twists,
 /// and what a layer's base adds, are point loads summed over rings (docs/internals/space.md):
 /// some thousand where the distance to the nearest singularity, the depth, or of the base 2
-/// thickness - depth, is about a radius, and radius / distance times as many where it is less.
+/// thickness - depth, is about a radius, and radius / distance times as many where it is less;
+/// depths of 1e-4 radii are refused.
 /// Patches are sums of `SkinKernel`'s rectangles.
 class ExactSkinModel {
  public:

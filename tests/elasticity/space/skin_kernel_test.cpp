@@ -274,6 +274,25 @@ TEST_CASE("many places at once are as one by one in a layer too", "[skin_kernel]
     }
 }
 
+TEST_CASE("what the base adds is the layer's reading less the half space's", "[skin_kernel]") {
+  const std::vector<double> y{0.0, 1.3, -2.0, 70.0};
+  const std::vector<double> z{0.2, 0.0, 5.0, 1.0};
+  std::vector<double> readings(y.size());
+  for (const SkinTraction load : skin_tractions)
+    for (const SkinQuantity q : skin_quantities) {
+      const Material material = skin(0.4, 1.0, Base::bonded);
+      const SkinKernel layer(material, 0.5);
+      layer.base_part(q, load, y, z, readings);
+      for (std::size_t i = 0; i < y.size(); ++i)
+        CHECK_THAT(readings[i] + half_space_kernel(q, load, material, 0.5, y[i], z[i]),
+                   WithinAbs(layer(q, load, y[i], z[i]), layer.error_bound(q)));
+      Material half_space = material;
+      half_space.layer.reset();
+      SkinKernel(half_space, 0.5).base_part(q, load, y, z, readings);
+      CHECK(readings == std::vector<double>(y.size()));
+    }
+}
+
 TEST_CASE("a slide without end is refused, with a remedy", "[skin_kernel]") {
   const Material material = skin(0.4, 1.0, Base::frictionless);
   CHECK_THROWS_WITH(
