@@ -35,7 +35,7 @@ struct SkinRecordingAnswer {
   SkinScene scene{};
   SkinGrid grid{};
   std::vector<Frame> frames{};
-  std::size_t per_shown = 1;  ///< frames that one of these stands for
+  std::size_t per_shown = 1;           ///< frames that one of these stands for
   std::vector<Shown> shown{};          ///< in the order of time, at most `most_shown`
   std::size_t hardest = 0;             ///< the frame with the largest normal force
   std::vector<double> readings{};      ///< of that one

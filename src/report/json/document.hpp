@@ -19,7 +19,7 @@ namespace kind {
 inline constexpr DocumentKind run{"run"};
 inline constexpr DocumentKind skin_run{"skin_run"};      ///< run, of a skin
 inline constexpr DocumentKind skin_solve{"skin_solve"};  ///< solve, of a skin
-inline constexpr DocumentKind explain{"explain"};  ///< run --explain
+inline constexpr DocumentKind explain{"explain"};        ///< run --explain
 inline constexpr DocumentKind relax{"relax"};
 inline constexpr DocumentKind deck{"deck"};  ///< relax FILE.cir
 inline constexpr DocumentKind certify{"certify"};
