@@ -10,6 +10,8 @@
 namespace tactile_net::lab {
 namespace {
 
+constexpr const char* overflow = "the frame's tractions overflow a double; scale the readings";
+
 /// |W (K f - g)|
 double residual_of(const SkinProblem& problem, std::span<const double> readings,
                    std::span<const double> tractions) {
@@ -26,8 +28,8 @@ double residual_of(const SkinProblem& problem, std::span<const double> readings,
 
 ChosenAlpha alpha_of(const SkinSceneProblem& problem, const FilterFrame& frame) {
   if (const auto& given = problem.scene().reconstruct.alpha) return {.value = *given};
-  const AlphaChoice choice = choose_alone(frame, problem.alpha_tables(frame),
-                                          problem.alpha_rule(frame), problem.stated_noise());
+  const AlphaChoice choice = choose_alone(frame, problem.alpha_tables(frame), problem.alpha_rule(),
+                                          problem.stated_noise());
   const double alpha =
       problem.constraints() ? constrained_alpha(choice.rule, choice.alpha) : choice.alpha;
   return {.value = alpha, .rule = choice.rule, .verdict = choice.verdict};
@@ -79,13 +81,15 @@ void scale_to_peak(std::vector<double>& deviations, std::span<const double> pres
 /// Bands, the cells that touch, and what the tractions amount to. Under constraints the contacts
 /// are judged by what these leave free; the bands of cells are those without constraints, which
 /// hold what the constraints have moved.
+///
+/// @param face  what constraints leave free; absent: there are none, or they leave nothing
 void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame,
-               std::span<const double> readings) {
+               const std::optional<SkinFamily>& face, std::span<const double> readings) {
   const SkinGrid& grid = problem.grid();
   const double alpha = answer.alpha.value;
   // An error of the model counts for noise.
   const double rms = answer.noise.model_rms > 0.0 ? answer.noise.residual_rms : answer.noise.rms();
-  const AlphaRule rule = problem.alpha_rule(frame);
+  const AlphaRule rule = problem.alpha_rule();
   const SkinCovariance own(problem.family(), alpha,
                            prior_of(frame, rule, alpha, problem.stated_noise()).alpha);
   answer.deviations = own.deviations();
@@ -93,11 +97,9 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
 
   std::optional<SkinCovariance> of_face;
   std::vector<double> touching = answer.deviations;
-  if (answer.cone) {
-    if (answer.cone->face.free.empty()) return;
-    const SkinFamily family(problem.problem(), answer.cone->face);
-    of_face.emplace(family, alpha,
-                    prior_of(family.analyse(readings), rule, alpha, problem.stated_noise()).alpha);
+  if (face) {
+    of_face.emplace(*face, alpha,
+                    prior_of(face->analyse(readings), rule, alpha, problem.stated_noise()).alpha);
     touching = of_face->deviations();
     for (double& deviation : touching) deviation *= rms;
   }
@@ -134,21 +136,26 @@ SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readin
   SkinAnswer answer{.alpha = alpha_of(problem, frame)};
   answer.verdict = verdict_of(answer.alpha.verdict);
   answer.condition = problem.family().stacked_condition(answer.alpha.value);
-  answer.degrees_of_freedom = problem.family().degrees_of_freedom(answer.alpha.value);
+  std::optional<SkinFamily> face;
   if (problem.constraints()) {
     answer.cone = problem.cone(answer.alpha.value).solve(readings);
-    if (answer.cone->status != FrameStatus::ok)
-      throw std::domain_error("the frame's tractions overflow a double; scale the readings");
+    if (answer.cone->status != FrameStatus::ok) throw std::domain_error(overflow);
     answer.tractions = answer.cone->tractions;
     if (answer.cone->verdict == ConstrainedVerdict::iteration_limit) {
       answer.verdict = Verdict::iteration_limit;
       answer.remarks.emplace_back(remark::IterationLimit{answer.cone->iterations});
     }
+    if (!answer.cone->face.free.empty()) face.emplace(problem.problem(), answer.cone->face);
+    answer.degrees_of_freedom = face ? face->degrees_of_freedom(answer.alpha.value) : 0.0;
   } else {
     answer.tractions = problem.family().solve(frame, answer.alpha.value);
+    answer.degrees_of_freedom = problem.family().degrees_of_freedom(answer.alpha.value);
   }
+  if (!std::all_of(answer.tractions.begin(), answer.tractions.end(),
+                   [](double f) { return std::isfinite(f); }))
+    throw std::domain_error(overflow);
   judge(answer, problem, frame, readings);
-  add_bands(answer, problem, frame, readings);
+  add_bands(answer, problem, frame, face, readings);
   return answer;
 }
 

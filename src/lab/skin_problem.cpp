@@ -69,10 +69,11 @@ const std::optional<Constraints>& SkinSceneProblem::constraints() const noexcept
   return parts_->constraints;
 }
 
-AlphaRule SkinSceneProblem::alpha_rule(const FilterFrame& frame) const {
+AlphaRule SkinSceneProblem::alpha_rule() const {
   if (const auto named = parts_->scene.reconstruct.alpha_rule) return *named;
-  const AlphaTables& tables = alpha_tables(frame);
-  return tables.few_rows() ? default_rule(tables, stated_noise().has_value()) : AlphaRule::rgcv;
+  // Cells are finer than taxels: what the rules without a noise see of little of it is no noise,
+  // but loads that no cell can hold, and all but aicc then choose no smoothing at all.
+  return stated_noise() ? AlphaRule::evidence : AlphaRule::aicc;
 }
 
 const SkinCone& SkinSceneProblem::cone(double alpha) const {

@@ -232,7 +232,7 @@ SkinConeSolution SkinCone::solve(std::span<const double> readings, std::size_t i
       u += relaxed - z;
       if (solution.iterations % steps_between_checks != 0) continue;
       solution.residual = residual();
-      if (solution.residual > enough) continue;
+      if (!(solution.residual <= enough)) continue;
       solution.verdict = ConstrainedVerdict::ok;
       break;
     }

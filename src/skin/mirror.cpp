@@ -105,8 +105,8 @@ std::vector<SkinClass> mirror_classes(const SkinProblem& problem) {
   for (const bool odd_y : {false, true})
     for (const bool odd_z : {false, true}) {
       if ((odd_y && !y) || (odd_z && !z)) continue;
-      SkinClass one = class_of(problem, y, z, odd_y, odd_z);
-      if (!one.waves.empty()) classes.push_back(std::move(one));
+      // One without waves still has readings, which no traction explains.
+      classes.push_back(class_of(problem, y, z, odd_y, odd_z));
     }
   return classes;
 }

@@ -2,6 +2,7 @@
 #include "tactile_net/lab/skin_run.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -60,6 +61,31 @@ TEST_CASE("under a friction limit every cell obeys it", "[lab][skin]") {
   }
   REQUIRE(experiment.answer->cone);
   CHECK(experiment.answer->cone->residual < 1e-5);
+}
+
+TEST_CASE("under constraints the residual is the noise, whatever the draw", "[lab][skin]") {
+  SkinScene scene = skin("[reconstruct]\nfriction_limit = 0.5\n");
+  double squares = 0.0;
+  constexpr std::uint64_t draws = 12;
+  for (scene.noise->seed = 1; scene.noise->seed <= draws; ++scene.noise->seed) {
+    const lab::SkinExperiment experiment = lab::run(scene);
+    REQUIRE(experiment.answer);
+    squares += std::pow(experiment.answer->noise.residual_rms, 2);
+  }
+  CHECK_THAT(std::sqrt(squares / draws), WithinRel(1e-4, 0.15));
+}
+
+TEST_CASE("two contacts apart are both summed, whatever the draw", "[lab][skin]") {
+  SkinScene scene = skin(
+      "[[contact]]\nshape = \"sphere\"\nplace = [-2.5, 2.2]\nradius = 1.0\nforce = 0.4\n"
+      "[reconstruct]\nfriction_limit = 0.5\n");
+  for (scene.noise->seed = 1; scene.noise->seed <= 6; ++scene.noise->seed) {
+    const lab::SkinExperiment experiment = lab::run(scene);
+    REQUIRE(experiment.answer);
+    const Uncertain& force = experiment.answer->wrench.normal;
+    CAPTURE(force.value, force.deviation);
+    CHECK(std::abs(force.value - 1.4) < 3.0 * force.deviation + 0.03);
+  }
 }
 
 TEST_CASE("without contacts nothing is found that is larger than its deviation", "[lab][skin]") {

@@ -270,6 +270,28 @@ TEST_CASE("the default rule's alpha is near the best one on contacts that nobody
   CHECK(largest(ratios) <= 1.2);
 }
 
+TEST_CASE("no reading is lost: what no traction explains is left outside", "[skin][family]") {
+  // One column: no cell is odd across it, and readings that are belong to no traction.
+  const SkinArray row{.rows = 6,
+                      .columns = 1,
+                      .pitch_y = 1.0,
+                      .pitch_z = 1.0,
+                      .depths = {1.0},
+                      .reads = {SkinQuantity::stress_x, SkinQuantity::shear_xz}};
+  const SkinProblem problem =
+      make_problem(row, Material{}, {.components = 1, .grid = {.spacing = 1.0, .margin = 0.0}});
+  std::vector<double> readings(12);
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    readings[i] = 1.0 + 0.3 * static_cast<double>(i * i % 5);
+  const FilterFrame frame = SkinFamily(problem).analyse(readings);
+  double squares = frame.outside * frame.outside;
+  for (const double beta : frame.beta) squares += beta * beta;
+  double all = 0.0;
+  for (const double reading : readings) all += reading * reading;
+  CHECK_THAT(frame.scale * std::sqrt(squares), WithinRel(std::sqrt(all), 1e-12));
+  CHECK(frame.rows == readings.size());
+}
+
 TEST_CASE("the readings know whether anything drags", "[skin][family][alpha]") {
   const SkinArray skin = square_skin(8, 2e-3);
   const SkinProblem problem = make_problem(skin, silicone);

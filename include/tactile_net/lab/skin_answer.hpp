@@ -22,7 +22,8 @@ struct SkinAnswer {
   Verdict verdict = Verdict::ok;
   std::optional<SkinConeSolution> cone{};  ///< where the scene has constraints
   NoiseEstimate noise{};
-  double degrees_of_freedom = 0.0;   ///< of the readings that the tractions use up
+  double degrees_of_freedom = 0.0;   ///< of the readings that the tractions use up, under
+                                     ///< constraints those that these leave free
   double condition = 0.0;            ///< `SkinFamily::stacked_condition`
   std::vector<std::size_t> cells{};  ///< that touch: `contact_cells`
   UncertainWrench wrench{};          ///< of those cells; of all where none is certain to touch

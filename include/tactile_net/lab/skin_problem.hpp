@@ -38,8 +38,8 @@ class SkinSceneProblem {
   [[nodiscard]] std::optional<double> stated_noise() const;
   [[nodiscard]] const std::optional<Constraints>& constraints() const noexcept;
 
-  /// The scene's rule for alpha, or robust GCV; of few readings as `default_rule`.
-  [[nodiscard]] AlphaRule alpha_rule(const FilterFrame& frame) const;
+  /// The scene's rule for alpha; else evidence where the noise is stated, and aicc where it is not.
+  [[nodiscard]] AlphaRule alpha_rule() const;
 
   /// Of the last alpha asked for. @pre  there are constraints
   [[nodiscard]] const SkinCone& cone(double alpha) const;
