@@ -26,8 +26,8 @@ enum class Part { apart, sliding, sticking };
 /// (p, q_y, q_z) of every cell, projected; without a limit p alone.
 class CellCones {
  public:
-  CellCones(Index cells, std::size_t components, const Constraints& constraints)
-      : cells_(cells), three_(components == 3), constraints_(constraints) {}
+  CellCones(Index cells, const Constraints& constraints)
+      : cells_(cells), constraints_(constraints) {}
 
   /// @param visit  of each cell, and the part of the cone on which it ends
   void project(Eigen::VectorXd& f, const auto& visit) const {
@@ -63,7 +63,6 @@ class CellCones {
   }
 
   Index cells_;
-  bool three_;
   Constraints constraints_;
 };
 
@@ -149,7 +148,7 @@ struct SkinCone::System {
         cells(static_cast<Index>(problem.grid.count())),
         components(problem.components),
         constraints(limits),
-        cones(cells, components, limits),
+        cones(cells, limits),
         largest(largest_eigenvalue(problem, alpha)),
         rho(penalty * std::sqrt(largest) * std::sqrt(alpha * problem.area)),
         waves(std::make_shared<const CosineCoordinates>(
