@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "tactile_net/numeric/matrix.hpp"
+
 namespace tactile_net::python {
 
 namespace nb = nanobind;
@@ -34,6 +36,10 @@ using Rows = nb::ndarray<const double, nb::numpy, nb::ndim<2>, nb::c_contig, nb:
 [[nodiscard]] inline Array owned(std::vector<double> values) {
   const std::size_t size = values.size();
   return owned(std::move(values), {size});
+}
+
+[[nodiscard]] inline Array as_array(Matrix matrix) {
+  return owned(std::move(matrix.values), {matrix.rows, matrix.columns});
 }
 
 /// Row `index`. @pre  there is one

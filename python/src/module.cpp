@@ -9,7 +9,9 @@ NB_MODULE(_core, module) {
   module.doc() = "The library behind tactile_net. Private: its names may change.";
   module.attr("version") = tactile_net::version();
   bind_errors();
+  bind_skin(module);
   bind_scene(module);
+  bind_skin_solving(module);
   bind_solving(module);
   bind_run(module);
   bind_survey(module);

@@ -5,33 +5,40 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
-#include <algorithm>
-#include <istream>
-#include <limits>
 #include <map>
 #include <sstream>
 
 #include "arrays.hpp"
-#include "readable.hpp"
+#include "read_frames.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
-#include "tactile_net/frames/open.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/summary.hpp"
-#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/json/workload_json.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
+#include "tactile_net/scene/reader.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
 #include "tactile_net/scene/units.hpp"
 #include "watcher.hpp"
 
 namespace tactile_net::python {
 namespace {
+
+/// Of a line array or of a skin. @throw InputError
+std::variant<ScenePointer, SkinPointer> parse(std::string text, std::string file) {
+  AnyScene scene = parse_any_scene(text, file);
+  if (auto* skin = std::get_if<SkinScene>(&scene))
+    return std::make_shared<SharedSkin>(std::move(text), std::move(file),
+                                        lab::SkinSceneProblem(std::move(*skin)));
+  return std::make_shared<SharedScene>(std::move(text), std::move(file),
+                                       lab::SceneProblem(std::get<Scene>(std::move(scene))));
+}
 
 std::vector<std::string> channel_names(const SharedScene& self) {
   std::vector<std::string> names;
@@ -119,69 +126,12 @@ std::tuple<Array, Array, Array, std::optional<Array>, std::vector<std::string>> 
           report::in_words(recorded)};
 }
 
-/// t or None, the readings of every frame, and what was taken for granted.
-using ReadFrames = std::tuple<std::optional<Array>, Array, std::vector<nb::str>>;
-
-ReadFrames read_all(const SharedScene& self, const std::string& path, std::istream* standard_input,
-                    const frames::ReadingsOptions& options) {
-  std::vector<double> t;
-  std::vector<double> readings;
-  std::vector<std::string> notes;
-  const std::size_t width = reading_count(self.scene().sensor);
-  std::size_t frames = 0;
-  Watcher watcher;
-  {
-    const nb::gil_scoped_release released;
-    frames::ReadingsFile file(path, self.scene(), standard_input, options);
-    frames::FrameSource& source = file.source();
-    std::vector<double> frame(width);
-    while (source.next(frame)) {
-      watcher.frame();
-      readings.insert(readings.end(), frame.begin(), frame.end());
-      double seconds = std::numeric_limits<double>::quiet_NaN();
-      if (source.has_time() && (read_number(source.time(), seconds) || true)) t.push_back(seconds);
-      ++frames;
-    }
-    notes.assign(source.opening_notes().begin(), source.opening_notes().end());
-    for (std::string& note : source.closing_notes()) notes.push_back(std::move(note));
-  }
-  std::optional<Array> times;
-  if (!t.empty()) times = owned(std::move(t));
-  std::vector<nb::str> said;  // a file's own names may be no UTF-8
-  for (const std::string& note : notes) said.push_back(readable(note));
-  return {std::move(times), owned(std::move(readings), {frames, width}), std::move(said)};
-}
-
-ReadFrames read(const SharedScene& self, const std::string& path, const std::string& columns,
-                bool accept_missing) {
-  return read_all(self, path, nullptr, {.columns = columns, .accept_missing = accept_missing});
-}
-
-/// The same of a .npy file in memory; messages call it <stdin>.
-ReadFrames take(const SharedScene& self, const nb::bytes& npy) {
-  std::istringstream in(std::string(npy.c_str(), npy.size()));
-  return read_all(self, "-", &in, {.accept_missing = true});
-}
-
-/// By name, what to multiply and what to divide by for Pa.
-std::map<std::string, std::pair<double, double>> stress_units() {
+/// By name, what to multiply and what to divide by for the unit in SI.
+std::map<std::string, std::pair<double, double>> units_by_name(Dimension dimension) {
   std::map<std::string, std::pair<double, double>> units;
-  for (const Unit& unit : units_of(Dimension::stress))
+  for (const Unit& unit : units_of(dimension))
     units.emplace(unit.name, std::pair(unit.multiplier, unit.divisor));
   return units;
-}
-
-Array raw(const SharedScene& self, const Rows& readings) {
-  std::vector<double> numbers;
-  for (std::size_t i = 0; i < readings.shape(0); ++i) {
-    const std::vector<double> one = raw_numbers(self.scene(), row(readings, i));
-    numbers.insert(numbers.end(), one.begin(), one.end());
-  }
-  return owned(std::move(numbers), {readings.shape(0), readings.shape(1)});
-}
-
-Array as_array(Matrix matrix) {
-  return owned(std::move(matrix.values), {matrix.rows, matrix.columns});
 }
 
 /// K: neither weighted by the noise nor with dead taxels left out.
@@ -223,7 +173,6 @@ std::optional<std::pair<double, std::size_t>> timing(const SharedScene& self) {
 
 void bind_scene(nb::module_& module) {
   nb::class_<SharedScene>(module, "Scene")
-      .def(nb::init<std::string, std::string>(), nb::arg("text"), nb::arg("file"))
       .def_prop_ro("text", &SharedScene::text)
       .def_prop_ro("file", &SharedScene::file)
       .def_prop_ro("title", [](const SharedScene& self) { return self.scene().title; })
@@ -250,12 +199,15 @@ void bind_scene(nb::module_& module) {
              return report::workload_json(self.scene(), lab::workload(self.scene()));
            })
       .def("simulate", &simulate, nb::arg("progress").none())
-      .def("read", &read, nb::arg("path"), nb::arg("columns"), nb::arg("accept_missing"))
-      .def("take", &take, nb::arg("npy"))
-      .def("raw_numbers", &raw, nb::arg("readings").noconvert())
+      .def("read", &read<SharedScene>, nb::arg("path"), nb::arg("columns"),
+           nb::arg("accept_missing"))
+      .def("take", &take<SharedScene>, nb::arg("npy"))
+      .def("raw_numbers", &raw<SharedScene>, nb::arg("readings").noconvert())
       .def("kernel_matrix", &kernel_matrix)
       .def("normal_matrix", &normal_matrix_of, nb::arg("alpha"));
-  module.def("stress_units", &stress_units);
+  module.def("parse", &parse, nb::arg("text"), nb::arg("file"));
+  module.def("stress_units", [] { return units_by_name(Dimension::stress); });
+  module.def("length_units", [] { return units_by_name(Dimension::length); });
 }
 
 }  // namespace tactile_net::python

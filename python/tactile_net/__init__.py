@@ -15,10 +15,16 @@ from ._files import load
 from ._recording import Recording, Solution
 from ._result import MethodResult, Result, run
 from ._scene import Scene, Sites, Solver
+from ._skin import Skin
+from ._skin_result import SkinMethodResult, SkinResult
+from ._skin_solution import SkinSolution
 from ._sweep import Study, SweepTable, merge, slurm_script, sweep
 from ._tables import (
+    CircularPunch,
+    Cone,
     Contact,
     Cylinder,
+    Ellipsoid,
     Layer,
     Material,
     Noise,
@@ -26,18 +32,23 @@ from ._tables import (
     Reconstruct,
     SampledTractions,
     Sensor,
+    Sphere,
     Timing,
+    TractionPatch,
     Wedge,
 )
 from .errors import CutOffWarning, Diagnostic, FrameError, InputError, SimulatorError, UnsolvableError
 
 __all__ = [
     "Certification",
+    "CircularPunch",
+    "Cone",
     "Contact",
     "ContactEstimate",
     "CutOffWarning",
     "Cylinder",
     "Diagnostic",
+    "Ellipsoid",
     "Estimator",
     "FrameError",
     "InputError",
@@ -56,12 +67,18 @@ __all__ = [
     "Sensor",
     "SimulatorError",
     "Sites",
+    "Skin",
+    "SkinMethodResult",
+    "SkinResult",
+    "SkinSolution",
     "Solution",
     "Solver",
+    "Sphere",
     "Study",
     "Survey",
     "SweepTable",
     "Timing",
+    "TractionPatch",
     "UnsolvableError",
     "Wedge",
     "__version__",

@@ -26,11 +26,16 @@ def plain(values: ArrayLike, what: str) -> Floats:
     return np.asarray(array, dtype=np.float64, order="C")
 
 
-def frames_of(readings: Any, shape: tuple[int, ...], what: str = "readings") -> tuple[Floats, tuple[int, ...]]:
-    """Readings of shape (..., *shape), or (..., R) with R their product, as rows and the shape that leads."""
+def frames_of(
+    readings: Any, shape: tuple[int, ...], what: str = "readings", ends: tuple[str, ...] = ("channel", "taxel")
+) -> tuple[Floats, tuple[int, ...]]:
+    """Readings of shape (..., *shape), or (..., R) with R their product, as rows and the shape that leads.
+
+    ends: the last dimensions of an xarray.DataArray.
+    """
     dims = getattr(readings, "dims", None)
-    if dims is not None and tuple(dims[-2:]) not in ((), ("channel", "taxel")) and dims[-1] != "reading":
-        raise ValueError(f"{what} must end in the dimensions (channel, taxel), got {tuple(dims)}")
+    if dims is not None and tuple(dims[-len(ends) :]) not in ((), ends) and dims[-1] != "reading":
+        raise ValueError(f"{what} must end in the dimensions ({', '.join(ends)}), got {tuple(dims)}")
     array = plain(readings, what)
     size = int(np.prod(shape))
     if array.shape[-len(shape) :] == shape:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import zipfile
 import zlib
 from collections.abc import Iterable
@@ -142,7 +143,7 @@ def write_csv(path: str, layout: Layout, scene: Scene) -> None:
 
 def takes_si(scene: Scene) -> bool:
     """Whether a file of readings of this scene holds what `Recording.readings` holds."""
-    one = np.ones(scene.reading_shape)
+    one = np.ones((1, *scene.reading_shape))
     return "calibration" not in scene.to_dict() and bool((scene.raw_numbers(one) == one).all())
 
 
@@ -151,11 +152,12 @@ def _columns(layout: Layout, scene: Scene) -> Iterable[tuple[str, NDArray[Any]]]
     if "t" in arrays:
         yield "t", arrays["t"]
     readings = arrays["readings"]
-    yield from zip(scene.reading_names, readings.reshape(len(readings), len(scene.reading_names)).T)
-    for u, component in enumerate(("normal", "tangential")):
+    yield from zip(scene.reading_names, scene._ordered(readings).T)
+    for u, component in enumerate(scene._components):
         if "truth" in arrays and u < arrays["truth"].shape[1]:
-            for j, values in enumerate(arrays["truth"][:, u].T):
-                yield f"{component}_{j}", values
+            places = np.ndindex(*scene.traction_shape)
+            for at in places:
+                yield "_".join(map(str, (component, *at))), arrays["truth"][(slice(None), u, *at)]
 
 
 def read_own_csv(path: str) -> Layout:
@@ -186,15 +188,20 @@ def read_own_csv(path: str) -> Layout:
             )
     table = np.array(rows, dtype=np.float64).reshape(len(rows), len(names))
     arrays: dict[str, NDArray[Any]] = {}
-    truth = [table[:, at] for at in _of(names, "normal_")], [table[:, at] for at in _of(names, "tangential_")]
-    if truth[0]:
-        arrays["truth"] = np.stack([np.stack(part, axis=1) for part in truth if part], axis=1)
+    components = [found for start in _TRUTHS if (found := _of(names, start))]
+    if components:
+        arrays["truth"] = np.stack([table[:, found] for found in components], axis=1)
     if names[0] == "t":
         arrays["t"] = table[:, 0]
-    known = {*_of(names, "normal_"), *_of(names, "tangential_"), *_of(names, "t", whole=True)}
+    known = {*_of(names, "t", whole=True)}.union(*components)
     arrays["readings"] = table[:, [at for at in range(len(names)) if at not in known]]
     return Layout(arrays, attributes, notes=notes)
 
 
+_TRUTHS = ("normal", "tangential", "tangential_y", "tangential_z")
+
+
 def _of(names: list[str], start: str, whole: bool = False) -> list[int]:
-    return [at for at, name in enumerate(names) if (name == start if whole else name.startswith(start))]
+    """Columns of that name, or of that name and numbers."""
+    pattern = re.compile(re.escape(start) + ("" if whole else r"(_\d+)+"))
+    return [at for at, name in enumerate(names) if pattern.fullmatch(name)]

@@ -33,6 +33,11 @@ def table(rows: Sequence[Sequence[str]]) -> str:
     return f"<table><tr>{cells}</tr>" + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
 
 
+def page(html: str) -> str:
+    """A whole page, in a frame of its own so that its style stays its own."""
+    return f'<iframe srcdoc="{escape(html)}" style="width:100%;height:720px;border:0"></iframe>'
+
+
 def curves(y: Floats, named: Sequence[tuple[str, Floats]]) -> str:
     """Curves over y, each with its name in its colour; values that are not finite leave a gap."""
     finite = [values[np.isfinite(values)] for _, values in named]

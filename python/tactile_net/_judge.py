@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import io
+import itertools
 import json
+import math
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, nullcontext
@@ -68,8 +70,12 @@ def _judged(layout: Layout, where: str, scene: Scene | None, units: Units | None
     notes += absent(where, values, scene, missing)
     truth = layout.arrays.get("truth")
     known = None if truth is None else np.asarray(truth, dtype=np.float64)
-    if known is not None and (known.ndim != 3 or known.shape[::2] != (len(values), len(scene.y))):
-        raise refused(where, f"has a truth of the shape {known.shape}, not ({len(values)}, components, {len(scene.y)})")
+    places = scene.traction_shape
+    if known is not None and known.shape[2:] == (math.prod(places),):  # of a table's columns
+        known = known.reshape(*known.shape[:2], *places)
+    if known is not None and (known.shape[:1] != (len(values),) or known.shape[2:] != places or known.ndim < 3):
+        wanted = ", ".join(map(str, (len(values), "components", *places)))
+        raise refused(where, f"has a truth of the shape {known.shape}, not ({wanted})")
     return Recording(scene, values, times, known, tuple(dict.fromkeys(notes)))
 
 
@@ -97,16 +103,18 @@ def numbers(where: str, values: Any) -> NDArray[Any]:
 def shaped(where: str, readings: NDArray[Any], scene: Scene) -> NDArray[Any]:
     """(T, *scene.reading_shape)"""
     shape, size = scene.reading_shape, len(scene.reading_names)
-    if readings.shape[1:] in (shape, (size,)):
-        return readings.reshape(-1, *shape)
-    if readings.shape == (size,):
-        return readings.reshape(1, *shape)
+    if readings.shape[1:] == shape:
+        return readings
+    if readings.shape[1:] == (size,):
+        return scene._framed(readings)
+    if readings.shape in (shape, (size,)):
+        return scene._framed(scene._ordered(readings[np.newaxis]))
     wanted = ", ".join(map(str, ("frames", *shape)))
     hint = f"or (frames, {size}): channel after channel, taxel after taxel"
     if readings.ndim == 2 and readings.shape[0] == size:
         hint = "rows and columns are exchanged: readings.T"
-    orders = ((1, 0, 2), (1, 2, 0), (0, 2, 1), (2, 0, 1), (2, 1, 0))
-    for order in orders if readings.ndim == 3 else ():
+    orders = list(itertools.permutations(range(readings.ndim))) if readings.ndim == len(shape) + 1 > 2 else []
+    for order in orders:
         if tuple(readings.shape[axis] for axis in order[1:]) == shape:
             hint = f"its axes are exchanged: readings.transpose{order}"
             break
@@ -140,20 +148,20 @@ def in_si(
         return _taken(where, readings, scene)
     values = _converted(where, readings, scene, said)
     dead = np.isin(scene.sites.taxel, tables.get("dead_taxels", {}).get("indices", []))
-    values = np.where(np.isfinite(values), values, np.nan)
-    values.reshape(len(values), len(dead))[:, dead] = 0.0
-    return values, []
+    flat = scene._ordered(np.where(np.isfinite(values), values, np.nan))
+    flat[:, dead] = 0.0
+    return scene._framed(flat), []
 
 
 def _taken(where: str, readings: NDArray[Any], scene: Scene) -> tuple[Floats, list[str]]:
     """By the library's reader of files: the scene's units, calibration, dead taxels."""
     file = io.BytesIO()
-    np.save(file, np.ascontiguousarray(readings).reshape(len(readings), -1))
+    np.save(file, np.ascontiguousarray(scene._ordered(readings)))
     try:
         _, values, notes = scene._core.take(file.getvalue())
     except InputError as error:
         raise InputError(str(error).replace("<stdin>", where), error.diagnostics) from None
-    return values.reshape(readings.shape), notes
+    return scene._framed(values), notes
 
 
 def _converted(where: str, readings: NDArray[Any], scene: Scene, units: Units) -> Floats:
@@ -168,22 +176,22 @@ def _converted(where: str, readings: NDArray[Any], scene: Scene, units: Units) -
             f"has units of {', '.join(sorted(units))}, and the scene reads {', '.join(known)}",
             "name each of these",
         )
-    scales = _core.stress_units()
+    scales = {"Pa": _core.stress_units(), "m": _core.length_units()}
     channels = scene.sites.channel
-    flat = values.reshape(len(values), len(channels))
+    flat = scene._ordered(values)
     for channel, name in enumerate(scene.channels):
         unit, si = units[name], known[name]
         if unit == si:
             continue
         if si == "":
             raise refused(where, f"is in {unit}, and the scene does not say what it is in", "give it a table [units]")
-        if si == "1" or unit not in scales:
-            of = "1, a strain has none" if si == "1" else ", ".join(scales)
+        if unit not in scales.get(si, {}):
+            of = "1, a strain has none" if si == "1" else ", ".join(scales[si])
             raise refused(where, f"states the unit {unit!r} of {name}", f"units that are known: {of}")
-        times, over = scales[unit]
+        times, over = scales[si][unit]
         flat[:, channels == channel] *= times
         flat[:, channels == channel] /= over
-    return values
+    return scene._framed(flat)
 
 
 def seconds(where: str, t: Any, frames: int) -> Floats:
@@ -229,7 +237,7 @@ def rising(where: str, t: Floats) -> list[str]:
 
 def absent(where: str, values: Floats, scene: Scene, missing: bool) -> list[str]:
     """What is to be said of readings that are not finite, or InputError where they may not be `missing`."""
-    flat = values.reshape(len(values), len(scene.reading_names))
+    flat = scene._ordered(values)
     gone = ~np.isfinite(flat)
     dead = np.isin(scene.sites.taxel, scene.to_dict().get("dead_taxels", {}).get("indices", []))
     gone[:, dead] = False

@@ -1,7 +1,8 @@
 """The one layout of recorded frames: arrays under fixed names, and attributes that are text, in every container.
 
-readings (T, C, N), of uneven arrays (T, R); t (T) [s], where times are known; channels (C) and y (N), of uneven arrays
-of each reading; truth (T, U, M); of a solution tractions (T, U, M), alpha, verdict and data (T).
+readings (T, C, N), of skins (T, rows, columns, C), of uneven arrays (T, R); t (T) [s], where times are known; channels (C)
+and y (N), of skins z too, of uneven arrays of each reading; truth (T, U, M), of skins (T, 3, rows, columns); of a solution
+tractions of that shape, alpha, verdict and data (T), of skins also what each frame amounts to.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ import numpy as np
 
 from ._recording import Recording, Solution
 from ._refusal import refused
+from ._skin_solution import SkinSolution
 
 if TYPE_CHECKING:
     from numpy.typing import DTypeLike, NDArray
@@ -30,7 +32,9 @@ if TYPE_CHECKING:
 READINGS, TRACTIONS = "tactile_net.readings", "tactile_net.tractions"
 VERSION = 1
 SIGNS = "compression is positive, and drag along +y; frames, channels, taxels"
-OF_FRAMES = ("t", "readings", "truth", "tractions", "alpha", "verdict", "data")
+SKIN_SIGNS = "compression is positive, drags along +y and +z; frames, rows, columns, channels"
+OF_SKINS = ("deviation", "wrench", "covariance", "ellipse", "touching", "contacts")
+OF_FRAMES = ("t", "readings", "truth", "tractions", "alpha", "verdict", "data", *OF_SKINS)
 """Arrays with a row for each frame."""
 
 
@@ -53,9 +57,13 @@ class Layout:
 
 
 def units_by_channel(scene: Scene) -> dict[str, str]:
-    """ "Pa", of strains "1"; "": the scene states none."""
-    names = dict.fromkeys(scene.channels)
-    return {name: "" if not scene._core.si else "1" if name.startswith("strain") else "Pa" for name in names}
+    """ "Pa", of strains "1", of displacements "m"; "": the scene states none."""
+    return {name: _unit_of(name) if scene._core.si else "" for name in dict.fromkeys(scene.channels)}
+
+
+def _unit_of(channel: str) -> str:
+    kinds = {"strain": "1", "shear_strain": "1", "displacement": "m"}
+    return next((unit for kind, unit in kinds.items() if channel.startswith(kind)), "Pa")
 
 
 def layout_of(what: Recording | Solution, dtype: DTypeLike = np.float64) -> Layout:
@@ -67,7 +75,7 @@ def layout_of(what: Recording | Solution, dtype: DTypeLike = np.float64) -> Layo
     attributes = {
         "format": READINGS,
         "version": str(VERSION),
-        "signs": SIGNS,
+        "signs": SIGNS if len(scene._surface[0]) == 1 else SKIN_SIGNS,
         "units": json.dumps(units_by_channel(scene)),
         "scene": scene.text,
         "scene_file": os.path.basename(scene.file),
@@ -76,7 +84,7 @@ def layout_of(what: Recording | Solution, dtype: DTypeLike = np.float64) -> Layo
         "notes": json.dumps(recording.notes),
     }
     if isinstance(what, Solution):
-        arrays |= {"tractions": what.tractions, "alpha": what.alpha}
+        arrays |= what._held()
         attributes |= {
             "format": TRACTIONS,
             "method": what.method,
@@ -88,7 +96,7 @@ def layout_of(what: Recording | Solution, dtype: DTypeLike = np.float64) -> Layo
     if recording.t is not None:
         held["t"] = recording.t
     held["channels"] = np.array(scene.channels if even else scene.reading_names)
-    held["y"] = scene.taxels if even else scene.sites.y
+    held |= scene._places
     if isinstance(what, Solution):
         held |= {"verdict": what.verdict, "data": what.data}
     return Layout(held, attributes)
@@ -150,18 +158,21 @@ def scene_in(layout: Layout, where: str) -> Scene:
         raise refused(where, f"has a scene inside that cannot be read:\n{error}", "give scene=") from None
 
 
+_TEXTS = {"verdict", "data"}
+
+
 def solution_in(layout: Layout, recording: Recording, where: str) -> Solution:
     """What was saved of a solution, without solving again."""
     if layout.attributes.get("format") != TRACTIONS:
         raise refused(where, "holds readings and no solution", "tactile_net.load(path).solve()")
     arrays, attributes = layout.arrays, layout.attributes
-    return Solution._restored(
+    kind: type[Solution] = SkinSolution if len(recording.scene.traction_shape) > 1 else Solution
+    return kind._restored(
         recording=recording,
         method=attributes["method"],
         _missing=attributes["missing"],
         _share_alpha=json.loads(attributes["share_alpha"]),
-        tractions=np.asarray(arrays["tractions"], dtype=np.float64),
-        alpha=np.asarray(arrays["alpha"], dtype=np.float64),
+        held={name: np.asarray(arrays[name], dtype=np.float64) for name in OF_FRAMES if name in arrays.keys() - _TEXTS},
         verdict=np.asarray(arrays["verdict"], dtype=np.str_),
         data=np.asarray(arrays["data"], dtype=np.str_),
         notes=tuple(json.loads(attributes["solution_notes"])),

@@ -39,8 +39,7 @@ def write(path: str, layout: Layout, name: str) -> None:
         "name": name,
         "shapes": shapes,
         "channels": layout.arrays["channels"].tolist(),
-        "y": layout.arrays["y"].tolist(),
-    }
+    } | {axis: layout.arrays[axis].tolist() for axis in ("y", "z") if axis in layout.arrays}
     table = pyarrow.table(columns).replace_schema_metadata({KEY: json.dumps(told)})
     parquet.write_table(table, path, compression="zstd")
 
@@ -61,7 +60,7 @@ def read(path: str, name: str | None) -> Layout:
     if KEY not in metadata:
         return _foreign(path, table, name)
     told = json.loads(metadata[KEY])
-    arrays = {"channels": np.array(told["channels"]), "y": np.array(told["y"])}
+    arrays = {axis: np.array(told[axis]) for axis in ("channels", "y", "z") if axis in told}
     for key, shape in told["shapes"].items():
         called = column(told["name"]) if key == "readings" else key
         arrays[key] = _rows(table[called]).reshape(len(table), *shape)

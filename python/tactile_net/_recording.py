@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Recording", "Solution"]
 
-_COMPONENTS = ("normal", "tangential")
-
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Recording:
@@ -30,11 +28,11 @@ class Recording:
 
     scene: Scene
     readings: Floats
-    """(T, C, N): frames, channels, taxels; of uneven arrays (T, R): frames, readings."""
+    """(T, C, N): frames, channels, taxels; of skins (T, rows, columns, C); of uneven arrays (T, R): frames, readings."""
     t: Floats | None = None
     """Of each frame [s]; None: the file has no times."""
     truth: Floats | None = None
-    """(T, U, M): the tractions that pressed, at `y` [Pa]; None where nobody knows."""
+    """(T, U, M), of skins (T, 3, rows, columns): the tractions that pressed [Pa]; None where nobody knows."""
     notes: tuple[str, ...] = ()
     """What was taken for granted, or cut off."""
 
@@ -45,7 +43,7 @@ class Recording:
 
     @property
     def taxels(self) -> Floats:
-        """y of the taxels [m]."""
+        """y of the taxels, of skins y and z [m]."""
         return self.scene.taxels
 
     def __len__(self) -> int:
@@ -73,7 +71,8 @@ class Recording:
         _files.save(self, path, name, dtype, append)
 
     def to_xarray(self) -> Any:
-        """An xarray.Dataset: `readings` over (t, channel, taxel), `truth` over (t, component, y).
+        """An xarray.Dataset: `readings` over (t, channel, taxel), `truth` over (t, component, y); of skins `readings`
+        over (t, row, column, channel), `truth` over (t, component, y, z).
 
         Without times t counts the frames.
         """
@@ -82,16 +81,13 @@ class Recording:
         xarray = optional("xarray", "tables")
         scene = self.scene
         t = np.arange(len(self), dtype=float) if self.t is None else self.t
-        times = ("t", t, {"units": "frame" if self.t is None else "s"})
-        if scene.even:
-            variables: dict[str, Any] = {"readings": (("t", "channel", "taxel"), self.readings)}
-            coordinates = {"t": times, "channel": list(scene.channels), "taxel": scene.taxels}
-        else:
-            variables = {"readings": (("t", "reading"), self.readings)}
-            coordinates = {"t": times, "reading": list(scene.reading_names)}
+        dims, coordinates = scene._dims
+        coordinates = {"t": ("t", t, {"units": "frame" if self.t is None else "s"})} | coordinates
+        variables: dict[str, Any] = {"readings": (("t", *dims), self.readings)}
         if self.truth is not None:
-            variables["truth"] = (("t", "component", "y"), self.truth)
-            coordinates |= {"component": list(_COMPONENTS[: self.truth.shape[1]]), "y": scene.y}
+            places, at = scene._surface
+            variables["truth"] = (("t", "component", *places), self.truth)
+            coordinates |= {"component": list(scene._components[: self.truth.shape[1]])} | at
         return xarray.Dataset(variables, coordinates, layout_of(self).attributes)
 
     @classmethod
@@ -101,7 +97,8 @@ class Recording:
         from ._layout import Layout
 
         attributes = {key: str(value) for key, value in dataset.attrs.items()}
-        held = dataset.transpose("t", "channel", "taxel", "reading", "component", "y", missing_dims="ignore")
+        order = ("t", "row", "column", "channel", "taxel", "reading", "component", "y", "z")
+        held = dataset.transpose(*order, missing_dims="ignore")
         arrays = {key: held[key].values for key in ("readings", "truth") if key in dataset}
         if "t" in dataset.coords and dataset["t"].attrs.get("units") != "frame":
             arrays["t"] = dataset["t"].values
@@ -111,7 +108,7 @@ class Recording:
         """A pandas.DataFrame, a frame a row, a reading a column, over t."""
         pandas = optional("pandas", "tables")
         index = None if self.t is None else pandas.Index(self.t, name="t")
-        rows = self.readings.reshape(len(self), -1)
+        rows, _ = self.scene._rows(self.readings)
         return pandas.DataFrame(rows, index=index, columns=list(self.scene.reading_names))
 
 
@@ -163,10 +160,15 @@ class Solution:
     def __getstate__(self) -> dict[str, Any]:
         return self.__dict__ | {"_core": None}
 
+    def _held(self) -> dict[str, Floats]:
+        """The numbers that a file keeps."""
+        return {"tractions": self.tractions, "alpha": self.alpha}
+
     @classmethod
-    def _restored(cls, **state: Any) -> Solution:
+    def _restored(cls, held: dict[str, Floats], **state: Any) -> Solution:
+        """held: `_held` of the one that was saved, and perhaps more of the file's."""
         solution = cls.__new__(cls)
-        solution.__dict__.update(state, _core=None)
+        solution.__dict__.update(state, _core=None, tractions=held["tractions"], alpha=held["alpha"])
         return solution
 
     def save(
@@ -279,7 +281,7 @@ class Solution:
         """The recording's Dataset with `tractions`, `deviation`, `verdict` and `alpha`."""
         dataset = self.recording.to_xarray()
         dims = ("t", "component", "y")
-        components = list(_COMPONENTS[: self.tractions.shape[1]])
+        components = list(self.scene._components[: self.tractions.shape[1]])
         dataset = dataset.assign_coords(y=self.y, component=components)
         dataset["tractions"] = (dims, self.tractions)
         if self.has_bands:
@@ -311,5 +313,5 @@ class Solution:
         return (
             html
             + _html.paragraphs([f"Frame {self.peak}, which presses hardest:"])
-            + _html.curves(self.y, list(zip(_COMPONENTS, shown)))
+            + _html.curves(self.y, list(zip(self.scene._components, shown)))
         )

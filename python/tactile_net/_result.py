@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from ._progress import Progress, listening
 
 if TYPE_CHECKING:
     from ._scene import Scene
+    from ._skin import Skin
+    from ._skin_result import SkinResult
 
 __all__ = ["MethodResult", "Result", "run"]
 
@@ -153,10 +155,16 @@ class Result(PagedDocument):
         return _html.table(self._cells) + _html.curves(self.y, [("truth", self.truth[0]), *found])
 
 
+@overload
+def run(
+    scene: Skin, *, frame: int | None = None, compare_rules: bool = False, progress: Progress = False
+) -> SkinResult: ...
+@overload
+def run(scene: Scene, *, frame: int | None = None, compare_rules: bool = False, progress: Progress = False) -> Result: ...
 def run(scene: Scene, *, frame: int | None = None, compare_rules: bool = False, progress: Progress = False) -> Result:
     """Simulates the scene, solves it by every method that it names, and compares.
 
     frame: which of a scene with [time]; None: the last. compare_rules: all rules for alpha, though one would do.
     A method that cannot take the scene is a result that says so. Circuits are run by ngspice, where it is installed.
     """
-    return Result(scene, frame, compare_rules, progress)
+    return scene.run(frame=frame, compare_rules=compare_rules, progress=progress)

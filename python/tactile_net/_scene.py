@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import copy
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Self, TypeAlias, overload
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from ._circuit import Certification, Relaxation, Survey
 from ._controller import Plan
 from ._progress import Progress, listening
 from ._recording import Recording, Solution
-from ._result import Result, run
+from ._result import Result
 from ._tables import Contact, Material, Noise, Reconstruct, Sensor, Timing, as_table
 from ._toml import text_of
 from .errors import InputError
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = ["Scene", "Sites", "Solver"]
+
+_AnySolver: TypeAlias = "_core.Solver | _core.SkinSolver"
 
 
 class Sites(NamedTuple):
@@ -35,6 +38,8 @@ class Sites(NamedTuple):
     quantity: NDArray[np.str_]
     taxel: NDArray[np.int_]
     channel: NDArray[np.int_]
+    z: Floats
+    """Across the surface [m]; of line arrays 0."""
 
 
 class Solver:
@@ -45,7 +50,13 @@ class Solver:
         self.method = method
         self.alpha = alpha
         """For every frame; None: the scene's, or each frame's by its rule."""
-        self._core = _core.Solver(scene._core, method, alpha)
+        self._core = scene._made_solver(method, alpha)
+
+    @property
+    def _shape(self) -> tuple[int, ...]:
+        """Of the tractions of one frame."""
+        places = self.scene.traction_shape
+        return self._core.tractions // math.prod(places), *places
 
     @overload
     def __call__(self, readings: Any, *, full: Literal[False] = False) -> Floats: ...
@@ -57,10 +68,9 @@ class Solver:
         full: also the Solution, with verdicts, bands and notes of every frame, one after another.
         Raises FrameError for a frame that is not finite.
         """
-        rows, lead = frames_of(readings, self.scene.reading_shape)
+        rows, lead = self.scene._rows(readings)
         if not full:
-            values = len(self.scene.y)
-            return self._core.solve(rows).reshape(*lead, self._core.tractions // values, values)
+            return self._core.solve(rows).reshape(*lead, *self._shape)
         scene = self.scene if self.alpha is None else self.scene.replace({"reconstruct.alpha": self.alpha})
         solution = scene.solve(rows, self.method)
         return solution.tractions.reshape(*lead, *solution.tractions.shape[1:]), solution
@@ -75,9 +85,8 @@ class Solver:
 
     def vjp(self, gradient: Any) -> Floats:
         """(..., U, M), what a loss changes by with each traction, to (..., C, N): with each reading. M' gradient."""
-        values = len(self.scene.y)
-        rows, lead = frames_of(gradient, (self._core.tractions // values, values), "gradient")
-        return np.asarray((rows @ self.matrix).reshape(*lead, *self.scene.reading_shape))
+        rows, lead = frames_of(gradient, self._shape, "gradient")
+        return np.asarray(self.scene._framed(rows @ self.matrix, lead))
 
     def alpha_derivative(self, readings: Any) -> Floats:
         """(..., C, N) readings to (..., U, M): what the tractions change by with log(alpha) [Pa].
@@ -86,10 +95,10 @@ class Solver:
         tractions' readings: -M (g - K f).
         """
         matrix = self.matrix
-        rows, lead = frames_of(readings, self.scene.reading_shape)
+        rows, lead = self.scene._rows(readings)
         tractions = rows @ matrix.T
         left = rows - tractions @ self._kernel.T
-        return np.asarray((left @ -matrix.T).reshape(*lead, -1, len(self.scene.y)))
+        return np.asarray((left @ -matrix.T).reshape(*lead, *self._shape))
 
     @cached_property
     def _kernel(self) -> Floats:
@@ -118,8 +127,8 @@ class Scene:
 
     _core: _core.Scene
 
-    def __init__(
-        self,
+    def __new__(
+        cls,
         *,
         sensor: Sensor | Mapping[str, Any],
         material: Material | Mapping[str, Any],
@@ -130,7 +139,7 @@ class Scene:
         title: str | None = None,
         file: str = "scene",
         **tables: Mapping[str, Any] | None,
-    ) -> None:
+    ) -> Self:
         named: dict[str, Any] = {
             "title": title,
             "sensor": sensor,
@@ -138,23 +147,27 @@ class Scene:
             "contact": list(contacts) or None,
         }
         named |= {"time": time, "noise": noise, "reconstruct": reconstruct} | tables
-        self._core = _read(text_of(as_table(named)), file)
+        return cls.parse(text_of(as_table(named)), file=file)
 
     @classmethod
-    def load(cls, path: str | PathLike[str]) -> Scene:
+    def load(cls, path: str | PathLike[str]) -> Self:
         """Raises InputError with everything that is wrong with the file; OSError where there is none."""
         with open(path, "rb") as file:
             return cls.parse(file.read(), file=fspath(path))
 
     @classmethod
-    def parse(cls, text: str | bytes, *, file: str = "scene") -> Scene:
+    def parse(cls, text: str | bytes, *, file: str = "scene") -> Self:
         """From TOML. file: its name in messages; what the scene refers to is beside it. Raises InputError."""
-        scene = cls.__new__(cls)
-        scene._core = _read(text, file)
+        core: Any = _read(text, file)
+        kind: Any = _KINDS[type(core)]
+        if not issubclass(kind, cls):
+            raise InputError(f"{file}: error: is of a line array and of no skin: tactile_net.Scene takes both")
+        scene: Self = object.__new__(kind)
+        scene._core = core
         return scene
 
     @classmethod
-    def from_dict(cls, table: Mapping[str, Any], *, file: str = "scene") -> Scene:
+    def from_dict(cls, table: Mapping[str, Any], *, file: str = "scene") -> Self:
         """From the tables of the file, as `to_dict` gives them. Raises InputError; TypeError for what TOML cannot hold."""
         return cls.parse(text_of(as_table(table)), file=file)
 
@@ -164,7 +177,7 @@ class Scene:
 
         return tomllib.loads(self.text.removeprefix("\ufeff"))
 
-    def replace(self, changes: Mapping[str, Any]) -> Scene:
+    def replace(self, changes: Mapping[str, Any]) -> Self:
         """A new scene with other values, by their dotted paths: `{"sensor.depth": 2e-3, "contact.0.force": 2.0}`.
 
         None takes a key out. Raises InputError, and KeyError where there is no such contact.
@@ -183,7 +196,7 @@ class Scene:
                 place.pop(last, None)
             else:
                 place[last] = as_table(value)
-        return Scene.from_dict(table, file=self.file)
+        return type(self).from_dict(table, file=self.file)
 
     # What it says.
 
@@ -226,8 +239,44 @@ class Scene:
         return (len(self._core.channels), self._core.count) if self.even else (self._core.readings,)
 
     @property
+    def traction_shape(self) -> tuple[int, ...]:
+        """Of one component: (M,), the places on the surface."""
+        return (len(self.y),)
+
+    _components: tuple[str, ...] = ("normal", "tangential")
+
+    @property
+    def _dims(self) -> tuple[tuple[str, ...], dict[str, Any]]:
+        """Of a frame as an xarray.DataArray: its dimensions, and their coordinates."""
+        if self.even:
+            return ("channel", "taxel"), {"channel": list(self.channels), "taxel": self.taxels}
+        return ("reading",), {"reading": list(self.reading_names)}
+
+    @property
+    def _surface(self) -> tuple[tuple[str, ...], dict[str, Any]]:
+        """The same of tractions."""
+        return ("y",), {"y": self.y}
+
+    @property
+    def _places(self) -> dict[str, Floats]:
+        """Of the taxels, of uneven arrays of each reading, as files hold them."""
+        return {"y": self.taxels if self.even else self.sites.y}
+
+    def _rows(self, readings: Any, what: str = "readings") -> tuple[Floats, tuple[int, ...]]:
+        """(..., *reading_shape) or (..., R) as (n, R), a frame a row in the library's order, and the shape that leads."""
+        return frames_of(readings, self.reading_shape, what)
+
+    def _ordered(self, frames: NDArray[Any]) -> NDArray[Any]:
+        """(T, *reading_shape) as (T, R) in the order of `reading_names`, of whatever type they are."""
+        return frames.reshape(len(frames), len(self.reading_names))
+
+    def _framed(self, rows: Floats, lead: tuple[int, ...] = (-1,)) -> Floats:
+        """(n, R) as (*lead, *reading_shape)."""
+        return rows.reshape(*lead, *self.reading_shape)
+
+    @property
     def unknowns(self) -> int:
-        """1: normal tractions are solved for; 2: tangential ones too."""
+        """1: normal tractions are solved for; more: tangential ones too, of line arrays one, of skins two."""
         return self._core.unknowns
 
     @property
@@ -259,7 +308,7 @@ class Scene:
     def sites(self) -> Sites:
         """Where and what each reading is of."""
         y, depth, quantity, taxel, channel = self._core.sites()
-        return Sites(y, depth, np.array(quantity), np.array(taxel), np.array(channel))
+        return Sites(y, depth, np.array(quantity), np.array(taxel), np.array(channel), np.zeros_like(y))
 
     def explain(self) -> str:
         """Which effects are simulated, what is computed and why, and what it takes: `tactile-net run --explain`."""
@@ -292,7 +341,10 @@ class Scene:
         missing: values that are missing are nan; else they are refused. Raises InputError.
         """
         t, readings, notes = self._core.read(fspath(path), columns, missing)
-        return Recording(self, readings.reshape(-1, *self.reading_shape), t, None, tuple(notes))
+        return Recording(self, self._framed(readings), t, None, tuple(notes))
+
+    def _made_solver(self, method: str, alpha: float | None) -> _AnySolver:
+        return _core.Solver(self._core, method, alpha)
 
     def solver(self, method: str = "tikhonov", *, alpha: float | None = None) -> Solver:
         """A method made ready: "tikhonov", "closed_form" or "dft". alpha: in place of the scene's.
@@ -316,16 +368,14 @@ class Scene:
         share_alpha: how many frames that follow one another choose alpha together.
         """
         if not isinstance(recording, Recording):
-            rows, _ = frames_of(recording, self.reading_shape)
-            recording = Recording(self, rows.reshape(-1, *self.reading_shape))
+            recording = Recording(self, self._framed(self._rows(recording)[0]))
         elif recording.scene != self:
-            rows, _ = frames_of(recording.readings, self.reading_shape)
-            recording = Recording(self, rows.reshape(-1, *self.reading_shape), recording.t)
+            recording = Recording(self, self._framed(self._rows(recording.readings)[0]), recording.t)
         return Solution(recording, method, missing, share_alpha, progress)
 
     def run(self, *, frame: int | None = None, compare_rules: bool = False, progress: Progress = False) -> Result:
         """As `tactile_net.run`."""
-        return run(self, frame=frame, compare_rules=compare_rules, progress=progress)
+        return Result(self, frame, compare_rules, progress)
 
     def identify(
         self, *, traction: float | None = None, noise: float | None = None, progress: Progress = False
@@ -374,8 +424,8 @@ class Scene:
 
     def raw_numbers(self, readings: Any) -> Floats:
         """Readings as a file of this scene has them: in its units, before its calibration. As their shape."""
-        rows, lead = frames_of(readings, self.reading_shape)
-        return self._core.raw_numbers(rows).reshape(*lead, *self.reading_shape)
+        rows, lead = self._rows(readings)
+        return self._framed(self._core.raw_numbers(rows), lead)
 
     def _realized(self, realization: str | None) -> Scene:
         return self if realization is None else self.replace({"network.realization": realization})
@@ -401,18 +451,22 @@ class Scene:
         return _html.paragraphs(str(self).splitlines()) + _html.table([row for row in effects if row[1] != "no"])
 
 
+_KINDS: dict[type, type[Scene]] = {_core.Scene: Scene}
+"""Which class the library's scenes are; skins enter theirs."""
+
+
 def _parsed(text: str, file: str) -> Scene:
     return Scene.parse(text, file=file)
 
 
-def _read(text: str | bytes, file: str) -> _core.Scene:
+def _read(text: str | bytes, file: str) -> _core.Scene | _core.Skin:
     if isinstance(text, str):
         try:
             text = text.encode()
         except UnicodeEncodeError as error:  # half a character: no file can hold it
             raise InputError(f"{file}: error: is not Unicode: {error}") from None
     try:
-        return _core.Scene(text.decode(), file)
+        return _core.parse(text.decode(), file)
     except UnicodeDecodeError as error:
         raise InputError(f"{file}: error: is not UTF-8: {error}") from None
 

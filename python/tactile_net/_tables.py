@@ -13,8 +13,11 @@ if TYPE_CHECKING:
     from ._arrays import Floats
 
 __all__ = [
+    "CircularPunch",
+    "Cone",
     "Contact",
     "Cylinder",
+    "Ellipsoid",
     "Layer",
     "Material",
     "Noise",
@@ -22,7 +25,9 @@ __all__ = [
     "Reconstruct",
     "SampledTractions",
     "Sensor",
+    "Sphere",
     "Timing",
+    "TractionPatch",
     "Wedge",
     "as_table",
 ]
@@ -32,11 +37,14 @@ Numbers: TypeAlias = "Sequence[float] | Floats"
 
 @dataclasses.dataclass(kw_only=True)
 class Sensor:
-    """[sensor]: `count` even taxels `pitch` apart, or uneven ones at `positions`."""
+    """[sensor]: `count` even taxels `pitch` apart, or uneven ones at `positions`; of a skin `rows` and `columns`, with a
+    pitch along y and z or one for both, or a file of `taxels` with a column z, where `reads` may stand too."""
 
-    reads: Sequence[str]
+    reads: Sequence[str] | None = None
     count: int | None = None
-    pitch: float | None = None
+    rows: int | None = None
+    columns: int | None = None
+    pitch: float | Numbers | None = None
     depth: float | Numbers | None = None
     depths: Numbers | None = None
     positions: Numbers | None = None
@@ -53,7 +61,7 @@ class Layer:
 
 @dataclasses.dataclass(kw_only=True)
 class Material:
-    """[material]: a half plane without `layer`."""
+    """[material]: a half plane, of a skin a half space, without `layer`."""
 
     youngs_modulus: float
     poisson_ratio: float
@@ -102,7 +110,78 @@ class SampledTractions:
     shape: str = dataclasses.field(default="tractions", init=False)
 
 
-Contact = Cylinder | Punch | Wedge | SampledTractions | Mapping[str, Any]
+@dataclasses.dataclass(kw_only=True)
+class _Body:
+    """What presses on a skin: where, how hard, and how it drags."""
+
+    force: float | None = None
+    place: Numbers | None = None
+    """y and z of its middle."""
+    friction: float | None = None
+    direction: float | None = None
+    """Of the drag, in degrees from y towards z."""
+    stick: float | None = None
+    torsion: float | None = None
+    trajectory: Sequence[Mapping[str, Any]] | None = None
+
+
+@dataclasses.dataclass(kw_only=True)
+class Sphere(_Body):
+    """[[contact]] of a sphere on a skin; `radius` is the circle's that touches."""
+
+    radius: float | None = None
+    shape: str = dataclasses.field(default="sphere", init=False)
+
+
+@dataclasses.dataclass(kw_only=True)
+class Ellipsoid(_Body):
+    """[[contact]] of an ellipsoid on a skin, its first radius at `angle` degrees from y towards z."""
+
+    radii: Numbers | None = None
+    angle: float | None = None
+    shape: str = dataclasses.field(default="ellipsoid", init=False)
+
+
+@dataclasses.dataclass(kw_only=True)
+class CircularPunch(_Body):
+    """[[contact]] of a flat round punch on a skin."""
+
+    radius: float | None = None
+    shape: str = dataclasses.field(default="punch", init=False)
+
+
+@dataclasses.dataclass(kw_only=True)
+class Cone(_Body):
+    """[[contact]] of a cone on a skin."""
+
+    radius: float | None = None
+    shape: str = dataclasses.field(default="cone", init=False)
+
+
+@dataclasses.dataclass(kw_only=True)
+class TractionPatch:
+    """[[contact]] on a skin given by tractions of rectangles `spacing` apart: lists of rows, or arrays (rows, columns)."""
+
+    spacing: float | Numbers
+    normal: Sequence[Sequence[float]] | Floats
+    tangential_y: Sequence[Sequence[float]] | Floats | None = None
+    tangential_z: Sequence[Sequence[float]] | Floats | None = None
+    place: Numbers | None = None
+    shape: str = dataclasses.field(default="tractions", init=False)
+
+
+Contact = (
+    Cylinder
+    | Punch
+    | Wedge
+    | SampledTractions
+    | Sphere
+    | Ellipsoid
+    | CircularPunch
+    | Cone
+    | TractionPatch
+    | Mapping[str, Any]
+)
 
 
 @dataclasses.dataclass(kw_only=True)

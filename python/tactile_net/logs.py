@@ -123,6 +123,8 @@ def write(
     from ._log_writer import LogWriter
     from ._recording import Solution
 
+    if len(what.scene.traction_shape) > 1:
+        raise ValueError(f"{fspath(path)}: logs hold line arrays alone as yet: .npz, .h5 and .parquet hold skins")
     layout = layout_of(what, dtype)
     frames = len(layout.arrays["readings"])
     stamps = _stamps(what.t)

@@ -5,8 +5,9 @@
     readings = pad.read(data)                # (C, N)
 
 MuJoCo's contacts are one to a few points with a force each; a soft pad spreads them. Each object that touches is one
-patch of tractions: of a sphere, capsule or cylinder Hertz' strip, of all else the linear traction over its contact
-points that has their force and moment. What the taxels read of these goes through the scene's own effects.
+patch of tractions: of a sphere, capsule or cylinder Hertz' strip, on a skin a ball's Hertz' circle; of all else the
+linear traction over its contact points, on a skin over their hull, that has their force and moment. What the taxels read
+of these goes through the scene's own effects.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from . import _core
 from ._arrays import Floats
 from ._optional import optional
 from ._scene import Scene
+from ._skin import Skin
 
 __all__ = ["Pad", "ShortContactWarning"]
 
@@ -37,7 +39,10 @@ class ShortContactWarning(UserWarning):
 class Pad:
     """The taxels below a site of a MuJoCo model: its z axis points out of the pad, its x axis along the array.
 
-    Readings are those of plane strain, in which every contact reaches across the whole breadth of the pad. That holds
+    Of a skin rows follow one another along the site's x axis, and columns along minus its y axis; readings are those of
+    a half space or a layer, and are (rows, columns, C), in the model's user sensor too.
+
+    Of a line array readings are those of plane strain, in which every contact reaches across the whole breadth of the pad. That holds
     for a cylinder, an edge, a box; of a ball that is smaller than the pad is wide the force is right and the
     height of the readings is not, of which a ShortContactWarning tells once.
 
@@ -51,13 +56,13 @@ class Pad:
         *,
         site: str,
         scene: Scene | str | PathLike[str],
-        breadth: float,
+        breadth: float | None = None,
         edge_width: float | None = None,
         geoms: Iterable[str] | None = None,
     ) -> None:
         """
         scene: sensor, material and effects; its contacts and [time] are not looked at. In SI, or in the model's units.
-        breadth: of the pad, along the site's y axis [m], over which forces are spread.
+        breadth: of the pad, along the site's y axis [m], over which forces are spread; of skins left out.
         edge_width: the least width of a contact whose curvature nobody knows [m]; None: half the least depth.
         geoms: that are the pad's; None: all of the site's body.
 
@@ -74,14 +79,18 @@ class Pad:
         kinds = mujoco.mjtGeom
         rounded = [int(kind) for kind in (kinds.mjGEOM_SPHERE, kinds.mjGEOM_CAPSULE, kinds.mjGEOM_CYLINDER)]
         radius = np.where(np.isin(model.geom_type, rounded), model.geom_size[:, 0], np.inf)
-        self._core = _core.RigidPad(
-            self.scene._core,
-            [geom in self._own for geom in range(model.ngeom)],
-            (1.0 / radius).tolist(),
-            float(breadth),
-            None if edge_width is None else float(edge_width),
-        )
-        self.breadth = float(breadth)
+        own, curvature = [geom in self._own for geom in range(model.ngeom)], (1.0 / radius).tolist()
+        edge = None if edge_width is None else float(edge_width)
+        self._core: _core.RigidPad | _core.RigidSkinPad
+        if isinstance(self.scene, Skin):
+            if breadth is not None:
+                raise ValueError("breadth is of line arrays, and this scene is of a skin: leave it out")
+            self._core = _core.RigidSkinPad(self.scene._core, own, curvature, edge)
+        elif breadth is None:
+            raise ValueError("breadth: forces on a line array are spread over the breadth of its pad, which must be given")
+        else:
+            self._core = _core.RigidPad(self.scene._core, own, curvature, float(breadth), edge)
+        self.breadth = None if breadth is None else float(breadth)
         self.edge_width = self._core.edge
         self._size = len(self.scene.reading_names)
         self._known: set[int] = set()
@@ -99,7 +108,8 @@ class Pad:
         return [int(geom) for geom in own]
 
     def read(self, data: Any) -> Floats:
-        """(C, N) readings of the contacts, as they were when MuJoCo last computed forces; of uneven arrays (R,).
+        """(C, N), of skins (rows, columns, C), of uneven arrays (R,): readings of the contacts, as they were when MuJoCo
+        last computed forces.
 
         After mj_step they are those of the moment before it, mj_forward brings them up to date.
         """

@@ -23,6 +23,7 @@ SCENES = sorted(
     for path in (PROJECT / "scenes").rglob("*.toml")
     if path.parent.name not in OTHERS and path.name != "hand.toml" and not path.name.startswith("skin-")
 )
+SKINS = sorted((PROJECT / "scenes/skins").glob("*.toml")) + sorted((PROJECT / "scenes/recorded").glob("skin-*.toml"))
 
 settings.register_profile("suite", deadline=None, derandomize=True, max_examples=60)
 settings.load_profile("suite")

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import PROJECT, SCENES
+from conftest import PROJECT, SCENES, SKINS
 from numpy.typing import NDArray
 
 import tactile_net as tn
@@ -128,6 +128,49 @@ def test_answers_to_a_recording(
     documents = [json.loads((folder / "result.json").read_text()) for folder in (tmp_path / "ours", theirs)]
     for document in documents:  # a file has columns that nobody reads; an array has none
         del document["columns_ignored"]
+    assert without_times(documents[0]) == without_times(documents[1])
+
+
+@pytest.mark.parametrize("path", SKINS, ids=lambda path: path.name)
+def test_skins(command: Callable[..., str], path: Path, tmp_path: Path) -> None:
+    """What is simulated, and what `run` makes of it, on every scene of a skin."""
+    scene = tn.Skin.load(path)
+    command("simulate", path, "-o", tmp_path / "readings.csv", "--truth", tmp_path / "truth.csv")
+    recording = scene.simulate()
+    raw = scene._rows(scene.raw_numbers(recording.readings))[0]
+    assert np.array_equal(raw, numbers(tmp_path / "readings.csv", *scene.channels))
+    assert recording.truth is not None
+    truth = numbers(tmp_path / "truth.csv", "normal", "tangential")
+    assert np.array_equal(recording.truth.reshape(len(recording), -1), truth)
+    if "contact" not in scene.to_dict():
+        return
+    command("run", path, "--out", tmp_path / "theirs")
+    result = tn.run(scene)
+    result.report(tmp_path / "ours")
+    same_page(tmp_path / "ours", tmp_path / "theirs")
+    documents = [json.loads((tmp_path / one / "result.json").read_text()) for one in ("ours", "theirs")]
+    assert without_times(documents[0]) == without_times(documents[1])
+    assert result.skin.tractions is not None
+    found = numbers(tmp_path / "theirs/tractions.csv", "normal", "tangential_y", "tangential_z").T
+    names = [name for name in columns(tmp_path / "theirs/tractions.csv") if name.startswith(("normal", "tangential"))]
+    for values, component in zip(result.skin.tractions, ("normal", "tangential_y", "tangential_z")):
+        assert np.array_equal(values.ravel(), found[names.index(component)])
+
+
+@pytest.mark.parametrize("name", ["skin-pad", "skin-pad-uneven"])
+def test_answers_to_a_recording_of_a_skin(command: Callable[..., str], name: str, tmp_path: Path) -> None:
+    path, readings, theirs = RECORDED / f"{name}.toml", RECORDED / f"{name}.csv", tmp_path / "theirs"
+    command("solve", path, "--readings", readings, "--out", theirs, "--uncertainty", tmp_path / "forces.csv")
+    solution = tn.Skin.load(path).read(readings).solve()
+    rows = solution.tractions.reshape(len(solution), -1)
+    assert np.array_equal(rows, numbers(theirs / "tractions-of-frames.csv", "normal_", "tangential_"))
+    said = columns(tmp_path / "forces.csv")
+    table = solution.to_dataframe()
+    for column in said.keys() - {"t"}:
+        assert np.array_equal(table[column], [float(v) if v else np.nan for v in said[column]], equal_nan=True), column
+    solution.report(tmp_path / "ours", name=str(readings))
+    same_page(tmp_path / "ours", theirs)
+    documents = [json.loads((folder / "result.json").read_text()) for folder in (tmp_path / "ours", theirs)]
     assert without_times(documents[0]) == without_times(documents[1])
 
 

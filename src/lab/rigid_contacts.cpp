@@ -95,7 +95,8 @@ PadFace::Touch PadFace::touched_by(const PairContact& contact, bool pad_is_secon
           .point = {.along = along(0, from),
                     .across = along(1, from),
                     .normal = -along(2, force),
-                    .tangential = along(0, force)}};
+                    .tangential = along(0, force),
+                    .sideways = along(1, force)}};
 }
 
 ContactWidths contact_widths(const Scene& scene, double breadth, std::optional<double> edge) {

@@ -1,5 +1,6 @@
 /// @file
-/// From the contact points of a rigid-body simulator to patches of load in plane strain.
+/// From the contact points of a rigid-body simulator to patches of load in plane strain; to loads on
+/// a skin go skin_contacts.hpp.
 #pragma once
 
 #include <array>
@@ -22,6 +23,7 @@ struct ContactPoint {
   double across = 0.0;      ///< [m]
   double normal = 0.0;      ///< into the pad [N]; a point that does not press is left out
   double tangential = 0.0;  ///< along y [N]
+  double sideways = 0.0;    ///< across [N]; in plane strain nothing follows it
 };
 
 using Vector3 = std::array<double, 3>;

@@ -7,12 +7,11 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "tactile_net/elasticity/patch_kernel.hpp"
+#include "tactile_net/lab/pad_signal.hpp"
 #include "tactile_net/scene/scene.hpp"
 #include "tactile_net/sensing/patch_model.hpp"
 
@@ -30,27 +29,17 @@ struct PadModel {
 /// One sensor and what it remembers. Not thread-safe.
 class SimulatedPad {
  public:
-  explicit SimulatedPad(std::shared_ptr<const PadModel> model) : model_(std::move(model)) {}
+  explicit SimulatedPad(std::shared_ptr<const PadModel> model);
 
-  /// What the sensor records at a moment, through all of the scene's effects.
-  ///
-  /// Between two moments every reading is a straight line. A moment that is not later than the last
-  /// one begins anew, with a sensor that has been unloaded for ever; only the last moment itself,
-  /// under the same loads, reads as it did. What is read thus follows from the loads since then
-  /// alone, noise included.
+  /// What the sensor records at a moment, through all of the scene's effects: as `PadSignal`.
   ///
   /// @param time      [s]
   /// @param readings  channels x count
   void read(double time, std::span<const LoadPatch> patches, std::span<double> readings);
 
  private:
-  void record(double time, std::span<const double> pure);
-
   std::shared_ptr<const PadModel> model_;
-  SignalPath path_{};
-  std::optional<double> time_{};    // of the last moment; absent: at rest
-  std::vector<double> pure_{};      // at that time, before the effects
-  std::vector<double> recorded_{};  // after them
+  PadSignal signal_;
 };
 
 }  // namespace tactile_net::lab

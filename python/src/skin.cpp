@@ -1,0 +1,157 @@
+// A scene of a skin: what it says, what its taxels would read, and the matrices behind it.
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <tuple>
+
+#include "read_frames.hpp"
+#include "rooms.hpp"
+#include "shared_scene.hpp"
+#include "tactile_net/lab/skin_simulation.hpp"
+#include "tactile_net/report/words/skin_words.hpp"
+
+namespace tactile_net::python {
+namespace {
+
+std::vector<std::string> channel_names(const SharedSkin& self) {
+  std::vector<std::string> names;
+  for (const SkinChannel& channel : channels(self.scene().sensor)) names.push_back(channel.name);
+  return names;
+}
+
+/// y, z, depth, quantity, taxel and channel of every reading, in their order.
+std::tuple<Array, Array, Array, std::vector<std::string>, std::vector<std::size_t>,
+           std::vector<std::size_t>>
+sites_of(const SharedSkin& self) {
+  std::vector<double> y;
+  std::vector<double> z;
+  std::vector<double> depth;
+  std::vector<std::string> quantity;
+  std::vector<std::size_t> taxel;
+  std::vector<std::size_t> channel;
+  for (const SkinSite& site : sites(self.scene().sensor)) {
+    y.push_back(site.y);
+    z.push_back(site.z);
+    depth.push_back(site.depth);
+    quantity.emplace_back(name(site.quantity));
+    taxel.push_back(site.taxel);
+    channel.push_back(site.channel);
+  }
+  return {
+      owned(std::move(y)), owned(std::move(z)), owned(std::move(depth)), quantity, taxel, channel};
+}
+
+std::vector<std::string> taxel_names(const SharedSkin& self) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < taxel_count(self.scene().sensor); ++i)
+    names.push_back(taxel_name(self.scene().sensor, i));
+  return names;
+}
+
+/// y of the cells' rows, z of their columns, and how far apart these are.
+std::tuple<Array, Array, std::pair<double, double>> cells_of(const SharedSkin& self) {
+  const SkinGrid cells = grid(self.scene());
+  std::vector<double> y;
+  std::vector<double> z;
+  for (std::size_t row = 0; row < cells.rows; ++row) y.push_back(cells.y(row));
+  for (std::size_t column = 0; column < cells.columns; ++column) z.push_back(cells.z(column));
+  return {owned(std::move(y)), owned(std::move(z)), {cells.spacing_y, cells.spacing_z}};
+}
+
+std::vector<std::string> words(const SharedSkin& self) {
+  const SkinScene& scene = self.scene();
+  std::vector<std::string> all{report::sensor_in_words(scene), report::material_in_words(scene)};
+  for (std::string& contact : report::contacts_in_words(scene)) all.push_back(std::move(contact));
+  all.push_back(report::grid_in_words(scene, grid(scene)));
+  return all;
+}
+
+/// t, readings and the true tractions of every frame.
+std::tuple<Array, Array, Array> simulate(const SharedSkin& self, const nb::object& progress) {
+  std::vector<double> t;
+  std::vector<double> readings;
+  std::vector<double> truth;
+  Watcher watcher(progress);
+  const std::size_t count = grid(self.scene()).count();
+  {
+    const nb::gil_scoped_release released;
+    lab::SkinRecording recording(self.scene());
+    while (recording.next()) {
+      watcher.step({.kind = lab::Step::Kind::frame, .count = t.size()});
+      t.push_back(recording.time());
+      readings.insert(readings.end(), recording.readings().begin(), recording.readings().end());
+      truth.insert(truth.end(), recording.truth().begin(), recording.truth().end());
+    }
+  }
+  const std::size_t frames = t.size();
+  return {owned(std::move(t)),
+          owned(std::move(readings), {frames, reading_count(self.scene().sensor)}),
+          owned(std::move(truth), {frames, skin_tractions.size() * count})};
+}
+
+/// K: neither weighted by the noise nor with dead taxels left out.
+Array kernel_matrix(const SharedSkin& self) {
+  Matrix kernel;
+  {
+    const nb::gil_scoped_release released;
+    const SkinScene& scene = self.scene();
+    kernel = make_problem(scene.sensor, scene.material,
+                          {.components = components(scene),
+                           .channel_rms = std::vector<double>(channel_count(scene.sensor), 1.0),
+                           .grid = scene.reconstruct.grid})
+                 .kernel;
+  }
+  return as_array(std::move(kernel));
+}
+
+Array normal_matrix_of(SharedSkin& self, double alpha) {
+  Matrix matrix;
+  {
+    const nb::gil_scoped_release released;
+    const auto locked = self.lock();
+    matrix = normal_matrix(locked.problem.problem(), alpha);
+  }
+  return as_array(std::move(matrix));
+}
+
+std::optional<std::pair<double, std::size_t>> timing(const SharedSkin& self) {
+  if (!self.scene().time) return std::nullopt;
+  return std::pair(self.scene().time->rate, self.scene().time->frames);
+}
+
+}  // namespace
+
+void bind_skin(nb::module_& module) {
+  nb::class_<SharedSkin>(module, "Skin")
+      .def_prop_ro("text", &SharedSkin::text)
+      .def_prop_ro("file", &SharedSkin::file)
+      .def_prop_ro("title", [](const SharedSkin& self) { return self.scene().title; })
+      .def_prop_ro("rows", [](const SharedSkin& self) { return self.scene().sensor.rows; })
+      .def_prop_ro("columns", [](const SharedSkin& self) { return self.scene().sensor.columns; })
+      .def_prop_ro("readings",
+                   [](const SharedSkin& self) { return reading_count(self.scene().sensor); })
+      .def_prop_ro("even", [](const SharedSkin& self) { return is_even(self.scene().sensor); })
+      .def_prop_ro("unknowns", [](const SharedSkin& self) { return components(self.scene()); })
+      .def_prop_ro("channels", &channel_names)
+      .def_prop_ro("reading_names",
+                   [](const SharedSkin& self) { return reading_names(self.scene().sensor); })
+      .def_prop_ro("taxel_names", &taxel_names)
+      .def_prop_ro("timing", &timing)
+      .def_prop_ro("si", [](const SharedSkin& self) { return self.scene().units.has_value(); })
+      .def("cells", &cells_of)
+      .def("sites", &sites_of)
+      .def("words", &words)
+      .def("simulate", &simulate, nb::arg("progress").none())
+      .def("read", &read<SharedSkin>, nb::arg("path"), nb::arg("columns"),
+           nb::arg("accept_missing"))
+      .def("take", &take<SharedSkin>, nb::arg("npy"))
+      .def("raw_numbers", &raw<SharedSkin>, nb::arg("readings").noconvert())
+      .def("kernel_matrix", &kernel_matrix)
+      .def("normal_matrix", &normal_matrix_of, nb::arg("alpha"));
+}
+
+}  // namespace tactile_net::python

@@ -1,0 +1,59 @@
+/// @file
+/// A skin's recording that was solved, with all that is known of each of its frames.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "arrays.hpp"
+#include "page_folder.hpp"
+#include "shared_scene.hpp"
+#include "tactile_net/lab/skin_recording.hpp"
+#include "watcher.hpp"
+
+namespace tactile_net::python {
+
+/// One frame. @param frame  its number, for messages
+/// @throw BadFrame  a reading is not finite, or the tractions overflow
+[[nodiscard]] lab::SkinAnswer answer_of(const lab::SkinSceneProblem& problem,
+                                        std::span<const double> readings, std::size_t frame);
+
+class SolvedSkin {
+ public:
+  /// Solves every frame. @pre the GIL is not held
+  /// @param times     of the frames [s], NaN where one has none; empty: they have none
+  /// @param readings  frames x readings
+  /// @throw BadFrame
+  SolvedSkin(SkinPointer shared, std::vector<double> times, const Rows& readings, Watcher& watcher);
+
+  [[nodiscard]] const std::vector<lab::SkinAnswer>& answers() const noexcept { return answers_; }
+  [[nodiscard]] const SkinGrid& grid() const noexcept { return grid_; }
+  /// Of one frame: components x cells.
+  [[nodiscard]] std::size_t width() const noexcept { return width_; }
+  /// A sentence each, of the frame that presses hardest.
+  [[nodiscard]] std::vector<std::string> notes() const;
+
+  /// As `solve --json` writes it. @param name  of the recording
+  [[nodiscard]] std::string json(const std::string& name) const;
+  /// The page that `solve --out` writes.
+  [[nodiscard]] std::string html(const std::string& name) const;
+  /// The folder that `solve --out` writes. @return what is missing in the page
+  std::string report(const PageFolder& folder, const std::string& name) const;
+
+ private:
+  [[nodiscard]] lab::SkinRecordingAnswer recording() const;
+  [[nodiscard]] std::string tractions_csv() const;
+  [[nodiscard]] std::string time(std::size_t frame) const;
+
+  SkinPointer shared_;
+  std::vector<double> times_;
+  std::vector<double> readings_;
+  std::size_t size_;  // of a frame of them
+  SkinGrid grid_{};
+  std::size_t width_ = 0;
+  std::vector<lab::SkinAnswer> answers_{};
+};
+
+}  // namespace tactile_net::python

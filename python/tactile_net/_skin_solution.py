@@ -1,0 +1,241 @@
+"""What a skin's recording was solved to."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+
+from . import _core, _html
+from ._arrays import Floats
+from ._optional import optional
+from ._progress import Progress, listening
+from ._recording import Recording, Solution
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from ._skin import Skin
+
+__all__ = ["COMPONENTS", "SkinSolution"]
+
+COMPONENTS = ("normal", "tangential_y", "tangential_z")
+_WRENCH = ("normal", "tangential_y", "tangential_z", "centre_y", "centre_z", "torsion", "friction")
+
+
+class SkinSolution(Solution):
+    """Three tractions of every frame, what they amount to, and how far to trust them. Made by `Skin.solve`.
+
+    Forces, centre and torsion are sums over the cells that touch (`touching`), or over all where none is certain to, each
+    with its deviation.
+    """
+
+    touching: NDArray[np.bool_]
+    """(T, rows, columns): the cells that a contact covers."""
+    contacts: NDArray[np.int_]
+    """(T,): how many contacts lie apart."""
+
+    def __init__(
+        self, recording: Recording, method: str, missing: str, share_alpha: int | None, progress: Progress = False
+    ) -> None:
+        self.recording = recording
+        self.method = method
+        self._missing = missing
+        self._share_alpha = share_alpha
+        core = self._solved_skin(progress)
+        self._skin_core: _core.SolvedSkin | None = core
+        self._take(core.fields())
+        self.notes = tuple(core.notes())
+
+    def _take(self, found: Any) -> None:
+        frames, places = len(self.recording), self.scene.traction_shape
+        components = found["tractions"][:1].size // (places[0] * places[1]) or self.scene.unknowns
+        self.tractions = found["tractions"].reshape(frames, components, *places)
+        self._deviation = found["deviation"].reshape(frames, components, *places)
+        self.touching = found["touching"].reshape(frames, *places) != 0.0
+        self._wrench = found["wrench"]
+        self.wrench_covariance = found["covariance"].reshape(frames, 6, 6)
+        """(T, 6, 6): of the first six numbers of `wrench`; 0 where one is not known."""
+        self._ellipse = found["ellipse"]
+        self.verdict = np.array(found["verdict"], dtype=np.str_)
+        self.data = np.full(frames, "not_judged")
+        self.alpha = found["alpha"]
+        self.contacts = np.asarray(found["contacts"]).astype(np.int_)
+
+    def _held(self) -> dict[str, Floats]:
+        return super()._held() | {
+            "deviation": self._deviation,
+            "wrench": self._wrench,
+            "covariance": self.wrench_covariance,
+            "ellipse": self._ellipse,
+            "touching": self.touching.astype(np.float64),
+            "contacts": self.contacts.astype(np.float64),
+        }
+
+    @classmethod
+    def _restored(cls, held: dict[str, Floats], **state: Any) -> SkinSolution:
+        solution = cls.__new__(cls)
+        solution.__dict__.update(state, _skin_core=None)
+        solution._take(held | {"verdict": state["verdict"], "data": state["data"]})
+        return solution
+
+    def _solved_skin(self, progress: Progress = False) -> _core.SolvedSkin:
+        recording = self.recording
+        times = [] if recording.t is None else recording.t.tolist()
+        rows, _ = self.scene._rows(recording.readings)
+        with listening(progress) as heard:
+            return _core.solve_skin(self.scene._core, times, np.ascontiguousarray(rows), heard)
+
+    def _drawable(self) -> _core.SolvedSkin:
+        if self._skin_core is None:  # it was pickled, as arrays
+            self._skin_core = self._solved_skin()
+        return self._skin_core
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_skin_core": None}
+
+    @property
+    def scene(self) -> Skin:
+        return cast("Skin", self.recording.scene)
+
+    @property
+    def z(self) -> Floats:
+        """(columns,): of the cells' middles [m]."""
+        return self.scene.z
+
+    @property
+    def normal(self) -> Floats:
+        """(T, rows, columns): p [Pa]."""
+        return np.asarray(self.tractions[:, 0])
+
+    @property
+    def tangential(self) -> Floats:
+        """(T, 2, rows, columns): q_y and q_z [Pa]; (T, 0, rows, columns) where only p was solved for."""
+        return np.asarray(self.tractions[:, 1:])
+
+    @property
+    def has_bands(self) -> bool:
+        return True
+
+    @property
+    def deviation(self) -> Floats:
+        """(T, U, rows, columns): one standard deviation of each traction [Pa]."""
+        return np.asarray(self._deviation)
+
+    @property
+    def wrench(self) -> Floats:
+        """(T, 7): normal force, forces along y and z [N], y and z of the centre of pressure [m], torsion about it [N m],
+        and the drag over the normal force; nan where one is not known."""
+        return np.asarray(self._wrench[:, 0::2])
+
+    @property
+    def wrench_deviation(self) -> Floats:
+        """(T, 7): one standard deviation of each."""
+        return np.asarray(self._wrench[:, 1::2])
+
+    @property
+    def normal_force(self) -> Floats:
+        """(T,) [N]"""
+        return np.asarray(self.wrench[:, 0])
+
+    @property
+    def normal_force_deviation(self) -> Floats:
+        """(T,): one standard deviation [N]"""
+        return np.asarray(self.wrench_deviation[:, 0])
+
+    @property
+    def tangential_force(self) -> Floats:
+        """(T, 2): along y and z [N]; nan where only p was solved for."""
+        return np.asarray(self.wrench[:, 1:3])
+
+    @property
+    def tangential_force_deviation(self) -> Floats:
+        return np.asarray(self.wrench_deviation[:, 1:3])
+
+    @property
+    def centre(self) -> Floats:
+        """(T, 2): y and z where the normal force acts [m]; nan where nothing presses."""
+        return np.asarray(self.wrench[:, 3:5])
+
+    @property
+    def centre_deviation(self) -> Floats:
+        return np.asarray(self.wrench_deviation[:, 3:5])
+
+    @property
+    def torsion(self) -> Floats:
+        """(T,): moment about the surface's normal through the centre of pressure, from y towards z [N m]."""
+        return np.asarray(self.wrench[:, 5])
+
+    @property
+    def torsion_deviation(self) -> Floats:
+        return np.asarray(self.wrench_deviation[:, 5])
+
+    @property
+    def friction(self) -> Floats:
+        """(T,): drag over normal force."""
+        return np.asarray(self.wrench[:, 6])
+
+    @property
+    def friction_deviation(self) -> Floats:
+        return np.asarray(self.wrench_deviation[:, 6])
+
+    @property
+    def ellipse(self) -> Floats:
+        """(T, 3): radii of the strongest contact by Hertz' law [m], and the longer one's angle from y towards z [rad]."""
+        return np.asarray(self._ellipse[:, 0::2])
+
+    @property
+    def ellipse_deviation(self) -> Floats:
+        return np.asarray(self._ellipse[:, 1::2])
+
+    def to_json(self, name: str = "readings") -> str:
+        """As `tactile-net solve --json` writes it."""
+        return self._drawable().json(name)
+
+    def report(self, folder: str | PathLike[str], *, force: bool = False, name: str = "readings") -> str:
+        """Writes the page that `tactile-net solve --out` writes, and returns the path of report.html.
+
+        Raises OSError where a report.html stands that tactile-net has not written, unless `force`; ValueError where
+        there is no frame.
+        """
+        if len(self) == 0:
+            raise ValueError("the recording holds no frame")
+        self._drawable().report(fspath(folder), force, name)
+        return f"{fspath(folder)}/report.html"
+
+    def to_xarray(self) -> Any:
+        """The recording's Dataset with `tractions` and `deviation` over (t, component, y, z), `touching`, `wrench`,
+        `wrench_deviation`, `verdict` and `alpha`."""
+        dataset = self.recording.to_xarray()
+        components = list(COMPONENTS[: self.tractions.shape[1]])
+        dataset = dataset.assign_coords(y=self.y, z=self.z)
+        if "component" in dataset.coords and dataset.sizes["component"] != len(components):
+            dataset = dataset.sel(component=components)  # the truth has three, where p alone was solved for
+        dataset = dataset.assign_coords(component=components, of=list(_WRENCH))
+        fields = {"tractions": self.tractions, "deviation": self.deviation}
+        dataset = dataset.assign({name: (("t", "component", "y", "z"), values) for name, values in fields.items()})
+        dataset = dataset.assign(
+            touching=(("t", "y", "z"), self.touching),
+            wrench=(("t", "of"), self.wrench),
+            wrench_deviation=(("t", "of"), self.wrench_deviation),
+        )
+        return dataset.assign(verdict=("t", self.verdict), alpha=("t", self.alpha))
+
+    def to_dataframe(self) -> Any:
+        """A frame a row: forces, centre, torsion, friction, their deviations, alpha, verdict; over t."""
+        pandas = optional("pandas", "tables")
+        names = _core.wrench_columns()
+        columns: dict[str, Any] = {name: self._wrench[:, i] for i, name in enumerate(names)}
+        columns |= {"contacts": self.contacts, "alpha": self.alpha, "verdict": self.verdict}
+        return pandas.DataFrame(columns, index=None if self.t is None else pandas.Index(self.t, name="t"))
+
+    @cached_property
+    def _page(self) -> str:
+        return self._drawable().html("readings")
+
+    def _repr_html_(self) -> str:
+        if len(self) == 0:
+            return _html.paragraphs([repr(self)[1:-1] + "."])
+        return _html.page(self._page)
