@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "inverse/significance.hpp"
 #include "numeric/eigen.hpp"
@@ -33,6 +34,27 @@ void check(const PlannerOptions& options, std::size_t readings) {
   if (!(options.accuracy > 0.0) || !std::isfinite(options.accuracy))
     throw std::invalid_argument("accuracy must be > 0 and finite");
   if (options.calibration) check(*options.calibration, readings);
+}
+
+void check_structure(const ProductTask& task, bool symmetric) {
+  if (!task.structure) return;
+  const bool skin = task.row_signs.empty();
+  const bool parity = has_parity(*task.structure);
+  const bool reflections = has_reflections(*task.structure);
+  const std::string own(name(*task.structure));
+  if (skin && parity)
+    throw std::invalid_argument("structure " + own + " is of line arrays: a skin has reflections");
+  if (!skin && reflections)
+    throw std::invalid_argument("structure " + own + " is of skins: a line has parity");
+  if (parity && !symmetric)
+    throw std::invalid_argument("the array is not mirror symmetric (dead taxels, gains?): " + own +
+                                " cannot be used");
+  if (reflections && !symmetric)
+    throw std::invalid_argument(
+        "the skin does not mirror itself in y and z (uneven taxels, gains?): " + own +
+        " cannot be used");
+  if (task.structure == Structure::fft && task.precision == Precision::float32)
+    throw std::invalid_argument("fft has precision float64 only");
 }
 
 void take_raw(ProductTask& task, const Calibration& calibration, std::size_t count) {

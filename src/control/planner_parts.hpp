@@ -14,6 +14,10 @@ namespace tactile_net {
 /// @throw std::invalid_argument  accuracy is not > 0 and finite, a calibration of other readings
 void check(const PlannerOptions& options, std::size_t readings);
 
+/// @param symmetric  the task's matrix falls into classes
+/// @throw std::invalid_argument  a structure is asked for that it does not have
+void check_structure(const ProductTask& task, bool symmetric);
+
 /// In raw numbers r = g / gain + ... the rows of K are K / gain and their weights W gain: W K, and
 /// so the tractions, stay as they are.
 ///

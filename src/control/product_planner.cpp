@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "control/circulant.hpp"
 #include "control/class_factors.hpp"
 #include "control/grid_classes.hpp"
+#include "control/planner_parts.hpp"
 #include "numeric/decompositions.hpp"
 
 namespace tactile_net {
@@ -76,15 +76,7 @@ class Planner {
   }
 
   PlannedProduct plan() {
-    if (task_.structure && has_parity(*task_.structure) && classes_.empty())
-      throw std::invalid_argument("the array is not mirror symmetric (dead taxels, gains?): " +
-                                  std::string(name(*task_.structure)) + " cannot be used");
-    if (task_.structure == Structure::fft && task_.precision == Precision::float32)
-      throw std::invalid_argument("fft has precision float64 only");
-    if (task_.structure && has_reflections(*task_.structure) && classes_.empty())
-      throw std::invalid_argument(
-          "the skin does not mirror itself in y and z (uneven taxels, gains?): " +
-          std::string(name(*task_.structure)) + " cannot be used");
+    check_structure(task_, !classes_.empty());
     PlannedProduct best{.asymmetry = asymmetry_ / norm_, .symmetric = !classes_.empty()};
     std::optional<std::size_t> chosen;
     for (const auto& [structure, exchanged] : structures())

@@ -15,7 +15,7 @@ struct ProductTask {
   Eigen::MatrixXd matrix{};       ///< A, in coordinates in which 2-norms mean something
   Eigen::VectorXd row_factors{};  ///< the product gives diag(row_factors) A diag(column_factors) x;
   Eigen::VectorXd column_factors{};  ///< constant within a block if symmetric
-  Signs row_signs{};  ///< none: of a skin
+  Signs row_signs{};                 ///< none: of a skin
   Signs column_signs{};
   Eigen::MatrixXd explained{};  ///< B: the error of A B counts too; empty: it does not
   bool symmetric = false;       ///< J A J = A but for rounding

@@ -252,6 +252,8 @@ TEST_CASE("what cannot be planned is refused", "[skin_plan]") {
   CHECK_THROWS_AS(plan_estimator(skin.problem, family, 0.0), std::invalid_argument);
   CHECK_THROWS_AS(plan_estimator(skin.problem, family, 1e-4, {.accuracy = 0.0}),
                   std::invalid_argument);
+  CHECK_THROWS_WITH(plan_estimator(skin.problem, family, 1e-4, {.structure = Structure::parity}),
+                    ContainsSubstring("of line arrays"));
   const Skin other = square(6);
   CHECK_THROWS_AS(plan_estimator(other.problem, family, 1e-4), std::invalid_argument);
   CHECK_THROWS_AS(plan_estimator(skin.problem, family, 1e-4, {}, &other.problem),
