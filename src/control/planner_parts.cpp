@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -55,6 +56,17 @@ void check_structure(const ProductTask& task, bool symmetric) {
         " cannot be used");
   if (task.structure == Structure::fft && task.precision == Precision::float32)
     throw std::invalid_argument("fft has precision float64 only");
+}
+
+bool low_rank_pays(const std::vector<Candidate>& tried) {
+  const auto cost_of = [&](Structure structure) {
+    double cost = std::numeric_limits<double>::infinity();
+    for (const Candidate& candidate : tried)
+      if (candidate.structure == structure && !candidate.exchanged)
+        cost = std::min(cost, candidate.cost);
+    return cost;
+  };
+  return cost_of(Structure::reflections_low_rank) < cost_of(Structure::reflections);
 }
 
 void take_raw(ProductTask& task, const Calibration& calibration, std::size_t count) {

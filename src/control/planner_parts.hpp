@@ -18,6 +18,10 @@ void check(const PlannerOptions& options, std::size_t readings);
 /// @throw std::invalid_argument  a structure is asked for that it does not have
 void check_structure(const ProductTask& task, bool symmetric);
 
+/// Whether two factors for each class were cheaper than one, of the classes without the exchange:
+/// with it they have the same ranks.
+[[nodiscard]] bool low_rank_pays(const std::vector<Candidate>& tried);
+
 /// In raw numbers r = g / gain + ... the rows of K are K / gain and their weights W gain: W K, and
 /// so the tractions, stay as they are.
 ///

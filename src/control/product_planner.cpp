@@ -83,6 +83,9 @@ class Planner {
       for (const Precision precision : {Precision::float64, Precision::float32}) {
         if (task_.precision && *task_.precision != precision) continue;
         if (structure == Structure::fft && precision == Precision::float32) continue;
+        if (structure == Structure::reflections_low_rank && exchanged && !task_.structure &&
+            !task_.all_candidates && !low_rank_pays(best.candidates))
+          continue;
         auto [plan, candidate] = structure == Structure::fft
                                      ? attempt_fft()
                                      : attempt(structure, precision, nullptr, exchanged);

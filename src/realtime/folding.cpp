@@ -79,6 +79,11 @@ struct Quarters {
   T* minus_minus;
 };
 
+template <class T>
+std::array<T*, 4> beginnings(T* folded, const std::array<std::size_t, 4>& offsets) {
+  return {folded + offsets[0], folded + offsets[1], folded + offsets[2], folded + offsets[3]};
+}
+
 /// Calls `block(quarters)` for every block in turn.
 template <class T>
 void for_each_block(const GridBlocks& grid, const std::array<T*, 4>& classes, const auto& block) {
@@ -103,8 +108,7 @@ void Folding<T>::fold(Difference x, double factor, T* folded) const noexcept {
   const std::size_t rows = grid_.rows;
   const std::size_t n = grid_.columns;
   const std::size_t half = n / 2;
-  const std::array<T*, 4> classes{folded + reflected_[0], folded + reflected_[1],
-                                  folded + reflected_[2], folded + reflected_[3]};
+  const std::array<T*, 4> classes = beginnings(folded, reflected_);
   for_each_block(grid_, classes, [&](Quarters<T> q) {
     for (std::size_t i = 0; i < rows / 2; ++i) {
       const Difference front{x.a + i * n, x.b + i * n};
@@ -188,8 +192,7 @@ void Folding<T>::unfold(T* folded, double factor, double* y) const noexcept {
   const std::size_t rows = grid_.rows;
   const std::size_t n = grid_.columns;
   const std::size_t half = n / 2;
-  const std::array<T*, 4> classes{folded + reflected_[0], folded + reflected_[1],
-                                  folded + reflected_[2], folded + reflected_[3]};
+  const std::array<T*, 4> classes = beginnings(folded, reflected_);
   for_each_block(grid_, classes, [&](Quarters<T> q) {
     for (std::size_t i = 0; i < rows / 2; ++i) {
       double* const front = y + i * n;

@@ -41,7 +41,7 @@ TEST_CASE("a skin's plan takes the scene's alpha, or its rule's", "[lab][skin]")
   const auto of_contact = lab::plan_alpha(ruled);
   REQUIRE(of_contact);
   CHECK(of_contact->source == lab::PlanAlpha::Source::contact);
-  const std::vector<double> readings = simulate(ruled.scene()).readings;
+  const std::vector<double> readings = lab::simulate(ruled.scene()).readings;
   CHECK(of_contact->value == solve(ruled, readings).alpha.value);
 
   int frames = 0;
@@ -70,7 +70,7 @@ TEST_CASE("a controller of a skin finds what `solve` finds, dead taxels or not",
     ContactEstimator estimator(plan);
     std::vector<double> f(estimator.tractions());
     ContactEstimate estimate{.tractions = f};
-    const std::vector<double> readings = simulate(problem.scene()).readings;
+    const std::vector<double> readings = lab::simulate(problem.scene()).readings;
     REQUIRE(estimator.update(readings, estimate) == FrameStatus::ok);
     const lab::SkinAnswer answer = solve(problem, readings);
     double apart = 0.0;
