@@ -120,6 +120,13 @@ double Rivals::stream_with_prefetch() const noexcept {
 
 double sum(const double* values, std::size_t count) noexcept { return sum_of<0>(values, count); }
 
+void eigen_product(const double* matrix, std::size_t rows, std::size_t columns, const double* g,
+                   double* f) noexcept {
+  const auto m = static_cast<Eigen::Index>(rows);
+  const auto n = static_cast<Eigen::Index>(columns);
+  Vector(f, n).noalias() = Eigen::Map<const Eigen::MatrixXd>(matrix, n, m) * ConstVector(g, m);
+}
+
 std::string openblas() {
 #ifdef OPENBLAS
   return std::string(openblas_get_config()) + ", kernels for " + openblas_get_corename();

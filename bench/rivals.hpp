@@ -44,6 +44,11 @@ class [[gnu::visibility("default")]] Rivals {
 /// Sums `count` doubles on a cache line, a multiple of eight, as `Rivals::stream` does.
 [[gnu::visibility("default")]] double sum(const double* values, std::size_t count) noexcept;
 
+/// f = M g by Eigen, M columns x rows and column-major.
+[[gnu::visibility("default")]] void eigen_product(const double* matrix, std::size_t rows,
+                                                  std::size_t columns, const double* g,
+                                                  double* f) noexcept;
+
 /// OpenBLAS' version and kernels; empty: not installed.
 [[gnu::visibility("default")]] std::string openblas();
 

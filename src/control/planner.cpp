@@ -1,11 +1,10 @@
 #include "tactile_net/control/planner.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "control/planner_parts.hpp"
 #include "control/product_planner.hpp"
-#include "inverse/significance.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
@@ -44,30 +43,6 @@ Eigen::VectorXd channel_weights(const InverseProblem& problem) {
     weights.segment(row, n).setConstant(largest > 0.0 ? largest : 1.0);
   }
   return weights;
-}
-
-/// Whether all readings of each channel have one gain.
-bool is_constant_in_channels(const std::vector<double>& gain, std::size_t count) {
-  for (std::size_t i = 0; i < gain.size(); ++i)
-    if (gain[i] != gain[i - i % count]) return false;
-  return true;
-}
-
-/// In raw numbers r = g / gain + ... the rows of K are K / gain and their weights W gain: W K, and
-/// so the tractions, stay as they are.
-void take_raw(ProductTask& task, const Calibration& calibration, std::size_t count) {
-  task.column_factors.array() *= as_eigen(std::span(calibration.gain)).array();
-  task.symmetric = task.symmetric && is_constant_in_channels(calibration.gain, count);
-}
-
-/// gain (raw - baseline) + offset = gain (raw - result); empty: all 0.
-std::vector<double> raw_baseline(const Calibration& calibration) {
-  std::vector<double> result = calibration.baseline;
-  for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] -= calibration.offset[i] / calibration.gain[i];
-  const auto is_zero = [](double value) { return value == 0.0; };
-  if (std::all_of(result.begin(), result.end(), is_zero)) result.clear();
-  return result;
 }
 
 /// A convolution takes a line of values to one of as many.
@@ -121,12 +96,6 @@ double force_deviation(const InverseProblem& problem, double alpha) {
   return TractionCovariance(problem, alpha, alpha).deviation(sum);
 }
 
-/// What the rms of that many readings of white noise exceeds once in 1000 frames, per unit of it.
-double noise_limit(const Weighting& weighting) {
-  const auto live = static_cast<double>((weighting.weights().array() > 0.0).count());
-  return std::sqrt(chi_squared_limit(static_cast<double>(weighting.rows()), 1e-3) / live);
-}
-
 std::string why_no_fft(const InverseProblem& problem, const ProductTask& task,
                        const PlannedProduct& planned) {
   if (!can_be_convolution(problem))
@@ -144,9 +113,7 @@ std::string why_no_fft(const InverseProblem& problem, const ProductTask& task,
 
 PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
                                 const PlannerOptions& options) {
-  if (!(options.accuracy > 0.0) || !std::isfinite(options.accuracy))
-    throw std::invalid_argument("accuracy must be > 0 and finite");
-  if (options.calibration) check(*options.calibration, problem.weights.size());
+  check(options, problem.weights.size());
   if (options.structure == Structure::fft && !can_be_convolution(problem))
     throw std::invalid_argument(
         "structure fft needs the tractions at the taxels: surface = \"taxels\"");
@@ -158,7 +125,6 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
                            .asymmetry = reconstruction.asymmetry,
                            .without_fft = why_no_fft(problem, task, reconstruction)};
   EstimatorPlan& plan = planned.plan;
-  plan.label = options.label;
   plan.count = problem.taxels;
   plan.channels = problem.sites.back().channel + 1;
   if (plan.readings() != problem.sites.size() || line_length(problem) != problem.taxels)
@@ -169,32 +135,21 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
   plan.spacing = problem.surface.spacing;
   plan.centre = problem.surface.centre;
   plan.alpha = alpha;
-  plan.accuracy = options.accuracy;
   plan.reconstruction = std::move(reconstruction.plan);
-  for (const Candidate& candidate : planned.candidates)
-    if (candidate.chosen) plan.error_bound = candidate.error_bound;
   plan.weights = problem.weights;
-  if (options.calibration) {
-    for (std::size_t i = 0; i < plan.weights.size(); ++i)
-      plan.weights[i] *= std::abs(options.calibration->gain[i]);
-    plan.baseline = raw_baseline(*options.calibration);
-  }
-  plan.noise_rms = options.noise_rms;
-  plan.traction_limit = options.traction_limit;
+  take_options(planned, options);
   if (options.noise_rms > 0.0) {
     plan.force_deviation = options.noise_rms * force_deviation(problem, alpha);
     if (options.diagnostics)
-      plan.residual_limit = options.noise_rms * noise_limit(Weighting(problem));
+      plan.residual_limit =
+          options.noise_rms *
+          noise_limit(plan.weights, static_cast<std::size_t>(Weighting(problem).rows()));
   }
-  plan.friction_coefficient = options.friction_coefficient;
-  plan.ranges = options.ranges;
 
   if (options.diagnostics) {
     const ProductTask prediction = prediction_task(task, Weighting(problem));
     plan.prediction = plan_product(prediction).plan;
-    constexpr double most = 1.0 - 1e-12;
-    for (Eigen::Index i = 0; i < prediction.matrix.rows(); ++i)
-      plan.leverages.push_back(std::clamp(prediction.matrix(i, i), 0.0, most));
+    plan.leverages = leverages_of(prediction.matrix);
   }
   check(plan);
   return planned;
@@ -207,6 +162,7 @@ std::string PlannedEstimator::why() const {
   for (const Candidate& candidate : candidates) {
     std::string line(candidate.chosen ? "* " : "  ");
     line += name(candidate.structure);
+    if (candidate.exchanged) line += " and exchange";
     line += ' ';
     line += name(candidate.precision);
     if (!candidate.ranks.empty()) {

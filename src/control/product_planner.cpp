@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "control/circulant.hpp"
+#include "control/class_factors.hpp"
+#include "control/grid_classes.hpp"
+#include "control/planner_parts.hpp"
 #include "numeric/decompositions.hpp"
 
 namespace tactile_net {
@@ -22,30 +24,14 @@ constexpr double cost_of_floats = 4096.0;
 /// What a transform of m real values costs, in bytes over m log2(m): measured (bench/fft_bench).
 constexpr double cost_of_a_transform = 25.0;
 
-/// One class of the matrix in its orthonormal basis; without parity the matrix itself.
-struct Class {
-  Eigen::MatrixXd matrix;
-  Eigen::VectorXd row_scale;  // to plain sums and differences, and the task's factors
-  Eigen::VectorXd column_scale;
-  Eigen::MatrixXd explained;  // the task's, in this basis
-  std::optional<Svd> svd{};
-};
+/// What parting a vector into classes and joining them again costs, in bytes over its length.
+constexpr double cost_of_folding = 40.0;
 
-/// Bounds of what is computed minus A: norm of the difference, of the difference times `explained`,
-/// and of the rounding of the sums.
-struct Error {
-  double matrix = 0.0;
-  double explained = 0.0;
-  double rounding = 0.0;
-};
+/// Places that a sum over a class adds up before and after its factors.
+constexpr std::size_t folded_places = 16;
 
-/// Bound of a sum of `terms` terms, over the sum of their magnitudes (Higham 2002, 3.1), and of
-/// three more roundings: the entry's, the reading's, the result's.
-double rounding(Precision precision, std::size_t terms) {
-  const double unit = precision == Precision::float64 ? 0x1p-53 : 0x1p-24;
-  const double k = static_cast<double>(terms + 3) * unit;
-  return k < 1.0 ? k / (1.0 - k) : std::numeric_limits<double>::infinity();
-}
+/// How far a skin may be from its images, over |A|: beyond, no class is worth a try.
+constexpr double largest_asymmetry = 1e-6;
 
 /// Bound of one FFT's error over its result, in the 2-norm; see planner.hpp.
 double transform_rounding(std::size_t size) {
@@ -53,49 +39,19 @@ double transform_rounding(std::size_t size) {
   return 2.0 * eta * std::log2(2.0 * static_cast<double>(size));
 }
 
-Factor factor_of(const Eigen::MatrixXd& a) {
-  Factor factor{static_cast<std::size_t>(a.rows()), static_cast<std::size_t>(a.cols()), {}};
-  factor.values.reserve(factor.rows * factor.columns);
-  for (Eigen::Index i = 0; i < a.rows(); ++i)
-    for (Eigen::Index j = 0; j < a.cols(); ++j) factor.values.push_back(a(i, j));
-  return factor;
-}
-
-double largest(const std::vector<Eigen::MatrixXd>& matrices) {
-  double size = 0.0;
-  for (const Eigen::MatrixXd& matrix : matrices)
-    size = std::max(size, matrix.size() > 0 ? matrix.cwiseAbs().maxCoeff() : 0.0);
-  return size;
-}
-
-/// The power of two that brings the largest entry into [1/2, 1).
-double power_of_two(double size) {
-  return size > 0.0 ? std::ldexp(1.0, -std::ilogb(size) - 1) : 1.0;
-}
-
-/// |A|_2 from below, by power iteration.
-double norm_from_below(const Eigen::MatrixXd& a) {
-  Eigen::Index widest = 0;
-  a.colwise().norm().maxCoeff(&widest);
-  Eigen::VectorXd x = Eigen::VectorXd::Unit(a.cols(), widest);
-  double norm = 0.0;
-  for (int i = 0; i < 50; ++i) {
-    const Eigen::VectorXd y = a * x;
-    norm = y.norm();
-    if (!(norm > 0.0)) break;
-    x = (a.transpose() * y).normalized();
-  }
-  return norm;
-}
-
 class Planner {
  public:
   explicit Planner(const ProductTask& task) : task_(task) {
+    const Eigen::MatrixXd& target = task.target.size() > 0 ? task.target : task.matrix;
+    norm_ = norm_from_below(target);
+    explained_norm_ = norm_bound(task.explained);
+    whole_.push_back({target, task.row_factors, task.column_factors, task.explained});
+    if (is_skin()) {
+      if (task.row_grid.size() > 0) part_grid();
+      return;
+    }
     const Eigen::MatrixXd mirror = mirrored(task.matrix, task.row_signs, task.column_signs);
     asymmetry_ = 0.5 * (task.matrix - mirror).norm();
-    norm_ = norm_from_below(task.matrix);
-    explained_norm_ = norm_bound(task.explained);
-    whole_.push_back({task.matrix, task.row_factors, task.column_factors, task.explained});
     if (!task.symmetric) return;
     for (const int which : {0, 1}) {
       const auto factors = [&](const Eigen::VectorXd& all, const Signs& signs) {
@@ -120,19 +76,19 @@ class Planner {
   }
 
   PlannedProduct plan() {
-    if (task_.structure && has_parity(*task_.structure) && classes_.empty())
-      throw std::invalid_argument("the array is not mirror symmetric (dead taxels, gains?): " +
-                                  std::string(name(*task_.structure)) + " cannot be used");
-    if (task_.structure == Structure::fft && task_.precision == Precision::float32)
-      throw std::invalid_argument("fft has precision float64 only");
+    check_structure(task_, !classes_.empty());
     PlannedProduct best{.asymmetry = asymmetry_ / norm_, .symmetric = !classes_.empty()};
     std::optional<std::size_t> chosen;
-    for (const Structure structure : structures())
+    for (const auto& [structure, exchanged] : structures())
       for (const Precision precision : {Precision::float64, Precision::float32}) {
         if (task_.precision && *task_.precision != precision) continue;
         if (structure == Structure::fft && precision == Precision::float32) continue;
-        auto [plan, candidate] =
-            structure == Structure::fft ? attempt_fft() : attempt(structure, precision, nullptr);
+        if (structure == Structure::reflections_low_rank && exchanged && !task_.structure &&
+            !task_.all_candidates && !low_rank_pays(best.candidates))
+          continue;
+        auto [plan, candidate] = structure == Structure::fft
+                                     ? attempt_fft()
+                                     : attempt(structure, precision, nullptr, exchanged);
         const bool forced = task_.structure.has_value() || task_.precision.has_value();
         const auto rank_of = [](const Candidate& c) {
           return std::pair(!c.accurate, c.accurate ? c.cost : c.error_bound);
@@ -150,17 +106,62 @@ class Planner {
   }
 
  private:
-  [[nodiscard]] std::vector<Structure> structures() const {
-    if (task_.structure) return {*task_.structure};
-    std::vector<Structure> all{Structure::dense};
-    // Parity halves what the others stream: with it, they are never the cheapest.
-    if (!classes_.empty()) {
-      all.push_back(Structure::parity);
-      all.push_back(Structure::parity_low_rank);
+  /// A structure, and whether it uses the exchange of y and z.
+  struct Way {
+    Structure structure;
+    bool exchanged = false;
+  };
+
+  [[nodiscard]] bool is_skin() const { return task_.row_signs.empty(); }
+
+  [[nodiscard]] std::vector<Way> structures() const {
+    if (task_.structure) {
+      std::vector<Way> all{{*task_.structure}};
+      if (has_reflections(*task_.structure) && !exchanged_.empty())
+        all.push_back({*task_.structure, true});
+      return all;
     }
-    if (classes_.empty() || task_.all_candidates) all.push_back(Structure::low_rank);
-    if (!classes_.empty() && task_.allow_fft) all.push_back(Structure::fft);
+    std::vector<Way> all{{Structure::dense}};
+    // Classes are a part of what the others stream: with them, those are never the cheapest.
+    const bool symmetric = !classes_.empty();
+    const auto add = [&](Structure plain, Structure low_rank, bool exchanged) {
+      all.push_back({plain, exchanged});
+      all.push_back({low_rank, exchanged});
+    };
+    if (symmetric && is_skin())
+      add(Structure::reflections, Structure::reflections_low_rank, false);
+    else if (symmetric)
+      add(Structure::parity, Structure::parity_low_rank, false);
+    if (!exchanged_.empty()) add(Structure::reflections, Structure::reflections_low_rank, true);
+    // Of few live readings the rank is theirs.
+    if (!symmetric || task_.all_candidates || task_.fill.size() > 0)
+      all.push_back({Structure::low_rank});
+    if (symmetric && task_.allow_fft) all.push_back({Structure::fft});
     return all;
+  }
+
+  /// The classes of a skin, as far as it has them.
+  void part_grid() {
+    GridBlocks rows = task_.row_grid;
+    GridBlocks columns = task_.column_grid;
+    if (!rows.partners.empty() && !columns.partners.empty())
+      exchanged_ = symmetric_classes(rows, columns, exchanged_asymmetry_);
+    rows.partners.clear();
+    columns.partners.clear();
+    classes_ = symmetric_classes(rows, columns, asymmetry_);
+    if (task_.fill.size() == 0) return;
+    fill_norm_ = norm_bound(task_.fill);
+    const double mismatch = (task_.matrix * task_.fill - whole_[0].matrix).norm();
+    asymmetry_ = asymmetry_ * fill_norm_ + mismatch;
+    exchanged_asymmetry_ = exchanged_asymmetry_ * fill_norm_ + mismatch;
+  }
+
+  std::vector<MatrixClass> symmetric_classes(const GridBlocks& rows, const GridBlocks& columns,
+                                             double& asymmetry) const {
+    GridClasses parted = grid_classes_of(task_, rows, columns);
+    asymmetry = parted.asymmetry;
+    if (asymmetry > largest_asymmetry * norm_) parted.classes.clear();
+    return std::move(parted.classes);
   }
 
   /// Tries transform sizes from 2n - 1 (no wrap-around) down to n and keeps the cheapest. A shorter
@@ -173,7 +174,7 @@ class Planner {
       const std::size_t size = transform_size(least);
       if (size == std::exchange(tried, size)) continue;
       const Circulant circulant = circulant_of(size);
-      auto next = attempt(Structure::fft, Precision::float64, &circulant);
+      auto next = attempt(Structure::fft, Precision::float64, &circulant, false);
       if (!best || (next.second.accurate && next.second.cost < best->second.cost))
         best = std::move(next);
     }
@@ -184,7 +185,7 @@ class Planner {
   struct Circulant {
     std::vector<double> spectra;
     std::size_t size = 0;
-    std::vector<Class> rest;
+    std::vector<MatrixClass> rest;
     double norm = 0.0;  // of the magnitudes of its spectra at one frequency, from above
   };
 
@@ -214,7 +215,7 @@ class Planner {
     for (const Eigen::MatrixXd& magnitude : magnitudes)
       circulant.norm = std::max(circulant.norm, norm_bound(magnitude));
     for (const int which : {0, 1}) {
-      Class& rest = circulant.rest[static_cast<std::size_t>(which)];
+      MatrixClass& rest = circulant.rest[static_cast<std::size_t>(which)];
       rest.svd.reset();
       rest.matrix -= class_basis(task_.row_signs, whole.rows(), which).transpose() * whole *
                      class_basis(task_.column_signs, whole.cols(), which);
@@ -238,12 +239,17 @@ class Planner {
   /// One factor for each class, or two whose product it is but for what the accuracy allows: the
   /// first to act, and the second, in the orthonormal basis.
   [[nodiscard]] std::pair<std::vector<Eigen::MatrixXd>, std::vector<Eigen::MatrixXd>> factors_of(
-      std::vector<Class>& parts, Structure structure) const {
+      std::vector<MatrixClass>& parts, Structure structure) const {
     std::vector<Eigen::MatrixXd> first;
     std::vector<Eigen::MatrixXd> second;
-    for (Class& part : parts) {
+    for (MatrixClass& part : parts) {
       if (!is_low_rank(structure)) {
         first.push_back(part.matrix);
+        continue;
+      }
+      if (part.matrix.size() == 0) {
+        first.emplace_back(0, part.matrix.cols());
+        second.emplace_back(part.matrix.rows(), 0);
         continue;
       }
       if (!part.svd) part.svd = singular_value_decomposition(part.matrix);
@@ -257,12 +263,16 @@ class Planner {
 
   /// @param circulant  for fft: the factors are then of what is left without it
   std::pair<ProductPlan, Candidate> attempt(Structure structure, Precision precision,
-                                            const Circulant* circulant) {
+                                            const Circulant* circulant, bool exchanged) {
     const bool parity = has_parity(structure);
-    std::vector<Class> rest;
+    const bool reflections = has_reflections(structure);
+    std::vector<MatrixClass> rest;
     if (circulant != nullptr) rest = circulant->rest;
-    std::vector<Class>& parts = circulant != nullptr ? rest : parity ? classes_ : whole_;
-    Candidate candidate{.structure = structure, .precision = precision};
+    std::vector<MatrixClass>& parts = circulant != nullptr    ? rest
+                                      : exchanged             ? exchanged_
+                                      : parity || reflections ? classes_
+                                                              : whole_;
+    Candidate candidate{.structure = structure, .precision = precision, .exchanged = exchanged};
 
     auto [first, second] = factors_of(parts, structure);
     for (const Eigen::MatrixXd& last : second)
@@ -276,14 +286,24 @@ class Planner {
       plan.row_signs = task_.row_signs;
       plan.column_signs = task_.column_signs;
     }
+    if (reflections) {
+      plan.row_grid = task_.row_grid;
+      plan.column_grid = task_.column_grid;
+      if (!exchanged) {
+        plan.row_grid.partners.clear();
+        plan.column_grid.partners.clear();
+      }
+    }
     fold(parts, first, second);
     const double shrink_first =
         precision == Precision::float32 ? power_of_two(largest(first)) : 1.0;
     const double shrink_second =
         precision == Precision::float32 ? power_of_two(largest(second)) : 1.0;
     plan.scale = 1.0 / (shrink_first * shrink_second);
-    Error error;
-    if (parity) error = {asymmetry_, asymmetry_ * explained_norm_, 0.0};
+    ProductError error;
+    const double asymmetry = exchanged ? exchanged_asymmetry_ : asymmetry_;
+    if (parity || reflections) error = {asymmetry, asymmetry * explained_norm_, 0.0};
+    const double negligible = is_skin() ? 1e-2 * task_.accuracy * std::min(norm_, 1.0) : 0.0;
     for (std::size_t c = 0; c < parts.size(); ++c) {
       const auto rounded = [&](Eigen::MatrixXd& matrix, double shrink) {
         matrix *= shrink;
@@ -293,8 +313,10 @@ class Planner {
       };
       rounded(first[c], shrink_first);
       if (is_low_rank(structure)) rounded(second[c], shrink_second);
-      const Error part =
-          error_of(parts[c], first[c], is_low_rank(structure) ? &second[c] : nullptr, precision);
+      ProductError part =
+          error_of(parts[c], first[c], is_low_rank(structure) ? &second[c] : nullptr, precision,
+                   explained_norm_, negligible);
+      if (reflections) part.rounding = folded_rounding(part.rounding, precision, first[c].cols());
       error.matrix = std::hypot(error.matrix, part.matrix);
       error.explained = std::hypot(error.explained, part.explained);
       error.rounding = std::max(error.rounding, part.rounding);
@@ -306,6 +328,11 @@ class Planner {
       candidate.cost += cost_of(*circulant);
     }
     candidate.bytes = streamed_bytes(plan);
+    if (reflections) {
+      candidate.bytes += sizeof(double) * task_.filled * plan.columns;
+      candidate.cost +=
+          cost_of_folding * (exchanged ? 1.5 : 1.0) * static_cast<double>(plan.rows + plan.columns);
+    }
     candidate.cost += static_cast<double>(candidate.bytes) +
                       cost_of_a_factor * static_cast<double>(plan.factors.size()) +
                       (precision == Precision::float32 ? cost_of_floats : 0.0);
@@ -316,10 +343,24 @@ class Planner {
     return {std::move(plan), std::move(candidate)};
   }
 
+  /// With the sums before and after the factors, and where readings are filled in those too.
+  [[nodiscard]] double folded_rounding(double factors, Precision precision,
+                                       Eigen::Index columns) const {
+    const double more =
+        static_cast<double>(folded_places) / static_cast<double>(columns > 0 ? columns + 3 : 1);
+    const double of_fill =
+        task_.fill.size() > 0
+            ? rounding(Precision::float64, static_cast<std::size_t>(task_.fill.cols())) /
+                  rounding(precision, 1)
+            : 0.0;
+    return factors * (1.0 + more + of_fill) * fill_norm_;
+  }
+
   /// Smallest rank, at least 1, whose discarded part leaves a tenth of the accuracy for rounding.
   [[nodiscard]] Eigen::Index rank_for(const Svd& svd, const Eigen::MatrixXd& explained) const {
     // Of block matrices the error is that of the classes together.
-    const double budget = (classes_.empty() ? 0.9 : 0.9 * std::sqrt(0.5)) * task_.accuracy;
+    const double classes = classes_.empty() ? 1.0 : is_skin() ? 6.0 : 2.0;
+    const double budget = 0.9 / std::sqrt(classes) / fill_norm_ * task_.accuracy;
     Eigen::VectorXd reach = Eigen::VectorXd::Zero(svd.values.size());
     if (explained.size() > 0)
       reach = svd.values.cwiseProduct((svd.v.transpose() * explained).rowwise().norm());
@@ -334,53 +375,18 @@ class Planner {
     return rank;
   }
 
-  /// From the orthonormal basis to plain sums and differences, and the task's own units.
-  static void fold(const std::vector<Class>& parts, std::vector<Eigen::MatrixXd>& first,
-                   std::vector<Eigen::MatrixXd>& second) {
-    for (std::size_t c = 0; c < parts.size(); ++c) {
-      first[c] = first[c] * parts[c].column_scale.asDiagonal();
-      Eigen::MatrixXd& last = second.empty() ? first[c] : second[c];
-      last = parts[c].row_scale.asDiagonal() * last;
-    }
-  }
-
-  /// The difference of the stored factors, measured, and the rounding of the sums, bounded; back in
-  /// the orthonormal basis.
-  static Error error_of(const Class& part, Eigen::MatrixXd first, const Eigen::MatrixXd* second,
-                        Precision precision) {
-    const Eigen::VectorXd rows = part.row_scale.cwiseInverse();
-    first = first * part.column_scale.cwiseInverse().asDiagonal();
-    double rounded = rounding(precision, static_cast<std::size_t>(first.cols()));
-    Eigen::MatrixXd difference;
-    if (second == nullptr) {
-      first = rows.asDiagonal() * first;
-      difference = part.matrix - first;
-      rounded *= norm_bound(first);
-    } else {
-      const Eigen::MatrixXd last = rows.asDiagonal() * *second;
-      difference = part.matrix - last * first;
-      const double again = rounding(precision, static_cast<std::size_t>(last.cols()));
-      rounded = (rounded + again + rounded * again) * norm_bound(last) * norm_bound(first);
-    }
-    return {difference.norm(),
-            part.explained.size() > 0 ? (difference * part.explained).norm() : 0.0, rounded};
-  }
-
   const ProductTask& task_;
   double asymmetry_ = 0.0;
   double norm_ = 0.0;            // of A, from below
   double explained_norm_ = 0.0;  // from above
-  std::vector<Class> whole_;
-  std::vector<Class> classes_;
+  double exchanged_asymmetry_ = 0.0;
+  double fill_norm_ = 1.0;  // from above
+  std::vector<MatrixClass> whole_;
+  std::vector<MatrixClass> classes_;
+  std::vector<MatrixClass> exchanged_;  // where exchanging y and z is used too
 };
 
 }  // namespace
-
-double norm_bound(const Eigen::MatrixXd& a) {
-  if (a.size() == 0) return 0.0;
-  return std::sqrt(a.cwiseAbs().rowwise().sum().maxCoeff()) *
-         std::sqrt(a.cwiseAbs().colwise().sum().maxCoeff());
-}
 
 PlannedProduct plan_product(const ProductTask& task) { return Planner(task).plan(); }
 

@@ -6,20 +6,26 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tactile_net/control/skin_planner.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/skin_simulation.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/system/memory.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
+using Choose = std::function<ChosenAlpha(std::span<const double> readings)>;
+
 /// The middle of what the rule chooses on each frame.
-std::optional<PlanAlpha> median_alpha(const SceneProblem& problem, const NextFrame& next,
-                                      Observer& observer) {
-  std::vector<double> readings(problem.readings());
+std::optional<PlanAlpha> median_alpha(std::size_t count, const NextFrame& next, Observer& observer,
+                                      const Choose& choose) {
+  std::vector<double> readings(count);
   std::vector<double> alphas;
   std::optional<AlphaRule> rule;
   while (next(readings)) {
     observer.step({.kind = Step::Kind::frame, .count = alphas.size()});
-    const ChosenAlpha chosen = SceneFrame(problem, readings).alpha();
+    const ChosenAlpha chosen = choose(readings);
     alphas.push_back(chosen.value);
     rule = chosen.rule;
   }
@@ -30,6 +36,10 @@ std::optional<PlanAlpha> median_alpha(const SceneProblem& problem, const NextFra
                    .source = PlanAlpha::Source::recording,
                    .rule = rule,
                    .frames = alphas.size()};
+}
+
+PlanAlpha of_contact(const ChosenAlpha& chosen) {
+  return {.value = chosen.value, .source = PlanAlpha::Source::contact, .rule = chosen.rule};
 }
 
 /// The converter's range in what the controller reads. Where readings of a channel differ in their
@@ -76,11 +86,28 @@ std::optional<PlanAlpha> plan_alpha(const SceneProblem& problem, const NextFrame
                                     Observer& observer) {
   const Scene& scene = problem.scene();
   if (scene.reconstruct.alpha) return PlanAlpha{.value = *scene.reconstruct.alpha};
-  if (next) return median_alpha(problem, next, observer);
+  const auto choose = [&](std::span<const double> readings) {
+    return SceneFrame(problem, readings).alpha();
+  };
+  if (next) return median_alpha(problem.readings(), next, observer, choose);
   if (scene.contacts.empty()) return std::nullopt;
-  const ChosenAlpha chosen = SceneFrame(problem, simulate(scene).readings).alpha();
-  return PlanAlpha{
-      .value = chosen.value, .source = PlanAlpha::Source::contact, .rule = chosen.rule};
+  return of_contact(choose(simulate(scene).readings));
+}
+
+std::optional<PlanAlpha> plan_alpha(const SkinSceneProblem& problem, const NextFrame& next,
+                                    Observer& observer) {
+  const SkinScene& scene = problem.scene();
+  if (scene.reconstruct.alpha) return PlanAlpha{.value = *scene.reconstruct.alpha};
+  check_memory(scene, available_memory());
+  const auto choose = [&](std::span<const double> readings) {
+    const FilterFrame frame = problem.family().analyse(readings);
+    const AlphaChoice choice = choose_alone(frame, problem.alpha_tables(frame),
+                                            problem.alpha_rule(), problem.stated_noise());
+    return ChosenAlpha{.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
+  };
+  if (next) return median_alpha(reading_count(scene.sensor), next, observer, choose);
+  if (scene.contacts.empty()) return std::nullopt;
+  return of_contact(choose(simulate(scene, observer).readings));
 }
 
 PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,
@@ -99,6 +126,37 @@ PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& 
   options.label = scene.title.empty() ? scene.file : scene.title;
   return {.alpha = alpha,
           .estimator = plan_estimator(problem.problem(), alpha.value, options),
+          .for_raw_numbers = options.calibration.has_value(),
+          .needs_baseline = options.calibration && options.calibration->baseline_frames};
+}
+
+void check_memory(const SkinScene& scene, double memory) {
+  const std::size_t readings = reading_count(scene.sensor);
+  const std::size_t tractions = components(scene) * grid(scene).count();
+  const double wanted = planning_bytes(readings, tractions);
+  if (wanted <= memory) return;
+  const auto in_gigabytes = [](double bytes) { return brief(1e-9 * bytes, 2) + " GB"; };
+  throw std::invalid_argument(
+      "a plan from " + std::to_string(readings) + " readings to " + std::to_string(tractions) +
+      " tractions takes " + in_gigabytes(wanted) + " to make, and this machine has " +
+      in_gigabytes(memory) + " left: choose a wider reconstruct.spacing or a smaller margin");
+}
+
+PlannedController plan_controller(const SkinSceneProblem& problem, const PlanAlpha& alpha,
+                                  PlannerOptions options) {
+  const SkinScene& scene = problem.scene();
+  check_memory(scene, available_memory());
+  options.traction_limit = scene.material.youngs_modulus;
+  options.noise_rms = problem.stated_noise().value_or(0.0);
+  if (!options.friction_coefficient)
+    options.friction_coefficient = scene.reconstruct.friction_limit;
+  if (!options.calibration) options.calibration = calibration(scene);
+  options.label = scene.title.empty() ? scene.file : scene.title;
+  std::optional<SkinSceneProblem> whole;
+  if (!scene.dead_taxels.empty()) whole = problem.without({});
+  return {.alpha = alpha,
+          .estimator = plan_estimator(problem.problem(), problem.family(), alpha.value, options,
+                                      whole ? &whole->problem() : nullptr),
           .for_raw_numbers = options.calibration.has_value(),
           .needs_baseline = options.calibration && options.calibration->baseline_frames};
 }

@@ -119,10 +119,11 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
     if (loops.largest(x, n) > std::bit_cast<std::uint64_t>(ready.limit))
       return FrameStatus::too_large;
   }
+  fill_planned();
 
   double* const f = estimate.tractions.data();
   std::array<Moments, 2> each;
-  const std::span<Moments> moments(each.data(), ready.unknowns);
+  const std::span<Moments> moments(each.data(), ready.cells ? 0 : ready.unknowns);
   if (ready.product64) {
     if (!loops.multiply64(*ready.product64, input, f, scratch.product64.data(), 1.0, moments,
                           limit))
@@ -141,32 +142,43 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
                            unlimited);
   }
 
-  const Moments& normal = each[0];
   estimate.time = time;
+  estimate.saturated = saturated;
+  add_resultant(estimate, moments);
+  if (ready.prediction) judge(estimate);
+  return FrameStatus::ok;
+}
+
+/// @param moments  of each traction of a line; none of a skin
+void ContactEstimator::add_resultant(ContactEstimate& estimate,
+                                     std::span<const Moments> moments) noexcept {
+  const Ready& ready = *ready_;
+  for (double* const result :
+       {&estimate.tangential_force, &estimate.tangential_y, &estimate.tangential_z,
+        &estimate.centre, &estimate.centre_z, &estimate.torsion, &estimate.angle,
+        &estimate.friction_margin, &estimate.slip_margin, &estimate.residual_rms})
+    *result = ContactEstimate::unknown;
+  estimate.touching = 0;
+  estimate.misfit = false;
+  estimate.outlier = -1;
+  if (ready.cells)
+    return add_skin_resultant(*ready.cells, ready.unknowns, estimate.tractions.data(),
+                              ready.friction, ready.certain_force, ready.highest_force,
+                              ready.lowest_force, scratch_->marks, estimate);
+  const Moments& normal = moments[0];
   estimate.normal_force = ready.spacing * normal.sum;
-  estimate.tangential_force = ContactEstimate::unknown;
-  estimate.centre = ContactEstimate::unknown;
-  estimate.angle = ContactEstimate::unknown;
-  estimate.friction_margin = ContactEstimate::unknown;
-  estimate.residual_rms = ContactEstimate::unknown;
   estimate.contact = estimate.normal_force > 0.0;
   estimate.pulls = estimate.normal_force < ready.lowest_force;
   estimate.implausible = std::abs(estimate.normal_force) > ready.highest_force;
-  estimate.misfit = false;
-  estimate.saturated = saturated;
-  estimate.outlier = -1;
   if (estimate.contact)
     estimate.centre = ready.centre + ready.spacing * (normal.first / normal.sum);
-  if (ready.unknowns == 2) {
-    estimate.tangential_force = ready.spacing * each[1].sum;
-    if (estimate.contact)
-      estimate.angle = std::atan2(estimate.tangential_force, estimate.normal_force);
-    if (ready.friction)
-      estimate.friction_margin =
-          *ready.friction * estimate.normal_force - std::abs(estimate.tangential_force);
-  }
-  if (ready.prediction) judge(estimate);
-  return FrameStatus::ok;
+  if (ready.unknowns != 2) return;
+  estimate.tangential_force = ready.spacing * moments[1].sum;
+  if (estimate.contact)
+    estimate.angle = std::atan2(estimate.tangential_force, estimate.normal_force);
+  if (ready.friction)
+    estimate.friction_margin =
+        *ready.friction * estimate.normal_force - std::abs(estimate.tangential_force);
 }
 
 /// What the tractions explain of scratch_->x.
@@ -213,6 +225,16 @@ void ContactEstimator::judge(ContactEstimate& estimate) noexcept {
   estimate.outlier = std::find(spread, spread + n, largest) - spread;
 }
 
+/// The readings that the plan itself leaves out, from what the others read.
+void ContactEstimator::fill_planned() noexcept {
+  const Ready& ready = *ready_;
+  Scratch& scratch = *scratch_;
+  const std::size_t n = ready.readings();
+  for (std::size_t i = 0; i < ready.fill_rows; ++i)
+    scratch.fill[i] = ready.loops.dot(ready.fill.data() + i * n, scratch.x.data(), n);
+  for (std::size_t i = 0; i < ready.fill_rows; ++i) scratch.x[scratch.unread[i]] = scratch.fill[i];
+}
+
 void ContactEstimator::fill_dead() noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
@@ -245,6 +267,7 @@ bool ContactEstimator::eliminate(std::size_t reading) noexcept {
   // Column `reading` of W^-1 H W, then that row of A, which is symmetric, times the weights.
   std::fill_n(scratch.x.data(), n, 0.0);
   scratch.x[reading] = 1.0;
+  fill_planned();
   predict(row);
   double pivot = 1.0 - row[reading];
   for (std::size_t j = 0; j < n; ++j) row[j] *= -ready.weights[j] * (ready.weights[j] / w);

@@ -15,17 +15,55 @@ void require(bool holds, const char* rule) {
 bool positive(double value) { return value > 0.0 && std::isfinite(value); }
 bool not_negative(double value) { return value >= 0.0 && std::isfinite(value); }
 
+bool all_finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](double value) { return std::isfinite(value); });
+}
+
+void check_skin(const EstimatorPlan& plan) {
+  const PlanCells& cells = *plan.cells;
+  require(plan.unknowns == 1 || plan.unknowns == 3, "unknowns of a skin must be 1 or 3");
+  require(cells.rows > 0 && cells.columns > 0 && plan.values % cells.rows == 0 &&
+              plan.values / cells.rows == cells.columns,
+          "values must be rows x columns cells");
+  require(positive(cells.spacing_y) && positive(cells.spacing_z) && positive(cells.area()) &&
+              std::isfinite(cells.centre_y) && std::isfinite(cells.centre_z),
+          "cells need spacings > 0 and a finite centre");
+  require(cells.deviations.empty() ||
+              (cells.deviations.size() == plan.values &&
+               std::all_of(cells.deviations.begin(), cells.deviations.end(), not_negative)),
+          "deviations need one value >= 0 per cell");
+}
+
+void check_fill(const EstimatorPlan& plan) {
+  const Factor& fill = *plan.fill;
+  const auto dead = std::count(plan.weights.begin(), plan.weights.end(), 0.0);
+  require(dead > 0 && fill.rows == static_cast<std::size_t>(dead) &&
+              fill.columns == plan.readings() && fill.values.size() / fill.columns == fill.rows &&
+              fill.values.size() % fill.columns == 0 && all_finite(fill.values),
+          "what dead taxels are taken to read needs a finite value per reading for each of theirs");
+}
+
 }  // namespace
 
 void check(const EstimatorPlan& plan) {
   constexpr std::size_t most = std::size_t{1} << 31;  // taxels are counted in 32 bits
-  require(plan.count >= 2 && plan.count < most, "count must be >= 2");
+  const bool skin = plan.cells.has_value();
+  require(plan.count >= (skin ? 1 : 2) && plan.count < most, "count must be >= 2");
   require(plan.channels >= 1 && plan.channels < most / plan.count, "channels must be >= 1");
   require(std::all_of(plan.taxels.begin(), plan.taxels.end(),
                       [&](std::uint32_t taxel) { return taxel < plan.count; }),
           "taxels must be < count");
-  require(plan.unknowns == 1 || plan.unknowns == 2, "unknowns must be 1 or 2");
-  require(plan.values >= 2 && plan.values < most, "values must be >= 2");
+  require(skin || plan.unknowns == 1 || plan.unknowns == 2, "unknowns must be 1 or 2");
+  require(plan.values >= (skin ? 1 : 2) && plan.values < most, "values must be >= 2");
+  if (skin) check_skin(plan);
+  require(skin || (plan.unjudged.empty() && !plan.fill &&
+                   !has_reflections(plan.reconstruction.structure) &&
+                   !(plan.prediction && has_reflections(plan.prediction->structure))),
+          "unjudged taxels, reflections and what dead taxels read are of skins alone");
+  require(std::all_of(plan.unjudged.begin(), plan.unjudged.end(),
+                      [&](std::uint32_t taxel) { return taxel < plan.count; }),
+          "unjudged taxels must be < count");
   require(positive(plan.spacing), "spacing must be > 0");
   require(std::isfinite(plan.centre), "centre must be finite");
   require(positive(plan.alpha), "alpha must be > 0");
@@ -46,6 +84,7 @@ void check(const EstimatorPlan& plan) {
               std::all_of(plan.weights.begin(), plan.weights.end(), not_negative) &&
               std::any_of(plan.weights.begin(), plan.weights.end(), positive),
           "weights need one value >= 0 per reading, not all of them 0");
+  if (plan.fill) check_fill(plan);
   if (plan.prediction) {
     require(plan.prediction->rows == plan.readings() &&
                 plan.prediction->columns == plan.readings() &&
@@ -66,9 +105,8 @@ void check(const EstimatorPlan& plan) {
     require(
         std::isfinite(range.lowest) && std::isfinite(range.highest) && range.lowest < range.highest,
         "a range needs lowest < highest");
-  require(plan.baseline.empty() || (plan.baseline.size() == plan.readings() &&
-                                    std::all_of(plan.baseline.begin(), plan.baseline.end(),
-                                                [](double value) { return std::isfinite(value); })),
+  require(plan.baseline.empty() ||
+              (plan.baseline.size() == plan.readings() && all_finite(plan.baseline)),
           "a baseline needs one finite value per reading");
 }
 

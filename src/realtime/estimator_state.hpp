@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "realtime/kernels.hpp"
+#include "realtime/skin_resultant.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 
 namespace tactile_net {
@@ -33,7 +34,7 @@ namespace tactile_net {
   double most = 1.0;
   const std::size_t per_class = is_low_rank(plan.structure) ? 2 : 1;
   for (std::size_t i = 0; i < plan.factors.size(); i += per_class) {
-    double size = 2.0;  // sums of two entries
+    double size = has_reflections(plan.structure) ? 8.0 : 2.0;  // sums of so many entries
     for (std::size_t k = 0; k < per_class; ++k) {
       size *= row_sum_norm(plan.factors[i + k]);
       most = std::max({most, size, size * plan.scale});
@@ -43,7 +44,8 @@ namespace tactile_net {
     for (const double value : plan.spectra)
       most = std::max(most, 2.0 * static_cast<double>(plan.transform_size) *
                                 static_cast<double>(plan.columns) * std::abs(value));
-  return 2.0 * most;  // sums of two classes, or of convolution and correction
+  // Sums of two classes, or of convolution and correction; of reflections of eight.
+  return (has_reflections(plan.structure) ? 8.0 : 2.0) * most;
 }
 
 /// What the plan fixes, for every copy and thread.
@@ -67,26 +69,44 @@ struct ContactEstimator::Ready {
         outlier_limit(plan.outlier_limit),
         residual_limit(plan.residual_limit),
         highest_force(plan.traction_limit > 0.0
-                          ? plan.traction_limit * plan.spacing * static_cast<double>(plan.values)
+                          ? plan.traction_limit * (plan.cells ? plan.cells->area() : plan.spacing) *
+                                static_cast<double>(plan.values)
                           : std::numeric_limits<double>::infinity()),
         lowest_force(plan.force_deviation > 0.0 ? -4.0 * plan.force_deviation
                                                 : -std::numeric_limits<double>::infinity()),
+        certain_force(6.0 * plan.force_deviation),
+        cells(plan.cells),
         set(std::min(chosen, widest_instruction_set())),
         loops(kernels(set)) {
     for (std::size_t i = 0; i < taxels.size(); ++i)
       taxels[i] = static_cast<std::uint32_t>(plan.taxel_of(i));
     if (plan.reconstruction.precision == Precision::float64)
-      product64.emplace(plan.reconstruction, loops.most_lines);
+      product64.emplace(plan.reconstruction, loops.most_lines, loops.most_shared);
     else
-      product32.emplace(plan.reconstruction, loops.most_lines);
-    double most = growth(plan.reconstruction) * static_cast<double>(plan.tractions()) *
-                  static_cast<double>(plan.values) * std::max(1.0, plan.spacing * plan.spacing) *
+      product32.emplace(plan.reconstruction, loops.most_lines, loops.most_shared);
+    if (plan.fill) {
+      fill_rows = plan.fill->rows;
+      fill = Aligned<double>(fill_rows * readings());
+      std::copy(plan.fill->values.begin(), plan.fill->values.end(), fill.data());
+    }
+    const double filled = plan.fill ? std::max(1.0, row_sum_norm(*plan.fill)) : 1.0;
+    std::vector<std::uint32_t> unjudged = plan.unjudged;
+    std::sort(unjudged.begin(), unjudged.end());
+    for (const std::uint32_t taxel : taxels) {
+      const bool inside = taxel >= unjudged_ends && taxel + unjudged_ends < count;
+      judged.push_back(plan.cells ? !std::binary_search(unjudged.begin(), unjudged.end(), taxel)
+                                  : inside);
+    }
+    const double length =
+        plan.cells ? std::max(plan.cells->spacing_y, plan.cells->spacing_z) : plan.spacing;
+    double most = filled * growth(plan.reconstruction) * static_cast<double>(plan.tractions()) *
+                  static_cast<double>(plan.values) * std::max(1.0, length * length) *
                   (1.0 + plan.friction_coefficient.value_or(0.0));
     if (plan.prediction) {
-      prediction.emplace(*plan.prediction, loops.most_lines);
+      prediction.emplace(*plan.prediction, loops.most_lines, loops.most_shared);
       const double weight = *std::max_element(weights.begin(), weights.end());
-      const double residual =
-          2.0 * growth(*plan.prediction) * std::max(1.0, weight);  // its square must not overflow
+      const double residual = 2.0 * filled * growth(*plan.prediction) *
+                              std::max(1.0, weight);  // its square must not overflow
       most = std::max(most, residual);
       square_limit = std::sqrt(std::numeric_limits<double>::max() * least_pivot /
                                static_cast<double>(plan.readings())) /
@@ -108,6 +128,11 @@ struct ContactEstimator::Ready {
   double accuracy;  // of the prediction, relative to the weighted readings
   double noise_rms, outlier_limit, residual_limit;
   double highest_force, lowest_force;  // normal forces beyond are doubted
+  double certain_force;                // of a skin: 6 deviations
+  std::optional<PlanCells> cells;
+  std::vector<bool> judged;  // readings that may be outliers
+  Aligned<double> fill;      // fill_rows x readings
+  std::size_t fill_rows = 0;
   InstructionSet set;
   const Kernels& loops;
   std::optional<ReadyProduct<double>> product64;
@@ -130,7 +155,9 @@ struct ContactEstimator::Scratch {
         shares(ready.prediction ? ready.readings() : 0),
         product64(std::max(ready.product64 ? ready.product64->scratch_size() : 0,
                            ready.prediction ? ready.prediction->scratch_size() : 0)),
-        product32(ready.product32 ? ready.product32->scratch_size() : 0) {
+        product32(ready.product32 ? ready.product32->scratch_size() : 0),
+        fill(ready.fill_rows),
+        marks(ready.cells ? ready.values : 0) {
     for (std::size_t i = 0; i < ready.readings(); ++i)
       if (ready.weights[i] == 0.0) unread.push_back(i);
     unread.reserve(ready.readings());
@@ -163,9 +190,7 @@ struct ContactEstimator::Scratch {
     }
     if (!ready.prediction) return;
     for (std::size_t i = 0; i < ready.readings(); ++i) {
-      const std::size_t taxel = ready.taxels[i];
-      const bool judged = weights[i] > 0.0 && remaining[i] > least_pivot &&
-                          taxel >= unjudged_ends && taxel + unjudged_ends < ready.count;
+      const bool judged = weights[i] > 0.0 && remaining[i] > least_pivot && ready.judged[i];
       shares[i] = judged ? 1.0 / remaining[i] : 0.0;
     }
   }
@@ -175,6 +200,8 @@ struct ContactEstimator::Scratch {
   Aligned<double> shares;     // 1 / remaining of what may be an outlier, else 0
   Aligned<double> product64;
   Aligned<float> product32;
+  Aligned<double> fill;  // what the plan's dead readings are taken to be
+  CellMarks marks;
   std::unique_ptr<Convolution> convolution, prediction_convolution;  // of fft plans
   std::vector<std::size_t> unread;  // readings that count for nothing, whatever they say
   std::size_t live = 0;             // readings with a weight

@@ -97,6 +97,57 @@ template <int Bytes, std::size_t lines, bool far, class T>
   return p;
 }
 
+/// The same where a panel multiplies two vectors: their sums share the registers.
+constexpr std::size_t most_shared(int bytes) noexcept { return bytes >= 32 ? 3 : 1; }
+
+/// y = panel x for two vectors, the panel read once.
+template <int Bytes, std::size_t lines, bool far, class T>
+[[gnu::always_inline]] inline const T* multiply_panel_twice(const T* p, std::size_t columns,
+                                                            const T* x, const T* other_x, T* y,
+                                                            T* other_y) noexcept {
+  using V = typename Vector<T, Bytes>::type;
+  constexpr std::size_t lanes = Vector<T, Bytes>::lanes;
+  constexpr std::size_t width = lines * cache_line / sizeof(T);
+  constexpr std::size_t vectors = width / lanes;
+  constexpr std::size_t sums = vectors < 4 ? 2 : 1;
+  V sum[sums][vectors] = {};
+  V other[sums][vectors] = {};
+  std::size_t j = 0;
+  for (; j + sums <= columns; j += sums, p += sums * width) {
+    if constexpr (far)
+      for (std::size_t line = 0; line < sums * lines; ++line)
+        __builtin_prefetch(p + (4096 + line * cache_line) / sizeof(T));
+#pragma GCC unroll 2
+    for (std::size_t s = 0; s < sums; ++s)
+#pragma GCC unroll 16
+      for (std::size_t i = 0; i < vectors; ++i) {
+        const V a = *reinterpret_cast<const V*>(p + s * width + i * lanes);
+        sum[s][i] += a * x[j + s];
+        other[s][i] += a * other_x[j + s];
+      }
+  }
+  for (; j < columns; ++j, p += width)
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < vectors; ++i) {
+      const V a = *reinterpret_cast<const V*>(p + i * lanes);
+      sum[0][i] += a * x[j];
+      other[0][i] += a * other_x[j];
+    }
+#pragma GCC unroll 2
+  for (std::size_t s = 1; s < sums; ++s)
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < vectors; ++i) {
+      sum[0][i] += sum[s][i];
+      other[0][i] += other[s][i];
+    }
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i < vectors; ++i) {
+    *reinterpret_cast<V*>(y + i * lanes) = sum[0][i];
+    *reinterpret_cast<V*>(other_y + i * lanes) = other[0][i];
+  }
+  return p;
+}
+
 alignas(cache_line) constexpr std::int64_t masks[] = {0,  0,  0,  0,  0,  0,  0,  0,
                                                       -1, -1, -1, -1, -1, -1, -1, -1};
 
@@ -177,6 +228,39 @@ template <int Bytes, class T>
     multiply_panels<Bytes, true>(a, x, y);
   else
     multiply_panels<Bytes, false>(a, x, y);
+}
+
+/// As `multiply_panels`, for two vectors. @pre  panels of at most `most_shared` lines
+template <int Bytes, bool far, class T>
+[[gnu::always_inline]] inline void multiply_panels_twice(const Panels<T>& a, const T* x,
+                                                         const T* other_x, T* y,
+                                                         T* other_y) noexcept {
+  const T* p = a.values.data();
+  for (std::size_t panel = 0; panel < a.panels; ++panel) {
+    const std::size_t lines = a.lines + (panel < a.narrow_panels ? 0 : 1);
+    if (lines == 1) p = multiply_panel_twice<Bytes, 1, far>(p, a.columns, x, other_x, y, other_y);
+    if constexpr (most_shared(Bytes) == 3) {
+      if (lines == 2) p = multiply_panel_twice<Bytes, 2, far>(p, a.columns, x, other_x, y, other_y);
+      if (lines == 3) p = multiply_panel_twice<Bytes, 3, far>(p, a.columns, x, other_x, y, other_y);
+    }
+    y += lines * cache_line / sizeof(T);
+    other_y += lines * cache_line / sizeof(T);
+  }
+  if constexpr (sizeof(T) == sizeof(double))
+    for (std::size_t row = 0; row < a.single_rows; ++row, p += padded<T>(a.columns)) {
+      y[row] = dot_of<Bytes>(p, x, a.columns);
+      other_y[row] = dot_of<Bytes>(p, other_x, a.columns);
+    }
+}
+
+template <int Bytes, class T>
+[[gnu::always_inline]] inline void multiply_factor_twice(const Panels<T>& a, const T* x,
+                                                         const T* other_x, T* y,
+                                                         T* other_y) noexcept {
+  if (a.far)
+    multiply_panels_twice<Bytes, true>(a, x, other_x, y, other_y);
+  else
+    multiply_panels_twice<Bytes, false>(a, x, other_x, y, other_y);
 }
 
 template <int Bytes>
@@ -309,12 +393,47 @@ template <int Bytes, class T>
   }
 }
 
-/// `factor(A, x, y)` multiplies by one factor.
+/// Class by class of the reflections; that of (+, -) is (-, +)'s too where y and z are exchanged.
+template <class T>
+[[gnu::always_inline]] inline void multiply_classes(const ReadyProduct<T>& a, Difference x,
+                                                    double* y, T* scratch, double shrink,
+                                                    double grow, const auto& factor,
+                                                    const auto& twice) noexcept {
+  T* const input = scratch;
+  T* const middle = scratch + a.input_size;
+  T* const other_middle = middle + a.middle_size / 2;
+  T* const output = middle + a.middle_size;
+  const Folding<T>& in = *a.fold_x;
+  const Folding<T>& out = *a.fold_y;
+  in.fold(x, shrink, input);
+  const bool low_rank = is_low_rank(a.structure);
+  const std::size_t shared = in.classes() == 5 ? 2 : in.classes();
+  for (std::size_t c = 0; c < in.classes(); ++c) {
+    const T* const from = input + in.offset(c);
+    T* const to = output + out.offset(c);
+    const T* const other_from = input + in.second_offset();
+    T* const other_to = output + out.second_offset();
+    if (c != shared && low_rank) {
+      factor(a.factors[2 * c], from, middle);
+      factor(a.factors[2 * c + 1], middle, to);
+    } else if (c != shared) {
+      factor(a.factors[c], from, to);
+    } else if (low_rank) {
+      twice(a.factors[2 * c], from, other_from, middle, other_middle);
+      twice(a.factors[2 * c + 1], middle, other_middle, to, other_to);
+    } else {
+      twice(a.factors[c], from, other_from, to, other_to);
+    }
+  }
+  out.unfold(output, grow, y);
+}
+
+/// `factor(A, x, y)` multiplies by one factor, `twice` two vectors by it.
 template <int Bytes, class T>
 [[gnu::always_inline]] inline bool multiply(const ReadyProduct<T>& a, Difference x, double* y,
                                             T* scratch, double magnitude,
                                             std::span<Moments> moments, std::uint64_t limit,
-                                            const auto& factor) noexcept {
+                                            const auto& factor, const auto& twice) noexcept {
   T* const input = scratch;
   T* const middle = scratch + a.input_size;
   T* const output = middle + a.middle_size;
@@ -322,7 +441,12 @@ template <int Bytes, class T>
   const double shrink = sizeof(T) == sizeof(double) ? 1.0 : 1.0 / magnitude;
   const double grow = sizeof(T) == sizeof(double) ? a.scale : magnitude * a.scale;
   const bool low_rank = is_low_rank(a.structure);
-  if (!has_parity(a.structure)) {
+  if (has_reflections(a.structure)) {
+    std::uint64_t largest = 0;
+    for (std::size_t i = 0; i < a.columns; ++i) largest = std::max(largest, magnitude_bits(x[i]));
+    if (largest > limit) return false;
+    multiply_classes(a, x, y, scratch, shrink, grow, factor, twice);
+  } else if (!has_parity(a.structure)) {
     std::uint64_t largest = 0;
     for (std::size_t i = 0; i < a.columns; ++i) {
       const double value = x[i];
@@ -420,44 +544,53 @@ template <int Bytes>
 }  // namespace
 
 // One set of entries for each instruction set; the attribute is all that differs.
-#define TACTILE_NET_KERNELS(NAME, BYTES, TARGET)                                                  \
-  namespace {                                                                                     \
-  namespace NAME {                                                                                \
-  TARGET std::uint64_t subtract(const double* g, const double* baseline, double* x,               \
-                                std::size_t n) noexcept {                                         \
-    return difference_of(g, baseline, x, n);                                                      \
-  }                                                                                               \
-  TARGET std::uint64_t largest(const double* x, std::size_t n) noexcept {                         \
-    return largest_magnitude(x, n);                                                               \
-  }                                                                                               \
-  TARGET [[gnu::noinline]] void factor64(const Panels<double>& a, const double* x,                \
-                                         double* y) noexcept {                                    \
-    multiply_factor<BYTES>(a, x, y);                                                              \
-  }                                                                                               \
-  TARGET [[gnu::noinline]] void factor32(const Panels<float>& a, const float* x,                  \
-                                         float* y) noexcept {                                     \
-    multiply_factor<BYTES>(a, x, y);                                                              \
-  }                                                                                               \
-  TARGET bool multiply64(const ReadyProduct<double>& a, Difference x, double* y, double* scratch, \
-                         double magnitude, std::span<Moments> moments,                            \
-                         std::uint64_t limit) noexcept {                                          \
-    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor64);                \
-  }                                                                                               \
-  TARGET bool multiply32(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,   \
-                         double magnitude, std::span<Moments> moments,                            \
-                         std::uint64_t limit) noexcept {                                          \
-    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor32);                \
-  }                                                                                               \
-  TARGET double dot(const double* a, const double* b, std::size_t n) noexcept {                   \
-    return dot_of<BYTES>(a, b, n);                                                                \
-  }                                                                                               \
-  TARGET Misfit misfit(const double* x, const double* p, const double* weights,                   \
-                       const double* shares, double* spread, std::size_t n) noexcept {            \
-    return misfit_of<BYTES>(x, p, weights, shares, spread, n);                                    \
-  }                                                                                               \
-  constexpr Kernels all{                                                                          \
-      most_lines(BYTES), subtract, largest, multiply64, multiply32, dot, misfit};                 \
-  }                                                                                               \
+#define TACTILE_NET_KERNELS(NAME, BYTES, TARGET)                                                   \
+  namespace {                                                                                      \
+  namespace NAME {                                                                                 \
+  TARGET std::uint64_t subtract(const double* g, const double* baseline, double* x,                \
+                                std::size_t n) noexcept {                                          \
+    return difference_of(g, baseline, x, n);                                                       \
+  }                                                                                                \
+  TARGET std::uint64_t largest(const double* x, std::size_t n) noexcept {                          \
+    return largest_magnitude(x, n);                                                                \
+  }                                                                                                \
+  TARGET [[gnu::noinline]] void factor64(const Panels<double>& a, const double* x,                 \
+                                         double* y) noexcept {                                     \
+    multiply_factor<BYTES>(a, x, y);                                                               \
+  }                                                                                                \
+  TARGET [[gnu::noinline]] void factor32(const Panels<float>& a, const float* x,                   \
+                                         float* y) noexcept {                                      \
+    multiply_factor<BYTES>(a, x, y);                                                               \
+  }                                                                                                \
+  TARGET [[gnu::noinline]] void twice64(const Panels<double>& a, const double* x,                  \
+                                        const double* other_x, double* y,                          \
+                                        double* other_y) noexcept {                                \
+    multiply_factor_twice<BYTES>(a, x, other_x, y, other_y);                                       \
+  }                                                                                                \
+  TARGET [[gnu::noinline]] void twice32(const Panels<float>& a, const float* x,                    \
+                                        const float* other_x, float* y, float* other_y) noexcept { \
+    multiply_factor_twice<BYTES>(a, x, other_x, y, other_y);                                       \
+  }                                                                                                \
+  TARGET bool multiply64(const ReadyProduct<double>& a, Difference x, double* y, double* scratch,  \
+                         double magnitude, std::span<Moments> moments,                             \
+                         std::uint64_t limit) noexcept {                                           \
+    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor64, twice64);        \
+  }                                                                                                \
+  TARGET bool multiply32(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,    \
+                         double magnitude, std::span<Moments> moments,                             \
+                         std::uint64_t limit) noexcept {                                           \
+    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor32, twice32);        \
+  }                                                                                                \
+  TARGET double dot(const double* a, const double* b, std::size_t n) noexcept {                    \
+    return dot_of<BYTES>(a, b, n);                                                                 \
+  }                                                                                                \
+  TARGET Misfit misfit(const double* x, const double* p, const double* weights,                    \
+                       const double* shares, double* spread, std::size_t n) noexcept {             \
+    return misfit_of<BYTES>(x, p, weights, shares, spread, n);                                     \
+  }                                                                                                \
+  constexpr Kernels all{most_lines(BYTES), most_shared(BYTES), subtract, largest,                  \
+                        multiply64,        multiply32,         dot,      misfit};                  \
+  }                                                                                                \
   }
 
 TACTILE_NET_KERNELS(baseline, 16, )
@@ -538,7 +671,8 @@ Panels<T>::Panels(const Factor& factor, std::size_t most, bool beyond)
 }
 
 template <class T>
-ReadyProduct<T>::ReadyProduct(const ProductPlan& plan, std::size_t most_lines)
+ReadyProduct<T>::ReadyProduct(const ProductPlan& plan, std::size_t most_lines,
+                              std::size_t most_shared)
     : structure(plan.structure),
       rows(plan.rows),
       columns(plan.columns),
@@ -550,14 +684,23 @@ ReadyProduct<T>::ReadyProduct(const ProductPlan& plan, std::size_t most_lines)
       input_size(padded<T>(columns) + cache_line),
       middle_size(0),
       output_size(padded<T>(rows) + cache_line) {
+  if (has_reflections(structure)) {
+    fold_x.emplace(plan.column_grid);
+    fold_y.emplace(plan.row_grid);
+    input_size = fold_x->scratch_size();
+    output_size = fold_y->scratch_size();
+  }
+  const std::size_t per_class = is_low_rank(structure) ? 2 : 1;
+  const bool shares = fold_x && fold_x->classes() == 5;
   factors.reserve(plan.factors.size());
-  for (const Factor& factor : plan.factors)
-    factors.emplace_back(factor, most_lines, streamed_bytes(plan) > near_cache);
-  const std::size_t last = is_low_rank(structure) ? 1 : 0;
-  for (std::size_t i = 0; i < factors.size() && last == 1; i += 2)
+  for (std::size_t i = 0; i < plan.factors.size(); ++i)
+    factors.emplace_back(plan.factors[i], shares && i / per_class == 2 ? most_shared : most_lines,
+                         streamed_bytes(plan) > near_cache);
+  for (std::size_t i = 0; i < factors.size() && per_class == 2; i += 2)
     middle_size = std::max(middle_size, padded<T>(plan.factors[i].rows));
+  if (shares) middle_size *= 2;
   even_input_size = padded<T>(plan.factors[0].columns);
-  even_output_size = padded<T>(plan.factors[last].rows);
+  even_output_size = padded<T>(plan.factors[per_class - 1].rows);
 }
 
 template struct Panels<double>;

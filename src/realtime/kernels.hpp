@@ -8,10 +8,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "realtime/aligned.hpp"
+#include "realtime/folding.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 
 namespace tactile_net {
@@ -34,8 +36,9 @@ struct Panels {
 /// A product made ready. Constant after construction.
 template <class T>
 struct ReadyProduct {
-  /// @param most_lines  of the kernels that will use it
-  ReadyProduct(const ProductPlan& plan, std::size_t most_lines);
+  /// @param most_lines   of the kernels that will use it
+  /// @param most_shared  of those, where one factor multiplies two vectors
+  ReadyProduct(const ProductPlan& plan, std::size_t most_lines, std::size_t most_shared);
 
   Structure structure;
   std::size_t rows;
@@ -45,6 +48,7 @@ struct ReadyProduct {
   std::size_t row_block;  // values to a sign
   std::size_t column_block;
   std::vector<Panels<T>> factors;
+  std::optional<Folding<T>> fold_x{}, fold_y{};  // of reflections
   double scale;
 
   /// Scratch of one product: values of T.
@@ -56,14 +60,6 @@ struct ReadyProduct {
   [[nodiscard]] std::size_t scratch_size() const noexcept {
     return input_size + middle_size + output_size;
   }
-};
-
-/// a - b, computed at each use. Storing it first would be slower: vector loads that overlap several
-/// narrower, recent stores cannot be forwarded by the processor.
-struct Difference {
-  const double* a;
-  const double* b;
-  [[nodiscard]] double operator[](std::size_t i) const noexcept { return a[i] - b[i]; }
 };
 
 struct Moments {
@@ -80,7 +76,8 @@ struct Misfit {
 
 /// The loops for one instruction set.
 struct Kernels {
-  std::size_t most_lines;  // of a panel
+  std::size_t most_lines;   // of a panel
+  std::size_t most_shared;  // of one that multiplies two vectors
   /// x = g - baseline; returns `largest(x)`.
   std::uint64_t (*subtract)(const double* g, const double* baseline, double* x,
                             std::size_t n) noexcept;

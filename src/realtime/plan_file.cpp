@@ -73,6 +73,28 @@ class Writer {
       size(plan.transform_size);
       numbers(plan.spectra);
     }
+    if (has_reflections(plan.structure))
+      for (const GridBlocks* blocks : {&plan.row_grid, &plan.column_grid}) grid(*blocks);
+  }
+  void grid(const GridBlocks& blocks) {
+    size(blocks.rows);
+    size(blocks.columns);
+    signs(blocks.signs_y);
+    signs(blocks.signs_z);
+    indices(blocks.partners);
+  }
+  void indices(const std::vector<std::uint32_t>& values) {
+    size(values.size());
+    for (const std::uint32_t value : values) integer(value);
+  }
+  void cells(const PlanCells& cells) {
+    size(cells.rows);
+    size(cells.columns);
+    for (const double value : {cells.spacing_y, cells.spacing_z, cells.centre_y, cells.centre_z})
+      number(value);
+    numbers(cells.deviations);
+    size(cells.rim_rows);
+    size(cells.rim_columns);
   }
   [[nodiscard]] std::vector<std::byte>& bytes() noexcept { return bytes_; }
 
@@ -144,7 +166,35 @@ class Reader {
       plan.transform_size = size();
       plan.spectra = numbers();
     }
+    if (has_reflections(plan.structure))
+      for (GridBlocks* blocks : {&plan.row_grid, &plan.column_grid}) *blocks = grid();
     return plan;
+  }
+  GridBlocks grid() {
+    GridBlocks blocks;
+    blocks.rows = size();
+    blocks.columns = size();
+    blocks.signs_y = signs();
+    blocks.signs_z = signs();
+    blocks.partners = indices();
+    return blocks;
+  }
+  std::vector<std::uint32_t> indices() {
+    std::vector<std::uint32_t> values(length(sizeof(std::uint32_t)));
+    for (std::uint32_t& value : values) value = integer<std::uint32_t>();
+    return values;
+  }
+  PlanCells cells() {
+    PlanCells cells;
+    cells.rows = size();
+    cells.columns = size();
+    for (double* const value :
+         {&cells.spacing_y, &cells.spacing_z, &cells.centre_y, &cells.centre_z})
+      *value = number();
+    cells.deviations = numbers();
+    cells.rim_rows = size();
+    cells.rim_columns = size();
+    return cells;
   }
   [[nodiscard]] bool at_end() const noexcept { return rest_.empty(); }
 
@@ -163,6 +213,7 @@ class Reader {
 };
 
 PlanVersion version_of(const EstimatorPlan& plan) {
+  if (plan.cells) return PlanVersion::skin;
   if (!plan.taxels.empty()) return PlanVersion::taxels;
   if (plan.residual_limit > 0.0 || plan.traction_limit > 0.0 || plan.force_deviation > 0.0)
     return PlanVersion::doubts;
@@ -204,9 +255,16 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
     plan.traction_limit = in.number();
     plan.force_deviation = in.number();
   }
-  if (version >= PlanVersion::taxels) {
-    plan.taxels.resize(in.length(sizeof(std::uint32_t)));
-    for (std::uint32_t& taxel : plan.taxels) taxel = in.integer<std::uint32_t>();
+  if (version >= PlanVersion::taxels) plan.taxels = in.indices();
+  if (version >= PlanVersion::skin) {
+    plan.cells = in.cells();
+    plan.unjudged = in.indices();
+    if (in.flag()) {
+      Factor& fill = plan.fill.emplace();
+      fill.rows = in.size();
+      fill.columns = plan.readings();
+      fill.values = in.numbers();
+    }
   }
   if (version_of(plan) != version)
     throw std::runtime_error("the plan holds nothing of what its version is for");
@@ -255,9 +313,15 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
     payload.number(plan.traction_limit);
     payload.number(plan.force_deviation);
   }
-  if (version >= PlanVersion::taxels) {
-    payload.size(plan.taxels.size());
-    for (const std::uint32_t taxel : plan.taxels) payload.integer(taxel);
+  if (version >= PlanVersion::taxels) payload.indices(plan.taxels);
+  if (version >= PlanVersion::skin) {
+    payload.cells(*plan.cells);
+    payload.indices(plan.unjudged);
+    payload.integer<std::uint8_t>(plan.fill.has_value());
+    if (plan.fill) {
+      payload.size(plan.fill->rows);
+      payload.numbers(plan.fill->values);
+    }
   }
 
   Writer file;

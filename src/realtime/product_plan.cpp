@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "realtime/folding.hpp"
+
 namespace tactile_net {
 namespace {
 
@@ -19,10 +21,12 @@ void check_signs(const std::vector<std::int8_t>& signs, std::size_t size) {
           "a block's sign must be 1 or -1");
 }
 
-void check_values(const Factor& factor, Precision precision) {
-  require(factor.rows > 0 && factor.columns > 0 &&
-              factor.values.size() / factor.columns == factor.rows &&
-              factor.values.size() % factor.columns == 0,
+/// @param may_be_empty  a class of a narrow grid may have no place
+void check_values(const Factor& factor, Precision precision, bool may_be_empty) {
+  const bool empty = factor.rows == 0 || factor.columns == 0;
+  require((empty && may_be_empty && factor.values.empty()) ||
+              (!empty && factor.values.size() / factor.columns == factor.rows &&
+               factor.values.size() % factor.columns == 0),
           "a factor needs rows x columns values, at least one");
   for (const double value : factor.values) {
     require(std::isfinite(value), "a factor is not finite");
@@ -57,6 +61,48 @@ void check_convolution(const ProductPlan& plan) {
           "a spectrum is not finite");
 }
 
+void check_grid(const GridBlocks& grid, std::size_t size) {
+  constexpr std::size_t most = std::size_t{1} << 32;  // places are counted in 32 bits
+  require(grid.rows > 0 && grid.columns > 0 && grid.rows < most && grid.columns < most &&
+              size < most && !grid.signs_y.empty() && grid.signs_y.size() == grid.signs_z.size(),
+          "reflections need grids, and two signs for each block");
+  require(grid.rows * grid.columns <= size && grid.size() == size,
+          "the grids do not fit the product's size");
+  for (const auto* signs : {&grid.signs_y, &grid.signs_z}) check_signs(*signs, size);
+  if (grid.partners.empty()) return;
+  require(grid.rows == grid.columns && grid.partners.size() == grid.signs_y.size(),
+          "partners need square grids, and one for each block");
+  for (std::size_t b = 0; b < grid.partners.size(); ++b) {
+    const std::size_t other = grid.partners[b];
+    require(other < grid.partners.size() && grid.partners[other] == b &&
+                grid.signs_y[other] == grid.signs_z[b],
+            "partners must be mutual, and their signs exchanged");
+  }
+}
+
+/// Sizes of x and y by classes.
+struct ClassesOf {
+  std::vector<std::size_t> columns, rows;
+};
+
+ClassesOf classes_of(const ProductPlan& plan) {
+  if (has_reflections(plan.structure)) {
+    check_grid(plan.row_grid, plan.rows);
+    check_grid(plan.column_grid, plan.columns);
+    require(plan.row_grid.partners.empty() == plan.column_grid.partners.empty(),
+            "partners are of both sides or of none");
+    return {class_sizes(plan.column_grid), class_sizes(plan.row_grid)};
+  }
+  require(plan.row_grid.size() == 0 && plan.column_grid.size() == 0,
+          "grids belong to reflections alone");
+  if (!has_parity(plan.structure)) return {{plan.columns}, {plan.rows}};
+  check_signs(plan.row_signs, plan.rows);
+  check_signs(plan.column_signs, plan.columns);
+  const ClassSizes in = class_sizes(plan.column_signs, plan.columns);
+  const ClassSizes out = class_sizes(plan.row_signs, plan.rows);
+  return {{in.even, in.odd}, {out.even, out.odd}};
+}
+
 }  // namespace
 
 std::string_view name(Structure structure) noexcept {
@@ -71,6 +117,10 @@ std::string_view name(Structure structure) noexcept {
       return "parity_low_rank";
     case Structure::fft:
       return "fft";
+    case Structure::reflections:
+      return "reflections";
+    case Structure::reflections_low_rank:
+      return "reflections_low_rank";
   }
   return "unknown";
 }
@@ -89,29 +139,38 @@ ClassSizes class_sizes(const std::vector<std::int8_t>& signs, std::size_t size) 
   return sizes;
 }
 
+std::vector<std::size_t> class_sizes(const GridBlocks& grid) {
+  std::vector<std::size_t> sizes;
+  for (const GridClass one : grid_classes) {
+    const std::size_t size = class_size(grid, one);
+    if (grid.partners.empty()) {
+      sizes.push_back(size);
+    } else if (one.y == one.z) {
+      const std::size_t alone = places_on_diagonal(grid, one);
+      sizes.push_back((size + alone) / 2);
+      sizes.push_back((size - alone) / 2);
+    } else if (one.y > one.z) {
+      sizes.push_back(size);
+    }
+  }
+  return sizes;
+}
+
 void check(const ProductPlan& plan) {
-  require(plan.structure <= Structure::fft && plan.precision <= Precision::float32,
+  require(plan.structure <= Structure::reflections_low_rank && plan.precision <= Precision::float32,
           "structure or precision is unknown");
   require(plan.rows > 0 && plan.columns > 0, "sizes must be > 0");
   require(plan.scale > 0.0 && std::isfinite(plan.scale), "scale must be > 0 and finite");
-  ClassSizes in{plan.columns, 0};
-  ClassSizes out{plan.rows, 0};
-  if (has_parity(plan.structure)) {
-    check_signs(plan.row_signs, plan.rows);
-    check_signs(plan.column_signs, plan.columns);
-    in = class_sizes(plan.column_signs, plan.columns);
-    out = class_sizes(plan.row_signs, plan.rows);
-  }
+  const auto [in, out] = classes_of(plan);
   if (plan.structure == Structure::fft) check_convolution(plan);
-  const std::size_t classes = has_parity(plan.structure) ? 2 : 1;
   const std::size_t per_class = is_low_rank(plan.structure) ? 2 : 1;
-  require(plan.factors.size() == classes * per_class, "wrong number of factors");
-  for (const Factor& factor : plan.factors) check_values(factor, plan.precision);
-  for (std::size_t c = 0; c < classes; ++c) {
+  require(plan.factors.size() == in.size() * per_class, "wrong number of factors");
+  for (const Factor& factor : plan.factors)
+    check_values(factor, plan.precision, has_reflections(plan.structure));
+  for (std::size_t c = 0; c < in.size(); ++c) {
     const Factor& first = plan.factors[c * per_class];
     const Factor& last = plan.factors[c * per_class + per_class - 1];
-    require(first.columns == (c == 0 ? in.even : in.odd) &&
-                last.rows == (c == 0 ? out.even : out.odd) &&
+    require(first.columns == in[c] && last.rows == out[c] &&
                 (per_class == 1 || first.rows == last.columns),
             "the factors' sizes do not fit");
   }

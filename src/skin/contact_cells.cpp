@@ -1,24 +1,22 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
+#include "realtime/touching_cells.hpp"
 #include "tactile_net/skin/resultant.hpp"
 
 namespace tactile_net {
 namespace {
 
-constexpr double touched = 2.0;  // deviations
-constexpr double certain = 4.0;  // of a patch's peak
-
-/// Calls `visit` with the cells around one, itself too.
-void around(const SkinGrid& grid, std::size_t cell, std::size_t reach_y, std::size_t reach_z,
-            const auto& visit) {
+/// Calls `visit` with the neighbours of a cell, and itself.
+void around(const SkinGrid& grid, std::size_t cell, const auto& visit) {
   const std::size_t row = cell / grid.columns;
   const std::size_t column = cell % grid.columns;
-  for (std::size_t m = row - std::min(row, reach_y); m <= std::min(row + reach_y, grid.rows - 1);
+  for (std::size_t m = row - std::min(row, std::size_t{1}); m <= std::min(row + 1, grid.rows - 1);
        ++m)
-    for (std::size_t n = column - std::min(column, reach_z);
-         n <= std::min(column + reach_z, grid.columns - 1); ++n)
+    for (std::size_t n = column - std::min(column, std::size_t{1});
+         n <= std::min(column + 1, grid.columns - 1); ++n)
       visit(m * grid.columns + n);
 }
 
@@ -30,7 +28,7 @@ std::vector<std::vector<std::size_t>> patches(const SkinGrid& grid, std::vector<
     left[start] = false;
     std::vector<std::size_t> patch{start};
     for (std::size_t at = 0; at < patch.size(); ++at)
-      around(grid, patch[at], 1, 1, [&](std::size_t next) {
+      around(grid, patch[at], [&](std::size_t next) {
         if (left[next]) patch.push_back(next);
         left[next] = false;
       });
@@ -49,24 +47,16 @@ std::vector<std::size_t> contact_cells(const SkinGrid& grid, std::span<const dou
     throw std::invalid_argument("tractions and deviations need one value per cell at least");
   if (!(rim >= 0.0) || !std::isfinite(rim))
     throw std::invalid_argument("rim must be >= 0 and finite");
-  std::vector<bool> above(count);
-  for (std::size_t i = 0; i < count; ++i)
-    above[i] = tractions[i] > 0.0 && tractions[i] > touched * deviations[i];
   const auto reach = [&](double spacing) {
     return static_cast<std::size_t>(std::lround(std::min(rim / spacing, 1e6)));
   };
-  std::vector<bool> taken(count);
-  for (const auto& patch : patches(grid, above)) {
-    if (std::none_of(patch.begin(), patch.end(),
-                     [&](std::size_t i) { return tractions[i] > certain * deviations[i]; }))
-      continue;
-    for (const std::size_t cell : patch)
-      around(grid, cell, reach(grid.spacing_y), reach(grid.spacing_z),
-             [&](std::size_t i) { taken[i] = true; });
-  }
+  std::vector<std::uint8_t> taken(count);
+  std::vector<std::uint32_t> queue(count);
+  mark_touching(grid.rows, grid.columns, tractions.data(), deviations.data(), reach(grid.spacing_y),
+                reach(grid.spacing_z), taken.data(), queue.data());
   std::vector<std::size_t> cells;
   for (std::size_t i = 0; i < count; ++i)
-    if (taken[i]) cells.push_back(i);
+    if (taken[i] != 0) cells.push_back(i);
   return cells;
 }
 

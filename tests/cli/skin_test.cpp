@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tactile_net/realtime/load_plan.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/tool.hpp"
 
@@ -123,10 +124,29 @@ TEST_CASE("readings whose names are no taxels are refused", "[cli][skin]") {
   CHECK_THAT(bad.errors, ContainsSubstring("g.csv"));
 }
 
+TEST_CASE("a skin's plan is made, said and loaded", "[cli][skin]") {
+  const Folder folder;
+  const std::string path = folder.write("skin.toml", skin);
+  const ProcessResult planned =
+      tool({"plan", path, "-o", folder / "skin.plan", "--json", folder / "plan.json"});
+  CAPTURE(planned.errors);
+  REQUIRE(planned.code == 0);
+  CHECK_THAT(planned.output, ContainsSubstring("reflections"));
+  const EstimatorPlan plan = load_plan(folder / "skin.plan");
+  REQUIRE(plan.cells);
+  CHECK(plan.values == plan.cells->rows * plan.cells->columns);
+  const auto json = nlohmann::json::parse(read_text(folder / "plan.json"));
+  CHECK(json.at("tractions") == plan.tractions());
+  CHECK(json.at("filled_readings") == 0);
+  CHECK_THAT(tool({"plan", path, "--allow-fft"}).errors, ContainsSubstring("is of a skin"));
+  CHECK_THAT(tool({"plan", path, "--structure", "parity"}).errors,
+             ContainsSubstring("a skin has reflections"));
+}
+
 TEST_CASE("a command that does not know skins yet says so", "[cli][skin]") {
   const Folder folder;
   const std::string path = folder.write("skin.toml", skin);
-  for (const char* command : {"identify", "certify", "relax", "gen", "plan"}) {
+  for (const char* command : {"identify", "certify", "relax", "gen"}) {
     CAPTURE(command);
     const ProcessResult refused = tool({command, path});
     CHECK(refused.code != 0);

@@ -17,6 +17,7 @@
 #include "tactile_net/realtime/plan_file.hpp"
 #include "tests/realtime/plan_bytes.hpp"
 #include "tests/realtime/plans.hpp"
+#include "tests/realtime/skin_plans.hpp"
 
 using namespace tactile_net;
 
@@ -67,6 +68,8 @@ void run_frames(const EstimatorPlan& plan, InstructionSet set) {
                           [](double f) { return std::isfinite(f); }),
               "finite tractions");
       require(std::isfinite(estimate.normal_force), "a finite force");
+      require(plan.unknowns != 3 || std::isfinite(estimate.tangential_force), "finite drags");
+      require(estimate.touching <= plan.values, "cells that touch");
       require(!plan.prediction || std::isfinite(estimate.residual_rms), "a finite residual");
       require(estimate.outlier < static_cast<std::ptrdiff_t>(readings.size()),
               "an outlier's index");
@@ -113,6 +116,23 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
       product.scale = 1.0;
       product.transform_size = 8;
       product.spectra.assign(shape.unknowns * shape.channels * 5, 0.5);
+    }
+    if (random() % 2 == 0) {
+      const std::size_t rows = 1 + random() % 3;
+      const bool exchanged = random() % 2 == 0;
+      plan = made_skin_plan({.rows = rows,
+                             .columns = exchanged ? rows : 1 + random() % 3,
+                             .margin = random() % 2,
+                             .unknowns = random() % 2 == 0 ? 1U : 3U,
+                             .structure = random() % 2 == 0 ? Structure::reflections
+                                                            : Structure::reflections_low_rank,
+                             .precision = static_cast<Precision>(random() % 2),
+                             .exchanged = exchanged,
+                             .diagnostics = random() % 2 == 0,
+                             .dead = rows > 1 ? random() % 2 : 0},
+                            seed);
+      if (random() % 2 == 0) plan.cells->deviations.assign(plan.values, 0.5);
+      plan.cells->rim_rows = random() % 3;
     }
     const std::vector<std::byte> bytes = encode_plan(plan);
     if (bytes.size() <= most) {

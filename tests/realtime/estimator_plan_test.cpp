@@ -100,7 +100,7 @@ TEST_CASE("a product's plan is checked, rule by rule", "[product_plan]") {
   };
   std::vector<Rule> rules{
       {"structure or precision is unknown",
-       [](Plan& p) { p.reconstruction.structure = static_cast<Structure>(5); }},
+       [](Plan& p) { p.reconstruction.structure = static_cast<Structure>(200); }},
       {"structure or precision is unknown",
        [](Plan& p) { p.reconstruction.precision = static_cast<Precision>(2); }},
       {"wrong number of factors", [](Plan& p) { p.reconstruction.factors.pop_back(); }},

@@ -25,6 +25,7 @@
 #include "tactile_net/realtime/handover.hpp"
 #include "tests/catch.hpp"
 #include "tests/realtime/plans.hpp"
+#include "tests/realtime/skin_plans.hpp"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -89,13 +90,12 @@ Counts counts() { return {allocations, releases, locks}; }
 /// Everything that a loop may call, on every kind of plan. Set-up is not part of `run`.
 class Loop {
  public:
-  explicit Loop(const PlanShape& shape) {
-    const EstimatorPlan plan = made_plan(shape);
+  explicit Loop(const EstimatorPlan& plan) {
     estimator_ = std::make_unique<ContactEstimator>(plan);
     readings_.assign(estimator_->readings(), 1.0);
     bad_ = huge_ = readings_;
-    bad_[1] = std::numeric_limits<double>::quiet_NaN();
-    huge_[1] = 1e308;
+    bad_[0] = std::numeric_limits<double>::quiet_NaN();
+    huge_[0] = 1e308;
     batch_.assign(3 * readings_.size(), 2.0);
     tractions_.assign(3 * estimator_->tractions(), 0.0);
     for (std::size_t k = 0; k < 3; ++k)
@@ -132,18 +132,34 @@ class Loop {
   ContactEstimate estimates_[3];
 };
 
-std::vector<PlanShape> shapes() {
-  std::vector<PlanShape> all;
+std::vector<EstimatorPlan> plans() {
+  std::vector<EstimatorPlan> all;
   for (const Structure structure :
        {Structure::dense, Structure::low_rank, Structure::parity, Structure::parity_low_rank})
     for (const Precision precision : {Precision::float64, Precision::float32})
       for (const bool diagnostics : {true, false})
-        all.push_back({.count = 21,
-                       .channels = 2,
-                       .unknowns = 2,
-                       .structure = structure,
-                       .precision = precision,
-                       .diagnostics = diagnostics});
+        all.push_back(made_plan({.count = 21,
+                                 .channels = 2,
+                                 .unknowns = 2,
+                                 .structure = structure,
+                                 .precision = precision,
+                                 .diagnostics = diagnostics}));
+  for (const Structure structure :
+       {Structure::dense, Structure::reflections, Structure::reflections_low_rank})
+    for (const Precision precision : {Precision::float64, Precision::float32})
+      for (const bool exchanged : {true, false})
+        for (const bool diagnostics : {true, false}) {
+          EstimatorPlan plan = made_skin_plan({.rows = 5,
+                                               .columns = exchanged ? 5U : 4U,
+                                               .structure = structure,
+                                               .precision = precision,
+                                               .exchanged = exchanged,
+                                               .diagnostics = diagnostics,
+                                               .dead = exchanged ? 1U : 0U});
+          plan.cells->deviations.assign(plan.values, 1e-3);
+          plan.cells->rim_rows = plan.cells->rim_columns = 1;
+          all.push_back(std::move(plan));
+        }
   return all;
 }
 
@@ -188,9 +204,10 @@ TEST_CASE("the counters count", "[real_time]") {
 }
 
 TEST_CASE("the control loop's calls allocate, free and lock nothing", "[real_time]") {
-  for (const PlanShape& shape : shapes()) {
-    CAPTURE(name(shape.structure), name(shape.precision), shape.diagnostics);
-    Loop loop(shape);
+  for (const EstimatorPlan& plan : plans()) {
+    CAPTURE(plan.label, name(plan.reconstruction.structure), name(plan.reconstruction.precision),
+            plan.prediction.has_value());
+    Loop loop(plan);
     const Counts before = counts();
     const bool fine = loop.run();
     const Counts after = counts();  // before CHECK, which allocates
@@ -211,9 +228,10 @@ TEST_CASE("the kernel kills the child that makes a system call", "[real_time]") 
 }
 
 TEST_CASE("the control loop's calls make no system call", "[real_time]") {
-  for (const PlanShape& shape : shapes()) {
-    CAPTURE(name(shape.structure), name(shape.precision), shape.diagnostics);
-    Loop loop(shape);
+  for (const EstimatorPlan& plan : plans()) {
+    CAPTURE(plan.label, name(plan.reconstruction.structure), name(plan.reconstruction.precision),
+            plan.prediction.has_value());
+    Loop loop(plan);
     const int status = without_system_calls([&] { return loop.run(); });
     CHECK_FALSE(WIFSIGNALED(status));
     CHECK(WIFEXITED(status));

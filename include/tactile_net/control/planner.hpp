@@ -59,6 +59,7 @@ struct Candidate {
   Precision precision = Precision::float64;
   std::vector<std::size_t> ranks{};  ///< of the classes; empty if not of low rank
   std::size_t transform_size = 0;    ///< of fft
+  bool exchanged = false;            ///< of reflections: exchanging y and z is used too
   std::size_t bytes = 0;             ///< streamed per frame
   /// Predicted time of a frame in units of one streamed byte: bytes, `cost_of_a_factor` for each
   /// factor, and the transforms (constants in product_planner.cpp).

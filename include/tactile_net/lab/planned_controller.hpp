@@ -15,6 +15,7 @@
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/lab/observer.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
+#include "tactile_net/lab/skin_problem.hpp"
 
 namespace tactile_net::lab {
 
@@ -41,6 +42,12 @@ using NextFrame = std::function<bool(std::span<double> readings)>;
                                                   const NextFrame& next = {},
                                                   Observer& observer = silent);
 
+/// Of a skin: as if it had no constraints, which ask for less smoothing than a plan, which has
+/// none.
+[[nodiscard]] std::optional<PlanAlpha> plan_alpha(const SkinSceneProblem& problem,
+                                                  const NextFrame& next = {},
+                                                  Observer& observer = silent);
+
 struct PlannedController {
   PlanAlpha alpha{};
   PlannedEstimator estimator{};
@@ -58,5 +65,17 @@ struct PlannedController {
 /// @throw std::invalid_argument, std::domain_error  as `plan_estimator`
 [[nodiscard]] PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,
                                                 PlannerOptions options = {});
+
+/// Of a skin. Dead taxels of the scene leave the plan the symmetry of the whole skin.
+///
+/// @throw std::invalid_argument  also: planning would take more memory than this machine has left;
+///                               the text says how much, and nothing was allocated
+[[nodiscard]] PlannedController plan_controller(const SkinSceneProblem& problem,
+                                                const PlanAlpha& alpha,
+                                                PlannerOptions options = {});
+
+/// The same, of a machine with so much memory left.
+/// @param memory  [bytes]
+void check_memory(const SkinScene& scene, double memory);
 
 }  // namespace tactile_net::lab

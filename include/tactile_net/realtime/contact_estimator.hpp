@@ -22,21 +22,36 @@
 namespace tactile_net {
 
 /// One frame's answer. The caller owns it and the memory of its tractions.
+///
+/// Of a skin forces are in N, and torsion in N m; all are sums over the cells that touch, as far as
+/// the plan can tell them from empty ones, else over all.
 struct ContactEstimate {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   std::span<double> tractions{};      ///< [Pa], `tractions()` values: normal, then tangential
   double time = 0.0;                  ///< of the frame, as given to `update`
   double normal_force = 0.0;          ///< F_v = h sum f_v, h the spacing [N/m]
-  double tangential_force = unknown;  ///< F_t = h sum f_t [N/m]; NaN with one unknown
-  double centre = unknown;            ///< sum y f_v / sum f_v [m]; NaN without contact
+  double tangential_force = unknown;  ///< F_t = h sum f_t [N/m]; NaN with one unknown; of a skin
+                                      ///< its size, >= 0
+  double tangential_y = unknown;  ///< of a skin, along y; else NaN
+  double tangential_z = unknown;  ///< along z
+  double centre = unknown;        ///< sum y f_v / sum f_v [m]; NaN without contact
+  double centre_z = unknown;      ///< of a skin, along z
+  double torsion =
+      unknown;             ///< of a skin, about x through the centre of pressure, from y towards z
   double angle = unknown;  ///< atan2(F_t, F_v) [rad]; NaN with one unknown or without contact
   double friction_margin = unknown;  ///< mu F_v - |F_t| [N/m], < 0: slips; NaN if mu or F_t is not
                                      ///< known
+  /// Of a skin: 1 - sqrt((F_t / (mu F_v))^2 + (T / (mu sum p r))^2), r the distance from the centre
+  /// of pressure; < 0: slips or turns (Howe and Cutkosky 1996). NaN as the friction margin.
+  double slip_margin = unknown;
+  std::size_t touching = 0;  ///< cells that forces are sums over; 0: all
   /// Root mean square of W (g - K f) over the live readings: what the tractions leave unexplained,
   /// and the offsets of a plan that does not know them. NaN without a prediction in the plan.
   double residual_rms = unknown;
-  bool contact = false;  ///< F_v > 0: centre, angle and margin mean something
+  /// F_v > 0: centre, angle and margin mean something. Of a skin whose noise is known: beyond what
+  /// noise does.
+  bool contact = false;
   // Frames that cannot be true, as far as the plan has what that takes; false: not that it knows
   // of.
   bool pulls = false;        ///< F_v lies more than four deviations below 0, and no contact pulls
@@ -49,6 +64,8 @@ struct ContactEstimate {
   /// regularisation and the plan's accuracy account for.
   std::ptrdiff_t outlier = -1;
 };
+
+struct Moments;
 
 /// Which vector instructions the products use.
 enum class InstructionSet { baseline, avx2, avx512 };
@@ -137,6 +154,8 @@ class ContactEstimator {
   void predict(double* explained) noexcept;
   void judge(ContactEstimate& estimate) noexcept;
   void fill_dead() noexcept;
+  void fill_planned() noexcept;
+  void add_resultant(ContactEstimate& estimate, std::span<const Moments> moments) noexcept;
   bool eliminate(std::size_t reading) noexcept;
 
   std::shared_ptr<const Ready> ready_;

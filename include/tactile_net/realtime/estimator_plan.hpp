@@ -19,11 +19,28 @@ struct ReadingRange {
   double highest = 0.0;
 };
 
+/// The cells of a skin's surface; each traction is row after row of them.
+struct PlanCells {
+  std::size_t rows = 0;     ///< along y
+  std::size_t columns = 0;  ///< along z
+  double spacing_y = 0.0;   ///< [m], > 0
+  double spacing_z = 0.0;   ///< [m], > 0
+  double centre_y = 0.0;    ///< of the whole grid [m]
+  double centre_z = 0.0;
+  /// Of each cell's normal traction, one standard deviation [Pa]: cells that touch are told from
+  /// empty ones by it, and only they are summed. Empty: not known, all are summed.
+  std::vector<double> deviations{};
+  std::size_t rim_rows = 0;  ///< by which what touches is widened
+  std::size_t rim_columns = 0;
+
+  [[nodiscard]] double area() const noexcept { return spacing_y * spacing_z; }
+};
+
 struct EstimatorPlan {
   std::string label{};       ///< what it was made for, to be printed by a controller
-  std::size_t count = 0;     ///< taxels along y
+  std::size_t count = 0;     ///< taxels along y; of a skin all of them
   std::size_t channels = 0;  ///< readings are channels x count, but for uneven arrays
-  std::size_t unknowns = 1;  ///< 1: normal traction; 2: the tangential one too
+  std::size_t unknowns = 1;  ///< 1: normal traction; 2: the tangential one too; 3: both of a skin
   std::size_t values = 0;    ///< of each traction, along y; `count` where they lie at the taxels
   double spacing = 0.0;      ///< distance of those values [m]
   double centre = 0.0;       ///< y of the middle one [m]
@@ -43,8 +60,9 @@ struct EstimatorPlan {
   // What a frame is doubted by; each 0: not known.
   double residual_limit =
       0.0;  ///< rms of a weighted reading that noise exceeds once in 1000 frames
-  double traction_limit = 0.0;   ///< mean normal traction of a strain of 1: Young's modulus [Pa]
-  double force_deviation = 0.0;  ///< of the normal force, one standard deviation [N/m]
+  double traction_limit = 0.0;  ///< mean normal traction of a strain of 1: Young's modulus [Pa]
+  double force_deviation =
+      0.0;  ///< of the normal force, one standard deviation [N/m], of a skin [N]
 
   std::optional<double> friction_coefficient{};  ///< of pad and object; absent: no friction margin
   std::vector<ReadingRange> ranges{};  ///< one per channel or per reading; empty: none saturates
@@ -54,6 +72,16 @@ struct EstimatorPlan {
   /// Of an array whose taxels do not all read the same: the taxel of each reading, < count. Empty:
   /// reading i is taxel i % count's.
   std::vector<std::uint32_t> taxels{};
+
+  // Of skins.
+  std::optional<PlanCells>
+      cells{};  ///< absent: a line; `values` of them, `spacing` then is sqrt(area)
+  /// Taxels, < count, that are never called outliers: a load beyond the skin's edge looks just so.
+  std::vector<std::uint32_t> unjudged{};
+  /// What the readings of weight 0, in their order, are taken to read: this times the readings, of
+  /// which theirs count as 0. So products of the whole skin, with its symmetry, serve one whose
+  /// taxels are partly dead. Absent: they read 0.
+  std::optional<Factor> fill{};
 
   [[nodiscard]] std::size_t readings() const noexcept {
     return taxels.empty() ? channels * count : taxels.size();

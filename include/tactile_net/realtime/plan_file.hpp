@@ -23,8 +23,9 @@ enum class PlanVersion : std::uint32_t {
   surface = 3,   ///< tractions at places of their own
   doubts = 4,    ///< what a frame is doubted by
   taxels = 5,    ///< taxels that do not all read the same
+  skin = 6,      ///< tractions of a skin's cells
 };
-inline constexpr auto newest_plan_version = PlanVersion::taxels;
+inline constexpr auto newest_plan_version = PlanVersion::skin;
 
 /// @throw std::invalid_argument  `check(plan)` does
 [[nodiscard]] std::vector<std::byte> encode_plan(const EstimatorPlan& plan);

@@ -8,6 +8,18 @@
 /// (x_i +- x_{n-1-i}), the centre of an odd block standing alone among the sums, A falls into two
 /// blocks of half its size, class 0 (J x = x) and class 1. A class lists, block after block, the
 /// sums of a block with its own sign, the differences of one with the other sign.
+///
+/// Skins. There a block is a grid of values, row after row (rows along y, values of a row along z),
+/// and has a sign for each of two reflections, y -> -y and z -> -z. Sums and differences of the
+/// four mirrored places of a grid part A into four classes, (+, +), (+, -), (-, +) and (-, -), the
+/// first sign of y's reflection: a quarter of A. A class lists, block after block, the places of
+/// the first half of the rows (the middle one too where the block's parity in the class is +) and
+/// of their values alike, row after row. Where A is also its own image when y and z are exchanged,
+/// blocks by their partners, (-, +) exchanged is (+, -) and has the same factor, which is read once
+/// for both;
+/// (+, +) and (-, -) part again into what the exchange leaves as it is and what it negates: an
+/// eighth of A. Those list the pairs i < j that the exchange makes of a class's places, their sums
+/// or differences, and the sums then the places that it leaves alone.
 #pragma once
 
 #include <cstddef>
@@ -25,6 +37,10 @@ enum class Structure : std::uint8_t {
   /// A = T + E: T a circulant's corner, by FFT; E, which corrects its ends, as parity_low_rank. Who
   /// multiplies by T is passed to the estimator (convolution.hpp): this library has no FFT.
   fft,
+  /// Of skins: one factor for each class, (+, +), (+, -), (-, +), (-, -); with partners those of
+  /// (+, +) left and negated, (+, -), (-, -) left and negated.
+  reflections,
+  reflections_low_rank,  ///< two factors for each class, one class after the other
 };
 
 enum class Precision : std::uint8_t { float64, float32 };
@@ -39,8 +55,24 @@ enum class Precision : std::uint8_t { float64, float32 };
 }
 [[nodiscard]] constexpr bool is_low_rank(Structure structure) noexcept {
   return structure == Structure::low_rank || structure == Structure::parity_low_rank ||
-         structure == Structure::fft;
+         structure == Structure::fft || structure == Structure::reflections_low_rank;
 }
+/// Whether classes are those of grids.
+[[nodiscard]] constexpr bool has_reflections(Structure structure) noexcept {
+  return structure == Structure::reflections || structure == Structure::reflections_low_rank;
+}
+
+/// What the reflections make of a vector of grids.
+struct GridBlocks {
+  std::size_t rows = 0;  ///< of each block's grid
+  std::size_t columns = 0;
+  std::vector<std::int8_t> signs_y{};  ///< of each block, 1 or -1
+  std::vector<std::int8_t> signs_z{};
+  /// Of each block the one that it becomes when y and z are exchanged; empty: they are not.
+  std::vector<std::uint32_t> partners{};
+
+  [[nodiscard]] std::size_t size() const noexcept { return rows * columns * signs_y.size(); }
+};
 
 /// A matrix, row-major.
 struct Factor {
@@ -71,6 +103,10 @@ struct ProductPlan {
   /// fft only: row blocks x column blocks x (m / 2 + 1), the DFT of each block's convolution. It is
   /// real where the two signs are equal and i times this where they differ, by mirror symmetry.
   std::vector<double> spectra{};
+
+  // Of reflections.
+  GridBlocks row_grid{};     ///< of y
+  GridBlocks column_grid{};  ///< of x
 };
 
 /// Sizes of class 0 and class 1 of a vector of `signs.size()` blocks, `size` values together.
@@ -80,6 +116,10 @@ struct ClassSizes {
 };
 [[nodiscard]] ClassSizes class_sizes(const std::vector<std::int8_t>& signs,
                                      std::size_t size) noexcept;
+
+/// Sizes of the classes of reflections: four, with partners five.
+/// @pre  as many signs of z as of y, and partners that fit
+[[nodiscard]] std::vector<std::size_t> class_sizes(const GridBlocks& grid);
 
 /// @throw std::invalid_argument  sizes do not fit, a value is not finite, or is no float of at most
 /// 2^20

@@ -5,14 +5,16 @@
 #include "tactile_net/report/words/controller_words.hpp"
 
 namespace tactile_net::report {
+namespace {
 
-std::string controller_json(const Scene& scene, const lab::PlannedController& planned,
-                            double frame_seconds) {
+std::string document_of(const std::string& file, const std::optional<Units>& units,
+                        const lab::PlannedController& planned, double frame_seconds) {
   Json candidates = Json::array();
   for (const Candidate& candidate : planned.estimator.candidates)
     candidates.push_back({{"structure", name(candidate.structure)},
                           {"precision", name(candidate.precision)},
                           {"ranks", candidate.ranks},
+                          {"exchanged", candidate.exchanged},
                           {"transform_size", candidate.transform_size},
                           {"bytes", candidate.bytes},
                           {"error_bound", candidate.error_bound},
@@ -20,7 +22,7 @@ std::string controller_json(const Scene& scene, const lab::PlannedController& pl
                           {"chosen", candidate.chosen}});
   const EstimatorPlan& plan = planned.estimator.plan;
   Json json = document(kind::plan);
-  json.update(Json{{"scene", scene.file},
+  json.update(Json{{"scene", file},
                    {"readings", plan.readings()},
                    {"tractions", plan.tractions()},
                    {"alpha", plan.alpha},
@@ -30,9 +32,22 @@ std::string controller_json(const Scene& scene, const lab::PlannedController& pl
                    {"asymmetry", planned.estimator.asymmetry},
                    {"frame_seconds", frame_seconds},
                    {"candidates", std::move(candidates)}});
-  if (scene.units) json["units"] = units_json(*scene.units);
+  if (plan.cells) json["filled_readings"] = plan.fill ? plan.fill->rows : 0;
+  if (units) json["units"] = units_json(*units);
   if (planned.for_raw_numbers) json["baseline"] = plan.baseline;  // empty: 0
   return text_of(json, 2);
+}
+
+}  // namespace
+
+std::string controller_json(const Scene& scene, const lab::PlannedController& planned,
+                            double frame_seconds) {
+  return document_of(scene.file, scene.units, planned, frame_seconds);
+}
+
+std::string controller_json(const SkinScene& scene, const lab::PlannedController& planned,
+                            double frame_seconds) {
+  return document_of(scene.file, scene.units, planned, frame_seconds);
 }
 
 }  // namespace tactile_net::report

@@ -25,6 +25,9 @@ void print_controller(std::ostream& out, const lab::PlannedController& planned,
   out << plan.label << ": " << plan.readings() << " readings to " << plan.tractions()
       << " tractions, alpha " << brief(plan.alpha) << " (" << in_words(planned.alpha) << ")\n"
       << planned.estimator.why();
+  if (plan.fill)
+    out << "  " << plan.fill->rows
+        << " readings of dead taxels are filled in with what the others predict of them\n";
   if (plan.prediction)
     out << "  residual, outliers, dead taxels: " << streamed_bytes(*plan.prediction)
         << " bytes a frame more (--no-diagnostics leaves them out)\n";

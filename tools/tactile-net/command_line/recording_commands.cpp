@@ -124,7 +124,8 @@ void add_plan(AllCommands& all) {
            {"plan scenes/fingertip.toml -o pad.plan", "the fastest with an error of at most 1e-7"},
            {"plan scenes/recorded/thin-pad.toml --readings scenes/recorded/thin-pad.csv "
             "--deadline 100us -o pad.plan",
-            "alpha from recorded frames, and a failure where a frame takes longer"}}});
+            "alpha from recorded frames, and a failure where a frame takes longer"},
+           {"plan scenes/skins/sphere.toml -o skin.plan", "of a skin"}}});
   add_scene(command, options.scene, "Scene file (TOML): sensor, material, alpha");
   command.add_option("-o,--output", options.output, file("FILE", {"plan"}),
                      "Plan file, to be read by load_plan (default: only say what it would be)");
@@ -140,10 +141,17 @@ void add_plan(AllCommands& all) {
   command.add_option("--friction", options.friction, number(),
                      "Friction coefficient for the friction margin (default: the scene's "
                      "friction_limit)");
-  constexpr std::array structures = {Structure::dense, Structure::low_rank, Structure::parity,
-                                     Structure::parity_low_rank, Structure::fft};
-  command.add_choice("--structure", options.structure, structures,
-                     "Of the product (default: the cheapest)");
+  constexpr std::array structures = {Structure::dense,
+                                     Structure::low_rank,
+                                     Structure::parity,
+                                     Structure::parity_low_rank,
+                                     Structure::fft,
+                                     Structure::reflections,
+                                     Structure::reflections_low_rank};
+  command.add_choice(
+      "--structure", options.structure, structures,
+      "Of the product (default: the cheapest); reflections are of skins, parity and fft "
+      "of lines");
   constexpr std::array precisions = {Precision::float64, Precision::float32};
   command.add_choice("--precision", options.precision, precisions,
                      "Of its numbers (default: the cheapest)");

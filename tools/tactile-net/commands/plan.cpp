@@ -36,12 +36,21 @@ PlannerOptions planner_options(const PlanOptions& options) {
   return planner;
 }
 
+bool has_baseline_frames(const Scene& scene) {
+  return scene.calibration && scene.calibration->baseline_frames;
+}
+bool has_baseline_frames(const SkinScene&) { return false; }
+
+std::size_t readings_of(const Scene& scene) { return reading_count(scene.sensor); }
+std::size_t readings_of(const SkinScene& scene) { return reading_count(scene.sensor); }
+
 /// @param calibration  filled with what the recording says of it
-lab::PlanAlpha alpha_of(const lab::SceneProblem& problem, const PlanOptions& options,
+template <class Problem>
+lab::PlanAlpha alpha_of(const Problem& problem, const PlanOptions& options,
                         std::optional<Calibration>& calibration, const Streams& streams) {
   Progress progress(streams);
-  const Scene& scene = problem.scene();
-  const bool has_baseline = scene.calibration && scene.calibration->baseline_frames;
+  const auto& scene = problem.scene();
+  const bool has_baseline = has_baseline_frames(scene);
   if (!options.readings.empty() && (!scene.reconstruct.alpha || has_baseline)) {
     frames::ReadingsFile file(options.readings, scene, &streams.in,
                               {.columns = options.columns, .accept_missing = true});
@@ -56,7 +65,7 @@ lab::PlanAlpha alpha_of(const lab::SceneProblem& problem, const PlanOptions& opt
       }
       return false;
     };
-    std::vector<double> first(problem.readings());
+    std::vector<double> first(readings_of(scene));
     if (scene.reconstruct.alpha) (void)next(first);
     const auto alpha = lab::plan_alpha(problem, next, progress);
     if (!any) throw InputError({{.file = options.readings, .message = "holds no whole frame"}});
@@ -86,13 +95,10 @@ double seconds_of_frame(const EstimatorPlan& plan) {
   return lab::time_of([&] { (void)estimator.update(readings, estimate); }).median;
 }
 
-}  // namespace
-
-void run(const PlanOptions& options, const Streams& streams) {
-  check_one_standard_input(options.scene, options.readings);
+template <class Problem>
+void make_plan(const Problem& problem, const PlanOptions& options, const Streams& streams) {
   std::optional<double> deadline;
   if (options.deadline) deadline = deadline_of(*options.deadline);
-  const lab::SceneProblem problem(read_scene(options.scene, streams.in));
   PlannerOptions planner = planner_options(options);
   if (problem.constraints())
     streams.err << "warning: a plan is linear: nonnegative and friction_limit do not bind it\n";
@@ -113,6 +119,20 @@ void run(const PlanOptions& options, const Streams& streams) {
     out << "plan: " << printable(options.output) << ", " << bytes.size() << " bytes\n";
   }
   if (summary) write(summary.get(), report::controller_json(problem.scene(), planned, frame));
+}
+
+}  // namespace
+
+void run(const PlanOptions& options, const Streams& streams) {
+  check_one_standard_input(options.scene, options.readings);
+  AnyScene scene = read_any_scene(options.scene, streams.in);
+  if (const auto* skin = std::get_if<SkinScene>(&scene)) {
+    if (options.allow_fft || options.structure == Structure::fft)
+      throw WrongUsage(options.allow_fft ? "--allow-fft" : "--structure",
+                       "an fft is for line arrays, and this scene is of a skin");
+    return make_plan(lab::SkinSceneProblem(*skin), options, streams);
+  }
+  make_plan(lab::SceneProblem(std::get<Scene>(std::move(scene))), options, streams);
 }
 
 }  // namespace tactile_net::tool

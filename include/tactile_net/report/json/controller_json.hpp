@@ -11,5 +11,8 @@ namespace tactile_net::report {
 /// @param frame_seconds  measured on this machine
 [[nodiscard]] std::string controller_json(const Scene& scene, const lab::PlannedController& planned,
                                           double frame_seconds);
+[[nodiscard]] std::string controller_json(const SkinScene& scene,
+                                          const lab::PlannedController& planned,
+                                          double frame_seconds);
 
 }  // namespace tactile_net::report

@@ -1,0 +1,42 @@
+/// @file
+/// What planning for lines and for skins has in common. Private.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "control/product_planner.hpp"
+#include "tactile_net/control/planner.hpp"
+
+namespace tactile_net {
+
+/// @throw std::invalid_argument  accuracy is not > 0 and finite, a calibration of other readings
+void check(const PlannerOptions& options, std::size_t readings);
+
+/// @param symmetric  the task's matrix falls into classes
+/// @throw std::invalid_argument  a structure is asked for that it does not have
+void check_structure(const ProductTask& task, bool symmetric);
+
+/// Whether two factors for each class were cheaper than one, of the classes without the exchange:
+/// with it they have the same ranks.
+[[nodiscard]] bool low_rank_pays(const std::vector<Candidate>& tried);
+
+/// In raw numbers r = g / gain + ... the rows of K are K / gain and their weights W gain: W K, and
+/// so the tractions, stay as they are.
+///
+/// @param count  readings of a channel, which have to have one gain for the array to be symmetric
+void take_raw(ProductTask& task, const Calibration& calibration, std::size_t count);
+
+/// What does not follow from the problem; after the reconstruction and the weights.
+void take_options(PlannedEstimator& planned, const PlannerOptions& options);
+
+/// The diagonal of a prediction, kept below 1.
+[[nodiscard]] std::vector<double> leverages_of(const Eigen::MatrixXd& prediction);
+
+/// What the rms of the live readings of white noise exceeds once in 1000 frames, per unit of it.
+///
+/// @param degrees  independent readings
+[[nodiscard]] double noise_limit(const std::vector<double>& weights, std::size_t degrees);
+
+}  // namespace tactile_net

@@ -1,0 +1,260 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/realtime/plan_file.hpp"
+#include "tests/catch.hpp"
+#include "tests/realtime/skin_plans.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+std::vector<double> some_readings(std::size_t count, unsigned seed = 3) {
+  std::mt19937 generator(seed);
+  std::vector<double> readings(count);
+  for (double& reading : readings) reading = static_cast<double>(generator()) / 0x1p31 - 1.0;
+  return readings;
+}
+
+struct Answer {
+  std::vector<double> tractions;
+  ContactEstimate estimate;
+  FrameStatus status;
+};
+
+Answer answer(ContactEstimator& estimator, const std::vector<double>& readings) {
+  Answer result{std::vector<double>(estimator.tractions()), {}, FrameStatus::ok};
+  result.estimate.tractions = result.tractions;
+  result.status = estimator.update(readings, result.estimate);
+  return result;
+}
+
+double norm(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum);
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+
+std::vector<SkinShape> shapes() {
+  std::vector<SkinShape> all;
+  for (const Structure structure : {Structure::reflections, Structure::reflections_low_rank})
+    for (const Precision precision : {Precision::float64, Precision::float32})
+      for (const std::size_t unknowns : {1U, 3U}) {
+        for (const auto& [rows, columns] :
+             {std::pair{5U, 4U}, {4U, 4U}, {1U, 7U}, {6U, 1U}, {1U, 1U}, {9U, 12U}, {2U, 3U}})
+          all.push_back({.rows = rows,
+                         .columns = columns,
+                         .unknowns = unknowns,
+                         .structure = structure,
+                         .precision = precision});
+        for (const std::size_t size : {1U, 2U, 5U, 8U, 11U})
+          all.push_back({.rows = size,
+                         .columns = size,
+                         .unknowns = unknowns,
+                         .structure = structure,
+                         .precision = precision,
+                         .exchanged = true});
+      }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("products by reflections are what their words say, on every instruction set", "[skin]") {
+  for (SkinShape shape : shapes())
+    for (const std::size_t margin : {0U, 2U}) {
+      shape.margin = margin;
+      CAPTURE(shape.rows, shape.columns, margin, shape.unknowns, name(shape.structure),
+              name(shape.precision), shape.exchanged);
+      const EstimatorPlan plan = made_skin_plan(shape);
+      const std::vector<double> readings = some_readings(plan.readings());
+      const std::vector<double> expected = by_reflections(plan.reconstruction, readings);
+      for (const InstructionSet set :
+           {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+        ContactEstimator estimator(plan, set);
+        const Answer found = answer(estimator, readings);
+        REQUIRE(found.status == FrameStatus::ok);
+        const double unit = shape.precision == Precision::float64 ? 1e-13 : 1e-5;
+        CHECK(distance(found.tractions, expected) <= unit * (norm(expected) + norm(readings)));
+      }
+    }
+}
+
+TEST_CASE("plans of skins survive their file bit by bit, and are of version 6", "[skin]") {
+  for (SkinShape shape : shapes()) {
+    shape.dead = shape.rows * shape.columns > 3 ? 2 : 0;
+    EstimatorPlan plan = made_skin_plan(shape);
+    plan.cells->deviations.assign(plan.values, 0.5);
+    plan.cells->rim_rows = 1;
+    const std::vector<std::byte> bytes = encode_plan(plan);
+    CHECK(bytes[8] == std::byte{6});
+    const EstimatorPlan again = decode_plan(bytes);
+    CHECK(encode_plan(again) == bytes);
+    CHECK(again.cells->deviations == plan.cells->deviations);
+    CHECK(again.unjudged == plan.unjudged);
+    CHECK(again.fill.has_value() == plan.fill.has_value());
+    ContactEstimator one(plan);
+    ContactEstimator other(again);
+    const std::vector<double> readings = some_readings(plan.readings());
+    CHECK(answer(one, readings).tractions == answer(other, readings).tractions);
+  }
+}
+
+TEST_CASE("forces, centre and torsion are those of the cells, by hand", "[skin]") {
+  // Readings are the tractions of 2 x 3 cells, 0.5 by 0.25.
+  SkinShape shape{.rows = 2, .columns = 3, .margin = 0, .structure = Structure::dense};
+  EstimatorPlan plan = made_skin_plan(shape);
+  Factor identity{18, 18, std::vector<double>(18 * 18)};
+  for (std::size_t i = 0; i < 18; ++i) identity.values[i * 18 + i] = 1.0;
+  plan.reconstruction.factors = {identity};
+  plan.reconstruction.scale = 1.0;
+  plan.prediction.reset();
+  plan.leverages.clear();
+  ContactEstimator estimator(plan);
+  std::vector<double> f(18);
+  f[0] = 3.0;        // p at (-0.25, -0.25)
+  f[5] = 1.0;        // p at (0.25, 0.25)
+  f[6 + 5] = 0.5;    // q_y there
+  f[12 + 0] = 0.25;  // q_z at the first
+  const ContactEstimate e = answer(estimator, f).estimate;
+  CHECK(e.contact);
+  CHECK(e.normal_force == 0.125 * 4.0);
+  CHECK(e.tangential_y == 0.125 * 0.5);
+  CHECK(e.tangential_z == 0.125 * 0.25);
+  CHECK_THAT(e.tangential_force, WithinRel(0.125 * std::hypot(0.5, 0.25), 1e-15));
+  CHECK_THAT(e.centre, WithinRel(0.125 - 0.125, 1e-15) || WithinAbs(0.0, 1e-15));
+  CHECK_THAT(e.centre_z, WithinRel(-1.0 - 0.125, 1e-15));
+  // From the centre (-0.125, -0.125): q_z acts at y = -0.125, q_y at z = 0.375.
+  const double torsion = 0.125 * (-0.125 * 0.25 - 0.375 * 0.5);
+  CHECK_THAT(e.torsion, WithinRel(torsion, 1e-14));
+  CHECK_THAT(e.angle, WithinRel(std::atan2(e.tangential_force, e.normal_force), 1e-15));
+  CHECK_THAT(e.friction_margin, WithinRel(0.5 * e.normal_force - e.tangential_force, 1e-15));
+  const double lever = 0.125 * (3.0 * std::hypot(0.125, 0.125) + std::hypot(0.375, 0.375));
+  CHECK_THAT(e.slip_margin, WithinRel(1.0 - std::hypot(e.tangential_force / (0.5 * e.normal_force),
+                                                       torsion / (0.5 * lever)),
+                                      1e-13));
+  CHECK(e.touching == 0);  // deviations are not known
+}
+
+TEST_CASE("where the noise is known only the cells that touch are summed", "[skin]") {
+  SkinShape shape{.rows = 1,
+                  .columns = 9,
+                  .margin = 0,
+                  .unknowns = 1,
+                  .structure = Structure::dense,
+                  .diagnostics = false};
+  EstimatorPlan plan = made_skin_plan(shape);
+  Factor identity{9, 9, std::vector<double>(81)};
+  for (std::size_t i = 0; i < 9; ++i) identity.values[i * 10] = 1.0;
+  plan.reconstruction.factors = {identity};
+  plan.reconstruction.scale = 1.0;
+  plan.cells->deviations.assign(9, 1.0);
+  plan.force_deviation = 0.125 * 3.0;
+  ContactEstimator estimator(plan);
+  const std::vector<double> one{1.0, 3.0, 1.0, 0.0, 2.5, 9.0, -0.5, 1.5, 0.0};
+  Answer found = answer(estimator, one);
+  // 3.0 is above two deviations with no peak above four; 2.5 and 9 are a patch with one.
+  CHECK(found.estimate.touching == 2);
+  CHECK(found.estimate.normal_force == 0.125 * 11.5);
+  CHECK(found.estimate.contact);
+  plan.cells->rim_columns = 2;
+  ContactEstimator wide(plan);
+  found = answer(wide, one);
+  CHECK(found.estimate.touching == 6);
+  CHECK(found.estimate.normal_force == 0.125 * (1.0 + 0.0 + 2.5 + 9.0 - 0.5 + 1.5));
+  found = answer(estimator, std::vector<double>(9, 1.5));  // noise, as far as one can tell
+  CHECK(found.estimate.touching == 0);
+  CHECK_FALSE(found.estimate.contact);
+  CHECK(std::isnan(found.estimate.centre));
+  found = answer(estimator, std::vector<double>(9, 2.0));  // no cell is certain, all together are
+  CHECK(found.estimate.contact == (0.125 * 18.0 > 6.0 * plan.force_deviation));
+}
+
+TEST_CASE("taxels dead in the plan read what it fills in, whatever they say", "[skin]") {
+  for (const Precision precision : {Precision::float64, Precision::float32})
+    for (const bool diagnostics : {true, false}) {
+      const SkinShape shape{.rows = 5,
+                            .columns = 5,
+                            .precision = precision,
+                            .exchanged = true,
+                            .diagnostics = diagnostics,
+                            .dead = 3};
+      const EstimatorPlan plan = made_skin_plan(shape);
+      std::vector<double> readings = some_readings(plan.readings());
+      std::vector<double> filled = readings;
+      const std::size_t n = readings.size();
+      std::size_t next = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (plan.weights[i] > 0.0) continue;
+        filled[i] = 0.0;
+        for (std::size_t j = 0; j < n; ++j)
+          if (plan.weights[j] > 0.0) filled[i] += plan.fill->values[next * n + j] * readings[j];
+        ++next;
+        readings[i] = next % 2 == 0 ? std::numeric_limits<double>::quiet_NaN() : 1e300;
+      }
+      const std::vector<double> expected = by_reflections(plan.reconstruction, filled);
+      ContactEstimator estimator(plan);
+      const Answer found = answer(estimator, readings);
+      REQUIRE(found.status == FrameStatus::ok);
+      CHECK(distance(found.tractions, expected) <=
+            (precision == Precision::float64 ? 1e-13 : 1e-5) * norm(expected));
+      if (!diagnostics) continue;
+      // One more taxel dies: what the others read still decides alone.
+      REQUIRE(estimator.set_dead(20));
+      std::vector<double> other = readings;
+      for (std::size_t i = 20; i < n; i += plan.count) other[i] = -7.0;
+      CHECK(answer(estimator, readings).tractions == answer(estimator, other).tractions);
+      CHECK(answer(estimator, readings).tractions != found.tractions);
+    }
+}
+
+TEST_CASE("what a skin cannot answer is refused, and its estimate stays", "[skin]") {
+  const EstimatorPlan plan = made_skin_plan({.rows = 4, .columns = 4, .exchanged = true});
+  ContactEstimator estimator(plan);
+  std::vector<double> readings = some_readings(plan.readings());
+  readings[7] = std::numeric_limits<double>::quiet_NaN();
+  Answer found = answer(estimator, readings);
+  CHECK(found.status == FrameStatus::not_finite);
+  CHECK(found.tractions == std::vector<double>(plan.tractions()));
+  readings[7] = 1e308;
+  CHECK(answer(estimator, readings).status == FrameStatus::too_large);
+  readings.pop_back();
+  CHECK(answer(estimator, readings).status == FrameStatus::wrong_size);
+}
+
+TEST_CASE("a skin's plan that does not fit together is refused", "[skin]") {
+  const auto refused = [](auto change) {
+    EstimatorPlan plan = made_skin_plan({.rows = 4, .columns = 4, .exchanged = true, .dead = 1});
+    change(plan);
+    CHECK_THROWS_AS(check(plan), std::invalid_argument);
+    CHECK_THROWS_AS(ContactEstimator(plan), std::invalid_argument);
+  };
+  refused([](EstimatorPlan& plan) { plan.unknowns = 2; });
+  refused([](EstimatorPlan& plan) { plan.cells->rows = 5; });
+  refused([](EstimatorPlan& plan) { plan.cells->spacing_y = 0.0; });
+  refused([](EstimatorPlan& plan) { plan.cells->deviations = {1.0}; });
+  refused([](EstimatorPlan& plan) { plan.unjudged = {16}; });
+  refused([](EstimatorPlan& plan) { plan.fill->rows = 1; });
+  refused([](EstimatorPlan& plan) { plan.fill->values[0] = std::nan(""); });
+  refused([](EstimatorPlan& plan) { plan.weights.assign(plan.readings(), 1.0); });
+  refused([](EstimatorPlan& plan) { plan.cells.reset(); });
+  refused([](EstimatorPlan& plan) { plan.reconstruction.row_grid.rows = 3; });
+  refused([](EstimatorPlan& plan) { plan.reconstruction.row_grid.signs_z[0] = 0; });
+  refused([](EstimatorPlan& plan) { plan.reconstruction.row_grid.partners = {0, 1, 2}; });
+  refused([](EstimatorPlan& plan) { plan.reconstruction.row_grid.partners.clear(); });
+  refused([](EstimatorPlan& plan) { plan.reconstruction.column_grid.partners = {0, 2, 3}; });
+  refused([](EstimatorPlan& plan) { plan.reconstruction.factors.pop_back(); });
+  refused([](EstimatorPlan& plan) { plan.reconstruction.structure = Structure::dense; });
+}
