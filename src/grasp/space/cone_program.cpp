@@ -43,7 +43,7 @@ class Search {
       }
     }
     ConeAnswer answer{.kind = kind(), .iterations = steps};
-    const double over = answer.kind == ConeAnswer::Kind::infeasible ? p_.b.dot(at_.y)
+    const double over = answer.kind == ConeAnswer::Kind::infeasible  ? p_.b.dot(at_.y)
                         : answer.kind == ConeAnswer::Kind::unbounded ? -p_.c.dot(at_.x)
                                                                      : at_.tau;
     answer.x = at_.x / over;
@@ -58,10 +58,9 @@ class Search {
     const double t = at_.tau;
     const double gap = std::abs(p_.c.dot(at_.x) - p_.b.dot(at_.y)) /
                        (t + std::max(std::abs(p_.c.dot(at_.x)), std::abs(p_.b.dot(at_.y))));
-    return std::max({(p_.a * at_.x - t * p_.b).norm() / (t * (1.0 + p_.b.norm())),
-                     (p_.a.transpose() * at_.y + at_.s - t * p_.c).norm() /
-                         (t * (1.0 + p_.c.norm())),
-                     gap});
+    return std::max(
+        {(p_.a * at_.x - t * p_.b).norm() / (t * (1.0 + p_.b.norm())),
+         (p_.a.transpose() * at_.y + at_.s - t * p_.c).norm() / (t * (1.0 + p_.c.norm())), gap});
   }
   /// How far y is from a proof that there is no x.
   [[nodiscard]] double off_infeasible() const {
@@ -104,8 +103,7 @@ class Search {
       scaled.segment(at, size) =
           lorentz::quotient(rest.segment(at, size), lambda_.segment(at, size));
     });
-    const Eigen::VectorXd dual =
-        -share * (p_.a.transpose() * at_.y + at_.s - at_.tau * p_.c);
+    const Eigen::VectorXd dual = -share * (p_.a.transpose() * at_.y + at_.s - at_.tau * p_.c);
     const double across = -share * (p_.b.dot(at_.y) - p_.c.dot(at_.x) - at_.kappa);
     Eigen::VectorXd right(n + m);
     right << w_ * dual - scaled, -share * (p_.a * at_.x - at_.tau * p_.b);
@@ -132,8 +130,8 @@ class Search {
     double step = 1e10;
     each([&](Eigen::Index at, Eigen::Index size) {
       for (const Eigen::VectorXd& way : {scaled_x_, scaled_s_})
-        step = std::min(step, lorentz::longest_step(lambda_.segment(at, size),
-                                                    way.segment(at, size)));
+        step =
+            std::min(step, lorentz::longest_step(lambda_.segment(at, size), way.segment(at, size)));
     });
     if (d.tau < 0.0) step = std::min(step, -at_.tau / d.tau);
     if (d.kappa < 0.0) step = std::min(step, -at_.kappa / d.kappa);
@@ -147,8 +145,7 @@ class Search {
     w_ = Eigen::MatrixXd::Zero(n, n);
     lambda_.resize(n);
     each([&](Eigen::Index at, Eigen::Index size) {
-      const Eigen::MatrixXd w =
-          lorentz::scaling(at_.x.segment(at, size), at_.s.segment(at, size));
+      const Eigen::MatrixXd w = lorentz::scaling(at_.x.segment(at, size), at_.s.segment(at, size));
       w_.block(at, at, size, size) = w;
       lambda_.segment(at, size) = w * at_.s.segment(at, size);
     });
@@ -160,8 +157,8 @@ class Search {
     k.topRightCorner(n, m) = k.bottomLeftCorner(m, n).transpose();
     const CompleteLu lu(k);
 
-    const double mu = (at_.x.dot(at_.s) + at_.tau * at_.kappa) /
-                      static_cast<double>(p_.cones.size() + 1);
+    const double mu =
+        (at_.x.dot(at_.s) + at_.tau * at_.kappa) / static_cast<double>(p_.cones.size() + 1);
     Eigen::VectorXd rest(n);
     each([&](Eigen::Index at, Eigen::Index size) {
       const auto l = lambda_.segment(at, size);

@@ -14,9 +14,9 @@
 namespace tactile_net {
 namespace {
 
-constexpr double rounding = 1e-10;   // of the largest singular value
-constexpr double unborne = 1e-9;     // share of the load that contacts cannot bear
-constexpr double believed = 1e-8;    // of what is left of the conditions for a minimum
+constexpr double rounding = 1e-10;  // of the largest singular value
+constexpr double unborne = 1e-9;    // share of the load that contacts cannot bear
+constexpr double believed = 1e-8;   // of what is left of the conditions for a minimum
 
 void require(bool holds, const std::string& rule) {
   if (!holds) throw std::invalid_argument(rule);
@@ -181,8 +181,8 @@ Eigen::VectorXd change_by_place(const Task& task, const LeastPoint& point,
     for (std::size_t i = 0; i < map.contacts(); ++i) {
       const Vector3 change = map.inward_change(i, by, way);
       const PadFrame& pad = map.frame(i);
-      de.middleCols<3>(4 * static_cast<Eigen::Index>(i))
-          << -dot(change, pad.x), -dot(change, pad.y), -dot(change, pad.z);
+      de.middleCols<3>(4 * static_cast<Eigen::Index>(i)) << -dot(change, pad.x),
+          -dot(change, pad.y), -dot(change, pad.z);
     }
     rows.bottomRows<1>() = task.in_cones(de);
   }
@@ -209,8 +209,8 @@ HeldSpaceGrasp with_deviations(const Task& task, const LeastPoint& point,
             contacts[by].covariance.data());
     const Eigen::Index first = map.first_joint(by);
     for (const Vector3 way : {map.frame(by).y, map.frame(by).z}) {
-      felt_by.col(column) = task.columns.felt(
-          task.along.cwiseProduct(change_by_place(task, point, felt, by, way)));
+      felt_by.col(column) =
+          task.columns.felt(task.along.cwiseProduct(change_by_place(task, point, felt, by, way)));
       torques_by.col(column) = map.torques() * felt_by.col(column);
       torques_by.col(column++).segment(first, map.first_joint(by + 1) - first) +=
           map.torque_change(by, way) * felt.segment<4>(4 * static_cast<Eigen::Index>(by));

@@ -60,8 +60,8 @@ class LeastPoint {
   void begin(const Eigen::VectorXd& start);
   void converge();
   struct Violation {
-    double size = 0.0;      ///< of x beyond its cone, or of its multiplier; over their sizes
-    std::size_t cone = 0;   ///< the worst
+    double size = 0.0;     ///< of x beyond its cone, or of its multiplier; over their sizes
+    std::size_t cone = 0;  ///< the worst
     Met rather = Met::inside;
   };
   [[nodiscard]] Violation worst() const;

@@ -29,10 +29,9 @@ double SpaceFingertipForce::deviation(SpaceContactValue value) const noexcept {
 SpaceContactPlace place_of(const SpaceFingertipForce& force) noexcept {
   using enum SpaceContactValue;
   SpaceContactPlace place = force.place;
-  place.covariance = {force.covariance_of(centre_y, centre_y),
-                      force.covariance_of(centre_y, centre_z),
-                      force.covariance_of(centre_z, centre_y),
-                      force.covariance_of(centre_z, centre_z)};
+  place.covariance = {
+      force.covariance_of(centre_y, centre_y), force.covariance_of(centre_y, centre_z),
+      force.covariance_of(centre_z, centre_y), force.covariance_of(centre_z, centre_z)};
   return place;
 }
 

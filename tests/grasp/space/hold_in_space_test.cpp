@@ -122,12 +122,11 @@ TEST_CASE("three fingers around a ball bear its weight alike", "[grasp]") {
   for (std::size_t i = 0; i < 3; ++i) {
     const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / 3.0;
     const Vector3 out{std::cos(angle), std::sin(angle), 0.0};
-    hand.fingers.push_back({.name = std::to_string(i), .place = out, .normal = out,
-                            .tangent = {0.0, 0.0, 1.0}});
+    hand.fingers.push_back(
+        {.name = std::to_string(i), .place = out, .normal = out, .tangent = {0.0, 0.0, 1.0}});
     hand.forces.push_back({.normal = 1.0});
   }
-  const HeldSpaceGrasp grasp =
-      held(hand, {.friction = {0.5, 0.5, 0.5}, .least = Least::forces});
+  const HeldSpaceGrasp grasp = held(hand, {.friction = {0.5, 0.5, 0.5}, .least = Least::forces});
   for (const SpaceAction& action : grasp.fingers) {
     CHECK_THAT(action.normal, WithinRel(2.0, 1e-12));
     CHECK_THAT(action.tangential_y, WithinRel(-1.0, 1e-12));
@@ -208,9 +207,8 @@ TEST_CASE("a hand in the plane holds the same in space", "[grasp][property]") {
       forces.push_back(force);
     }
     CAPTURE(i);
-    const HeldSpaceGrasp grasp =
-        held(embedded(plane, forces),
-             {.squeeze = flat_options.squeeze, .friction = flat_options.friction});
+    const HeldSpaceGrasp grasp = held(embedded(plane, forces), {.squeeze = flat_options.squeeze,
+                                                                .friction = flat_options.friction});
     double size = 0.0;
     double deviation = 0.0;
     for (const FingerAction& action : flat.fingers)
@@ -236,8 +234,7 @@ TEST_CASE("what holds does not depend on the frame or the units", "[grasp][prope
   const SpaceHoldOptions options{.friction = {0.7, 0.7, 0.7}};
   const std::vector<double> here = torques_of(held(hand, options));
   const Eigen::AngleAxisd turn(1.3, Eigen::Vector3d(1.0, -2.0, 0.5).normalized());
-  const std::vector<double> there =
-      torques_of(held(moved(hand, turn, {3.0, -1.0, 2.0}), options));
+  const std::vector<double> there = torques_of(held(moved(hand, turn, {3.0, -1.0, 2.0}), options));
   SpaceHand tiny = hand;  // millimetres as metres, kilonewtons
   for (std::size_t i = 0; i < 3; ++i) {
     tiny.fingers[i].place = 1e-3 * tiny.fingers[i].place;
@@ -269,8 +266,7 @@ TEST_CASE("deviations of what holds are those of small moves of the contacts",
   for (std::size_t i = 0; i < 3; ++i) {
     const auto places = hand.places();
     covariance.block<2, 2>(static_cast<Eigen::Index>(2 * i), static_cast<Eigen::Index>(2 * i)) =
-        Eigen::Map<const Eigen::Matrix<double, 2, 2, Eigen::RowMajor>>(
-            places[i].covariance.data());
+        Eigen::Map<const Eigen::Matrix<double, 2, 2, Eigen::RowMajor>>(places[i].covariance.data());
     for (int k = 0; k < 2; ++k) {
       const auto at = [&](double way) {
         SpaceHand other = hand;
@@ -320,8 +316,9 @@ TEST_CASE("what cannot be asked of a hand in space is refused", "[grasp]") {
         "forces");
   CHECK(message([](SpaceHand&, SpaceHoldOptions& o) { o.friction = {0.5}; }) ==
         "there must be one coefficient of friction for each finger, or none");
-  CHECK(message([](SpaceHand&, SpaceHoldOptions& o) { o.friction = {0.5, -0.5}; }) ==
-        "friction must be > 0 and finite");
+  CHECK(message([](SpaceHand&, SpaceHoldOptions& o) {
+          o.friction = {0.5, -0.5};
+        }) == "friction must be > 0 and finite");
   CHECK(message([](SpaceHand& h, SpaceHoldOptions&) { h.load.torque.x = NAN; }) ==
         "the external load must be finite");
   CHECK(message([](SpaceHand& h, SpaceHoldOptions&) {

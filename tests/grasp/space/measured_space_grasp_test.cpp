@@ -265,8 +265,9 @@ TEST_CASE("a finger in space that cannot be is refused by name", "[grasp]") {
         "finger 'finger 1': its normal and tangent must be at right angles");
   CHECK(message([](SpaceHand& h) { h.fingers[0].joints[1].axis = {}; }) ==
         "finger 'finger 0': a joint's place and axis must be finite, and its axis not zero");
-  CHECK(message([](SpaceHand& h) { h.fingers[0].jacobian = Matrix{6, 1, {0, 0, 0, 0, 0, 0}}; }) ==
-        "finger 'finger 0': joints and a Jacobian exclude each other");
+  CHECK(message([](SpaceHand& h) {
+          h.fingers[0].jacobian = Matrix{6, 1, {0, 0, 0, 0, 0, 0}};
+        }) == "finger 'finger 0': joints and a Jacobian exclude each other");
   CHECK(message([](SpaceHand& h) { h.forces[0].normal = -1.0; }) ==
         "finger 'finger 0': the normal force must be > 0: it points into the pad");
   CHECK(message([](SpaceHand& h) { h.forces[1].torsion = 0.1; }) ==

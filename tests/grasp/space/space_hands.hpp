@@ -39,9 +39,9 @@ inline SpaceHand random_space_hand(Random& random, std::size_t fingers, std::siz
                                    std::size_t soft) {
   SpaceHand hand;
   for (std::size_t i = 0; i < fingers; ++i) {
-    const double angle =
-        2.0 * std::numbers::pi * (static_cast<double>(i) + random.between(-0.2, 0.2)) /
-        static_cast<double>(fingers);
+    const double angle = 2.0 * std::numbers::pi *
+                         (static_cast<double>(i) + random.between(-0.2, 0.2)) /
+                         static_cast<double>(fingers);
     const Vector3 out{std::cos(angle), std::sin(angle), random.between(-0.3, 0.3)};
     SpaceFinger finger{.name = "finger " + std::to_string(i), .place = out, .normal = out};
     finger.tangent = cross(out, random_vector(random, 1.0));

@@ -2,9 +2,10 @@
 /// What the forces that skins feel mean for a hand in space: the torques at its joints, and how
 /// well they carry the load.
 ///
-///     const std::vector<SpaceFingertipForce> forces = ...;  // space_fingertip_force(answer.wrench)
-///     const MeasuredSpaceGrasp grasp = measured_grasp(fingers, forces, load);
-///     grasp.fingers[0].torques[1];  // of the second joint, with its deviation
+///     const std::vector<SpaceFingertipForce> forces = ...;  //
+///     space_fingertip_force(answer.wrench) const MeasuredSpaceGrasp grasp =
+///     measured_grasp(fingers, forces, load); grasp.fingers[0].torques[1];  // of the second joint,
+///     with its deviation
 #pragma once
 
 #include <array>

@@ -34,7 +34,9 @@ struct SpaceAction {
   std::vector<Uncertain> torques{};  ///< of the joints, from the palm
 
   /// |(F_y, F_z)|, and with torsion what counts against friction: |(F_y, F_z, T / radius)| [N].
-  [[nodiscard]] double tangential() const noexcept { return std::hypot(tangential_y, tangential_z); }
+  [[nodiscard]] double tangential() const noexcept {
+    return std::hypot(tangential_y, tangential_z);
+  }
   [[nodiscard]] double slipping() const noexcept {
     return std::hypot(tangential(), torsion_radius ? torsion / *torsion_radius : 0.0);
   }
