@@ -17,9 +17,7 @@ void measure(GraspResult& result, const std::vector<Finger>& fingers) {
   const auto& load = result.hand.load;
   MeasuredAnswer& answer = result.measured.emplace();
   answer.grasp = measured_grasp(fingers, forces, load.value_or(ExternalLoad{}));
-  require_finite(answer.grasp.fingers);
-  answer.margins = margins_of(result.hand.fingers, answer.grasp.fingers);
-  find_weak(result, GraspAnswer::measured, answer.grasp.fingers, answer.margins);
+  judge(result, GraspAnswer::measured, answer);
   answer.balanced = balanced(result, answer.grasp.chi_squared, balanced_limit);
 }
 
@@ -59,9 +57,7 @@ void hold_load(GraspResult& result, const std::vector<Finger>& fingers) {
                                .reason = error.reason()});
     return;
   }
-  require_finite(answer.grasp.fingers);
-  answer.margins = margins_of(hand.fingers, answer.grasp.fingers);
-  find_weak(result, GraspAnswer::held, answer.grasp.fingers, answer.margins);
+  judge(result, GraspAnswer::held, answer);
   const bool as_thesis = fingers.size() == 2 && fingers[0].links.size() == 2 &&
                          fingers[1].links.size() == 2 && hand.squeeze.grasping_force;
   if (as_thesis) {

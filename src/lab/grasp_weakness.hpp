@@ -61,6 +61,13 @@ void require_finite(const auto& actions) {
         throw std::domain_error("the torques overflow a double; choose other units");
 }
 
+/// Margins of what a grasp's fingers do, and what of it is weak.
+void judge(auto& result, GraspAnswer which, auto& answer) {
+  require_finite(answer.grasp.fingers);
+  answer.margins = margins_of(result.hand.fingers, answer.grasp.fingers);
+  find_weak(result, which, answer.grasp.fingers, answer.margins);
+}
+
 /// Whether the forces carry the load within their deviations; a failure if they do not.
 [[nodiscard]] std::optional<bool> balanced(auto& result, const std::optional<double>& chi_squared,
                                            double limit) {

@@ -16,9 +16,7 @@ void measure(SpaceGraspResult& result, const std::vector<SpaceFinger>& fingers) 
   for (const SpaceFingertip& tip : result.tips) forces.push_back(*tip.force);
   MeasuredSpaceAnswer& answer = result.measured.emplace();
   answer.grasp = measured_grasp(fingers, forces, result.hand.load.value_or(SpaceLoad{}));
-  require_finite(answer.grasp.fingers);
-  answer.margins = margins_of(result.hand.fingers, answer.grasp.fingers);
-  find_weak(result, GraspAnswer::measured, answer.grasp.fingers, answer.margins);
+  judge(result, GraspAnswer::measured, answer);
   answer.balanced = balanced(result, answer.grasp.chi_squared, balanced_space_limit);
   answer.internal = internal_forces(fingers, answer.grasp.fingers);
 }
@@ -55,9 +53,7 @@ void hold_load(SpaceGraspResult& result, const std::vector<SpaceFinger>& fingers
     result.refusal = {error.motion(), spread_of(result), error.least_squeeze()};
     return;
   }
-  require_finite(answer.grasp.fingers);
-  answer.margins = margins_of(hand.fingers, answer.grasp.fingers);
-  find_weak(result, GraspAnswer::held, answer.grasp.fingers, answer.margins);
+  judge(result, GraspAnswer::held, answer);
   answer.internal = internal_forces(fingers, answer.grasp.fingers);
   result.held = std::move(answer);
 }

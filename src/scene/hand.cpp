@@ -216,18 +216,6 @@ HandFinger read_finger(Table table, double radian, const References& references,
   return result;
 }
 
-ExternalLoad read_load(Table table) {
-  ExternalLoad load;
-  const auto force = table.value("force");
-  load.force = vector_of(force);
-  const auto point = force ? table.required("point", "where the force acts: point = [0.0, 0.08]")
-                           : table.value("point");
-  load.point = vector_of(point);
-  load.torque = number_or(table.value("torque"), any_number, 0.0);
-  table.finish();
-  return load;
-}
-
 void read_grasp(Table table, Hand& hand) {
   const auto grasping_force = table.value("grasping_force");
   const auto squeeze = table.value("squeeze");
@@ -260,7 +248,10 @@ void read_hand_tables(Table& root, const References& references, Hand& hand) {
       for (Table& table : *tables)
         hand.fingers.push_back(read_finger(std::move(table), radian, references, hand.fingers));
     }
-  if (const auto load = table_of(root.value("load"))) hand.load = read_load(*load);
+  if (const auto load = table_of(root.value("load")))
+    hand.load = read_load<ExternalLoad>(
+        *load, "where the force acts: point = [0.0, 0.08]", vector_of,
+        [](const auto& torque) { return number_or(torque, any_number, 0.0); });
   if (const auto grasp = table_of(root.value("grasp"))) read_grasp(*grasp, hand);
   root.finish();
 }

@@ -46,6 +46,23 @@ void refuse_others(Table& table, std::string_view kind, Keys keys, std::string_v
 /// `title` and `units`.
 void read_heading(Table& root, std::string& title, bool& si);
 
+/// The table [load]: `force` with its `point`, and `torque`.
+///
+/// @param example  of a point
+/// @param vector   reads a force or a point; @param moment  reads a torque
+template <class Load>
+[[nodiscard]] Load read_load(Table table, std::string_view example, const auto& vector,
+                             const auto& moment) {
+  Load load;
+  const auto force = table.value("force");
+  load.force = vector(force);
+  const auto point = force ? table.required("point", example) : table.value("point");
+  load.point = vector(point);
+  load.torque = moment(table.value("torque"));
+  table.finish();
+  return load;
+}
+
 /// `friction_used`, and `friction` of every finger that has none of its own.
 void read_friction(Table& table, std::optional<double>& used, auto& fingers) {
   if (const auto friction = table.value("friction"))

@@ -214,18 +214,6 @@ SpaceHandFinger read_finger(Table table, const References& references,
   return result;
 }
 
-SpaceLoad read_load(Table table) {
-  SpaceLoad load;
-  const auto force = table.value("force");
-  load.force = vector_of(force);
-  const auto point = force ? table.required("point", "where the force acts: point = [0, 0, 0.1]")
-                           : table.value("point");
-  load.point = vector_of(point);
-  load.torque = vector_of(table.value("torque"));
-  table.finish();
-  return load;
-}
-
 /// What is least where the file does not say: torques, if all joints are known and of one kind.
 Least usual(const SpaceHand& hand) {
   bool slide = false;
@@ -267,7 +255,9 @@ void read_space_hand(Table& root, const References& references, SpaceHand& hand)
         names.push_back(hand.fingers.back().finger.name);
       }
   hand.least = usual(hand);
-  if (const auto load = table_of(root.value("load"))) hand.load = read_load(*load);
+  if (const auto load = table_of(root.value("load")))
+    hand.load = read_load<SpaceLoad>(*load, "where the force acts: point = [0, 0, 0.1]", vector_of,
+                                     vector_of);
   if (const auto grasp = table_of(root.value("grasp"))) read_grasp(*grasp, hand);
   root.finish();
 }
