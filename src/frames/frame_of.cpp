@@ -40,6 +40,12 @@ std::vector<double> readings_of_frame(const std::filesystem::path& file, const S
   return frame_at(readings.source(), file.string(), number);
 }
 
+std::vector<double> readings_of_frame(const std::filesystem::path& file, const SkinScene& scene,
+                                      std::size_t number, const ReadingsOptions& options) {
+  ReadingsFile readings(file.string(), scene, nullptr, options);
+  return frame_at(readings.source(), file.string(), number);
+}
+
 TractionField tractions_of_frame(const std::filesystem::path& file, std::size_t number) {
   const std::string path = file.string();
   std::ifstream stream = open_frames(path);

@@ -1,10 +1,10 @@
 #include "tactile_net/grasp/measured_grasp.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "grasp/chi_squared.hpp"
 #include "grasp/grasp_map.hpp"
 #include "numeric/eigen.hpp"
 
@@ -39,16 +39,6 @@ void add_squeeze(MeasuredGrasp& result, const GraspMap& map, const Eigen::Vector
     gradient(static_cast<Eigen::Index>(3 * k + 2)) -=
         std::copysign(1.0, pressed) * dot(map.inward_change(0, k), load.force);
   result.grasping_force = Uncertain{squeeze - std::abs(pressed), deviation()};
-}
-
-/// unbalanced' C^-1 unbalanced, by the correlations, so that units do not matter.
-std::optional<double> chi_squared(const Eigen::Vector3d& unbalanced, const Eigen::Matrix3d& c) {
-  const Eigen::Vector3d scale = c.diagonal().cwiseMax(0.0).cwiseSqrt();
-  if (!(scale.minCoeff() > 0.0)) return std::nullopt;
-  const Eigen::Vector3d inverse = scale.cwiseInverse();
-  const Eigen::LLT<Eigen::Matrix3d> root(inverse.asDiagonal() * c * inverse.asDiagonal());
-  if (root.info() != Eigen::Success || root.rcond() < 1e-12) return std::nullopt;
-  return root.matrixL().solve(inverse.cwiseProduct(unbalanced)).squaredNorm();
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
+#include "lab/referred_file.hpp"
 #include "numeric/named.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
@@ -57,37 +57,6 @@ void press(Fingertip& tip, const UncertainResultant& resultant, double breadth) 
                   ", outside the fingertip, which ends at " + brief(end));
 }
 
-/// Reads a file that the hand refers to. What such a file holds is not told: whoever wrote the hand
-/// would have chosen whose. Of what is wrong inside it only the place is left.
-auto unquoted(const char* advice, const auto& read) {
-  try {
-    return read();
-  } catch (const InputError& error) {
-    std::vector<Diagnostic> told = error.diagnostics();
-    for (Diagnostic& one : told) {
-      one.source.clear();
-      if (one.line == 0) continue;
-      one.message = "the file that the hand refers to is not in order here";
-      one.hint = std::string("its text is not shown here: ") + advice;
-    }
-    throw InputError(std::move(told));
-  }
-}
-
-/// A device never ends, a pipe may never begin.
-void require_regular(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_directory(status) &&
-      !std::filesystem::is_regular_file(status))
-    throw InputError({{.file = file.string(),
-                       .message = "is not a regular file",
-                       .hint = "save it to a file first"}});
-}
-
-constexpr const char* explain_scene = "tactile-net run FILE --explain says what is wrong";
-constexpr const char* explain_readings =
-    "tactile-net solve SCENE --readings FILE says what is wrong";
 constexpr const char* explain_tractions = "docs/hand.md says what it should hold";
 
 constexpr Named<Fingertip::Source> sources[] = {{Fingertip::Source::assumed, "assumed"},
@@ -133,11 +102,7 @@ std::vector<double> FingertipMaker::readings_of(Fingertip& tip, const FingertipS
       return frame_of_.readings(folder_ / *source.readings, scene, source.frame);
     });
   }
-  if (scene.contacts.empty())
-    throw InputError({{.file = (folder_ / source.scene).string(),
-                       .message = "nothing presses on this fingertip",
-                       .hint = "name recorded readings in the hand's file: readings = \"FILE.csv\""
-                               ", or give the scene a [[contact]]"}});
+  if (scene.contacts.empty()) throw nothing_presses(folder_ / source.scene);
   SimulatedFrame simulated = simulate(scene);
   tip.remarks.insert(tip.remarks.end(), simulated.remarks.begin(), simulated.remarks.end());
   tip.remarks.insert(tip.remarks.end(), simulated.notes.begin(), simulated.notes.end());

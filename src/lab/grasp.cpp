@@ -6,58 +6,10 @@
 #include <utility>
 
 #include "lab/fingertip_maker.hpp"
+#include "lab/grasp_weakness.hpp"
 
 namespace tactile_net::lab {
 namespace {
-
-std::vector<FingerMargins> margins_of(const Hand& hand, const std::vector<FingerAction>& actions) {
-  std::vector<FingerMargins> margins;
-  for (std::size_t i = 0; i < actions.size(); ++i) {
-    const HandFinger& finger = hand.fingers[i];
-    FingerMargins one;
-    if (finger.friction) one.friction = friction_margin(actions[i], *finger.friction);
-    for (std::size_t j = 0; j < finger.torque_limits.size(); ++j)
-      one.torques.push_back(torque_margin(actions[i].torques[j].value, finger.torque_limits[j]));
-    margins.push_back(std::move(one));
-  }
-  return margins;
-}
-
-/// Finds what of one answer cannot hold, or only just does.
-void find_weak(GraspResult& result, GraspAnswer answer, const std::vector<FingerAction>& actions,
-               const std::vector<FingerMargins>& margins) {
-  using Weak = GraspRemark::Kind;
-  using Failed = GraspFailure::Kind;
-  for (std::size_t i = 0; i < actions.size(); ++i) {
-    const auto& friction = margins[i].friction;
-    if (is_idle(actions[i]))
-      result.remarks.push_back({Weak::idle, answer, i});
-    else if (!(actions[i].normal > 0.0))
-      result.failures.push_back(
-          {.kind = Failed::pulls, .answer = answer, .finger = i, .number = -actions[i].normal});
-    else if (friction && friction->verdict == ContactVerdict::slips)
-      result.failures.push_back({.kind = Failed::slips,
-                                 .answer = answer,
-                                 .finger = i,
-                                 .number = -friction->distance.value});
-    else if (friction && friction->distance.value < 2.0 * friction->distance.deviation)
-      result.remarks.push_back({Weak::near_slipping, answer, i});
-    for (std::size_t j = 0; j < margins[i].torques.size(); ++j)
-      if (margins[i].torques[j].left < 0.0)
-        result.failures.push_back({.kind = Failed::beyond_limit,
-                                   .answer = answer,
-                                   .finger = i,
-                                   .joint = j,
-                                   .number = -margins[i].torques[j].left});
-  }
-}
-
-void require_finite(const std::vector<FingerAction>& actions) {
-  for (const FingerAction& action : actions)
-    for (const Uncertain& torque : action.torques)
-      if (!std::isfinite(torque.value) || !std::isfinite(torque.deviation))
-        throw std::domain_error("the torques overflow a double; choose other units");
-}
 
 void measure(GraspResult& result, const std::vector<Finger>& fingers) {
   std::vector<FingertipForce> forces;
@@ -65,14 +17,8 @@ void measure(GraspResult& result, const std::vector<Finger>& fingers) {
   const auto& load = result.hand.load;
   MeasuredAnswer& answer = result.measured.emplace();
   answer.grasp = measured_grasp(fingers, forces, load.value_or(ExternalLoad{}));
-  require_finite(answer.grasp.fingers);
-  answer.margins = margins_of(result.hand, answer.grasp.fingers);
-  find_weak(result, GraspAnswer::measured, answer.grasp.fingers, answer.margins);
-  const auto& chi_squared = answer.grasp.chi_squared;
-  if (!load || !chi_squared) return;
-  answer.balanced = *chi_squared <= balanced_limit;
-  if (!*answer.balanced)
-    result.failures.push_back({.kind = GraspFailure::Kind::unbalanced, .number = *chi_squared});
+  judge(result, GraspAnswer::measured, answer);
+  answer.balanced = balanced(result, answer.grasp.chi_squared, balanced_limit);
 }
 
 /// The thesis' torques beside the general ones, for two fingers of two links.
@@ -111,9 +57,7 @@ void hold_load(GraspResult& result, const std::vector<Finger>& fingers) {
                                .reason = error.reason()});
     return;
   }
-  require_finite(answer.grasp.fingers);
-  answer.margins = margins_of(hand, answer.grasp.fingers);
-  find_weak(result, GraspAnswer::held, answer.grasp.fingers, answer.margins);
+  judge(result, GraspAnswer::held, answer);
   const bool as_thesis = fingers.size() == 2 && fingers[0].links.size() == 2 &&
                          fingers[1].links.size() == 2 && hand.squeeze.grasping_force;
   if (as_thesis) {
@@ -142,10 +86,7 @@ GraspResult hold(const Hand& hand, const FrameOf& frame_of, Observer& observer) 
                                  [](const Fingertip& tip) { return tip.force.has_value(); });
   const bool asked =
       (hand.load || hand.squeeze.grasping_force || hand.squeeze.squeeze) && fingers.size() >= 2;
-  if (!known && !asked)
-    throw std::invalid_argument(
-        "nothing to compute: no contact's force is known, and there is neither a [load] nor a "
-        "squeeze for two fingers to hold");
+  if (!known && !asked) throw std::invalid_argument(nothing_to_compute);
   if (known) measure(result, fingers);
   if (asked) hold_load(result, fingers);
   return result;

@@ -1,27 +1,14 @@
 #include "tactile_net/network/realization.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "inverse/stabiliser.hpp"
+#include "network/rounding.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
-namespace {
-
-/// Sets entries to 0 that are only rounding: below eps/2 times the largest, or below the accuracy
-/// `known_to` of the matrix. Kept, each would become a resistor of absurd value.
-void drop_rounding(Matrix& matrix, double known_to) {
-  double largest = 0.0;
-  for (const double value : matrix.values) largest = std::max(largest, std::abs(value));
-  const double floor = std::max(0.5 * std::numeric_limits<double>::epsilon() * largest, known_to);
-  for (double& value : matrix.values)
-    if (std::abs(value) <= floor) value = 0.0;
-}
-
-}  // namespace
 
 NetworkProblem network_problem(const InverseProblem& problem, double alpha,
                                std::span<const double> readings) {

@@ -1,8 +1,7 @@
 #include "tactile_net/pages/grasp_page.hpp"
 
-#include "pages/parts.hpp"
+#include "pages/grasp_parts.hpp"
 #include "tactile_net/drawing/figure.hpp"
-#include "tactile_net/drawing/html.hpp"
 #include "tactile_net/pages/hand_drawing.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
 
@@ -10,10 +9,8 @@ namespace tactile_net::pages {
 namespace {
 
 using drawing::element;
-using drawing::escaped;
 using drawing::figure_html;
 using drawing::html_list;
-using drawing::html_table;
 using report::answers;
 using report::balance_in_words;
 using report::contact_cells;
@@ -24,44 +21,21 @@ using report::sources_in_words;
 using report::torque_cells;
 using report::warnings_in_words;
 
-std::string key(const std::string& type, const std::string& words) {
-  return "<span class=\"key-" + type + "\">" + escaped(words) + "</span>";
-}
-
 std::string caption(const lab::GraspResult& grasp) {
-  std::string html = "Forces on the object: ";
-  if (grasp.measured)
-    html += key("measured", grasp.held ? "as measured (thin arrows, blue)" : "as measured (blue)");
-  if (grasp.measured && grasp.held) html += ", ";
-  if (grasp.held)
-    html += key("held", grasp.measured ? "what would hold the load (thick, orange)"
-                                       : "what would hold the load (orange)");
-  if (grasp.hand.load) html += ", and " + key("load", "the load (green)");
-  html += ".";
-  bool any = false;
-  for (const HandFinger& finger : grasp.hand.fingers) any = any || finger.friction.has_value();
-  if (any)
-    html +=
-        " A force holds while its arrow stays inside its grey cone of friction, whose length "
-        "means nothing.";
-  if (grasp.measured && grasp.held)
-    html +=
-        " Where thin and thick arrows of a finger part, the fingers do not press as the load "
-        "asks.";
-  return html + " Lengths are to scale in both directions" +
+  return arrows_caption({.measured = grasp.measured.has_value(),
+                         .held = grasp.held.has_value(),
+                         .load = grasp.hand.load.has_value(),
+                         .cones = has_friction(grasp.hand.fingers)}) +
+         " Lengths are to scale in both directions" +
          (grasp.hand.fingers.size() > 1 ? "; dashes join the contacts." : ".");
 }
 
 std::string tables(const lab::GraspResult& grasp, const std::string& title,
                    const std::vector<FingerAction>& actions,
                    const std::vector<lab::FingerMargins>& margins) {
-  report::Cells torques = torque_cells(grasp, actions, margins);
-  for (std::size_t i = 1; i < torques.size(); ++i)  // a card stands alone
-    if (torques[i][0].empty()) torques[i][0] = torques[i - 1][0];
-  return element("h2", title) + "<div class=\"cards\">" +
-         verdict_table(contact_cells(grasp, actions, margins)) + "</div>" +
-         element("p", "Torques, counter-clockwise, joints from the palm to the tip:", "quiet") +
-         html_table(torques);
+  return grasp_tables(title, contact_cells(grasp, actions, margins),
+                      torque_cells(grasp, actions, margins),
+                      "Torques, counter-clockwise, joints from the palm to the tip:");
 }
 
 }  // namespace

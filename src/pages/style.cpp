@@ -98,6 +98,9 @@ figure.skin { max-width: none; margin: 0 0 2rem; } .frame[hidden] { display: non
 .ramp { flex: 0 1 14rem; min-width: 6rem; height: .8rem; border: 1px solid var(--rule); } .arrow-key { margin-left: .8rem; white-space: nowrap; }
 .arrow-key svg { width: 2.6rem; height: .9rem; vertical-align: -.1rem; } .picture path.true { stroke-dasharray: 5 4; stroke-width: 1.6; }
 .hand { width: 100%; max-width: 46rem; max-height: 38rem; display: block; }
+.views { display: flex; flex-wrap: wrap; gap: .5rem 2rem; align-items: flex-end; } .views svg { max-width: 100%; }
+figure.sheet { max-width: none; }
+.views p { margin: .2rem 0; } .hand .axis { stroke: var(--ink); stroke-width: 1.5; } .hand .rim { stroke: var(--ink); stroke-width: 1.5; }
 .hand polyline { fill: none; stroke-linecap: round; stroke-linejoin: round; }
 .hand .palm { stroke: var(--limb); stroke-width: 22; opacity: .55; } .hand .link { stroke: var(--limb); stroke-width: 13; }
 .hand .joint { fill: var(--paper); stroke: var(--ink); stroke-width: 2.5; }

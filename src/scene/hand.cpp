@@ -10,29 +10,22 @@
 #include <utility>
 
 #include "scene/document.hpp"
-#include "scene/references.hpp"
-#include "scene/table.hpp"
+#include "scene/hand_parts.hpp"
+#include "scene/space_hand_tables.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/bounded_text.hpp"
+#include "tactile_net/scene/space_hand.hpp"
 
 namespace tactile_net {
 
 namespace {
 
+using namespace hand_parts;
+
 constexpr FileKind hand_file{"hand",
                              "the smallest hand is one [[finger]] with base, links, angles, pad = "
                              "{ center, half_width } and "
                              "contact = { normal, tangential, center }"};
-
-std::optional<Table> table_of(const std::optional<Value>& value) {
-  return value ? value->table() : std::nullopt;
-}
-
-constexpr Rule share{"must be > 0 and <= 1", [](double x) noexcept { return x > 0.0 && x <= 1.0; }};
-
-double number_or(const std::optional<Value>& value, const Rule& rule, double otherwise) {
-  return value ? value->number(rule).value_or(otherwise) : otherwise;
-}
 
 Vector2 vector_of(const std::optional<Value>& value) {
   if (!value) return {};
@@ -45,18 +38,6 @@ Vector2 vector_of(const std::optional<Value>& value) {
   return {(*list)[0].number(any_number).value_or(0.0), (*list)[1].number(any_number).value_or(0.0)};
 }
 
-/// Text that is a path; relative ones are below the hand's folder.
-std::filesystem::path path_of(const Value& value, const References& references) {
-  const std::string text = value.text().value_or("-");
-  if (text.empty())
-    value.problem("must name a file", "paths are relative to the hand's folder");
-  else if (!references.allow(text))
-    value.misfit("must name a file beside the hand's file or below its folder",
-                 "a hand from somewhere else could have any file read; of your own hand: "
-                 "grasp --allow-outside");
-  return text;
-}
-
 /// y*, which must be on the pad, if that is known.
 double read_center(Table& table, std::optional<double> half_width) {
   const auto value = table.required("center", "where on the pad: center = 0.0");
@@ -67,36 +48,11 @@ double read_center(Table& table, std::optional<double> half_width) {
   return center.value_or(0.0);
 }
 
-std::size_t read_frame(Table& table) {
-  const auto value = table.value("frame");
-  return value ? static_cast<std::size_t>(value->integer(0, INT64_MAX).value_or(0)) : 0;
-}
-
-using Keys = std::initializer_list<const char*>;
+constexpr std::string_view kinds =
+    "a contact is a scene, tractions, a resultant, or a center alone";
 
 constexpr Keys resultant_keys = {"normal",           "tangential",           "center",
                                  "normal_deviation", "tangential_deviation", "center_deviation"};
-
-/// Keys of the other kinds of contact.
-void refuse_others(Table& table, std::string_view kind, Keys keys) {
-  const std::string why = "has no place beside " + std::string{kind};
-  for (const char* key : keys)
-    table.not_here(key, why, "a contact is a scene, tractions, a resultant, or a center alone");
-}
-
-FingertipScene read_fingertip_scene(Table& table, const Value& scene,
-                                    const References& references) {
-  FingertipScene tip{.scene = path_of(scene, references), .readings = {}};
-  if (const auto readings = table.value("readings")) {
-    tip.readings = path_of(*readings, references);
-    tip.frame = read_frame(table);
-  } else {
-    table.not_here("frame", "has no place without readings", "add readings = \"FILE.csv\"");
-  }
-  refuse_others(table, "contact.scene", resultant_keys);
-  refuse_others(table, "contact.scene", {"tractions", "pitch"});
-  return tip;
-}
 
 TractionFile read_traction_file(Table& table, const Value& tractions,
                                 const References& references) {
@@ -104,8 +60,8 @@ TractionFile read_traction_file(Table& table, const Value& tractions,
   file.pitch = number_or(table.required("pitch", "the distance of the taxels: pitch = 0.5e-3"),
                          positive, 1.0);
   file.frame = read_frame(table);
-  refuse_others(table, "contact.tractions", resultant_keys);
-  refuse_others(table, "contact.tractions", {"readings"});
+  refuse_others(table, "contact.tractions", resultant_keys, kinds);
+  refuse_others(table, "contact.tractions", {"readings"}, kinds);
   return file;
 }
 
@@ -129,9 +85,9 @@ FingertipForce read_resultant(Table& table, const Value& normal, const ContactPl
 
 /// A contact whose place is in the hand's file.
 ContactSource read_place(Table& table, std::optional<double> half_width) {
-  refuse_others(table, "a contact without scene", {"readings"});
-  refuse_others(table, "a contact without tractions", {"pitch"});
-  refuse_others(table, "a contact without a file", {"frame"});
+  refuse_others(table, "a contact without scene", {"readings"}, kinds);
+  refuse_others(table, "a contact without tractions", {"pitch"}, kinds);
+  refuse_others(table, "a contact without a file", {"frame"}, kinds);
   ContactPlace place;
   place.centre = read_center(table, half_width);
   place.deviation = number_or(table.value("center_deviation"), not_negative, 0.0);
@@ -145,12 +101,15 @@ ContactSource read_place(Table& table, std::optional<double> half_width) {
 ContactSource read_contact(Table table, std::optional<double> half_width,
                            const References& references) {
   ContactSource source;
-  if (const auto scene = table.value("scene"))
+  if (const auto scene = table.value("scene")) {
     source = read_fingertip_scene(table, *scene, references);
-  else if (const auto tractions = table.value("tractions"))
+    refuse_others(table, "contact.scene", resultant_keys, kinds);
+    refuse_others(table, "contact.scene", {"tractions", "pitch"}, kinds);
+  } else if (const auto tractions = table.value("tractions")) {
     source = read_traction_file(table, *tractions, references);
-  else
+  } else {
     source = read_place(table, half_width);
+  }
   table.finish();
   return source;
 }
@@ -183,18 +142,6 @@ void read_pad(Table table, double radian, bool from_array, HandFinger& result) {
   table.finish();
 }
 
-std::string read_name(Table& table, std::span<const HandFinger> before) {
-  const auto value = table.value("name");
-  if (!value) return "finger " + std::to_string(before.size() + 1);
-  const std::string name = value->text().value_or("");
-  if (name.empty() || name.find_first_of("\r\n") != std::string::npos)
-    value->problem("must be a name on one line", "name = \"index\"");
-  if (std::any_of(before.begin(), before.end(),
-                  [&](const HandFinger& other) { return other.finger.name == name; }))
-    value->misfit("must not be another finger's");
-  return name;
-}
-
 std::vector<double> read_links(Table& table) {
   const auto value =
       table.required("links", "the lengths, from the palm to the tip: links = [0.05, 0.04]");
@@ -205,17 +152,8 @@ std::vector<double> read_links(Table& table) {
   return links.value_or(std::vector<double>{});
 }
 
-/// One number for each link, where the links are known.
-std::vector<double> read_for_links(const Value& value, const Rule& rule, std::size_t links) {
-  const std::vector<double> values = value.numbers(rule).value_or(std::vector<double>{});
-  if (!values.empty() && links != 0 && values.size() != links)
-    value.problem("must hold one number for each link (" + std::to_string(links) + " links, got " +
-                  std::to_string(values.size()) + ')');
-  return values;
-}
-
 std::vector<double> read_angles(const Value& value, double radian, std::size_t links) {
-  std::vector<double> angles = read_for_links(value, any_number, links);
+  std::vector<double> angles = read_for_each(value, any_number, links, "link");
   for (double& angle : angles) angle *= radian;
   if (const auto list = value.list("numbers"); list && list->empty() && links != 0)
     value.problem("must hold one number for each link");
@@ -242,11 +180,17 @@ void refuse_straight(const HandFinger& result, const Value& angles) {
                    "bend finger '" + finger.name + "'");
 }
 
+std::vector<std::string> names_of(std::span<const HandFinger> fingers) {
+  std::vector<std::string> names;
+  for (const HandFinger& finger : fingers) names.push_back(finger.finger.name);
+  return names;
+}
+
 HandFinger read_finger(Table table, double radian, const References& references,
                        std::span<const HandFinger> before) {
   HandFinger result;
   Finger& finger = result.finger;
-  finger.name = read_name(table, before);
+  finger.name = read_name(table, names_of(before));
   finger.base = vector_of(table.required("base", "the first joint's place: base = [-0.03, 0.0]"));
   finger.direction = radian * number_or(table.value("direction"), any_number, 0.0);
   finger.links = read_links(table);
@@ -254,7 +198,7 @@ HandFinger read_finger(Table table, double radian, const References& references,
       "angles", "of each link from the one before, counter-clockwise: angles = [0.5, -1.0]");
   if (angles) finger.angles = read_angles(*angles, radian, finger.links.size());
   if (const auto limits = table.value("torque_limits"))
-    result.torque_limits = read_for_links(*limits, positive, finger.links.size());
+    result.torque_limits = read_for_each(*limits, positive, finger.links.size(), "link");
   if (const auto friction = table.value("friction")) result.friction = friction->number(positive);
   auto contact = table_of(table.required(
       "contact",
@@ -270,18 +214,6 @@ HandFinger read_finger(Table table, double radian, const References& references,
   }
   table.finish();
   return result;
-}
-
-ExternalLoad read_load(Table table) {
-  ExternalLoad load;
-  const auto force = table.value("force");
-  load.force = vector_of(force);
-  const auto point = force ? table.required("point", "where the force acts: point = [0.0, 0.08]")
-                           : table.value("point");
-  load.point = vector_of(point);
-  load.torque = number_or(table.value("torque"), any_number, 0.0);
-  table.finish();
-  return load;
 }
 
 void read_grasp(Table table, Hand& hand) {
@@ -300,67 +232,84 @@ void read_grasp(Table table, Hand& hand) {
   }
   if ((grasping_force || squeeze) && hand.fingers.size() == 1)
     (grasping_force ? grasping_force : squeeze)->problem("needs at least two fingers");
-  if (const auto friction = table.value("friction"))
-    if (const auto mu = friction->number(positive))
-      for (HandFinger& finger : hand.fingers)
-        if (!finger.friction) finger.friction = *mu;
-  if (const auto used = table.value("friction_used")) {
-    hand.friction_used = used->number(share);
-    for (const HandFinger& finger : hand.fingers)
-      if (!finger.friction) {
-        used->problem("needs the friction of finger '" + finger.finger.name + "'",
-                      "friction = 0.6 under [grasp] holds for every finger");
-        break;
-      }
-  }
+  read_friction(table, hand.friction_used, hand.fingers);
   table.finish();
 }
 
 void read_hand_tables(Table& root, const References& references, Hand& hand) {
-  if (const auto title = root.value("title")) {
-    hand.title = title->text().value_or("");
-    if (hand.title.find_first_of("\r\n") != std::string::npos)
-      title->problem("must be one line", "say more in comments");
-  }
+  read_heading(root, hand.title, hand.si);
   constexpr std::array<std::string_view, 2> units = {"radians", "degrees"};
   double radian = 1.0;
   if (const auto unit = root.value("angles_in"))
     if (unit->one_of("unit of angles", units) == std::size_t{1}) radian = std::numbers::pi / 180.0;
-  constexpr std::array<std::string_view, 1> systems = {"SI"};
-  if (const auto system = root.value("units"))
-    hand.si = system->one_of("system of units", systems).has_value();
   if (const auto fingers = root.required("finger", "one [[finger]] for each finger"))
     if (auto tables = fingers->tables()) {
       if (tables->empty()) fingers->problem("must name at least one finger", "[[finger]]");
       for (Table& table : *tables)
         hand.fingers.push_back(read_finger(std::move(table), radian, references, hand.fingers));
     }
-  if (const auto load = table_of(root.value("load"))) hand.load = read_load(*load);
+  if (const auto load = table_of(root.value("load")))
+    hand.load = read_load<ExternalLoad>(
+        *load, "where the force acts: point = [0.0, 0.08]", vector_of,
+        [](const auto& torque) { return number_or(torque, any_number, 0.0); });
   if (const auto grasp = table_of(root.value("grasp"))) read_grasp(*grasp, hand);
   root.finish();
 }
 
-Hand parse_named(std::string_view text, const std::string& file, const std::filesystem::path& path,
-                 const HandOptions& options) {
+/// A hand in space says where its pads' normals point; one of the plane has links.
+bool is_in_space(const toml::table& toml) {
+  const auto* fingers = toml["finger"].as_array();
+  const auto* first =
+      fingers != nullptr && !fingers->empty() ? fingers->front().as_table() : nullptr;
+  return first != nullptr && !first->contains("links") &&
+         (first->contains("normal") || first->contains("place") || first->contains("tangent"));
+}
+
+AnyHand parse_named(std::string_view text, const std::string& file,
+                    const std::filesystem::path& path, const HandOptions& options) {
   text = without_byte_order_mark(text);
   Problems problems{file, text, hand_file};
   const toml::table toml = parse_document(text, file, problems);
-  Hand hand;
-  hand.file = path.filename().string();
-  hand.folder = path.has_parent_path() ? path.parent_path() : ".";  // never "-", standard input
   Table root{toml, "", problems};
-  read_hand_tables(root, {hand.folder, options.allow_outside}, hand);
+  const std::string name = path.filename().string();
+  // never "-", standard input
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  AnyHand any;
+  if (is_in_space(toml)) {
+    SpaceHand hand{.file = name, .folder = folder};
+    read_space_hand(root, {folder, options.allow_outside}, hand);
+    any = std::move(hand);
+  } else {
+    Hand hand{.file = name, .folder = folder};
+    read_hand_tables(root, {folder, options.allow_outside}, hand);
+    any = std::move(hand);
+  }
   problems.throw_if_any();
-  return hand;
+  return any;
+}
+
+Hand of_the_plane(AnyHand any, const std::string& file) {
+  if (auto* hand = std::get_if<Hand>(&any)) return std::move(*hand);
+  throw InputError({{.file = file,
+                     .message = "is of a hand in space",
+                     .hint = "read_any_hand (scene/space_hand.hpp) reads both"}});
 }
 
 }  // namespace
 
 Hand read_hand(const std::filesystem::path& path, const HandOptions& options) {
-  return parse_named(input_text(path), path.string(), path, options);
+  return of_the_plane(read_any_hand(path, options), path.string());
 }
 
 Hand parse_hand(std::string_view toml, const std::string& file, const HandOptions& options) {
+  return of_the_plane(parse_any_hand(toml, file, options), file);
+}
+
+AnyHand read_any_hand(const std::filesystem::path& path, const HandOptions& options) {
+  return parse_named(input_text(path), path.string(), path, options);
+}
+
+AnyHand parse_any_hand(std::string_view toml, const std::string& file, const HandOptions& options) {
   return parse_named(toml, file, file, options);
 }
 

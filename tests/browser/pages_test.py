@@ -33,6 +33,7 @@ COMMANDS = [
     ("certify one frequency", 1, ["certify", "circuits/lc.toml"]),
     ("tradeoff", 3, ["tradeoff", "thesis/cylinder.toml", "--digital"]),
     ("grasp", 1, ["grasp", "hands/two-fingers.toml"]),
+    ("grasp in space", 1, ["grasp", "hands/box.toml"]),
     ("sweep", 4, ["sweep", "sweeps/depth.toml"]),
     ("solve", 3, ["solve", "recorded/thin-pad.toml", "--readings", SCENES + "/recorded/thin-pad.csv"]),
 ]

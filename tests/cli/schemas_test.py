@@ -158,6 +158,12 @@ with tempfile.TemporaryDirectory() as place:
     check("plan", written("plan", scenes / "fingertip.toml", "-q"), "a plan")
     for hand in (scenes / "hands" / "two-fingers.toml", scenes / "hands" / "three-fingers.toml", recorded / "hand.toml"):
         check("grasp", written("grasp", hand), hand)
+    for hand in ("box.toml", "ball.toml"):
+        check("space_grasp", written("grasp", scenes / "hands" / hand), hand)
+    slippery = place / "slippery.toml"
+    slippery.write_text((scenes / "hands" / "ball.toml").read_text()
+                        .replace("friction = 0.6", "friction = 0.2").replace("-1.5]", "1.5]"))
+    check("space_grasp", written("grasp", slippery, status=1), "a ball that nothing holds")
     small = place / "small.toml"
     small.write_text('[sensor]\ncount = 5\npitch = 1.0\ndepth = 1.0\nreads = ["stress_x"]\n[material]\n'
                      'youngs_modulus = 1.0\npoisson_ratio = 0.3\n[[contact]]\nshape = "cylinder"\n'

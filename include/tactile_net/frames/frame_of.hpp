@@ -8,6 +8,7 @@
 
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/skin_scene.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 
 namespace tactile_net::frames {
@@ -18,6 +19,11 @@ namespace tactile_net::frames {
 /// @throw InputError  as `ReadingsFile`; there are not that many frames
 [[nodiscard]] std::vector<double> readings_of_frame(const std::filesystem::path& file,
                                                     const Scene& scene, std::size_t number,
+                                                    const ReadingsOptions& options = {});
+
+/// The same of a skin. @return  in the order of the skin's readings
+[[nodiscard]] std::vector<double> readings_of_frame(const std::filesystem::path& file,
+                                                    const SkinScene& scene, std::size_t number,
                                                     const ReadingsOptions& options = {});
 
 /// @param file    tractions as `solve` writes them, CSV

@@ -10,6 +10,7 @@ enum class NoHold {
   undetermined,           ///< part of the contact forces costs no torque, so that none is the least
   beyond_cones,           ///< no forces within the friction cones are in equilibrium with the load
   beyond_cones_squeezed,  ///< nor with the load and the squeeze that was asked for
+  no_forces,              ///< no forces of these contacts at all, of whatever sign, carry the load
   not_found,              ///< the search for the least torques within the cones did not end
 };
 
@@ -23,6 +24,8 @@ enum class NoHold {
       return "no forces within the friction cones carry the load";
     case NoHold::beyond_cones_squeezed:
       return "no forces within the friction cones carry the load with that squeeze";
+    case NoHold::no_forces:
+      return "no forces at these contacts carry the load, however hard they press";
     case NoHold::not_found:
       return "the least torques within the friction cones were not found";
   }

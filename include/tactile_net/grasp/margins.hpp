@@ -40,6 +40,14 @@ struct FrictionMargin {
   double angle = 0.0;  ///< atan mu - |atan2(F_t, F_v)| [rad]; < 0 outside
 };
 
+/// What a margin means; all but its verdict is known.
+[[nodiscard]] inline ContactVerdict verdict_of(const FrictionMargin& margin, bool idle,
+                                               double normal) noexcept {
+  if (idle) return ContactVerdict::idle;
+  if (!(normal > 0.0)) return ContactVerdict::pulls;
+  return margin.distance.value < 0.0 ? ContactVerdict::slips : ContactVerdict::holds;
+}
+
 /// @param friction  mu, > 0
 [[nodiscard]] inline FrictionMargin friction_margin(const FingerAction& action,
                                                     double friction) noexcept {
@@ -60,12 +68,7 @@ struct FrictionMargin {
                 : action.normal > 0.0 ? size / (friction * action.normal)
                                       : INFINITY;
   margin.angle = std::atan(friction) - std::abs(std::atan2(action.tangential, action.normal));
-  if (is_idle(action))
-    margin.verdict = ContactVerdict::idle;
-  else if (!(action.normal > 0.0))
-    margin.verdict = ContactVerdict::pulls;
-  else if (margin.distance.value < 0.0)
-    margin.verdict = ContactVerdict::slips;
+  margin.verdict = verdict_of(margin, is_idle(action), action.normal);
   return margin;
 }
 

@@ -30,6 +30,7 @@ inline constexpr DocumentKind check{"check"};
 inline constexpr DocumentKind plan{"plan"};
 inline constexpr DocumentKind tradeoff{"tradeoff"};
 inline constexpr DocumentKind grasp{"grasp"};
+inline constexpr DocumentKind space_grasp{"space_grasp"};  ///< grasp, of a hand in space
 }  // namespace kind
 
 /// {"tactile_net": version, "kind": ..., "schema": ...}

@@ -1,6 +1,7 @@
 #include "tactile_net/report/json/grasp_json.hpp"
 
 #include "report/json/document.hpp"
+#include "report/json/grasp_parts.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
 
 namespace tactile_net::report {
@@ -29,27 +30,12 @@ Json finger_json(const lab::Fingertip& tip) {
 }
 
 Json action_json(const FingerAction& action, const lab::FingerMargins& margins) {
-  Json torques = Json::array();
-  for (std::size_t j = 0; j < action.torques.size(); ++j) {
-    Json torque = uncertain_json(action.torques[j]);
-    const bool limited = !margins.torques.empty();
-    torque["left"] = limited ? Json(margins.torques[j].left) : Json(nullptr);
-    torque["used"] = limited ? Json(margins.torques[j].used) : Json(nullptr);
-    torques.push_back(std::move(torque));
-  }
-  Json friction = nullptr;
-  if (margins.friction) {
-    friction = {{"verdict", name(margins.friction->verdict)},
-                {"distance", uncertain_json(margins.friction->distance)},
-                {"used", finite_or_null(margins.friction->used)},
-                {"angle", margins.friction->angle}};
-  }
   return {{"force", point(action.force)},
           {"normal", uncertain_json(normal_of(action))},
           {"tangential", uncertain_json(tangential_of(action))},
           {"covariance", action.covariance.values},
-          {"friction", friction},
-          {"torques", torques}};
+          {"friction", friction_json(margins)},
+          {"torques", torques_json(action.torques, margins)}};
 }
 
 Json actions_json(const std::vector<FingerAction>& actions,
@@ -58,12 +44,6 @@ Json actions_json(const std::vector<FingerAction>& actions,
   for (std::size_t i = 0; i < actions.size(); ++i)
     json.push_back(action_json(actions[i], margins[i]));
   return json;
-}
-
-Json matrix_json(const Matrix& matrix) {
-  Json rows = Json::array();
-  for (std::size_t i = 0; i < matrix.rows; ++i) rows.push_back(matrix.row(i));
-  return rows;
 }
 
 Json measured_json(const lab::MeasuredAnswer& answer) {

@@ -171,6 +171,7 @@ void add_grasp(AllCommands& all) {
        .pages = {"hand.md", "results.md"},
        .examples = {
            {"grasp scenes/hands/two-fingers.toml --out out", "with a drawing of the hand"},
+           {"grasp scenes/hands/box.toml --out out", "fingertips that are skins, in space"},
            {"grasp scenes/recorded/hand.toml --json -", "from recorded readings, as JSON"}}});
   command
       .add_option("HAND", options.hand, file("HAND", {"toml"}),

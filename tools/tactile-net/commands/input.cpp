@@ -32,9 +32,9 @@ AnyScene read_any_scene(const std::string& path, std::istream& in) {
   return parse_any_scene(input.text, input.name);
 }
 
-Hand read_hand(const std::string& path, std::istream& in, const HandOptions& options) {
+AnyHand read_any_hand(const std::string& path, std::istream& in, const HandOptions& options) {
   const InputText input = input_text(path, in);
-  return parse_hand(input.text, input.name, options);
+  return parse_any_hand(input.text, input.name, options);
 }
 
 void check_one_standard_input(const std::string& scene, const std::string& readings) {

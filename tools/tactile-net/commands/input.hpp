@@ -5,8 +5,8 @@
 #include <iosfwd>
 #include <string>
 
-#include "tactile_net/scene/hand.hpp"
 #include "tactile_net/scene/reader.hpp"
+#include "tactile_net/scene/space_hand.hpp"
 
 namespace tactile_net::tool {
 
@@ -24,10 +24,11 @@ struct InputText {
 [[nodiscard]] InputText input_text(const std::string& path, std::istream& in);
 
 /// A scene from standard input names files relative to the current folder, and so does a hand.
-/// @throw InputError  as `tactile_net::read_scene` and `tactile_net::read_hand`
+/// @throw InputError  as `tactile_net::read_scene` and `tactile_net::read_any_hand`
 [[nodiscard]] Scene read_scene(const std::string& path, std::istream& in);
 [[nodiscard]] AnyScene read_any_scene(const std::string& path, std::istream& in);
-[[nodiscard]] Hand read_hand(const std::string& path, std::istream& in, const HandOptions& options);
+[[nodiscard]] AnyHand read_any_hand(const std::string& path, std::istream& in,
+                                    const HandOptions& options);
 
 /// @throw WrongUsage  both are to come from standard input
 void check_one_standard_input(const std::string& scene, const std::string& readings);

@@ -1,0 +1,59 @@
+/// @file
+/// What one finger does in a grasp in space, the load that it is done against, and how far that is
+/// from slipping.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "tactile_net/grasp/margins.hpp"
+#include "tactile_net/grasp/space/vector3.hpp"
+#include "tactile_net/inverse/uncertainty.hpp"
+
+namespace tactile_net {
+
+/// What acts on the object besides the fingers, in the hand's frame.
+struct SpaceLoad {
+  Vector3 force{};   ///< [N]
+  Vector3 torque{};  ///< [N m]
+  Vector3 point{};   ///< where the force acts [m]
+};
+
+struct SpaceAction {
+  Vector3 point{};   ///< of contact, in the hand's frame [m]
+  Vector3 force{};   ///< of the finger on the object [N]
+  Vector3 moment{};  ///< of the finger on the object, about that point: along the normal [N m]
+  /// The same as the pad feels it, reversed.
+  double normal = 0.0;
+  double tangential_y = 0.0;
+  double tangential_z = 0.0;
+  double torsion = 0.0;
+  std::array<double, 16> covariance{};  ///< of these four in this order, row-major
+  std::optional<double> torsion_radius{};
+  std::vector<Uncertain> torques{};  ///< of the joints, from the palm
+
+  /// |(F_y, F_z)|, and with torsion what counts against friction: |(F_y, F_z, T / radius)| [N].
+  [[nodiscard]] double tangential() const noexcept {
+    return std::hypot(tangential_y, tangential_z);
+  }
+  [[nodiscard]] double slipping() const noexcept {
+    return std::hypot(tangential(), torsion_radius ? torsion / *torsion_radius : 0.0);
+  }
+  [[nodiscard]] double deviation(std::size_t value) const noexcept {
+    return std::sqrt(std::fmax(covariance[5 * value], 0.0));
+  }
+};
+
+[[nodiscard]] inline bool is_idle(const SpaceAction& action) noexcept {
+  return action.normal == 0.0 && action.slipping() == 0.0;
+}
+
+/// As in the plane, with `slipping` for |F_t|: of a hard finger Coulomb's cone, of a soft one
+/// (F_t / (mu F_x))^2 + (T / (mu F_x radius))^2 <= 1 (Howe and Cutkosky 1996), which is a cone too.
+/// Where nothing drags, the deviation is an upper bound: any direction may be the nearest edge.
+///
+/// @param friction  mu, > 0
+[[nodiscard]] FrictionMargin friction_margin(const SpaceAction& action, double friction);
+
+}  // namespace tactile_net

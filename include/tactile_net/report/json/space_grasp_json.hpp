@@ -1,0 +1,13 @@
+/// @file
+/// A grasp in space as JSON; the format is docs/schemas/space_grasp.json.
+#pragma once
+
+#include <string>
+
+#include "tactile_net/lab/space_grasp.hpp"
+
+namespace tactile_net::report {
+
+[[nodiscard]] std::string grasp_json(const lab::SpaceGraspResult& grasp);
+
+}  // namespace tactile_net::report

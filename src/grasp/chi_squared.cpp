@@ -1,0 +1,16 @@
+#include "grasp/chi_squared.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace tactile_net {
+
+std::optional<double> chi_squared(const Eigen::VectorXd& rest, const Eigen::MatrixXd& c) {
+  const Eigen::VectorXd scale = c.diagonal().cwiseMax(0.0).cwiseSqrt();
+  if (!(scale.minCoeff() > 0.0)) return std::nullopt;
+  const Eigen::VectorXd inverse = scale.cwiseInverse();
+  const Eigen::LLT<Eigen::MatrixXd> root(inverse.asDiagonal() * c * inverse.asDiagonal());
+  if (root.info() != Eigen::Success || root.rcond() < 1e-12) return std::nullopt;
+  return root.matrixL().solve(inverse.cwiseProduct(rest)).squaredNorm();
+}
+
+}  // namespace tactile_net

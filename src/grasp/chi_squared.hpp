@@ -1,0 +1,14 @@
+/// @file
+/// Whether what is left over is within its deviations. Private.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace tactile_net {
+
+/// rest' C^-1 rest, by the correlations, so that units do not matter; absent if C has no inverse.
+[[nodiscard]] std::optional<double> chi_squared(const Eigen::VectorXd& rest,
+                                                const Eigen::MatrixXd& c);
+
+}  // namespace tactile_net

@@ -1,0 +1,84 @@
+/// @file
+/// What of a grasp's answer cannot hold, or only just does: in the plane and in space. Private.
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "tactile_net/lab/grasp.hpp"
+
+namespace tactile_net::lab {
+
+/// @param fingers  of the hand's file, with friction and limits
+/// @param actions  what each does
+[[nodiscard]] std::vector<FingerMargins> margins_of(const auto& fingers, const auto& actions) {
+  std::vector<FingerMargins> margins;
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const auto& finger = fingers[i];
+    FingerMargins one;
+    if (finger.friction) one.friction = friction_margin(actions[i], *finger.friction);
+    for (std::size_t j = 0; j < finger.torque_limits.size(); ++j)
+      one.torques.push_back(torque_margin(actions[i].torques[j].value, finger.torque_limits[j]));
+    margins.push_back(std::move(one));
+  }
+  return margins;
+}
+
+/// Adds to the result's remarks and failures.
+void find_weak(auto& result, GraspAnswer answer, const auto& actions,
+               const std::vector<FingerMargins>& margins) {
+  using Weak = GraspRemark::Kind;
+  using Failed = GraspFailure::Kind;
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const auto& friction = margins[i].friction;
+    if (is_idle(actions[i]))
+      result.remarks.push_back({Weak::idle, answer, i});
+    else if (!(actions[i].normal > 0.0))
+      result.failures.push_back(
+          {.kind = Failed::pulls, .answer = answer, .finger = i, .number = -actions[i].normal});
+    else if (friction && friction->verdict == ContactVerdict::slips)
+      result.failures.push_back({.kind = Failed::slips,
+                                 .answer = answer,
+                                 .finger = i,
+                                 .number = -friction->distance.value});
+    else if (friction && friction->distance.value < 2.0 * friction->distance.deviation)
+      result.remarks.push_back({Weak::near_slipping, answer, i});
+    for (std::size_t j = 0; j < margins[i].torques.size(); ++j)
+      if (margins[i].torques[j].left < 0.0)
+        result.failures.push_back({.kind = Failed::beyond_limit,
+                                   .answer = answer,
+                                   .finger = i,
+                                   .joint = j,
+                                   .number = -margins[i].torques[j].left});
+  }
+}
+
+void require_finite(const auto& actions) {
+  for (const auto& action : actions)
+    for (const Uncertain& torque : action.torques)
+      if (!std::isfinite(torque.value) || !std::isfinite(torque.deviation))
+        throw std::domain_error("the torques overflow a double; choose other units");
+}
+
+/// Margins of what a grasp's fingers do, and what of it is weak.
+void judge(auto& result, GraspAnswer which, auto& answer) {
+  require_finite(answer.grasp.fingers);
+  answer.margins = margins_of(result.hand.fingers, answer.grasp.fingers);
+  find_weak(result, which, answer.grasp.fingers, answer.margins);
+}
+
+/// Whether the forces carry the load within their deviations; a failure if they do not.
+[[nodiscard]] std::optional<bool> balanced(auto& result, const std::optional<double>& chi_squared,
+                                           double limit) {
+  if (!result.hand.load || !chi_squared) return std::nullopt;
+  if (*chi_squared <= limit) return true;
+  result.failures.push_back({.kind = GraspFailure::Kind::unbalanced, .number = *chi_squared});
+  return false;
+}
+
+inline constexpr const char* nothing_to_compute =
+    "nothing to compute: no contact's force is known, and there is neither a [load] nor a "
+    "squeeze for two fingers to hold";
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,35 @@
+/// @file
+/// Files that a hand refers to: whoever wrote the hand has chosen them. Private.
+#pragma once
+
+#include <filesystem>
+#include <utility>
+
+#include "tactile_net/scene/diagnostic.hpp"
+
+namespace tactile_net::lab {
+
+/// The diagnostics without what the file holds: only where something is wrong, and the advice.
+[[nodiscard]] InputError without_quotes(const InputError& error, const char* advice);
+
+/// Reads a file that the hand refers to. What such a file holds is not told: whoever wrote the hand
+/// would have chosen whose. Of what is wrong inside it only the place is left.
+auto unquoted(const char* advice, const auto& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw without_quotes(error, advice);
+  }
+}
+
+/// A device never ends, a pipe may never begin. @throw InputError
+void require_regular(const std::filesystem::path& file);
+
+/// That a scene has no contact and the hand names no readings.
+[[nodiscard]] InputError nothing_presses(const std::filesystem::path& scene);
+
+inline constexpr const char* explain_scene = "tactile-net run FILE --explain says what is wrong";
+inline constexpr const char* explain_readings =
+    "tactile-net solve SCENE --readings FILE says what is wrong";
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,39 @@
+/// @file
+/// What the pages of a grasp of the plane and of one in space have in common. Private.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pages/parts.hpp"
+#include "tactile_net/drawing/html.hpp"
+
+namespace tactile_net::pages {
+
+/// Words in the colour of the arrows that they are about.
+[[nodiscard]] std::string arrow_key(const std::string& type, const std::string& words);
+
+/// Which arrows are which, and what a cone is.
+struct ArrowsShown {
+  bool measured = false;
+  bool held = false;
+  bool load = false;
+  bool cones = false;
+};
+[[nodiscard]] std::string arrows_caption(const ArrowsShown& shown);
+
+/// A table of contacts as cards, and one of torques.
+/// @param torques  with its head; a finger's name stands in its first row alone
+[[nodiscard]] std::string grasp_tables(const std::string& title,
+                                       const std::vector<std::vector<std::string>>& contacts,
+                                       std::vector<std::vector<std::string>> torques,
+                                       const std::string& about_torques);
+
+/// Whether any finger has a friction.
+[[nodiscard]] bool has_friction(const auto& fingers) {
+  bool any = false;
+  for (const auto& finger : fingers) any = any || finger.friction.has_value();
+  return any;
+}
+
+}  // namespace tactile_net::pages

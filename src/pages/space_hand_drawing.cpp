@@ -1,0 +1,269 @@
+#include "pages/space_hand_drawing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "pages/picture.hpp"
+
+namespace tactile_net::pages {
+namespace {
+
+constexpr double hand_size = 300.0;  // of the hand's longest side, in the picture's units
+constexpr double pixels = 0.85;      // on the page, per unit: all views to one scale
+
+/// Where one looks from: two of the hand's axes on the paper, the third towards the eye.
+struct View {
+  std::string title;
+  std::array<std::string, 2> axes;
+  Vector3 right, up, towards;
+
+  [[nodiscard]] Vector2 flat(Vector3 v) const { return {dot(v, right), dot(v, up)}; }
+};
+
+const std::array<View, 3>& views() {
+  static const std::array<View, 3> all = {
+      View{"From the front", {"X", "Z"}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+      View{"From the right", {"Y", "Z"}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}},
+      View{"From above", {"X", "Y"}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  return all;
+}
+
+struct Scales {
+  double length;
+  double force;
+};
+
+/// Everything that the picture must hold.
+std::vector<Vector3> places_of(const lab::SpaceGraspResult& grasp) {
+  std::vector<Vector3> all;
+  for (const lab::SpaceFingertip& tip : grasp.tips) {
+    all.push_back(contact_point(tip.pad, tip.place.y, tip.place.z));
+    all.push_back(tip.pad.origin);
+    if (tip.corners) all.insert(all.end(), tip.corners->begin(), tip.corners->end());
+    for (const SpaceJoint& joint : tip.finger.joints)
+      if (!joint.slides) all.push_back(joint.place);
+  }
+  if (grasp.hand.load) all.push_back(grasp.hand.load->point);
+  return all;
+}
+
+Scales scales_of(const lab::SpaceGraspResult& grasp) {
+  const std::vector<Vector3> places = places_of(grasp);
+  double size = 0.0;
+  for (const View& view : views())
+    for (const Vector3 axis : {view.right, view.up}) {
+      double low = INFINITY;
+      double high = -INFINITY;
+      for (const Vector3 place : places) {
+        low = std::min(low, dot(place, axis));
+        high = std::max(high, dot(place, axis));
+      }
+      size = std::max(size, high - low);
+    }
+  double force = 0.0;
+  const auto grow = [&](const auto& answer) {
+    if (!answer) return;
+    for (const SpaceAction& action : answer->grasp.fingers)
+      force = std::max(force, length(action.force));
+  };
+  grow(grasp.measured);
+  grow(grasp.held);
+  if (grasp.hand.load) force = std::max(force, length(grasp.hand.load->force));
+  return {hand_size / (size > 0.0 ? size : 1.0), longest_arrow / force};
+}
+
+/// The outline of points, counter-clockwise (Andrew's monotone chain).
+std::vector<Vector2> hull(std::vector<Vector2> points) {
+  std::sort(points.begin(), points.end(),
+            [](Vector2 a, Vector2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::vector<Vector2> outline;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t first = outline.size();
+    for (const Vector2 point : points) {
+      while (outline.size() >= first + 2 && cross(outline.back() - outline[outline.size() - 2],
+                                                  point - outline[outline.size() - 2]) <= 0.0)
+        outline.pop_back();
+      outline.push_back(point);
+    }
+    outline.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return outline;
+}
+
+class Sheet {
+ public:
+  Sheet(const lab::SpaceGraspResult& grasp, const View& view, const Scales& scales)
+      : grasp_(grasp), view_(view), scales_(scales), picture_(scales.length) {}
+
+  std::string draw(bool with_scales) {
+    const auto& tips = grasp_.tips;
+    for (std::size_t i = 0; i < tips.size(); ++i)
+      if (const auto& friction = grasp_.hand.fingers[i].friction) cone(tips[i], *friction);
+    for (const lab::SpaceFingertip& tip : tips) finger(tip);
+    for (const Name& name : names_) picture_.text(name.place, name.text, name.anchor);
+    ring();
+    if (grasp_.held) arrows(grasp_.held->grasp.fingers, "held");
+    if (grasp_.measured) arrows(grasp_.measured->grasp.fingers, "measured");
+    for (const lab::SpaceFingertip& tip : tips) picture_.dot(at(contact(tip)), 4.0, "contact");
+    if (grasp_.hand.load) load(*grasp_.hand.load);
+    axes();
+    if (with_scales) draw_scales(picture_, scales_.length, scales_.force, grasp_.hand.si);
+    return "<div><p class=\"quiet\">" + view_.title + "</p>" +
+           picture_.finish(view_.title + ": the hand, its contacts and the forces on the object",
+                           pixels) +
+           "</div>";
+  }
+
+ private:
+  [[nodiscard]] Vector2 at(Vector3 place) const { return picture_.at(view_.flat(place)); }
+  [[nodiscard]] Vector2 arrow(Vector3 force) const {
+    const Vector2 flat = view_.flat(force);
+    return {scales_.force * flat.x, -scales_.force * flat.y};
+  }
+  [[nodiscard]] static Vector3 contact(const lab::SpaceFingertip& tip) {
+    return contact_point(tip.pad, tip.place.y, tip.place.z);
+  }
+
+  void cone(const lab::SpaceFingertip& tip, double friction) {
+    const double size = cone_length / scales_.length / std::hypot(1.0, friction);
+    std::vector<Vector2> points = {at(contact(tip))};
+    for (int i = 0; i < 32; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / 32.0;
+      points.push_back(
+          at(contact(tip) + size * (-tip.pad.x + friction * (std::cos(angle) * tip.pad.y +
+                                                             std::sin(angle) * tip.pad.z))));
+    }
+    picture_.area(hull(std::move(points)), "cone");
+  }
+
+  void finger(const lab::SpaceFingertip& tip) {
+    std::vector<Vector2> chain;
+    for (const SpaceJoint& joint : tip.finger.joints)
+      if (!joint.slides) chain.push_back(at(joint.place));
+    chain.push_back(at(tip.pad.origin));
+    if (chain.size() > 1) picture_.line(chain, "link");
+    joints(tip);
+    const double half = 22.0 / scales_.length;
+    const PadFrame& pad = tip.pad;
+    const std::array<Vector3, 4> corners = tip.corners.value_or(
+        std::array<Vector3, 4>{contact_point(pad, -half, -half), contact_point(pad, half, -half),
+                               contact_point(pad, half, half), contact_point(pad, -half, half)});
+    std::vector<Vector2> outline;
+    for (const Vector3 corner : corners) outline.push_back(at(corner));
+    outline.push_back(outline.front());
+    picture_.area(outline, "pad");
+    picture_.line(outline, "rim");
+    name(tip, outline);
+  }
+
+  /// Joints that lie behind one another have their numbers side by side.
+  void joints(const lab::SpaceFingertip& tip) {
+    std::vector<std::pair<Vector2, std::string>> numbers;
+    std::size_t number = 0;
+    for (const SpaceJoint& joint : tip.finger.joints) {
+      ++number;
+      if (joint.slides) continue;
+      const Vector2 way = 22.0 * view_.flat(1.0 / length(joint.axis) * joint.axis);
+      const Vector2 half{way.x, -way.y};
+      const Vector2 place = at(joint.place);
+      picture_.line({place - half, place + half}, "axis");
+      picture_.dot(place, 6.0, "joint");
+      const auto same = std::find_if(numbers.begin(), numbers.end(), [&](const auto& other) {
+        return length(other.first - place) < 12.0;
+      });
+      if (same == numbers.end())
+        numbers.emplace_back(place, std::to_string(number));
+      else
+        same->second += ", " + std::to_string(number);
+    }
+    for (const auto& [place, text] : numbers)
+      picture_.text(place + Vector2{11.0, -9.0}, text, "start");
+  }
+
+  /// Behind the pad; where one looks along its normal above it, unless another stands before it.
+  void name(const lab::SpaceFingertip& tip, const std::vector<Vector2>& outline) {
+    const Vector2 out = view_.flat(tip.pad.x);
+    double left = INFINITY;
+    double right = -INFINITY;
+    double top = INFINITY;
+    for (const Vector2 corner : outline) {
+      left = std::min(left, corner.x);
+      right = std::max(right, corner.x);
+      top = std::min(top, corner.y);
+    }
+    const double middle = at(tip.pad.origin).y + 6.0;
+    if (out.x > 0.3)
+      say({right + 10.0, middle}, tip.finger.name, "start");
+    else if (out.x < -0.3)
+      say({left - 10.0, middle}, tip.finger.name, "end");
+    else if (dot(tip.pad.x, view_.towards) > -0.3)
+      say({0.5 * (left + right), top - 8.0}, tip.finger.name, "middle");
+  }
+
+  /// Names of pads that lie behind one another stand in one line.
+  void say(Vector2 place, const std::string& text, const std::string& anchor) {
+    for (Name& name : names_)
+      if (name.anchor == anchor && length(name.place - place) < text_size) {
+        name.text += ", " + text;
+        return;
+      }
+    names_.push_back({place, text, anchor});
+  }
+
+  void ring() {
+    std::vector<Vector2> points;
+    for (const lab::SpaceFingertip& tip : grasp_.tips) points.push_back(at(contact(tip)));
+    if (points.size() > 2) points.push_back(points.front());
+    if (points.size() > 1) picture_.line(points, "grasp");
+  }
+
+  void arrows(const std::vector<SpaceAction>& actions, const std::string& type) {
+    for (const SpaceAction& action : actions)
+      picture_.arrow(at(action.point), arrow(action.force), type);
+  }
+
+  void load(const SpaceLoad& load) {
+    const Vector2 place = at(load.point);
+    picture_.arrow(place, arrow(load.force), "load");
+    const double turn = dot(load.torque, view_.towards);
+    if (std::abs(turn) > 1e-9 * length(load.torque)) draw_torque(picture_, place, turn);
+    picture_.dot(place, 4.0, "load head");
+  }
+
+  void axes() {
+    const Vector2 origin = {picture_.low().x + 4.0, picture_.high().y + 66.0};
+    constexpr double size = 46.0;
+    picture_.arrow(origin, {size, 0.0}, "frame");
+    picture_.arrow(origin, {0.0, -size}, "frame");
+    picture_.text(origin + Vector2{size + 6.0, 5.0}, view_.axes[0], "start");
+    picture_.text(origin + Vector2{10.0, -size + 8.0}, view_.axes[1], "start");
+  }
+
+  const lab::SpaceGraspResult& grasp_;
+  const View& view_;
+  Scales scales_;
+  Picture picture_;
+
+  struct Name {
+    Vector2 place;
+    std::string text;
+    std::string anchor;
+  };
+  std::vector<Name> names_{};
+};
+
+}  // namespace
+
+std::string draw_hand(const lab::SpaceGraspResult& grasp) {
+  const Scales scales = scales_of(grasp);
+  std::string html = "<div class=\"views\">";
+  for (const View& view : views())
+    html += Sheet(grasp, view, scales).draw(&view == &views().front());
+  return html + "</div>";
+}
+
+}  // namespace tactile_net::pages
