@@ -15,12 +15,10 @@
 #include "read_frames.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
+#include "simulated_frames.hpp"
 #include "tactile_net/lab/method.hpp"
-#include "tactile_net/lab/simulated_frame.hpp"
-#include "tactile_net/lab/summary.hpp"
 #include "tactile_net/report/json/workload_json.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
-#include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
@@ -90,40 +88,20 @@ std::string explain(const SharedScene& self) {
   return text.str();
 }
 
-/// t, readings, normal and tangential tractions of every frame, and what the effects have to say.
-std::tuple<Array, Array, Array, std::optional<Array>, std::vector<std::string>> simulate(
-    const SharedScene& self, const nb::object& progress) {
-  std::vector<double> t;
-  std::vector<double> readings;
-  std::vector<double> normal;
-  std::vector<double> tangential;
-  lab::RecordedFrames recorded;
+/// t, readings, the true tractions of every frame, and what the effects have to say.
+std::tuple<Array, Array, Array, std::vector<std::string>> simulate(const SharedScene& self,
+                                                                   const nb::object& progress) {
+  SimulatedFrames all;
   Watcher watcher(progress);
-  const std::size_t count = surface(self.scene()).count;
-  const bool drags = any_friction(self.scene());
   {
     const nb::gil_scoped_release released;
-    lab::SensorRecording recording(self.scene());
-    while (recording.next()) {
-      watcher.step({.kind = lab::Step::Kind::frame, .count = t.size()});
-      t.push_back(recording.time());
-      readings.insert(readings.end(), recording.readings().begin(), recording.readings().end());
-      const TractionField& truth = recording.truth();
-      normal.insert(normal.end(), truth.normal.begin(), truth.normal.end());
-      if (drags) {
-        tangential.insert(tangential.end(), truth.tangential.begin(), truth.tangential.end());
-        tangential.resize(normal.size());
-      }
-      recorded.add(recording);
-    }
+    all = simulated_frames(self.scene(), watcher);
   }
-  const std::size_t frames = t.size();
-  const std::size_t width = reading_count(self.scene().sensor);
-  std::optional<Array> dragged;
-  if (drags) dragged = owned(std::move(tangential), {frames, count});
-  return {owned(std::move(t)), owned(std::move(readings), {frames, width}),
-          owned(std::move(normal), {frames, count}), std::move(dragged),
-          report::in_words(recorded)};
+  const std::size_t frames = all.count();
+  const std::size_t count = surface(self.scene()).count;
+  return {owned(std::move(all.t)),
+          owned(std::move(all.readings), {frames, reading_count(self.scene().sensor)}),
+          owned(std::move(all.truth), {frames, 2, count}), std::move(all.notes)};
 }
 
 /// By name, what to multiply and what to divide by for the unit in SI.
@@ -180,6 +158,7 @@ void bind_scene(nb::module_& module) {
       .def_prop_ro("readings",
                    [](const SharedScene& self) { return reading_count(self.scene().sensor); })
       .def_prop_ro("even", [](const SharedScene& self) { return is_even(self.scene().sensor); })
+      .def_prop_ro("drags", [](const SharedScene& self) { return any_friction(self.scene()); })
       .def_prop_ro("unknowns", [](const SharedScene& self) { return unknowns(self.scene()); })
       .def_prop_ro("channels", &channel_names)
       .def_prop_ro("reading_names",

@@ -11,7 +11,7 @@
 #include "read_frames.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
-#include "tactile_net/lab/skin_simulation.hpp"
+#include "simulated_frames.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 
 namespace tactile_net::python {
@@ -70,27 +70,21 @@ std::vector<std::string> words(const SharedSkin& self) {
   return all;
 }
 
-/// t, readings and the true tractions of every frame.
-std::tuple<Array, Array, Array> simulate(const SharedSkin& self, const nb::object& progress) {
-  std::vector<double> t;
-  std::vector<double> readings;
-  std::vector<double> truth;
+/// t, readings, the true tractions of every frame, and what the effects have to say.
+std::tuple<Array, Array, Array, std::vector<std::string>> simulate(const SharedSkin& self,
+                                                                   const nb::object& progress) {
+  SimulatedFrames all;
   Watcher watcher(progress);
-  const std::size_t count = grid(self.scene()).count();
   {
     const nb::gil_scoped_release released;
-    lab::SkinRecording recording(self.scene());
-    while (recording.next()) {
-      watcher.step({.kind = lab::Step::Kind::frame, .count = t.size()});
-      t.push_back(recording.time());
-      readings.insert(readings.end(), recording.readings().begin(), recording.readings().end());
-      truth.insert(truth.end(), recording.truth().begin(), recording.truth().end());
-    }
+    all = simulated_frames(self.scene(), watcher);
   }
-  const std::size_t frames = t.size();
-  return {owned(std::move(t)),
-          owned(std::move(readings), {frames, reading_count(self.scene().sensor)}),
-          owned(std::move(truth), {frames, skin_tractions.size() * count})};
+  const std::size_t frames = all.count();
+  const SkinGrid cells = grid(self.scene());
+  return {owned(std::move(all.t)),
+          owned(std::move(all.readings), {frames, reading_count(self.scene().sensor)}),
+          owned(std::move(all.truth), {frames, skin_tractions.size(), cells.rows, cells.columns}),
+          std::move(all.notes)};
 }
 
 /// K: neither weighted by the noise nor with dead taxels left out.

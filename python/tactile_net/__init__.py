@@ -7,7 +7,7 @@ docs/python.md has it all; docs/scene.md says what a scene is. All numbers are i
 else in those of the scene; arrays are float64.
 """
 
-from . import errors, logs, mujoco, plot
+from . import datasets, errors, logs, mujoco, plot
 from ._circuit import Certification, Relaxation, Survey
 from ._controller import ContactEstimate, Estimator, Plan
 from ._core import version as __version__
@@ -82,6 +82,7 @@ __all__ = [
     "UnsolvableError",
     "Wedge",
     "__version__",
+    "datasets",
     "errors",
     "load",
     "logs",

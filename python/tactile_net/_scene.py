@@ -330,9 +330,10 @@ class Scene:
     def simulate(self, *, progress: Progress = False) -> Recording:
         """What the sensor would read, every frame of it, and the tractions that pressed."""
         with listening(progress) as heard:
-            t, readings, normal, tangential, notes = self._core.simulate(heard)
-        truth = np.stack([normal] if tangential is None else [normal, tangential], axis=1)
-        return Recording(self, readings.reshape(-1, *self.reading_shape), t, truth, tuple(notes))
+            t, readings, truth, notes = self._core.simulate(heard)
+        if not self._core.drags:
+            truth = np.ascontiguousarray(truth[:, :1])
+        return Recording(self, self._framed(readings), t, truth, tuple(notes))
 
     def read(self, path: str | PathLike[str], *, columns: str = "", missing: bool = True) -> Recording:
         """A file of frames, CSV or .npy, with the scene's units and calibration applied: readings in SI.

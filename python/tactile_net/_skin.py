@@ -166,8 +166,8 @@ class Skin(Scene):
     def simulate(self, *, progress: Progress = False) -> Recording:
         """What the skin would read, every frame of it, and the tractions that pressed: (T, 3, rows, columns)."""
         with listening(progress) as heard:
-            t, readings, truth = self._core.simulate(heard)
-        return Recording(self, self._framed(readings), t, truth.reshape(len(t), 3, *self.traction_shape))
+            t, readings, truth, notes = self._core.simulate(heard)
+        return Recording(self, self._framed(readings), t, truth, tuple(notes))
 
     def _made_solver(self, method: str, alpha: float | None) -> _AnySolver:
         _tikhonov(method)

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <variant>
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sweep/row.hpp"
@@ -27,6 +28,11 @@ std::map<std::string, std::uint64_t> seeds(const sweep::Study& study) {
     all[name] = point.seed;
   }
   return all;
+}
+
+/// The scene of a line array at a point.
+Scene line(const sweep::Study& study, const sweep::Point& point) {
+  return std::get<Scene>(study.scene(point));
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
@@ -71,7 +77,7 @@ TEST_CASE("a point's scene has its values, and its seed", "[sweep]") {
   const StudyFolder folder;
   const sweep::Study study = folder.study(grid);
   const sweep::Point point = study.point(13);
-  const Scene scene = study.scene(point);
+  const Scene scene = line(study, point);
   CHECK(scene.sensor.depths == std::vector{1.5});
   CHECK(std::get<RigidContact>(scene.contacts.at(0)).half_width == 1.0);
   CHECK(scene.noise->seed == point.seed);
@@ -82,7 +88,7 @@ TEST_CASE("a seed that is an axis keeps the axis' value", "[sweep]") {
   const StudyFolder folder;
   const sweep::Study study =
       folder.study("scene = \"pad.toml\"\n[[axis]]\nkey = \"noise.seed\"\nvalues = [11, 12]\n");
-  CHECK(study.scene(study.point(1)).noise->seed == 12);
+  CHECK(line(study, study.point(1)).noise->seed == 12);
 }
 
 TEST_CASE("a point's seed depends on it alone", "[sweep]") {
@@ -142,7 +148,7 @@ TEST_CASE("ranges have both ends, and equal steps or equal ratios", "[sweep]") {
   CHECK(plain(0) == std::vector<std::string>{"0.1", "0.2", "0.3", "0.4", "0.5"});
   CHECK(plain(1) == std::vector<std::string>{"0.0001", "0.001", "0.01", "0.1"});
   CHECK(plain(2) == std::vector<std::string>{"5", "6", "7", "8", "9"});  // none twice
-  CHECK(study.scene(study.point(0)).sensor.count == 5);
+  CHECK(line(study, study.point(0)).sensor.count == 5);
 }
 
 TEST_CASE("draws fill their ranges, and more draws begin with the same", "[sweep]") {
@@ -189,7 +195,7 @@ TEST_CASE("values of every kind reach the scene", "[sweep]") {
       "[[axis]]\nkey = \"reconstruct.nonnegative\"\nvalues = [true, false]\n"
       "[[axis]]\nkey = \"quantization.bits\"\nvalues = [8, 12]\n"
       "[[axis]]\nkey = \"quantization.range\"\nvalues = [[-4.0, 4.0]]\n");
-  const Scene scene = study.scene(study.point(8));
+  const Scene scene = line(study, study.point(8));
   CHECK(scene.sensor.reads.size() == 2);
   CHECK(scene.reconstruct.alpha_rule == AlphaRule::rgcv);
   CHECK(scene.reconstruct.nonnegative);
@@ -276,6 +282,6 @@ TEST_CASE("a base scene that fails for some values fails for those alone", "[swe
   const StudyFolder folder;
   const sweep::Study study = folder.study(
       "scene = \"pad.toml\"\n[[axis]]\nkey = \"sensor.depth\"\nvalues = [-1.0, 1.5]\n");
-  CHECK_THROWS_WITH(study.scene(study.point(0)), ContainsSubstring("sensor.depth must be > 0"));
-  CHECK(study.scene(study.point(1)).sensor.depths.front() == 1.5);
+  CHECK_THROWS_WITH(line(study, study.point(0)), ContainsSubstring("sensor.depth must be > 0"));
+  CHECK(line(study, study.point(1)).sensor.depths.front() == 1.5);
 }
