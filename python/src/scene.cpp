@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "arrays.hpp"
-#include "read_frames.hpp"
+#include "bound_scene.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
 #include "simulated_frames.hpp"
@@ -36,12 +36,6 @@ std::variant<ScenePointer, SkinPointer> parse(std::string text, std::string file
                                         lab::SkinSceneProblem(std::move(*skin)));
   return std::make_shared<SharedScene>(std::move(text), std::move(file),
                                        lab::SceneProblem(std::get<Scene>(std::move(scene))));
-}
-
-std::vector<std::string> channel_names(const SharedScene& self) {
-  std::vector<std::string> names;
-  for (const Channel& channel : channels(self.scene().sensor)) names.push_back(channel.name);
-  return names;
 }
 
 /// y, depth, quantity, taxel and channel of every reading, in their order.
@@ -126,46 +120,21 @@ Array kernel_matrix(SharedScene& self) {
   return as_array(std::move(kernel));
 }
 
-Array normal_matrix_of(SharedScene& self, double alpha) {
-  Matrix matrix;
-  {
-    const nb::gil_scoped_release released;
-    const auto locked = self.lock();
-    matrix = normal_matrix(locked.problem.problem(), alpha);
-  }
-  return as_array(std::move(matrix));
-}
-
 std::vector<std::string> methods_of(const SharedScene& self) {
   std::vector<std::string> names;
   for (const Method method : self.scene().reconstruct.methods) names.emplace_back(name(method));
   return names;
 }
 
-std::optional<std::pair<double, std::size_t>> timing(const SharedScene& self) {
-  if (!self.scene().time) return std::nullopt;
-  return std::pair(self.scene().time->rate, self.scene().time->frames);
-}
-
 }  // namespace
 
 void bind_scene(nb::module_& module) {
-  nb::class_<SharedScene>(module, "Scene")
-      .def_prop_ro("text", &SharedScene::text)
-      .def_prop_ro("file", &SharedScene::file)
-      .def_prop_ro("title", [](const SharedScene& self) { return self.scene().title; })
-      .def_prop_ro("count", [](const SharedScene& self) { return self.scene().sensor.count; })
-      .def_prop_ro("readings",
-                   [](const SharedScene& self) { return reading_count(self.scene().sensor); })
-      .def_prop_ro("even", [](const SharedScene& self) { return is_even(self.scene().sensor); })
+  nb::class_<SharedScene> scene(module, "Scene");
+  bind_what_scenes_share(scene);
+  scene.def_prop_ro("count", [](const SharedScene& self) { return self.scene().sensor.count; })
       .def_prop_ro("drags", [](const SharedScene& self) { return any_friction(self.scene()); })
       .def_prop_ro("unknowns", [](const SharedScene& self) { return unknowns(self.scene()); })
-      .def_prop_ro("channels", &channel_names)
-      .def_prop_ro("reading_names",
-                   [](const SharedScene& self) { return reading_names(self.scene().sensor); })
       .def_prop_ro("methods", &methods_of)
-      .def_prop_ro("timing", &timing)
-      .def_prop_ro("si", [](const SharedScene& self) { return self.scene().units.has_value(); })
       .def_prop_ro("spacing", [](const SharedScene& self) { return surface(self.scene()).spacing; })
       .def("y", [](const SharedScene& self) { return owned(positions(surface(self.scene()))); })
       .def("taxels", [](const SharedScene& self) { return owned(positions(self.scene().sensor)); })
@@ -178,12 +147,7 @@ void bind_scene(nb::module_& module) {
              return report::workload_json(self.scene(), lab::workload(self.scene()));
            })
       .def("simulate", &simulate, nb::arg("progress").none())
-      .def("read", &read<SharedScene>, nb::arg("path"), nb::arg("columns"),
-           nb::arg("accept_missing"))
-      .def("take", &take<SharedScene>, nb::arg("npy"))
-      .def("raw_numbers", &raw<SharedScene>, nb::arg("readings").noconvert())
-      .def("kernel_matrix", &kernel_matrix)
-      .def("normal_matrix", &normal_matrix_of, nb::arg("alpha"));
+      .def("kernel_matrix", &kernel_matrix);
   module.def("parse", &parse, nb::arg("text"), nb::arg("file"));
   module.def("stress_units", [] { return units_by_name(Dimension::stress); });
   module.def("length_units", [] { return units_by_name(Dimension::length); });
