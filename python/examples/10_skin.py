@@ -16,7 +16,7 @@ print(skin)
 print(f"readings {recording.readings.shape}: frames, rows, columns, channels")
 
 # %%
-solution = recording.solve()
+solution = skin.solve(recording)
 for k, verdict in enumerate(solution.verdict):
     force = ", ".join(f"{1e3 * f:4.0f}" for f in solution.wrench[k, :3])
     centre = ", ".join(f"{1e3 * c:5.2f}" for c in solution.centre[k])

@@ -4,10 +4,13 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
+#include <tuple>
 #include <variant>
 
 #include "arrays.hpp"
@@ -70,7 +73,8 @@ class StudyPoints {
 
   /// @return  values of the axes, seed, readings, truth, and why there are none: a row for each
   /// frame
-  [[nodiscard]] nb::tuple simulate(std::size_t index) const {
+  [[nodiscard]] std::tuple<std::vector<nb::str>, std::uint64_t, Array, Array, nb::str> simulate(
+      std::size_t index) const {
     const sweep::Point point = study_.point(index);
     SimulatedFrames all;
     std::string failure;
@@ -94,8 +98,8 @@ class StudyPoints {
     const std::size_t frames = all.count();
     const std::size_t readings = frames == 0 ? 0 : all.readings.size() / frames;
     const std::size_t tractions = frames == 0 ? 0 : all.truth.size() / frames;
-    return nb::make_tuple(values, point.seed, owned(std::move(all.readings), {frames, readings}),
-                          owned(std::move(all.truth), {frames, tractions}), readable(failure));
+    return {std::move(values), point.seed, owned(std::move(all.readings), {frames, readings}),
+            owned(std::move(all.truth), {frames, tractions}), readable(failure)};
   }
 
  private:

@@ -14,10 +14,11 @@ from ._core import version as __version__
 from ._files import load
 from ._recording import Recording, Solution
 from ._result import MethodResult, Result, run
-from ._scene import Scene, Sites, Solver
+from ._scene import Scene, Sites
 from ._skin import Skin
 from ._skin_result import SkinMethodResult, SkinResult
 from ._skin_solution import SkinSolution
+from ._solver import Solver
 from ._sweep import Study, SweepTable, merge, slurm_script, sweep
 from ._tables import (
     CircularPunch,

@@ -119,7 +119,7 @@ def load(*folders: str | PathLike[str]) -> Dataset:
 
     Raises InputError where there is none, points are missing, or shards are of different studies.
     """
-    where = ", ".join(map(fspath, folders))
+    where = ", ".join(fspath(folder) for folder in folders)
     files = sorted(path for folder in folders for path in Path(folder).glob("shard-*-of-*.npz"))
     if not files:
         raise refused(where, "holds no shard of a data set", "tactile_net.datasets.generate makes them")
@@ -203,7 +203,7 @@ class _Shard:
 
     @contextmanager
     def _numbers(self) -> Iterator[list[IO[bytes]]]:
-        files = [open(self._part(kind), "ab") for kind in self.kinds]
+        files: list[IO[bytes]] = [open(self._part(kind), "ab") for kind in self.kinds]
         try:
             yield files
         finally:
@@ -254,9 +254,9 @@ class _Shard:
         values, seed, readings, truth, failure = found
         ends = [0] * len(self.kinds) if not lines else list(lines[-1]["ends"])
         digest = sha256(f"{index} {seed} {failure}".encode())
-        widths = [readings.shape[1], truth.shape[1]] if len(readings) > 0 else None
-        shape = next((line["widths"] for line in lines if line["widths"]), widths)
-        if widths is not None and widths != shape:
+        widths = [readings.shape[1], truth.shape[1]] if len(readings) > 0 else []
+        shape: list[int] = next((line["widths"] for line in lines if line["widths"]), widths)
+        if widths and widths != shape:
             raise refused(
                 fspath(self.file),
                 f"point {index} has {widths[0]} readings and {widths[1]} tractions, those before it {shape[0]} and {shape[1]}",
