@@ -57,22 +57,29 @@ if importlib.util.find_spec("mujoco"):
     warnings.filterwarnings("ignore", category=tn.mujoco.ShortContactWarning)
     MODEL = """<mujoco><worldbody><body name="finger"><geom type="box" size=".02 .01 .002"/><site name="pad" pos="0 0 .002"/>
     </body><body pos="0 0 .0119"><joint type="slide" axis="0 0 1"/><geom {} mass=".1"/></body></worldbody><sensor>
-    <user dim="42" needstage="acc" objtype="site" objname="pad"/></sensor></mujoco>"""
+    <user dim="{}" needstage="acc" objtype="site" objname="pad"/></sensor></mujoco>"""
+    line = tn.Scene(**sensor(21, 1e-3, ["stress_x", "shear_xy"]))
+    reads = ["stress_x", "shear_xy", "shear_xz"]
+    skin = tn.Skin(
+        sensor=tn.Sensor(rows=8, columns=8, pitch=2e-3, depth=2e-3, reads=reads), material=line.to_dict()["material"], units={}
+    )
     for name, shape in {
         "ball": 'type="sphere" size=".01"',
         "cylinder": 'type="cylinder" size=".01 .009" euler="90 0 0"',
         "box": 'type="box" size=".006 .009 .01"',
     }.items():
-        mjmodel = mujoco.MjModel.from_xml_string(MODEL.format(shape))
-        data = mujoco.MjData(mjmodel)
-        mujoco.mj_step(mjmodel, data, 1000)
-        bare = microseconds(lambda: mujoco.mj_step(mjmodel, data))
-        pad = tn.mujoco.Pad(
-            mjmodel, site="pad", scene=tn.Scene(**sensor(21, 1e-3, ["stress_x", "shear_xy"])), breadth=20e-3
-        )
-        pad.install()
-        sensing = microseconds(lambda: mujoco.mj_step(mjmodel, data))
-        pad.uninstall()
-        contacts = int(data.ncon)
-        print(f"{name}, {contacts} contacts, 42 readings: a step takes {bare:.1f} us, {sensing - bare:.1f} more with taxels")
-        assert np.isfinite(data.sensordata).all()
+        for scene, breadth in ((line, 20e-3), (skin, None)):
+            size = len(scene.reading_names)
+            mjmodel = mujoco.MjModel.from_xml_string(MODEL.format(shape, size))
+            data = mujoco.MjData(mjmodel)
+            mujoco.mj_step(mjmodel, data, 1000)
+            bare = microseconds(lambda: mujoco.mj_step(mjmodel, data))
+            pad = tn.mujoco.Pad(mjmodel, site="pad", scene=scene, breadth=breadth)
+            pad.install()
+            sensing = microseconds(lambda: mujoco.mj_step(mjmodel, data), batches=100)
+            pad.uninstall()
+            print(
+                f"{name}, {int(data.ncon)} contacts, {size} readings: a step takes {bare:.1f} us, "
+                f"{sensing - bare:.1f} more with taxels"
+            )
+            assert np.isfinite(data.sensordata).all()

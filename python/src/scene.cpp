@@ -12,15 +12,13 @@
 #include <sstream>
 
 #include "arrays.hpp"
-#include "read_frames.hpp"
+#include "bound_scene.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
+#include "simulated_frames.hpp"
 #include "tactile_net/lab/method.hpp"
-#include "tactile_net/lab/simulated_frame.hpp"
-#include "tactile_net/lab/summary.hpp"
 #include "tactile_net/report/json/workload_json.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
-#include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
@@ -38,12 +36,6 @@ std::variant<ScenePointer, SkinPointer> parse(std::string text, std::string file
                                         lab::SkinSceneProblem(std::move(*skin)));
   return std::make_shared<SharedScene>(std::move(text), std::move(file),
                                        lab::SceneProblem(std::get<Scene>(std::move(scene))));
-}
-
-std::vector<std::string> channel_names(const SharedScene& self) {
-  std::vector<std::string> names;
-  for (const Channel& channel : channels(self.scene().sensor)) names.push_back(channel.name);
-  return names;
 }
 
 /// y, depth, quantity, taxel and channel of every reading, in their order.
@@ -90,40 +82,20 @@ std::string explain(const SharedScene& self) {
   return text.str();
 }
 
-/// t, readings, normal and tangential tractions of every frame, and what the effects have to say.
-std::tuple<Array, Array, Array, std::optional<Array>, std::vector<std::string>> simulate(
-    const SharedScene& self, const nb::object& progress) {
-  std::vector<double> t;
-  std::vector<double> readings;
-  std::vector<double> normal;
-  std::vector<double> tangential;
-  lab::RecordedFrames recorded;
+/// t, readings, the true tractions of every frame, and what the effects have to say.
+std::tuple<Array, Array, Array, std::vector<std::string>> simulate(const SharedScene& self,
+                                                                   const nb::object& progress) {
+  SimulatedFrames all;
   Watcher watcher(progress);
-  const std::size_t count = surface(self.scene()).count;
-  const bool drags = any_friction(self.scene());
   {
     const nb::gil_scoped_release released;
-    lab::SensorRecording recording(self.scene());
-    while (recording.next()) {
-      watcher.step({.kind = lab::Step::Kind::frame, .count = t.size()});
-      t.push_back(recording.time());
-      readings.insert(readings.end(), recording.readings().begin(), recording.readings().end());
-      const TractionField& truth = recording.truth();
-      normal.insert(normal.end(), truth.normal.begin(), truth.normal.end());
-      if (drags) {
-        tangential.insert(tangential.end(), truth.tangential.begin(), truth.tangential.end());
-        tangential.resize(normal.size());
-      }
-      recorded.add(recording);
-    }
+    all = simulated_frames(self.scene(), watcher);
   }
-  const std::size_t frames = t.size();
-  const std::size_t width = reading_count(self.scene().sensor);
-  std::optional<Array> dragged;
-  if (drags) dragged = owned(std::move(tangential), {frames, count});
-  return {owned(std::move(t)), owned(std::move(readings), {frames, width}),
-          owned(std::move(normal), {frames, count}), std::move(dragged),
-          report::in_words(recorded)};
+  const std::size_t frames = all.count();
+  const std::size_t count = surface(self.scene()).count;
+  return {owned(std::move(all.t)),
+          owned(std::move(all.readings), {frames, reading_count(self.scene().sensor)}),
+          owned(std::move(all.truth), {frames, 2, count}), std::move(all.notes)};
 }
 
 /// By name, what to multiply and what to divide by for the unit in SI.
@@ -148,45 +120,21 @@ Array kernel_matrix(SharedScene& self) {
   return as_array(std::move(kernel));
 }
 
-Array normal_matrix_of(SharedScene& self, double alpha) {
-  Matrix matrix;
-  {
-    const nb::gil_scoped_release released;
-    const auto locked = self.lock();
-    matrix = normal_matrix(locked.problem.problem(), alpha);
-  }
-  return as_array(std::move(matrix));
-}
-
 std::vector<std::string> methods_of(const SharedScene& self) {
   std::vector<std::string> names;
   for (const Method method : self.scene().reconstruct.methods) names.emplace_back(name(method));
   return names;
 }
 
-std::optional<std::pair<double, std::size_t>> timing(const SharedScene& self) {
-  if (!self.scene().time) return std::nullopt;
-  return std::pair(self.scene().time->rate, self.scene().time->frames);
-}
-
 }  // namespace
 
 void bind_scene(nb::module_& module) {
-  nb::class_<SharedScene>(module, "Scene")
-      .def_prop_ro("text", &SharedScene::text)
-      .def_prop_ro("file", &SharedScene::file)
-      .def_prop_ro("title", [](const SharedScene& self) { return self.scene().title; })
-      .def_prop_ro("count", [](const SharedScene& self) { return self.scene().sensor.count; })
-      .def_prop_ro("readings",
-                   [](const SharedScene& self) { return reading_count(self.scene().sensor); })
-      .def_prop_ro("even", [](const SharedScene& self) { return is_even(self.scene().sensor); })
+  nb::class_<SharedScene> scene(module, "Scene");
+  bind_what_scenes_share(scene);
+  scene.def_prop_ro("count", [](const SharedScene& self) { return self.scene().sensor.count; })
+      .def_prop_ro("drags", [](const SharedScene& self) { return any_friction(self.scene()); })
       .def_prop_ro("unknowns", [](const SharedScene& self) { return unknowns(self.scene()); })
-      .def_prop_ro("channels", &channel_names)
-      .def_prop_ro("reading_names",
-                   [](const SharedScene& self) { return reading_names(self.scene().sensor); })
       .def_prop_ro("methods", &methods_of)
-      .def_prop_ro("timing", &timing)
-      .def_prop_ro("si", [](const SharedScene& self) { return self.scene().units.has_value(); })
       .def_prop_ro("spacing", [](const SharedScene& self) { return surface(self.scene()).spacing; })
       .def("y", [](const SharedScene& self) { return owned(positions(surface(self.scene()))); })
       .def("taxels", [](const SharedScene& self) { return owned(positions(self.scene().sensor)); })
@@ -199,12 +147,7 @@ void bind_scene(nb::module_& module) {
              return report::workload_json(self.scene(), lab::workload(self.scene()));
            })
       .def("simulate", &simulate, nb::arg("progress").none())
-      .def("read", &read<SharedScene>, nb::arg("path"), nb::arg("columns"),
-           nb::arg("accept_missing"))
-      .def("take", &take<SharedScene>, nb::arg("npy"))
-      .def("raw_numbers", &raw<SharedScene>, nb::arg("readings").noconvert())
-      .def("kernel_matrix", &kernel_matrix)
-      .def("normal_matrix", &normal_matrix_of, nb::arg("alpha"));
+      .def("kernel_matrix", &kernel_matrix);
   module.def("parse", &parse, nb::arg("text"), nb::arg("file"));
   module.def("stress_units", [] { return units_by_name(Dimension::stress); });
   module.def("length_units", [] { return units_by_name(Dimension::length); });

@@ -84,7 +84,8 @@ class RigidSkinPad {
         edge_(edge.value_or(0.5 * least_depth(shared->scene().sensor))),
         touches_(std::move(own), std::move(curvature)),
         recorded_(reading_count(shared->scene().sensor)) {
-    (void)lab::skin_loads({}, shared->scene().material, edge_);  // judges it
+    (void)lab::skin_patches({}, shared->scene().material, edge_,
+                            sensors_.model().grid());  // judges
   }
 
   [[nodiscard]] double edge() const noexcept { return edge_; }
@@ -93,9 +94,10 @@ class RigidSkinPad {
   unsigned read(std::uintptr_t state, double time, const SimulatorContacts& contacts,
                 const Room& readings, std::size_t offset) {
     const unsigned notes = touches_.gather(contacts);
-    const SkinScene& scene = sensors_.model().scene;
-    sensors_.of(state).read(time, lab::skin_loads(touches_.points(), scene.material, edge_),
-                            recorded_);
+    const SkinScene& scene = sensors_.model().scene();
+    sensors_.of(state).read(
+        time, lab::skin_patches(touches_.points(), scene.material, edge_, sensors_.model().grid()),
+        recorded_);
     double* to = readings.data() + offset;
     if (!is_even(scene.sensor)) {
       std::copy(recorded_.begin(), recorded_.end(), to);

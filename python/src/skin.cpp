@@ -8,20 +8,14 @@
 
 #include <tuple>
 
-#include "read_frames.hpp"
+#include "bound_scene.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
-#include "tactile_net/lab/skin_simulation.hpp"
+#include "simulated_frames.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 
 namespace tactile_net::python {
 namespace {
-
-std::vector<std::string> channel_names(const SharedSkin& self) {
-  std::vector<std::string> names;
-  for (const SkinChannel& channel : channels(self.scene().sensor)) names.push_back(channel.name);
-  return names;
-}
 
 /// y, z, depth, quantity, taxel and channel of every reading, in their order.
 std::tuple<Array, Array, Array, std::vector<std::string>, std::vector<std::size_t>,
@@ -70,27 +64,21 @@ std::vector<std::string> words(const SharedSkin& self) {
   return all;
 }
 
-/// t, readings and the true tractions of every frame.
-std::tuple<Array, Array, Array> simulate(const SharedSkin& self, const nb::object& progress) {
-  std::vector<double> t;
-  std::vector<double> readings;
-  std::vector<double> truth;
+/// t, readings, the true tractions of every frame, and what the effects have to say.
+std::tuple<Array, Array, Array, std::vector<std::string>> simulate(const SharedSkin& self,
+                                                                   const nb::object& progress) {
+  SimulatedFrames all;
   Watcher watcher(progress);
-  const std::size_t count = grid(self.scene()).count();
   {
     const nb::gil_scoped_release released;
-    lab::SkinRecording recording(self.scene());
-    while (recording.next()) {
-      watcher.step({.kind = lab::Step::Kind::frame, .count = t.size()});
-      t.push_back(recording.time());
-      readings.insert(readings.end(), recording.readings().begin(), recording.readings().end());
-      truth.insert(truth.end(), recording.truth().begin(), recording.truth().end());
-    }
+    all = simulated_frames(self.scene(), watcher);
   }
-  const std::size_t frames = t.size();
-  return {owned(std::move(t)),
-          owned(std::move(readings), {frames, reading_count(self.scene().sensor)}),
-          owned(std::move(truth), {frames, skin_tractions.size() * count})};
+  const std::size_t frames = all.count();
+  const SkinGrid cells = grid(self.scene());
+  return {owned(std::move(all.t)),
+          owned(std::move(all.readings), {frames, reading_count(self.scene().sensor)}),
+          owned(std::move(all.truth), {frames, skin_tractions.size(), cells.rows, cells.columns}),
+          std::move(all.notes)};
 }
 
 /// K: neither weighted by the noise nor with dead taxels left out.
@@ -108,50 +96,20 @@ Array kernel_matrix(const SharedSkin& self) {
   return as_array(std::move(kernel));
 }
 
-Array normal_matrix_of(SharedSkin& self, double alpha) {
-  Matrix matrix;
-  {
-    const nb::gil_scoped_release released;
-    const auto locked = self.lock();
-    matrix = normal_matrix(locked.problem.problem(), alpha);
-  }
-  return as_array(std::move(matrix));
-}
-
-std::optional<std::pair<double, std::size_t>> timing(const SharedSkin& self) {
-  if (!self.scene().time) return std::nullopt;
-  return std::pair(self.scene().time->rate, self.scene().time->frames);
-}
-
 }  // namespace
 
 void bind_skin(nb::module_& module) {
-  nb::class_<SharedSkin>(module, "Skin")
-      .def_prop_ro("text", &SharedSkin::text)
-      .def_prop_ro("file", &SharedSkin::file)
-      .def_prop_ro("title", [](const SharedSkin& self) { return self.scene().title; })
-      .def_prop_ro("rows", [](const SharedSkin& self) { return self.scene().sensor.rows; })
+  nb::class_<SharedSkin> scene(module, "Skin");
+  bind_what_scenes_share(scene);
+  scene.def_prop_ro("rows", [](const SharedSkin& self) { return self.scene().sensor.rows; })
       .def_prop_ro("columns", [](const SharedSkin& self) { return self.scene().sensor.columns; })
-      .def_prop_ro("readings",
-                   [](const SharedSkin& self) { return reading_count(self.scene().sensor); })
-      .def_prop_ro("even", [](const SharedSkin& self) { return is_even(self.scene().sensor); })
       .def_prop_ro("unknowns", [](const SharedSkin& self) { return components(self.scene()); })
-      .def_prop_ro("channels", &channel_names)
-      .def_prop_ro("reading_names",
-                   [](const SharedSkin& self) { return reading_names(self.scene().sensor); })
       .def_prop_ro("taxel_names", &taxel_names)
-      .def_prop_ro("timing", &timing)
-      .def_prop_ro("si", [](const SharedSkin& self) { return self.scene().units.has_value(); })
       .def("cells", &cells_of)
       .def("sites", &sites_of)
       .def("words", &words)
       .def("simulate", &simulate, nb::arg("progress").none())
-      .def("read", &read<SharedSkin>, nb::arg("path"), nb::arg("columns"),
-           nb::arg("accept_missing"))
-      .def("take", &take<SharedSkin>, nb::arg("npy"))
-      .def("raw_numbers", &raw<SharedSkin>, nb::arg("readings").noconvert())
-      .def("kernel_matrix", &kernel_matrix)
-      .def("normal_matrix", &normal_matrix_of, nb::arg("alpha"));
+      .def("kernel_matrix", &kernel_matrix);
 }
 
 }  // namespace tactile_net::python

@@ -3,15 +3,26 @@
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <stdexcept>
+#include <tuple>
+#include <variant>
 
+#include "arrays.hpp"
 #include "page_folder.hpp"
+#include "readable.hpp"
 #include "rooms.hpp"
+#include "simulated_frames.hpp"
 #include "tactile_net/pages/sweep_page.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/report/words/sweep_words.hpp"
 #include "tactile_net/sweep/slurm.hpp"
+#include "watcher.hpp"
 
 namespace tactile_net::python {
 namespace {
@@ -52,6 +63,49 @@ sweep::Table merge(const std::vector<std::string>& folders) {
   return sweep::merge(std::vector<std::filesystem::path>(folders.begin(), folders.end()));
 }
 
+/// A study gone through point by point: what each point's sensor reads.
+class StudyPoints {
+ public:
+  StudyPoints(const std::string& path, bool allow_outside)
+      : study_(read_study(path, {allow_outside})) {}
+
+  [[nodiscard]] const sweep::Study& study() const noexcept { return study_; }
+
+  /// @return  values of the axes, seed, readings, truth, and why there are none: a row for each
+  /// frame
+  [[nodiscard]] std::tuple<std::vector<nb::str>, std::uint64_t, Array, Array, nb::str> simulate(
+      std::size_t index) const {
+    const sweep::Point point = study_.point(index);
+    SimulatedFrames all;
+    std::string failure;
+    {
+      Watcher watcher;
+      const nb::gil_scoped_release released;
+      try {
+        all = std::visit([&](const auto& scene) { return simulated_frames(scene, watcher); },
+                         study_.scene(point));
+      } catch (const InputError& error) {
+        for (const Diagnostic& one : error.diagnostics())
+          failure += (failure.empty() ? "" : "; ") + one.message;
+      } catch (const std::invalid_argument& error) {
+        failure = error.what();
+      } catch (const std::runtime_error& error) {
+        failure = error.what();
+      }
+    }
+    std::vector<nb::str> values;
+    for (const AxisValue& value : point.values) values.push_back(readable(value.plain));
+    const std::size_t frames = all.count();
+    const std::size_t readings = frames == 0 ? 0 : all.readings.size() / frames;
+    const std::size_t tractions = frames == 0 ? 0 : all.truth.size() / frames;
+    return {std::move(values), point.seed, owned(std::move(all.readings), {frames, readings}),
+            owned(std::move(all.truth), {frames, tractions}), readable(failure)};
+  }
+
+ private:
+  sweep::Study study_;
+};
+
 std::string report_of(const sweep::Table& table, const std::string& folder, bool force) {
   const nb::gil_scoped_release released;
   return write_page({.path = folder, .force = force},
@@ -74,6 +128,22 @@ void bind_sweep(nb::module_& module) {
       .def_ro("sha256", &sweep::Table::sha256)
       .def("cells", &report::method_cells)
       .def("report", &report_of);
+  nb::class_<StudyPoints>(module, "StudyPoints")
+      .def(nb::init<const std::string&, bool>(), nb::arg("path"), nb::arg("allow_outside"))
+      .def_prop_ro("points", [](const StudyPoints& self) { return self.study().points(); })
+      .def_prop_ro("title", [](const StudyPoints& self) { return self.study().title(); })
+      .def_prop_ro("hash", [](const StudyPoints& self) { return self.study().hash(); })
+      .def_prop_ro("axes",
+                   [](const StudyPoints& self) {
+                     std::vector<std::string> keys;
+                     for (const sweep::Axis& axis : self.study().axes()) keys.push_back(axis.key);
+                     return keys;
+                   })
+      .def_prop_ro("scene_text", [](const StudyPoints& self) { return self.study().base().text(); })
+      .def_prop_ro("scene_file",
+                   [](const StudyPoints& self) { return self.study().base().file().string(); })
+      .def("simulate", &StudyPoints::simulate, nb::arg("index"));
+  module.attr("instructions") = name(widest_instruction_set());
   module.def("sweep", &run_sweep, nb::arg("study"), nb::arg("folder"), nb::arg("jobs").none(),
              nb::arg("shard"), nb::arg("allow_outside"), nb::arg("progress").none());
   module.def("merge", &merge, nb::arg("folders"));

@@ -7,17 +7,18 @@ docs/python.md has it all; docs/scene.md says what a scene is. All numbers are i
 else in those of the scene; arrays are float64.
 """
 
-from . import errors, logs, mujoco, plot
+from . import datasets, errors, logs, mujoco, plot
 from ._circuit import Certification, Relaxation, Survey
 from ._controller import ContactEstimate, Estimator, Plan
 from ._core import version as __version__
 from ._files import load
 from ._recording import Recording, Solution
 from ._result import MethodResult, Result, run
-from ._scene import Scene, Sites, Solver
+from ._scene import Scene, Sites
 from ._skin import Skin
 from ._skin_result import SkinMethodResult, SkinResult
 from ._skin_solution import SkinSolution
+from ._solver import Solver
 from ._sweep import Study, SweepTable, merge, slurm_script, sweep
 from ._tables import (
     CircularPunch,
@@ -82,6 +83,7 @@ __all__ = [
     "UnsolvableError",
     "Wedge",
     "__version__",
+    "datasets",
     "errors",
     "load",
     "logs",

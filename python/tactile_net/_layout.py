@@ -13,6 +13,7 @@ import json
 import os
 import shutil
 import tempfile
+from collections.abc import Sequence
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
@@ -66,13 +67,9 @@ def _unit_of(channel: str) -> str:
     return next((unit for kind, unit in kinds.items() if channel.startswith(kind)), "Pa")
 
 
-def layout_of(what: Recording | Solution, dtype: DTypeLike = np.float64) -> Layout:
-    """Raises ValueError where a number is too large for `dtype`."""
-    recording = what.recording if isinstance(what, Solution) else what
-    scene = recording.scene
-    even = scene.even
-    arrays: dict[str, Any] = {"readings": recording.readings, "truth": recording.truth}
-    attributes = {
+def attributes_of(scene: Scene, notes: Sequence[str]) -> dict[str, str]:
+    """Of its readings, in every container."""
+    return {
         "format": READINGS,
         "version": str(VERSION),
         "signs": SIGNS if len(scene._surface[0]) == 1 else SKIN_SIGNS,
@@ -81,8 +78,17 @@ def layout_of(what: Recording | Solution, dtype: DTypeLike = np.float64) -> Layo
         "scene_file": os.path.basename(scene.file),
         "scene_files": json.dumps(_files_of(scene)),
         "scene_sha256": sha256(scene.text.encode()).hexdigest(),
-        "notes": json.dumps(recording.notes),
+        "notes": json.dumps(notes),
     }
+
+
+def layout_of(what: Recording | Solution, dtype: DTypeLike = np.float64) -> Layout:
+    """Raises ValueError where a number is too large for `dtype`."""
+    recording = what.recording if isinstance(what, Solution) else what
+    scene = recording.scene
+    even = scene.even
+    arrays: dict[str, Any] = {"readings": recording.readings, "truth": recording.truth}
+    attributes = attributes_of(scene, recording.notes)
     if isinstance(what, Solution):
         arrays |= what._held()
         attributes |= {

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import copy
-import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Self, TypeAlias, overload
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Self
 
 import numpy as np
 
@@ -15,9 +13,11 @@ from . import _core, _html
 from ._arrays import Floats, frames_of
 from ._circuit import Certification, Relaxation, Survey
 from ._controller import Plan
+from ._paths import replaced
 from ._progress import Progress, listening
 from ._recording import Recording, Solution
 from ._result import Result
+from ._solver import AnySolver, Solver
 from ._tables import Contact, Material, Noise, Reconstruct, Sensor, Timing, as_table
 from ._toml import text_of
 from .errors import InputError
@@ -25,9 +25,7 @@ from .errors import InputError
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Scene", "Sites", "Solver"]
-
-_AnySolver: TypeAlias = "_core.Solver | _core.SkinSolver"
+__all__ = ["Scene", "Sites"]
 
 
 class Sites(NamedTuple):
@@ -40,75 +38,6 @@ class Sites(NamedTuple):
     channel: NDArray[np.int_]
     z: Floats
     """Across the surface [m]; of line arrays 0."""
-
-
-class Solver:
-    """A method of a scene, made ready: readings in, tractions out. Made by `Scene.solver`."""
-
-    def __init__(self, scene: Scene, method: str, alpha: float | None) -> None:
-        self.scene = scene
-        self.method = method
-        self.alpha = alpha
-        """For every frame; None: the scene's, or each frame's by its rule."""
-        self._core = scene._made_solver(method, alpha)
-
-    @property
-    def _shape(self) -> tuple[int, ...]:
-        """Of the tractions of one frame."""
-        places = self.scene.traction_shape
-        return self._core.tractions // math.prod(places), *places
-
-    @overload
-    def __call__(self, readings: Any, *, full: Literal[False] = False) -> Floats: ...
-    @overload
-    def __call__(self, readings: Any, *, full: Literal[True]) -> tuple[Floats, Solution]: ...
-    def __call__(self, readings: Any, *, full: bool = False) -> Floats | tuple[Floats, Solution]:
-        """(..., C, N) or (..., C*N) readings, of uneven arrays (..., R), to (..., U, M) tractions [Pa].
-
-        full: also the Solution, with verdicts, bands and notes of every frame, one after another.
-        Raises FrameError for a frame that is not finite.
-        """
-        rows, lead = self.scene._rows(readings)
-        if not full:
-            return self._core.solve(rows).reshape(*lead, *self._shape)
-        scene = self.scene if self.alpha is None else self.scene.replace({"reconstruct.alpha": self.alpha})
-        solution = scene.solve(rows, self.method)
-        return solution.tractions.reshape(*lead, *solution.tractions.shape[1:]), solution
-
-    @property
-    def matrix(self) -> Floats:
-        """M: tractions are M g. (U*M, R), read-only: the solver's own memory, which is not copied.
-
-        Raises ValueError where the answer is not one product: alpha by a rule, constraints, dft, 1024 tractions and more.
-        """
-        return self._core.matrix
-
-    def vjp(self, gradient: Any) -> Floats:
-        """(..., U, M), what a loss changes by with each traction, to (..., C, N): with each reading. M' gradient."""
-        rows, lead = frames_of(gradient, self._shape, "gradient")
-        return np.asarray(self.scene._framed(rows @ self.matrix, lead))
-
-    def alpha_derivative(self, readings: Any) -> Floats:
-        """(..., C, N) readings to (..., U, M): what the tractions change by with log(alpha) [Pa].
-
-        With P = (WK)'(WK) + alpha L'L it is -alpha P^-1 L'L f, and that is the method, less what it makes of its own
-        tractions' readings: -M (g - K f).
-        """
-        matrix = self.matrix
-        rows, lead = self.scene._rows(readings)
-        tractions = rows @ matrix.T
-        left = rows - tractions @ self._kernel.T
-        return np.asarray((left @ -matrix.T).reshape(*lead, *self._shape))
-
-    @cached_property
-    def _kernel(self) -> Floats:
-        return self.scene.kernel_matrix()
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Solver, (self.scene, self.method, self.alpha)
-
-    def __repr__(self) -> str:
-        return f"<Solver {self.method} of {self.scene.file}>"
 
 
 class Scene:
@@ -182,21 +111,7 @@ class Scene:
 
         None takes a key out. Raises InputError, and KeyError where there is no such contact.
         """
-        table = copy.deepcopy(self.to_dict())
-        for path, value in changes.items():
-            *way, last = path.split(".")
-            place: Any = table
-            for step in way:
-                place = _within(place, step, path)
-            if not isinstance(place, (list, dict)):
-                raise KeyError(f"{path}: {way[-1]} is no table")
-            if isinstance(place, list):
-                place[_index(place, last, path)] = as_table(value)
-            elif value is None:
-                place.pop(last, None)
-            else:
-                place[last] = as_table(value)
-        return type(self).from_dict(table, file=self.file)
+        return type(self).from_dict(replaced(self.to_dict(), changes), file=self.file)
 
     # What it says.
 
@@ -330,9 +245,10 @@ class Scene:
     def simulate(self, *, progress: Progress = False) -> Recording:
         """What the sensor would read, every frame of it, and the tractions that pressed."""
         with listening(progress) as heard:
-            t, readings, normal, tangential, notes = self._core.simulate(heard)
-        truth = np.stack([normal] if tangential is None else [normal, tangential], axis=1)
-        return Recording(self, readings.reshape(-1, *self.reading_shape), t, truth, tuple(notes))
+            t, readings, truth, notes = self._core.simulate(heard)
+        if not self._core.drags:
+            truth = np.ascontiguousarray(truth[:, :1])
+        return Recording(self, self._framed(readings), t, truth, tuple(notes))
 
     def read(self, path: str | PathLike[str], *, columns: str = "", missing: bool = True) -> Recording:
         """A file of frames, CSV or .npy, with the scene's units and calibration applied: readings in SI.
@@ -343,7 +259,7 @@ class Scene:
         t, readings, notes = self._core.read(fspath(path), columns, missing)
         return Recording(self, self._framed(readings), t, None, tuple(notes))
 
-    def _made_solver(self, method: str, alpha: float | None) -> _AnySolver:
+    def _made_solver(self, method: str, alpha: float | None) -> AnySolver:
         return _core.Solver(self._core, method, alpha)
 
     def solver(self, method: str = "tikhonov", *, alpha: float | None = None) -> Solver:
@@ -474,17 +390,3 @@ def _read(text: str | bytes, file: str) -> _core.Scene | _core.Skin:
 def _read_only(values: Floats) -> Floats:
     values.flags.writeable = False
     return values
-
-
-def _within(place: Any, step: str, path: str) -> Any:
-    if isinstance(place, list):
-        return place[_index(place, step, path)]
-    if not isinstance(place, dict):
-        raise KeyError(f"{path}: {step} is in no table")
-    return place.setdefault(step, {})
-
-
-def _index(place: Sequence[Any], step: str, path: str) -> int:
-    if not step.isdecimal() or int(step) >= len(place):
-        raise KeyError(f"{path}: there is no number {step} of {len(place)}")
-    return int(step)

@@ -13,9 +13,10 @@ from ._circuit import Certification, Relaxation, Survey
 from ._controller import Plan
 from ._progress import Progress, listening
 from ._recording import Recording
-from ._scene import _KINDS, Scene, Sites, _AnySolver, _read_only
+from ._scene import _KINDS, Scene, Sites, _read_only
 from ._skin_result import SkinResult
 from ._skin_solution import COMPONENTS, SkinSolution
+from ._solver import AnySolver
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -166,10 +167,10 @@ class Skin(Scene):
     def simulate(self, *, progress: Progress = False) -> Recording:
         """What the skin would read, every frame of it, and the tractions that pressed: (T, 3, rows, columns)."""
         with listening(progress) as heard:
-            t, readings, truth = self._core.simulate(heard)
-        return Recording(self, self._framed(readings), t, truth.reshape(len(t), 3, *self.traction_shape))
+            t, readings, truth, notes = self._core.simulate(heard)
+        return Recording(self, self._framed(readings), t, truth, tuple(notes))
 
-    def _made_solver(self, method: str, alpha: float | None) -> _AnySolver:
+    def _made_solver(self, method: str, alpha: float | None) -> AnySolver:
         _tikhonov(method)
         return _core.SkinSolver(self._core, alpha)
 

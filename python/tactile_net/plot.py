@@ -101,22 +101,24 @@ def pressure_map(scene: Scene, tractions: Any, touching: Any = None, *, ax: Any 
     y, z = 1e3 * scene.y, 1e3 * scene.z
     p = 1e-3 * np.asarray(tractions[0])
     top = 1e-3 * largest if largest is not None else float(np.nanmax(np.abs(p), initial=0.0)) or 1.0
-    mesh = ax.pcolormesh(y, z, p.T, cmap="RdBu", vmin=-top, vmax=top, shading="nearest")
-    ax.figure.colorbar(mesh, ax=ax, label="pressure [kPa]")
+    pulls = float(np.nanmin(p, initial=0.0)) < -0.05 * top
+    colours = {"cmap": "RdBu", "vmin": -top} if pulls else {"cmap": "Blues", "vmin": 0.0}
+    mesh = ax.pcolormesh(y, z, p.T, vmax=top, shading="nearest", **colours)
+    ax.figure.colorbar(mesh, ax=ax, label="pressure [kPa]", shrink=0.75)
     if touching is not None and np.any(touching) and not np.all(touching):
         _outline(ax, scene, np.asarray(touching))
     if len(tractions) > 1:
         drag = 1e-3 * np.hypot(tractions[1], tractions[2])
         longest = float(np.nanmax(drag, initial=0.0))
-        seen = drag > 0.05 * longest
+        seen = drag > 0.1 * longest
         if longest > 0.0:
             step = 1e3 * min(scene.spacing, scene.spacing_z)
             at_y, at_z = np.meshgrid(y, z, indexing="ij")
             arrows = (1e-3 * np.asarray(part)[seen] for part in tractions[1:])
             quiver = ax.quiver(
-                at_y[seen], at_z[seen], *arrows, angles="xy", scale_units="xy", scale=longest / (1.5 * step), width=0.005
+                at_y[seen], at_z[seen], *arrows, angles="xy", scale_units="xy", scale=longest / (2.0 * step), width=0.006
             )
-            ax.quiverkey(quiver, 0.8, 1.04, longest, f"drag, {longest:.3g} kPa", labelpos="E")
+            ax.quiverkey(quiver, 0.9, 0.06, longest, f"drag {longest:.3g} kPa", labelpos="W")
     return _seen_from_outside(ax)
 
 

@@ -103,6 +103,14 @@ std::vector<PlanePoint> widened_hull(const std::vector<PlanePoint>& points, doub
 
 double area_within(const std::vector<PlanePoint>& polygon, double from_y, double to_y,
                    double from_z, double to_z) {
+  bool is_inside = true;  // as most rectangles are: nothing is cut
+  for (std::size_t i = 0; is_inside && i < polygon.size(); ++i) {
+    const PlanePoint a = polygon[i];
+    const PlanePoint b = polygon[(i + 1) % polygon.size()];
+    for (const double y : {from_y, to_y})
+      for (const double z : {from_z, to_z}) is_inside = is_inside && turn(a, b, {y, z}) >= 0.0;
+  }
+  if (is_inside) return (to_y - from_y) * (to_z - from_z);
   const std::vector<PlanePoint> part =
       cut(cut(cut(cut(polygon, 1.0, 0.0, to_y), -1.0, 0.0, -from_y), 0.0, 1.0, to_z), 0.0, -1.0,
           -from_z);

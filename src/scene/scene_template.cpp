@@ -7,6 +7,7 @@
 
 #include "scene/document.hpp"
 #include "scene/sections.hpp"
+#include "scene/skin_sections.hpp"
 #include "scene/table.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -63,7 +64,17 @@ std::string without_indices(std::string_view key) {
   return join(names, ".");
 }
 
-Scene scene_of(const SceneTemplate& base, std::span<const Setting> settings, Problems& problems) {
+template <class Kind, class Sections>
+Kind read_as(toml::table& toml, const SceneTemplate& base, Problems& problems, Sections read) {
+  Kind scene;
+  scene.file = base.file().filename().string();
+  Table root{toml, "", problems};
+  if (problems.none()) read(root, base.file().parent_path(), scene);
+  return scene;
+}
+
+AnyScene scene_of(const SceneTemplate& base, std::span<const Setting> settings,
+                  Problems& problems) {
   const std::string file = base.file().string();
   const std::string_view text = without_byte_order_mark(base.text());
   toml::table toml = parse_document(text, file, problems);
@@ -76,11 +87,9 @@ Scene scene_of(const SceneTemplate& base, std::span<const Setting> settings, Pro
       problems.add({}, std::string(setting.key) + ": " + in_quotes(setting.value) + " is not TOML");
     }
   }
-  Scene scene;
-  scene.file = base.file().filename().string();
-  Table root{toml, "", problems};
-  if (problems.none()) read_sections(root, base.file().parent_path(), scene);
-  return scene;
+  if (is_skin(toml, base.file().parent_path()))
+    return read_as<SkinScene>(toml, base, problems, read_skin_sections);
+  return read_as<Scene>(toml, base, problems, read_sections);
 }
 
 }  // namespace
@@ -92,11 +101,19 @@ SceneTemplate::SceneTemplate(std::string text, std::filesystem::path file)
   (void)parse_document(content, file_.string(), problems);
 }
 
-Scene SceneTemplate::with(std::span<const Setting> settings) const {
+AnyScene SceneTemplate::with(std::span<const Setting> settings) const {
   Problems problems{file_.string(), without_byte_order_mark(text_)};
-  Scene scene = scene_of(*this, settings, problems);
+  AnyScene scene = scene_of(*this, settings, problems);
   problems.throw_if_any();
   return scene;
+}
+
+std::vector<std::string> SceneTemplate::files() const {
+  const toml::table toml = toml::parse(without_byte_order_mark(text_));
+  std::vector<std::string> names;
+  for (const std::string_view key : file_keys)
+    if (const auto name = toml.at_path(key).value<std::string>()) names.push_back(*name);
+  return names;
 }
 
 std::optional<SceneTemplate::Objection> SceneTemplate::objection(

@@ -1,7 +1,10 @@
+#include <cmath>
 #include <exception>
 #include <string>
+#include <variant>
 
 #include "tactile_net/lab/run.hpp"
+#include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
@@ -36,6 +39,16 @@ Row row_at(const Point& point) {
   return row;
 }
 
+/// mean |p - truth| [Pa]
+double mean_error(const lab::SkinExperiment& experiment) {
+  const auto found =
+      lab::component(experiment.answer->tractions, experiment.grid, SkinTraction::normal);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    sum += std::abs(found[i] - experiment.frame.truth[i]);
+  return sum / static_cast<double>(found.size());
+}
+
 Row row_of(const Point& point, const lab::MethodResult& result) {
   Row row = row_at(point);
   row.method = name(result.method);
@@ -49,6 +62,23 @@ Row row_of(const Point& point, const lab::MethodResult& result) {
   row.force = result.force;
   if (result.condition) row.condition = result.condition->value;
   row.error_bound = result.error_bound;
+  return row;
+}
+
+/// Of a skin: its errors over the true pressure, its force in N.
+Row row_of(const Point& point, const lab::SkinExperiment& experiment) {
+  Row row = row_at(point);
+  row.method = name(Method::tikhonov);
+  row.failure = one_line(without_paths(experiment.refusal));
+  if (!experiment.answer) return row;
+  const lab::SkinAnswer& answer = *experiment.answer;
+  row.verdict = lab::name(answer.verdict);
+  row.alpha = answer.alpha.value;
+  row.error = experiment.relative[0];
+  row.error_tangential = std::hypot(experiment.relative[1], experiment.relative[2]);
+  row.mean_error = mean_error(experiment);
+  row.force = answer.wrench.normal.value;
+  row.condition = answer.condition;
   return row;
 }
 
@@ -87,9 +117,11 @@ Row failed_row(const Point& point, std::string_view why) {
 std::vector<Row> solve(const Study& study, std::size_t index, Simulator& simulator) {
   const Point point = study.point(index);
   try {
+    const AnyScene scene = study.scene(point);
+    if (const auto* skin = std::get_if<SkinScene>(&scene)) return {row_of(point, lab::run(*skin))};
     std::vector<Row> rows;
     Tidy tidy(simulator);
-    const lab::Experiment experiment = lab::run(study.scene(point), tidy);
+    const lab::Experiment experiment = lab::run(std::get<Scene>(scene), tidy);
     for (const lab::MethodResult& result : experiment.results)
       rows.push_back(row_of(point, result));
     return rows;

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "sweep/draws.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/sha256.hpp"
+#include "tactile_net/scene/bounded_text.hpp"
 
 namespace tactile_net::sweep {
 namespace {
@@ -61,6 +63,15 @@ std::vector<Axis> axes_of(const StudyFile& file) {
   return axes;
 }
 
+/// What a file beside the scene holds. One that cannot be read is every point's own failure.
+std::string file_hash(const SceneTemplate& scene, const std::string& name) {
+  try {
+    return sha256_text(input_text(scene.file().parent_path() / name));
+  } catch (const InputError&) {
+    return "none";
+  }
+}
+
 std::string hash_of(const StudyFile& file, const std::vector<Axis>& axes) {
   std::string text =
       "study\n" + sha256_text(file.scene.text()) + '\n' + std::to_string(file.seed) + '\n';
@@ -68,6 +79,12 @@ std::string hash_of(const StudyFile& file, const std::vector<Axis>& axes) {
     text += axis.key + (axis.drawn ? " drawn\n" : "\n");
     for (const AxisValue& value : axis.values) text += ' ' + value.toml + '\n';
   }
+  std::vector<std::string> files = file.scene.files();
+  for (const Axis& axis : axes)
+    if (std::find(file_keys.begin(), file_keys.end(), axis.key) != file_keys.end())
+      for (const AxisValue& value : axis.values) files.push_back(value.plain);
+  for (const std::string& name : files)
+    text += "file " + name + ' ' + file_hash(file.scene, name) + '\n';
   return sha256_text(text);
 }
 
@@ -131,15 +148,20 @@ Point Study::point(std::size_t index) const {
   return point;
 }
 
-Scene Study::scene(const Point& point) const {
+AnyScene Study::scene(const Point& point) const {
   std::vector<Setting> settings;
   for (std::size_t i = 0; i < file_.axes.size(); ++i)
     settings.push_back({axes_[i].key, point.values[i].toml});
-  Scene scene = file_.scene.with(settings);
-  for (const auto& [key, in] : seeds) {
+  AnyScene scene = file_.scene.with(settings);
+  const auto set_seed = [&](std::string_view key, std::uint64_t* seed) {
     const bool is_axis = std::any_of(axes_.begin(), axes_.end(),
-                                     [key = key](const Axis& axis) { return axis.key == key; });
-    if (std::uint64_t* const seed = in(scene); seed != nullptr && !is_axis) *seed = point.seed;
+                                     [key](const Axis& axis) { return axis.key == key; });
+    if (seed != nullptr && !is_axis) *seed = point.seed;
+  };
+  if (auto* skin = std::get_if<SkinScene>(&scene)) {
+    set_seed("noise.seed", skin->noise ? &skin->noise->seed : nullptr);
+  } else {
+    for (const auto& [key, in] : seeds) set_seed(key, in(std::get<Scene>(scene)));
   }
   return scene;
 }

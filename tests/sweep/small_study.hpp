@@ -21,7 +21,7 @@ inline const std::string pad =
     "[reconstruct]\nmethods = [\"tikhonov\", \"dft\"]\nalpha = 1e-3\n";
 
 /// 3 x 2 x 4 points.
-inline const std::string grid =
+inline const std::string grid_study =
     "scene = \"pad.toml\"\nseed = 3\nrepeats = 4\n"
     "[[axis]]\nkey = \"sensor.depth\"\nvalues = [1.0, 1.5, 2]\n"
     "[[axis]]\nkey = \"contact.0.half_width\"\nvalues = [0.5, 1.0]\n";

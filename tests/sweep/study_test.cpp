@@ -5,14 +5,16 @@
 #include <map>
 #include <set>
 #include <string>
+#include <variant>
 
+#include "tactile_net/lab/simulator_choice.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sweep/row.hpp"
 #include "tests/catch.hpp"
 #include "tests/sweep/small_study.hpp"
 
 using namespace tactile_net;
-using test::grid;
+using test::grid_study;
 using test::StudyFolder;
 
 namespace {
@@ -27,6 +29,11 @@ std::map<std::string, std::uint64_t> seeds(const sweep::Study& study) {
     all[name] = point.seed;
   }
   return all;
+}
+
+/// The scene of a line array at a point.
+Scene line(const sweep::Study& study, const sweep::Point& point) {
+  return std::get<Scene>(study.scene(point));
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
@@ -52,7 +59,7 @@ std::string refusal(const StudyFolder& folder, const std::string& text) {
 
 TEST_CASE("points have one order: the last axis varies fastest, repeats before all", "[sweep]") {
   const StudyFolder folder;
-  const sweep::Study study = folder.study(grid);
+  const sweep::Study study = folder.study(grid_study);
   REQUIRE(study.points() == 24);
   const auto values = [&](std::size_t index) {
     std::string text;
@@ -69,9 +76,9 @@ TEST_CASE("points have one order: the last axis varies fastest, repeats before a
 
 TEST_CASE("a point's scene has its values, and its seed", "[sweep]") {
   const StudyFolder folder;
-  const sweep::Study study = folder.study(grid);
+  const sweep::Study study = folder.study(grid_study);
   const sweep::Point point = study.point(13);
-  const Scene scene = study.scene(point);
+  const Scene scene = line(study, point);
   CHECK(scene.sensor.depths == std::vector{1.5});
   CHECK(std::get<RigidContact>(scene.contacts.at(0)).half_width == 1.0);
   CHECK(scene.noise->seed == point.seed);
@@ -82,12 +89,12 @@ TEST_CASE("a seed that is an axis keeps the axis' value", "[sweep]") {
   const StudyFolder folder;
   const sweep::Study study =
       folder.study("scene = \"pad.toml\"\n[[axis]]\nkey = \"noise.seed\"\nvalues = [11, 12]\n");
-  CHECK(study.scene(study.point(1)).noise->seed == 12);
+  CHECK(line(study, study.point(1)).noise->seed == 12);
 }
 
 TEST_CASE("a point's seed depends on it alone", "[sweep]") {
   const StudyFolder folder;
-  const auto before = seeds(folder.study(grid));
+  const auto before = seeds(folder.study(grid_study));
   const std::set<std::uint64_t> different = [&] {
     std::set<std::uint64_t> all;
     for (const auto& [name, seed] : before) all.insert(seed);
@@ -96,12 +103,13 @@ TEST_CASE("a point's seed depends on it alone", "[sweep]") {
   CHECK(different.size() == before.size());
 
   SECTION("a value more on an axis changes no other point") {
-    const auto after = seeds(folder.study(replaced(grid, "[1.0, 1.5, 2]", "[0.5, 1, 1.5, 2.0]")));
+    const auto after =
+        seeds(folder.study(replaced(grid_study, "[1.0, 1.5, 2]", "[0.5, 1, 1.5, 2.0]")));
     REQUIRE(after.size() == 32);
     for (const auto& [name, seed] : before) CHECK(after.at(name) == seed);
   }
   SECTION("so do more repeats") {
-    const auto after = seeds(folder.study(replaced(grid, "repeats = 4", "repeats = 5")));
+    const auto after = seeds(folder.study(replaced(grid_study, "repeats = 4", "repeats = 5")));
     for (const auto& [name, seed] : before) CHECK(after.at(name) == seed);
   }
   SECTION("the order of the axes is nothing to it") {
@@ -112,19 +120,73 @@ TEST_CASE("a point's seed depends on it alone", "[sweep]") {
     CHECK(after.at("0.5 2 3 ") == before.at("2 0.5 3 "));
   }
   SECTION("another seed of the study is another seed of all") {
-    const auto after = seeds(folder.study(replaced(grid, "seed = 3", "seed = 4")));
+    const auto after = seeds(folder.study(replaced(grid_study, "seed = 3", "seed = 4")));
     for (const auto& [name, seed] : before) CHECK(after.at(name) != seed);
   }
 }
 
 TEST_CASE("the hash follows what answers depend on, and nothing else", "[sweep]") {
   const StudyFolder folder;
-  const std::string hash = folder.study(grid).hash();
-  CHECK(folder.study("title = \"x\"\n" + grid + "# more\n").hash() == hash);
-  CHECK(folder.study(replaced(grid, "[0.5, 1.0]", "[0.5, 1.1]")).hash() != hash);
-  CHECK(folder.study(replaced(grid, "seed = 3", "seed = 4")).hash() != hash);
+  const std::string hash = folder.study(grid_study).hash();
+  CHECK(folder.study("title = \"x\"\n" + grid_study + "# more\n").hash() == hash);
+  CHECK(folder.study(replaced(grid_study, "[0.5, 1.0]", "[0.5, 1.1]")).hash() != hash);
+  CHECK(folder.study(replaced(grid_study, "seed = 3", "seed = 4")).hash() != hash);
   folder.write("pad.toml", test::pad + "# another\n");
-  CHECK(folder.study(grid).hash() != hash);
+  CHECK(folder.study(grid_study).hash() != hash);
+}
+
+TEST_CASE("the hash follows the files that a scene names, and those of an axis", "[sweep]") {
+  const StudyFolder folder;
+  const std::string rest =
+      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n[reconstruct]\nalpha = 1e-3\n";
+  const std::string taxels = "name,y,depth\na,-1,1.5\nb,0,1.5\nc,1,1.5\n";
+  folder.write("taxels.csv", taxels);
+  folder.write("others.csv", taxels);
+  folder.write("pad.toml", "[sensor]\ntaxels = \"taxels.csv\"\nreads = [\"stress_x\"]\n" + rest);
+  const std::string one =
+      "scene = \"pad.toml\"\n[[axis]]\nkey = \"reconstruct.alpha\"\nvalues = [1e-3]\n";
+  const std::string two =
+      one + "[[axis]]\nkey = \"sensor.taxels\"\nvalues = [\"taxels.csv\", \"others.csv\"]\n";
+  const std::string of_one = folder.study(one).hash();
+  const std::string of_two = folder.study(two).hash();
+  CHECK(folder.study(one).hash() == of_one);
+  folder.write("others.csv", taxels + "d,2,1.5\n");
+  CHECK(folder.study(one).hash() == of_one);
+  CHECK(folder.study(two).hash() != of_two);
+  folder.write("taxels.csv", taxels + "d,2,1.5\n");
+  CHECK(folder.study(one).hash() != of_one);
+}
+
+TEST_CASE("a skin is swept as a line is", "[sweep][skin]") {
+  const StudyFolder folder;
+  folder.write("skin.toml",
+               "[sensor]\nrows = 4\ncolumns = 4\npitch = 2.0\ndepth = 2.0\n"
+               "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
+               "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+               "[[contact]]\nshape = \"sphere\"\nradius = 2.0\nforce = 1.0\nfriction = 0.3\n"
+               "[noise]\nrms = 1e-4\nseed = 7\n");
+  const std::string text =
+      "scene = \"skin.toml\"\n[[axis]]\nkey = \"contact.0.force\"\nvalues = "
+      "[0.5, 1.0, -1.0]\n";
+  const sweep::Study study = folder.study(text);
+  const sweep::Point point = study.point(1);
+  CHECK(std::get<SkinScene>(study.scene(point)).noise->seed == point.seed);
+  const auto simulator = lab::make_simulator();
+  const std::vector<sweep::Row> rows = sweep::solve(study, 1, *simulator);
+  REQUIRE(rows.size() == 1);
+  const sweep::Row& row = rows.front();
+  CHECK(row.method == "tikhonov");
+  CHECK(row.verdict == "ok");
+  CHECK_THAT(row.force.value(), WithinRel(1.0, 0.1));
+  CHECK(row.error.value() > 0.0);
+  CHECK(row.error.value() < 0.5);
+  CHECK(row.error_tangential.value() > 0.0);
+  const std::vector<sweep::Row> bad = sweep::solve(study, 2, *simulator);
+  REQUIRE(bad.size() == 1);
+  CHECK_THAT(bad.front().failure, ContainsSubstring("contact.force"));
+  CHECK_THAT(
+      refusal(folder, "scene = \"skin.toml\"\n[[axis]]\nkey = \"sensor.colums\"\nvalues = [1]\n"),
+      ContainsSubstring("columns"));
 }
 
 TEST_CASE("ranges have both ends, and equal steps or equal ratios", "[sweep]") {
@@ -142,7 +204,7 @@ TEST_CASE("ranges have both ends, and equal steps or equal ratios", "[sweep]") {
   CHECK(plain(0) == std::vector<std::string>{"0.1", "0.2", "0.3", "0.4", "0.5"});
   CHECK(plain(1) == std::vector<std::string>{"0.0001", "0.001", "0.01", "0.1"});
   CHECK(plain(2) == std::vector<std::string>{"5", "6", "7", "8", "9"});  // none twice
-  CHECK(study.scene(study.point(0)).sensor.count == 5);
+  CHECK(line(study, study.point(0)).sensor.count == 5);
 }
 
 TEST_CASE("draws fill their ranges, and more draws begin with the same", "[sweep]") {
@@ -189,7 +251,7 @@ TEST_CASE("values of every kind reach the scene", "[sweep]") {
       "[[axis]]\nkey = \"reconstruct.nonnegative\"\nvalues = [true, false]\n"
       "[[axis]]\nkey = \"quantization.bits\"\nvalues = [8, 12]\n"
       "[[axis]]\nkey = \"quantization.range\"\nvalues = [[-4.0, 4.0]]\n");
-  const Scene scene = study.scene(study.point(8));
+  const Scene scene = line(study, study.point(8));
   CHECK(scene.sensor.reads.size() == 2);
   CHECK(scene.reconstruct.alpha_rule == AlphaRule::rgcv);
   CHECK(scene.reconstruct.nonnegative);
@@ -276,6 +338,6 @@ TEST_CASE("a base scene that fails for some values fails for those alone", "[swe
   const StudyFolder folder;
   const sweep::Study study = folder.study(
       "scene = \"pad.toml\"\n[[axis]]\nkey = \"sensor.depth\"\nvalues = [-1.0, 1.5]\n");
-  CHECK_THROWS_WITH(study.scene(study.point(0)), ContainsSubstring("sensor.depth must be > 0"));
-  CHECK(study.scene(study.point(1)).sensor.depths.front() == 1.5);
+  CHECK_THROWS_WITH(line(study, study.point(0)), ContainsSubstring("sensor.depth must be > 0"));
+  CHECK(line(study, study.point(1)).sensor.depths.front() == 1.5);
 }

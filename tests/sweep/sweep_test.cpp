@@ -22,7 +22,7 @@
 #include "tests/sweep/small_study.hpp"
 
 using namespace tactile_net;
-using test::grid;
+using test::grid_study;
 using test::StudyFolder;
 namespace fs = std::filesystem;
 
@@ -97,7 +97,7 @@ std::string by_hand(const sweep::Study& study) {
 
 TEST_CASE("workers find what one process finds", "[sweep]") {
   const StudyFolder folder;
-  const sweep::Study study = folder.study(grid);
+  const sweep::Study study = folder.study(grid_study);
   Watcher watcher;
   const sweep::Progress progress = sweep::sweep(study, folder / "out", {.jobs = 3}, watcher);
   CHECK(progress.complete());
@@ -113,7 +113,7 @@ TEST_CASE("workers find what one process finds", "[sweep]") {
 
 TEST_CASE("one shard, two and seven have equal hashes", "[sweep]") {
   const StudyFolder folder;
-  const sweep::Study study = folder.study(grid);
+  const sweep::Study study = folder.study(grid_study);
   std::vector<std::string> hashes;
   for (const std::size_t count : {1U, 2U, 7U}) {
     const fs::path out = folder / ("out-" + std::to_string(count));
@@ -129,7 +129,7 @@ TEST_CASE("one shard, two and seven have equal hashes", "[sweep]") {
 
 TEST_CASE("what is done is not done again, in other shards either", "[sweep]") {
   const StudyFolder folder;
-  const sweep::Study study = folder.study(grid);
+  const sweep::Study study = folder.study(grid_study);
   CHECK(swept(study, folder / "out", {.jobs = 1, .shard = {2, 3}}).done == 8);
   const std::size_t lines = journal_lines(folder / "out");
   const sweep::Progress rest = swept(study, folder / "out");
@@ -142,7 +142,7 @@ TEST_CASE("what is done is not done again, in other shards either", "[sweep]") {
 
 TEST_CASE("workers that are killed cost nothing but time", "[sweep]") {
   const StudyFolder folder;
-  const sweep::Study study = folder.study(grid);
+  const sweep::Study study = folder.study(grid_study);
   Watcher watcher;
   std::size_t killed = 0;
   watcher.each = [&] {
@@ -162,7 +162,7 @@ TEST_CASE("workers that are killed cost nothing but time", "[sweep]") {
 
 TEST_CASE("a driver that is killed leaves no worker, and its sweep goes on", "[sweep]") {
   const StudyFolder folder;
-  const sweep::Study study = folder.study(grid);
+  const sweep::Study study = folder.study(grid_study);
   const fs::path out = folder / "out";
   const pid_t driver = ::fork();
   REQUIRE(driver >= 0);
@@ -197,7 +197,7 @@ TEST_CASE("a driver that is killed leaves no worker, and its sweep goes on", "[s
 
 TEST_CASE("a sweep that is stopped is gone on with", "[sweep]") {
   const StudyFolder folder;
-  const sweep::Study study = folder.study(grid);
+  const sweep::Study study = folder.study(grid_study);
   Watcher watcher;
   watcher.each = [&] { return watcher.asked > 8; };
   const sweep::Progress progress = sweep::sweep(study, folder / "out", {.jobs = 1}, watcher);
@@ -278,7 +278,7 @@ TEST_CASE("scenes that fail are rows, not an end", "[sweep]") {
 
 TEST_CASE("a second driver in a shard's folder is told who is there", "[sweep]") {
   const StudyFolder folder;
-  const sweep::Study study = folder.study(grid);
+  const sweep::Study study = folder.study(grid_study);
   std::string told;
   Watcher watcher;
   watcher.each = [&] {
@@ -295,9 +295,9 @@ TEST_CASE("a second driver in a shard's folder is told who is there", "[sweep]")
 
 TEST_CASE("another study's folder is refused, before anything is written", "[sweep]") {
   const StudyFolder folder;
-  CHECK(swept(folder.study(grid), folder / "out").complete());
+  CHECK(swept(folder.study(grid_study), folder / "out").complete());
   const std::size_t lines = journal_lines(folder / "out");
-  const sweep::Study other = folder.study("title = \"other\"\n" + grid +
+  const sweep::Study other = folder.study("title = \"other\"\n" + grid_study +
                                           "[[axis]]\nkey = \"contact.0.force\"\nvalues = [2]\n");
   CHECK_THROWS_WITH(swept(other, folder / "out"), ContainsSubstring("another study"));
   CHECK(journal_lines(folder / "out") == lines);
@@ -305,7 +305,7 @@ TEST_CASE("another study's folder is refused, before anything is written", "[swe
 
 TEST_CASE("a folder that cannot be made or written to is known at once", "[sweep]") {
   const StudyFolder folder;
-  const sweep::Study study = folder.study(grid);
+  const sweep::Study study = folder.study(grid_study);
   CHECK_THROWS_AS(swept(study, folder / "pad.toml"), frames::CannotCreate);
   CHECK_THROWS_AS(swept(study, folder / "pad.toml/out"), frames::CannotCreate);
   CHECK_THROWS_AS(swept(study, "/proc/none"), frames::CannotCreate);
@@ -318,7 +318,7 @@ TEST_CASE("a folder that cannot be made or written to is known at once", "[sweep
 
 TEST_CASE("a full disk ends the sweep, which goes on when there is room", "[sweep]") {
   const StudyFolder folder;
-  const sweep::Study study = folder.study(grid);
+  const sweep::Study study = folder.study(grid_study);
   rlimit before{};
   ::getrlimit(RLIMIT_FSIZE, &before);
   rlimit small = before;

@@ -3,26 +3,54 @@
 ///
 ///     const auto model = std::make_shared<const lab::SkinPadModel>(skin_scene);
 ///     lab::SimulatedSkinPad pad(model);
-///     pad.read(time, skin_loads(points, model->scene.material, 1e-3), readings);
+///     pad.read(time, skin_patches(points, model->scene().material, 1e-3, model->grid()),
+///     readings);
 #pragma once
 
+#include <array>
+#include <map>
 #include <memory>
 #include <span>
+#include <vector>
 
+#include "tactile_net/elasticity/space/skin_kernel.hpp"
 #include "tactile_net/lab/pad_signal.hpp"
+#include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/scene/skin_scene.hpp"
-#include "tactile_net/skin/forward.hpp"
+#include "tactile_net/skin/load.hpp"
 
 namespace tactile_net::lab {
 
-/// What all pads of a scene share. Its contacts, [time] and [forward] are not looked at.
-struct SkinPadModel {
-  /// @throw std::invalid_argument  as `ExactSkinModel`
-  explicit SkinPadModel(SkinScene of)
-      : scene(std::move(of)), forward(scene.sensor, scene.material) {}
+/// What all pads of a scene share. Its contacts, [time], [forward] and [reconstruct] are not looked
+/// at.
+///
+/// Readings are made cell by cell from a table: of cells a third of the least depth wide, or as
+/// wide as a table of 256 MB takes, that reach three depths beyond the taxels. A cell's force
+/// counts as a point load's; of a Hertzian contact two depths wide that is right to a per cent.
+class SkinPadModel {
+ public:
+  /// @throw std::invalid_argument  as `make_problem`; or cells as wide as the least depth would
+  ///                               still take more
+  explicit SkinPadModel(SkinScene scene);
 
-  SkinScene scene;
-  ExactSkinModel forward;
+  [[nodiscard]] const SkinScene& scene() const noexcept { return scene_; }
+  /// Of the table.
+  [[nodiscard]] const SkinGrid& grid() const noexcept { return grid_; }
+
+  /// What patches on cells of `grid`, and of its continuation, cause before all effects.
+  ///
+  /// @param readings  in the order of the skin's readings
+  void readings(std::span<const SampledPatch> patches, std::span<double> readings) const;
+
+ private:
+  void add_beyond(double y, double z, const std::array<double, 3>& tractions,
+                  std::span<double> readings) const;
+
+  SkinScene scene_;
+  SkinGrid grid_;
+  Matrix table_;  // (three components x cells) x readings
+  std::vector<SkinSite> sites_;
+  std::map<double, SkinKernel> kernels_{};  // of each depth
 };
 
 /// One skin and what it remembers. Not thread-safe.
@@ -34,8 +62,7 @@ class SimulatedSkinPad {
   ///
   /// @param time      [s]
   /// @param readings  in the order of the skin's readings
-  /// @throw as `ExactSkinModel::readings`
-  void read(double time, std::span<const SkinLoad> loads, std::span<double> readings);
+  void read(double time, std::span<const SampledPatch> patches, std::span<double> readings);
 
  private:
   std::shared_ptr<const SkinPadModel> model_;

@@ -2,16 +2,18 @@
 /// A scene whose values are still open: its text, and what stands in it in place of some of them.
 ///
 ///     const SceneTemplate pad(input_text("pad.toml"), "pad.toml");
-///     const Scene deeper = pad.with(std::vector<Setting>{{"sensor.depth", "2e-3"}});
+///     const AnyScene deeper = pad.with(std::vector<Setting>{{"sensor.depth", "2e-3"}});
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net {
 
@@ -21,6 +23,9 @@ struct Setting {
   std::string_view key;
   std::string_view value;  ///< TOML, as it stands behind the `=`
 };
+
+/// Keys of a scene whose values are files beside it.
+inline constexpr std::array<std::string_view, 2> file_keys{"sensor.taxels", "calibration.file"};
 
 class SceneTemplate {
  public:
@@ -33,8 +38,11 @@ class SceneTemplate {
 
   /// The scene with these values in place of its own; tables that are missing are made.
   ///
-  /// @throw InputError  as `read_scene`; a setting has no place in it, or is not TOML
-  [[nodiscard]] Scene with(std::span<const Setting> settings) const;
+  /// @throw InputError  as `read_any_scene`; a setting has no place in it, or is not TOML
+  [[nodiscard]] AnyScene with(std::span<const Setting> settings) const;
+
+  /// What the text itself names of `file_keys`, as it names it.
+  [[nodiscard]] std::vector<std::string> files() const;
 
   /// Why no scene has that key.
   struct Objection {

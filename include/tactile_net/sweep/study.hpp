@@ -40,6 +40,8 @@ class Study {
 
   [[nodiscard]] const std::string& file() const noexcept { return file_.file; }
   [[nodiscard]] const std::string& title() const noexcept { return file_.title; }
+  /// What every point begins with.
+  [[nodiscard]] const SceneTemplate& base() const noexcept { return file_.scene; }
   /// In the file's order; `repeat_key` is the last, where points are repeated.
   [[nodiscard]] const std::vector<Axis>& axes() const noexcept { return axes_; }
   [[nodiscard]] std::size_t points() const noexcept { return points_; }
@@ -49,9 +51,10 @@ class Study {
   /// The scene at a point. Its seeds, of noise and of all else that is drawn, are the point's; one
   /// that is an axis keeps the axis' value.
   /// @throw InputError  the reader refuses it
-  [[nodiscard]] Scene scene(const Point& point) const;
+  [[nodiscard]] AnyScene scene(const Point& point) const;
 
-  /// SHA-256 of all that its answers depend on: the base scene, the axes, the seed.
+  /// SHA-256 of all that its answers depend on: the base scene with the files that it names, and
+  /// those of axes, the axes, the seed.
   [[nodiscard]] const std::string& hash() const noexcept { return hash_; }
 
  private:
