@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -76,6 +77,9 @@ class FitProblem {
     return used_[reading] ? first_offset_ + reading : no_column;
   }
   [[nodiscard]] double gain(const FitState& state, std::size_t reading) const noexcept;
+  void set_gain(FitState& state, std::size_t reading, double gain) const {
+    if (gain_of_[reading] != no_column) state.log_gain[gain_of_[reading]] = std::log(gain);
+  }
   [[nodiscard]] bool used(std::size_t reading) const noexcept { return used_[reading]; }
   [[nodiscard]] std::size_t readings_used() const noexcept;
   [[nodiscard]] double noise(std::size_t reading) const noexcept { return noise_[reading]; }

@@ -15,6 +15,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double singular_limit = 1e-10;
 constexpr double outlying = 5.0;  // standard deviations
+constexpr double far_off = 4.0;   // stated standard deviations
 constexpr double poor_rms = 1.1;  // with thousands of readings p alone condemns every real pad
 constexpr double poor_p = 1e-3;
 
@@ -93,6 +94,7 @@ class Summary {
     pad();
     gains();
     matrices();
+    contradictions();
   }
 
  private:
@@ -327,6 +329,23 @@ class Summary {
                               : apart(index(i)) > 0.01 ? ValueVerdict::not_identifiable
                                                        : verdict_of(sd, stated_.gain_sd);
     }
+  }
+
+  /// Units that are wrong by 1000 end as a gain of 0.001 with small residuals.
+  void contradictions() {
+    const auto far = [](double moved, double sd) { return sd > 0.0 && moved > far_off * sd; };
+    for (const PadParameter parameter : fit_.free) {
+      const FittedValue& value = fit_.at(parameter);
+      const bool is_log = value.nominal > 0.0 && parameter != PadParameter::poisson_ratio;
+      const double moved = is_log ? std::abs(std::log(value.value / value.nominal))
+                                  : std::abs(value.value - value.nominal);
+      if (far(moved, stated_.sd(parameter))) fit_.contradicted.push_back(parameter);
+    }
+    for (std::size_t c = 0; c < fit_.mean_gain.size(); ++c)
+      if (far(std::abs(std::log(fit_.mean_gain[c].value)), stated_.mean_gain_sd))
+        fit_.contradicted_gains.push_back(c);
+    if (!fit_.contradicted.empty() || !fit_.contradicted_gains.empty())
+      fit_.verdict = FitVerdict::poor_fit;
   }
 
   void matrices() {

@@ -194,6 +194,15 @@ FitSystem fit_system(const FitProblem& problem, const FitState& state,
   return system;
 }
 
+Eigen::MatrixXd eliminated_rows(const FitProblem& problem, const FitState& state,
+                                const PressReadings& readings, std::size_t press) {
+  PressBlock block(problem, state, readings, press, {});
+  block.eliminate();
+  const Eigen::Index own = index(problem.press_rows[press].columns);
+  return block.matrix.bottomRows(block.matrix.rows() - own)
+      .middleCols(own, index(problem.columns()));
+}
+
 std::array<double, press_unknowns> press_step(const FitSystem::Own& own, const PressRows& rows,
                                               const Eigen::VectorXd& common) {
   std::array<double, press_unknowns> step{};

@@ -44,6 +44,10 @@ struct FitSystem {
                                    const PressReadings& readings, const SystemColumns& columns,
                                    const SystemParts& parts);
 
+/// What one press says of the common unknowns, its own eliminated: readings x common unknowns.
+[[nodiscard]] Eigen::MatrixXd eliminated_rows(const FitProblem& problem, const FitState& state,
+                                              const PressReadings& readings, std::size_t press);
+
 /// The unknowns of one press from the common ones, zeros where they are exact.
 [[nodiscard]] std::array<double, press_unknowns> press_step(const FitSystem::Own& own,
                                                             const PressRows& rows,

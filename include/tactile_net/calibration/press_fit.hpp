@@ -33,7 +33,7 @@ enum class ValueVerdict {
 
 enum class FitVerdict {
   ok,
-  poor_fit,         ///< residuals are larger than the noise explains: the model is wrong
+  poor_fit,         ///< residuals are larger than noise explains, or stated values contradicted
   iteration_limit,  ///< no start converged
 };
 [[nodiscard]] std::string_view name(FitVerdict verdict) noexcept;
@@ -99,6 +99,9 @@ struct PressFit {
   std::vector<PadParameter> free{};        ///< rows and columns of the two matrices
   Matrix covariance{}, correlation{};      ///< depth, thickness, E and pitch by their logarithms
   Matrix residuals{}, residuals_before{};  ///< presses x readings, in sds of the noise
+  /// What ended more than 4 of its stated sds away: the log and the scene contradict each other.
+  std::vector<PadParameter> contradicted{};
+  std::vector<std::size_t> contradicted_gains{};  ///< channels, by their mean gain
   std::vector<OutlyingReading> outliers{};
   std::vector<StartOutcome> starts{};
   std::vector<ProfilePoint> profile{};
