@@ -12,6 +12,55 @@ namespace {
 constexpr double null_limit = 1e-8;  // the weakest real direction is at 2e-3, rounding at 1e-10
 constexpr double share_limit = 1e-3;
 
+double dot(const NullDirection& a, const NullDirection& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < pad_parameter_count; ++i) sum += a.pad[i] * b.pad[i];
+  for (std::size_t j = 0; j < a.gains.size(); ++j) sum += a.gains[j] * b.gains[j];
+  return sum;
+}
+
+/// a += factor b
+void add(NullDirection& a, double factor, const NullDirection& b) {
+  for (std::size_t i = 0; i < pad_parameter_count; ++i) a.pad[i] += factor * b.pad[i];
+  for (std::size_t j = 0; j < a.gains.size(); ++j) a.gains[j] += factor * b.gains[j];
+}
+
+void normalise(NullDirection& a) {
+  const double length = std::sqrt(dot(a, a));
+  const NullDirection copy = a;
+  add(a, 1.0 / length - 1.0, copy);
+}
+
+/// Another basis of the same space, that people can read: a pad parameter in one direction only
+/// where there is a choice, and what the gains do among themselves apart from it.
+void separate(std::vector<NullDirection>& directions) {
+  std::size_t done = 0;
+  for (const PadParameter parameter : held_first) {
+    const auto i = static_cast<std::size_t>(parameter);
+    const auto pivot =
+        std::max_element(directions.begin() + static_cast<std::ptrdiff_t>(done), directions.end(),
+                         [&](const NullDirection& a, const NullDirection& b) {
+                           return std::abs(a.pad[i]) < std::abs(b.pad[i]);
+                         });
+    if (pivot == directions.end() || std::abs(pivot->pad[i]) < share_limit) continue;
+    std::iter_swap(directions.begin() + static_cast<std::ptrdiff_t>(done), pivot);
+    for (std::size_t k = 0; k < directions.size(); ++k)
+      if (k != done)
+        add(directions[k], -directions[k].pad[i] / directions[done].pad[i], directions[done]);
+    ++done;
+  }
+  for (std::size_t k = done; k < directions.size(); ++k) {
+    for (std::size_t other = done; other < k; ++other)
+      add(directions[k], -dot(directions[k], directions[other]), directions[other]);
+    normalise(directions[k]);
+  }
+  for (std::size_t k = 0; k < done; ++k) {
+    for (std::size_t gains = done; gains < directions.size(); ++gains)
+      add(directions[k], -dot(directions[k], directions[gains]), directions[gains]);
+    normalise(directions[k]);
+  }
+}
+
 }  // namespace
 
 std::vector<NullDirection> null_directions(const FitProblem& problem, const FitState& state) {
@@ -48,6 +97,7 @@ std::vector<NullDirection> null_directions(const FitProblem& problem, const FitS
     }
     directions.push_back(std::move(direction));
   }
+  separate(directions);
   return directions;
 }
 

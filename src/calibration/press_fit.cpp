@@ -29,12 +29,6 @@ constexpr Named<FitVerdict> fit_verdicts[] = {{FitVerdict::ok, "ok"},
                                               {FitVerdict::poor_fit, "poor_fit"},
                                               {FitVerdict::iteration_limit, "iteration_limit"}};
 
-/// In this order a parameter is held where several cannot be told apart: first what matters least.
-constexpr PadParameter held_first[] = {PadParameter::shift,         PadParameter::pitch,
-                                       PadParameter::crosstalk,     PadParameter::youngs_modulus,
-                                       PadParameter::poisson_ratio, PadParameter::thickness,
-                                       PadParameter::depth};
-
 /// The same options, every parameter held that the log cannot tell from others.
 CalibrationOptions identifiable(const PressModel& model, const PressLog& log,
                                 CalibrationOptions options, std::span<const bool> unread) {
@@ -97,7 +91,13 @@ bool free_wrong_forces(FitProblem& problem, const FitState& state) {
     std::size_t count = 0;
     for (std::size_t j = 0; j < problem.model().sites().size(); ++j)
       if (problem.used(j) && std::abs(problem.residual(state, readings, p, j)) > outlying) ++count;
-    if (count <= outliers_of_a_wrong_force) continue;
+    // Weights may have let the force go already: then it is far from what was stated instead.
+    const Stated& force = problem.log().presses[p].force;
+    const double moved = force.sd > 0.0
+                             ? std::abs(state.presses[p].log_force - std::log(*force.value)) *
+                                   *force.value / force.sd
+                             : 0.0;
+    if (count <= outliers_of_a_wrong_force && moved <= outlying) continue;
     problem.free_force(p);
     any = true;
   }
@@ -112,6 +112,12 @@ Descent robust(FitProblem& problem, Descent best) {
     best.iterations += before;
   }
   return best;
+}
+
+bool all_loads_stated(const PressLog& log) {
+  return std::all_of(log.presses.begin(), log.presses.end(), [](const Press& press) {
+    return press.force.value && press.position.value && press.half_width.value;
+  });
 }
 
 std::vector<ProfilePoint> profile_of(const FitProblem& problem, const Descent& best,
@@ -157,7 +163,8 @@ PressFit fit_presses(const PressModel& model, const PressLog& log,
     fit.iterations += descent.iterations;
     if (fit.starts.size() == 1 || descent.objective < best.objective * (1.0 - 1e-6))
       best = std::move(descent);
-    if (problem.pad_column(PadParameter::depth) == no_column) break;  // all starts are one
+    // Held, all starts are one; and with known loads every start finds the one minimum.
+    if (problem.pad_column(PadParameter::depth) == no_column || all_loads_stated(log)) break;
   }
   if (options.robust) {
     best = robust(problem, std::move(best));

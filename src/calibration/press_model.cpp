@@ -139,11 +139,9 @@ class GroupReadings {
     std::vector<double> slope(with_derivatives ? phi.size() : 0);
     Waves turn;  // cos(k c), sin(k c)
     turn.resize(presses.size(), n);
-    bool friction = false;
     for (std::size_t p = 0; p < presses.size(); ++p) {
       const double a = std::exp(presses[p].log_half_width);
       const double force = std::exp(presses[p].log_force);
-      friction = friction || presses[p].friction != 0.0;
       for (std::size_t i = 0; i < n; ++i) {
         const double k = nodes_.k[i];
         const IndenterTransform load = indenter_transform(presses[p].shape, k * a);
@@ -189,8 +187,6 @@ class GroupReadings {
     if (!with_derivatives) return;
     sum(phi, value, dragged, true, out.by_center);
     sum(slope, value, dragged, false, out.by_log_half_width);
-    // The friction's own column is asked for where it is free, which a press says with mu != 0 or
-    // an sd: both are rare, and one product is cheap.
     sum(
         phi, [](std::size_t) { return 0.0; },
         [&](std::size_t i, double) { return tangential_[i].value; }, false, out.by_friction);

@@ -175,7 +175,8 @@ std::string noise_of(const Scene& nominal, const PressLog& log, const PressFit& 
         count += 1.0;
       }
     const Unit unit = nominal.units ? reading_unit(*nominal.units, quantity) : Unit{};
-    const std::string rms = brief(unit.from_si(std::sqrt(squares / count)));
+    const double number = unit.from_si(std::sqrt(squares / count));
+    const std::string rms = rounded(number, 0.1 * number);
     if (nominal.sensor.reads.size() == 1) return rms;
     text += (text.empty() ? "{ " : ", ") + std::string(name(quantity)) + " = " + rms;
   }

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -187,6 +188,55 @@ TEST_CASE("a calibrated scene keeps the file and finds itself again", "[cli][cal
   CHECK_THAT(second.sensor.depths.front(), WithinRel(found.sensor.depths.front(), 0.01));
   for (std::size_t j = 0; j < 41; ++j)
     CHECK_THAT(second.calibration->gain[j], WithinRel(found.calibration->gain[j], 0.02));
+}
+
+TEST_CASE("forces of presses that were not in the log are found better", "[cli][calibrate]") {
+  // Every fourth press of the log is held out, and solved with both scenes.
+  const std::string text = read_text(log_of("rod-layer"));
+  std::string learnt, frames;
+  std::vector<double> forces;
+  std::size_t row = 0;
+  for (std::size_t from = 0; from < text.size(); ++row) {
+    const std::size_t end = text.find('\n', from);
+    const std::string line = text.substr(from, end - from);
+    std::size_t column = 0;
+    for (int comma = 0; comma < 8; ++comma) column = line.find(',', column) + 1;
+    if (row == 0) frames = line.substr(column) + '\n';
+    if (row > 20 && row % 4 == 0) {
+      frames += line.substr(column) + '\n';
+      forces.push_back(std::stod(line.substr(line.find(',', line.find(',') + 1) + 1)));
+    } else {
+      learnt += line + '\n';
+    }
+    from = end + 1;
+  }
+  REQUIRE(forces.size() == 5);
+  const Folder folder;
+  const std::string readings = folder.write("held-out.csv", frames);
+  REQUIRE(tool({"calibrate", folder.write("log.csv", learnt), "--scene", nominal_of("rod-layer"),
+                "-o", folder / "calibrated.toml"})
+              .code == 0);
+  const auto error = [&](const std::string& toml, const std::string& name) {
+    const std::string file = folder / name;
+    REQUIRE(tool({"solve", toml, "--readings", readings, "-q", "-o", folder / "f.csv",
+                  "--uncertainty", file})
+                .code == 0);
+    std::istringstream rows(read_text(file));
+    std::string line;
+    std::getline(rows, line);
+    REQUIRE_THAT(line, StartsWith("normal_force,"));
+    double squares = 0.0;
+    for (const double force : forces) {
+      std::getline(rows, line);
+      squares += std::pow(std::stod(line) / force - 1.0, 2) / 5.0;
+    }
+    return std::sqrt(squares);
+  };
+  const double nominal = error(nominal_of("rod-layer"), "nominal.csv");
+  const double calibrated_error = error(folder / "calibrated.toml", "calibrated.csv");
+  CAPTURE(nominal, calibrated_error);
+  CHECK(calibrated_error < 0.75 * nominal);
+  CHECK(calibrated_error < 0.05);
 }
 
 TEST_CASE("gains and offsets undo what gain and offset errors spoil", "[cli][calibrate]") {

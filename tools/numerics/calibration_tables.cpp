@@ -23,7 +23,7 @@ namespace {
 
 using namespace tactile_net;
 
-constexpr unsigned logs_each = 200;
+constexpr unsigned logs_each = 200;  // of every row
 
 constexpr const char* introduction = R"(# Calibrations over many logs
 
@@ -31,12 +31,12 @@ Written by `tactile-net-calibration-tables docs/internals/calibration.md` (targe
 
 Set-up: 41 taxels 0.5 mm apart read stress_x, 1.5 mm deep in a bonded layer of 3 mm, nu 0.45; 20 cylinders at random places within 8 mm, half
 widths 0.6 to 2 mm, 50 to 400 N/m; gains 5 % apart, offsets of two noise rms, 20 unloaded frames; white noise of a share of the log's largest
-reading. The nominal scene is wrong by 15 % in depth, 10 % in thickness and 0.03 in nu, at random.
+reading. LOGS logs in every row. The nominal scene is wrong by 15 % in depth, 10 % in thickness and 0.03 in nu, at random.
 
 ## The truth and the standard deviations
 
 *depth*, *gains*: rms errors; *cover*: how often the truth lies within 1.96 stated standard deviations, which should be 0.95; gains where no force is
-known about their mean. *residuals*: their rms over the noise.
+known about their mean. *residuals*: their rms over the noise. *failed*: logs whose fit was not `ok`.
 
 | noise | known | depth, cover | thickness cover | nu cover | gains, cover | residuals | failed |
 |---|---|---|---|---|---|---|---|
@@ -46,6 +46,14 @@ std::string text(const char* format, auto... values) {
   std::array<char, 256> buffer{};
   std::snprintf(buffer.data(), buffer.size(), format, values...);
   return buffer.data();
+}
+
+/// The introduction with the number of logs in it.
+std::string introduction_of(unsigned logs) {
+  std::string words = introduction;
+  const std::string mark = "LOGS";
+  words.replace(words.find(mark), mark.size(), std::to_string(logs));
+  return words;
 }
 
 std::string coverage_row(double noise, const char* known, const LogOptions& like) {
@@ -197,7 +205,7 @@ std::string time_rows() {
 
 std::string page() {
   std::ostringstream out;
-  out << introduction;
+  out << introduction_of(logs_each);
   for (const double noise : {0.01, 0.003}) {
     const auto add = [&](const char* known, const LogOptions& options) {
       std::cerr << noise << ", " << known << '\n';

@@ -119,7 +119,8 @@ struct PressFit {
 
 /// Penalised least squares on all of them and all that is unknown of each press together, by
 /// Levenberg-Marquardt on orthogonal factors; linear in presses in time, presses x readings in
-/// memory. Presses' own unknowns are eliminated press by press.
+/// memory. Presses' own unknowns are eliminated press by press. Where every load is stated the
+/// first start alone is made: all find the one minimum.
 ///
 /// @param unread  of each reading, true: leave it out (dead taxels); empty: none
 /// @throw std::invalid_argument  no press, sizes that do not fit, values out of range, a channel

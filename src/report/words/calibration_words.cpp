@@ -84,8 +84,9 @@ std::string runs(const std::vector<std::size_t>& indices) {
   for (std::size_t i = 0; i < indices.size();) {
     std::size_t end = i;
     while (end + 1 < indices.size() && indices[end + 1] == indices[end] + 1) ++end;
+    const char* const between = end == i + 1 ? ", " : " to ";
     parts.push_back(std::to_string(indices[i]) +
-                    (end > i ? " to " + std::to_string(indices[end]) : ""));
+                    (end > i ? between + std::to_string(indices[end]) : ""));
     i = end + 1;
   }
   return join(parts, ", ");
@@ -124,6 +125,11 @@ std::string words_of(const lab::SceneCalibration& found, const NullDirection& di
     return "The common gain cannot be told from the forces, which the log does not state: gains "
            "are known relative to each other. State one force.";
   if (parts.empty()) return "The gains of readings " + runs(gains) + " cannot be told apart.";
+  const std::vector<Quantity>& reads = found.scene.sensor.reads;
+  if (modulus && only_modulus && gains.empty() &&
+      std::any_of(reads.begin(), reads.end(), is_strain))
+    return "Young's modulus cannot be told from forces that are not stated: both scale the "
+           "readings. State one force, and the rods' radius.";
   if (modulus && only_modulus && gains.empty())
     return "Young's modulus leaves no trace in these readings: stresses follow the forces, "
            "whatever the pad's stiffness. Give the rods' radius, or its value from elsewhere; "

@@ -1,6 +1,5 @@
 #include "commands/calibrate.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -19,7 +18,7 @@
 #include "tactile_net/report/words/calibration_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/scene/calibrated_scene.hpp"
-#include "terminal/printable_stream.hpp"
+#include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::tool {
 namespace {
@@ -39,12 +38,8 @@ PadParameter parameter_of(const char* option, const std::string& text) {
                    "shift and pitch, with commas between them");
 }
 
-void fix(const std::string& names, CalibrationOptions& options) {
-  for (std::size_t from = 0; from <= names.size() && !names.empty();) {
-    const std::size_t comma = std::min(names.find(',', from), names.size());
-    options.set_sd(parameter_of("--fix", names.substr(from, comma - from)), 0.0);
-    from = comma + 1;
-  }
+void fix(const std::vector<std::string>& names, CalibrationOptions& options) {
+  for (const std::string& text : names) options.set_sd(parameter_of("--fix", text), 0.0);
 }
 
 void print(std::ostream& out, const lab::SceneCalibration& found, const std::string& log) {
@@ -73,7 +68,8 @@ void run(const CalibrateOptions& options, const Streams& streams) {
   fix(options.fixed, how);
   std::optional<PadParameter> target;
   if (!options.target.empty()) target = parameter_of("--target", options.target);
-  if (options.next > most_planned) throw WrongUsage("--next", "plans at most 100 presses");
+  if (options.next && (*options.next == 0 || *options.next > most_planned))
+    throw WrongUsage("--next", "plans 1 to 100 presses");
   frames::PressLogFile file = frames::read_press_log(options.log, scene, how);
   for (const std::string& note : file.notes)
     streams.err << "note: " << options.log << ": " << note << '\n';
@@ -83,8 +79,7 @@ void run(const CalibrateOptions& options, const Streams& streams) {
     output = std::make_unique<frames::OutputFile>(options.output, &streams.out);
   Progress progress(streams);
   lab::SceneCalibration found = lab::calibrate(scene, std::move(file.log), how);
-  if (options.next > 0 || target)
-    lab::plan_presses(found, std::max<std::size_t>(options.next, 1), target);
+  if (options.next || target) lab::plan_presses(found, options.next.value_or(1), target);
   const std::string log = std::filesystem::path(options.log).filename().string();
   const std::string failure = failure_of(found);
   std::string calibrated;

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "commands/results.hpp"
 #include "streams.hpp"
@@ -16,9 +18,9 @@ struct CalibrateOptions {
   std::string output{};  ///< the scene's file again, with what was found; empty: none
   ResultOptions results{};
   bool robust = false;
-  std::size_t next = 0;    ///< presses to plan
-  std::string target{};    ///< what they are to tell; empty: readings
-  std::string fixed{};  ///< names with commas
+  std::optional<std::size_t> next{};  ///< presses to plan
+  std::string target{};               ///< what they are to tell; empty: readings
+  std::vector<std::string> fixed{};   ///< names of parameters
 };
 
 void run(const CalibrateOptions& options, const Streams& streams);
