@@ -49,7 +49,8 @@ Figure press_figure(const lab::SceneCalibration& found, std::size_t p, const std
 }
 
 Figure rms_figure(const lab::SceneCalibration& found) {
-  Plot plot{"Residuals of each press", "press", "rms / noise", {}, {}, false, true};
+  Plot plot{"Residuals of each press", "press", "rms / noise", {}, {}};
+  plot.from_zero = true;
   Curve before{"nominal", {}, 2, true}, after{"calibrated", {}, 1, true};
   for (const FittedPress& press : found.fit.presses) {
     plot.x.push_back(static_cast<double>(press.number));
@@ -64,10 +65,9 @@ Figure rms_figure(const lab::SceneCalibration& found) {
 }
 
 Figure profile_figure(const lab::SceneCalibration& found) {
-  std::vector<double> depths;
-  for (const ProfilePoint& point : found.fit.profile) depths.push_back(point.depth);
-  const Axis along = axis(found.scene, "depth", Dimension::length, {&depths});
-  Plot plot{"Misfit over the depth", along.label, "root of its rise", along(depths), {}};
+  Plot plot{"Misfit over the depth", "depth / stated depth", "root of its rise", {}, {}};
+  for (const ProfilePoint& point : found.fit.profile)
+    plot.x.push_back(point.depth / found.fit.at(PadParameter::depth).nominal);
   Curve root{"the log", {}, 1}, straight{"as its sd says", {}, 0};
   root.marks = true;
   straight.dashed = true;

@@ -23,7 +23,7 @@ namespace {
 
 using namespace tactile_net;
 
-constexpr unsigned logs_each = 200;  // of every row
+constexpr unsigned logs_each = 60;  // of every row
 
 constexpr const char* introduction = R"(# Calibrations over many logs
 
