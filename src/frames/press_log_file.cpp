@@ -130,7 +130,8 @@ class Reader {
                 const Unit& unit) {
     Stated result{number(row, name, rule, unit), 0.0};
     result.sd = number(row, name + "_sd", not_negative, unit).value_or(0.0);
-    if (!result.value && result.sd > 0.0)
+    const auto column = columns_.find(name);
+    if (result.sd > 0.0 && (column == columns_.end() || row.fields[column->second].empty()))
       problem(row.line, name + "_sd stands without " + name, "give both, or neither");
     return result;
   }

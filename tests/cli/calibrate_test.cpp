@@ -276,7 +276,7 @@ TEST_CASE("a bad log is refused with its line and its rule", "[cli][calibrate]")
     std::string says;
   };
   const Bad bad = GENERATE(values<Bad>({
-      {22, 2, "-5", "line 22"},
+      {22, 2, "-5", "log.csv:22: error: "},
       {22, 2, "-5", "force must be > 0 (got -5)"},
       {22, 3, "-1", "force_sd must be >= 0"},
       {22, 1, "ball", "shape is none that there is"},
