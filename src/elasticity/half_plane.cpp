@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "elasticity/hooke.hpp"
+#include "elasticity/stress_amplitudes.hpp"
 
 namespace tactile_net {
 
@@ -22,12 +23,12 @@ Stress<double> kernel(Traction component, double depth, double y) noexcept {
 Stress<std::complex<double>> transform(Traction component, double depth,
                                        double wavenumber) noexcept {
   const double a = std::abs(wavenumber) * depth;
-  const double decay = std::exp(-a);
-  if (decay == 0.0) return {};  // a may be infinite: no inf * 0
+  if (std::exp(-a) == 0.0) return {};  // a may be infinite: no inf * 0
   const double sign = wavenumber > 0.0 ? 1.0 : wavenumber < 0.0 ? -1.0 : 0.0;
-  const std::complex<double> odd{0.0, -sign * decay};
-  if (component == Traction::normal) return {(1.0 + a) * decay, (1.0 - a) * decay, odd * a};
-  return {odd * a, odd * (2.0 - a), (1.0 - a) * decay};
+  const std::complex<double> odd{0.0, -sign};
+  const Stress<double> s = half_plane_amplitudes(component, a);
+  if (component == Traction::normal) return {s.x, s.y, odd * s.shear};
+  return {odd * s.x, odd * s.y, s.shear};
 }
 
 }  // namespace

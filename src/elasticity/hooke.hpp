@@ -14,14 +14,15 @@ struct Stress {
 };
 
 /// Hooke's law for plane strain: the strain along the axis of `along`.
-template <class Number>
-Number strain(const Number& along, const Number& across, const Material& material) noexcept {
-  const double nu = material.poisson_ratio;
-  return (1.0 + nu) * ((1.0 - nu) * along - nu * across) / material.youngs_modulus;
+template <class Number, class Ratio>
+Number strain(const Number& along, const Number& across, const Ratio& nu, double modulus) noexcept {
+  return (1.0 + nu) * ((1.0 - nu) * along - nu * across) / modulus;
 }
 
-template <class Number>
-Number read(Quantity quantity, const Stress<Number>& stress, const Material& material) noexcept {
+/// @tparam Ratio  of nu: double, or a Dual where the answer's slope by it is asked for
+template <class Number, class Ratio>
+Number read(Quantity quantity, const Stress<Number>& stress, const Ratio& nu,
+            double modulus) noexcept {
   switch (quantity) {
     case Quantity::stress_x:
       return stress.x;
@@ -30,11 +31,16 @@ Number read(Quantity quantity, const Stress<Number>& stress, const Material& mat
     case Quantity::shear_xy:
       return stress.shear;
     case Quantity::strain_x:
-      return strain(stress.x, stress.y, material);
+      return strain(stress.x, stress.y, nu, modulus);
     case Quantity::strain_y:
-      return strain(stress.y, stress.x, material);
+      return strain(stress.y, stress.x, nu, modulus);
   }
   return {};
+}
+
+template <class Number>
+Number read(Quantity quantity, const Stress<Number>& stress, const Material& material) noexcept {
+  return read(quantity, stress, material.poisson_ratio, material.youngs_modulus);
 }
 
 }  // namespace tactile_net

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -29,6 +32,11 @@ constexpr std::array columns = {Column{"gain", &Calibration::gain, not_zero, tru
                                 Column{"baseline", &Calibration::baseline, any_number, false, 0.0},
                                 Column{"offset", &Calibration::offset, any_number, true, 0.0}};
 
+/// What `calibrate` writes: number = gains * reading + offsets, with gains near 1 whatever the
+/// units.
+constexpr Column sensor_gains{"gains", &Calibration::gain, not_zero, false, 1.0};
+constexpr Column sensor_offsets{"offsets", &Calibration::baseline, any_number, false, 0.0};
+
 class Reader {
  public:
   Reader(const Read& read, const SensorArray& array)
@@ -55,6 +63,13 @@ class Reader {
       for (std::size_t i = 0; i < units_.size(); ++i)
         (calibration.*column.member).push_back(unit(column, i).to_si(column.absent));
     return calibration;
+  }
+
+  /// What the sensor does to a reading, in place of what undoes it.
+  void read_inverse(const Value& value, std::vector<double>& gain) const {
+    std::vector<double> numbers(gain.size(), 1.0);
+    read(value, sensor_gains, numbers);
+    for (std::size_t i = 0; i < gain.size(); ++i) gain[i] = units_[i].to_si(1.0 / numbers[i]);
   }
 
   /// One number for all readings, one for each quantity, or one for each reading.
@@ -148,6 +163,22 @@ class Reader {
   std::vector<Quantity> quantities_;  // of each reading
 };
 
+/// Where gains and offsets come from: facts that are kept and not computed with.
+void read_origin(Table& table) {
+  if (const auto from = table.value("from")) static_cast<void>(from->text());
+  if (const auto presses = table.value("presses"))
+    static_cast<void>(presses->integer(1, std::numeric_limits<std::int64_t>::max()));
+  for (const char* key : {"chi_squared", "dof"})
+    if (const auto number = table.value(key)) static_cast<void>(number->number(not_negative));
+  if (const auto sds = table.value("sd"))
+    if (auto sd = sds->table()) {
+      for (std::size_t i = 0; i < pad_parameter_count; ++i)
+        if (const auto number = sd->value(name(static_cast<PadParameter>(i))))
+          static_cast<void>(number->number(not_negative));
+      sd->finish();
+    }
+}
+
 /// The columns of a file beside the scene.
 CalibrationColumns columns_of(const Value& value, const std::filesystem::path& folder,
                               const SensorArray& array) {
@@ -205,6 +236,22 @@ void read_calibration(const std::optional<Table>& given, const std::filesystem::
     else
       calibration.baseline_frames = reader.frames(*frames);
   }
+  const auto exclude = [&](const Value& value, std::initializer_list<std::string_view> others) {
+    for (const std::string_view other : others)
+      if (from.contains(other) || table.value(other))
+        value.problem("and calibration." + std::string(other) + " exclude each other",
+                      "number = gains * reading + offsets, or reading = gain * (number - baseline) "
+                      "+ offset");
+  };
+  if (const auto value = table.value(sensor_gains.name)) {
+    exclude(*value, {"gain", "offset"});
+    if (reader.known()) reader.read_inverse(*value, calibration.gain);
+  }
+  if (const auto value = table.value(sensor_offsets.name)) {
+    exclude(*value, {"baseline", "baseline_frames", "offset"});
+    if (reader.known()) reader.read(*value, sensor_offsets, calibration.baseline);
+  }
+  read_origin(table);
   table.finish();
   if (reader.known()) scene.calibration = std::move(calibration);
 }

@@ -252,6 +252,8 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
     if (auto tables = contacts->tables()) read_contacts(std::move(*tables), read, scene);
   read_sensor_effects(root, read, scene);
   read_calibration(table_of(root.value("calibration")), folder, read, scene);
+  if (const auto table = table_of(root.value("calibrate")))
+    static_cast<void>(read_calibrate(*table, read.units, scene.material.layer.has_value()));
   if (const auto table = table_of(root.value("forward")))
     scene.forward = read_forward(*table, is_even(scene.sensor));
 

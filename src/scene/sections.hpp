@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scene/common_sections.hpp"
+#include "tactile_net/calibration/calibration_options.hpp"
 #include "tactile_net/scene/scene.hpp"
 
 namespace tactile_net {
@@ -49,6 +50,9 @@ void read_contacts(std::vector<Table> tables, const Read& read, Scene& scene);
 /// The table [calibration], if there is one, and the units of readings.
 void read_calibration(const std::optional<Table>& table, const std::filesystem::path& folder,
                       const Read& read, Scene& scene);
+
+/// The table [calibrate]: how well what the scene states is known.
+[[nodiscard]] CalibrationOptions read_calibrate(Table table, const Units& units, bool has_layer);
 
 /// The table [network]; the noise is known by then.
 [[nodiscard]] NetworkOptions read_network(Table table, const Units& units, const Scene& scene);

@@ -111,7 +111,7 @@ recorded = scenes / "recorded"
 with tempfile.TemporaryDirectory() as place:
     place = pathlib.Path(place)
     for scene in sorted(scenes.rglob("*.toml")):
-        if scene.parent.name not in ("recorded", "hands", "skins", "sweeps"):
+        if scene.parent.name not in ("recorded", "hands", "skins", "sweeps", "calibration"):
             check("explain", written("run", scene, "--explain"), scene)
     # Of each: another circuit, other effects, two channels, a scene over time, a method without an answer.
     for name in ("nic", "edge-of-array", "dragged", "two-strains", "effects/everything", "effects/sliding",
@@ -153,6 +153,8 @@ with tempfile.TemporaryDirectory() as place:
     (place / "bad.csv").write_text("\n".join(rows) + "\n")
     check("check", written("check", pad[0], "--readings", place / "bad.csv", "-q"), "a recording with gaps")
     check("check", written("check", *counts, "-q"), "counts")
+    log = scenes / "calibration" / "no-loads"
+    check("calibrate", written("calibrate", log.with_suffix(".csv"), "--scene", log.with_suffix(".toml"), "--next", "2"), "a log")
     check("plan", written("plan", *counts, "-q"), "a plan for counts")
     check("identify", written("identify", *counts), "counts")
     check("plan", written("plan", scenes / "fingertip.toml", "-q"), "a plan")

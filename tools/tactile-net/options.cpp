@@ -60,9 +60,9 @@ AllCommands::AllCommands() {
        "NO_COLOR: nothing is bold. COLUMNS: how wide help is where it goes to no "
        "terminal. TMPDIR: where ngspice's private folders are made."},
       {"more", "help COMMAND, with examples; docs/terminal.md, docs/scene.md, docs/results.md"}};
-  for (const auto add_to : {add_init, add_check, add_solve, add_identify, add_plan, add_grasp,
-                            add_run, add_simulate, add_tradeoff, add_sweep, add_merge, add_gen,
-                            add_relax, add_certify, add_completion, add_help})
+  for (const auto add_to : {add_init, add_check, add_solve, add_identify, add_calibrate, add_plan,
+                            add_grasp, add_run, add_simulate, add_tradeoff, add_sweep, add_merge,
+                            add_gen, add_relax, add_certify, add_completion, add_help})
     add_to(*this);
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "command_line/table.hpp"
+#include "commands/calibrate.hpp"
 #include "commands/certify.hpp"
 #include "commands/check.hpp"
 #include "commands/gen.hpp"
@@ -28,7 +29,7 @@ namespace tactile_net::tool {
 using Command = std::variant<RunOptions, GenOptions, RelaxOptions, CertifyOptions, SimulateOptions,
                              SolveOptions, IdentifyOptions, PlanOptions, TradeoffOptions,
                              GraspOptions, SweepOptions, MergeOptions, InitOptions, CheckOptions,
-                             HelpOptions, CompletionOptions, ReleaseOptions>;
+                             CalibrateOptions, HelpOptions, CompletionOptions, ReleaseOptions>;
 
 struct Invocation {
   Command command{};

@@ -27,6 +27,7 @@ inline constexpr DocumentKind simulate{"simulate"};
 inline constexpr DocumentKind solve{"solve"};
 inline constexpr DocumentKind identify{"identify"};
 inline constexpr DocumentKind check{"check"};
+inline constexpr DocumentKind calibrate{"calibrate"};
 inline constexpr DocumentKind plan{"plan"};
 inline constexpr DocumentKind tradeoff{"tradeoff"};
 inline constexpr DocumentKind grasp{"grasp"};

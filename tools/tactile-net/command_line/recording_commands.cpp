@@ -70,6 +70,45 @@ void add_check(AllCommands& all) {
   command.add_flag("--strict", options.strict, "Exit with status 1 if anything is suspicious");
 }
 
+void add_calibrate(AllCommands& all) {
+  auto [command, options] = all.add<CalibrateOptions>(
+      {.name = "calibrate",
+       .text = "Find depth, layer, moduli, gains and offsets from a log of known presses, and say "
+               "what cannot be known from it",
+       .pages = {"calibration.md"},
+       .examples = {
+           {"calibrate scenes/calibration/rod-layer.csv --scene scenes/calibration/rod-layer.toml "
+            "-o calibrated.toml",
+            "a scene that solve, run, identify and plan take"},
+           {"calibrate log.csv --scene pad.toml --robust --out out",
+            "with a page, in out/report.html; wrong readings and forces count little"}}});
+  command
+      .add_option("LOG", options.log, file("LOG", {"csv"}),
+                  "Log of presses (CSV): a row a press, and 20 rows without load")
+      .required = true;
+  command
+      .add_option("--scene", options.scene, file("SCENE", {"toml"}),
+                  "Scene file (TOML) with what is stated of the pad; - reads standard input")
+      .required = true;
+  command.add_option("-o,--output", options.output, file("FILE", {"toml"}),
+                     "Scene file again with what was found, comments kept (- = standard output)");
+  command.add_option("--out", options.results.folder, folder(),
+                     "Folder for report.html and result.json");
+  add_json(command, options.results.json, "Write values, deviations and verdicts as JSON");
+  command.add_flag("--robust", options.robust,
+                   "Let readings, forces and positions that stand out count little, and put a "
+                   "force aside that does not fit");
+  command.add_option("--next", options.next, number(),
+                     "Say which so many presses to do next, and what each buys");
+  command.add_option("--target", options.target, text("NAME"),
+                     "What these are to tell best: depth, ... (default: readings under any load)");
+  command.add_option("--fix", options.fixed, text("LIST"),
+                     "Keep these as the scene states them: poisson_ratio,thickness, ...");
+  command.add_flag("--force", options.results.force,
+                   "Write -o although the fit is poor; let --out replace files that tactile-net "
+                   "has not written there");
+}
+
 void add_solve(AllCommands& all) {
   auto [command, options] = all.add<SolveOptions>(
       {.name = "solve",

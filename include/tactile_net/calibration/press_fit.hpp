@@ -1,0 +1,132 @@
+/// @file
+/// Depth, layer, moduli, gains and offsets from a log of presses, each with what is known of it.
+///
+///     const PressModel model(scene.sensor, scene.material);
+///     const PressFit fit = fit_presses(model, log, {.depth_sd = 0.3});
+///     if (fit.verdict == FitVerdict::ok && fit.at(PadParameter::depth).verdict ==
+///         ValueVerdict::identified) ...
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "tactile_net/calibration/calibration_options.hpp"
+#include "tactile_net/calibration/press_log.hpp"
+#include "tactile_net/calibration/press_model.hpp"
+
+namespace tactile_net {
+
+/// What the log says of a value, besides what was stated before.
+enum class ValueVerdict {
+  identified,        ///< the log tells it
+  weak,              ///< its sd is over half of the stated one, or, without one, over 10 %
+  prior_only,        ///< its sd is over 0.9 of the stated one
+  not_identifiable,  ///< the log cannot tell it from others: it keeps its nominal value
+  at_bound,          ///< it ended at the end of its range
+  fixed,             ///< stated as exact, or nothing that this scene has
+};
+[[nodiscard]] std::string_view name(ValueVerdict verdict) noexcept;
+
+enum class FitVerdict {
+  ok,
+  poor_fit,         ///< residuals are larger than noise explains, or stated values contradicted
+  iteration_limit,  ///< no start converged
+};
+[[nodiscard]] std::string_view name(FitVerdict verdict) noexcept;
+
+struct FittedValue {
+  double nominal = 0.0;
+  double value = 0.0;
+  double sd = 0.0;        ///< times sqrt(max(1, chi_squared / dof)); infinite: not known at all
+  double prior_sd = 0.0;  ///< in the value's unit; infinite: none
+  ValueVerdict verdict = ValueVerdict::fixed;
+};
+
+struct ValueWithSd {
+  double value = 0.0;
+  double sd = 0.0;
+};
+
+struct FittedPress {
+  std::size_t number = 0;
+  ValueWithSd force{}, center{}, half_width{}, friction{};
+  double weight = 1.0;               ///< mean of its readings' robust weights
+  double rms = 0.0;                  ///< of its residuals, in standard deviations of the noise
+  double rms_before = 0.0;           ///< the same for the nominal pad without gains
+  bool half_width_at_bound = false;  ///< below a tenth of the depth: the width is not seen
+  bool force_freed = false;          ///< its stated force was put aside as an outlier
+  double stated_force = 0.0;         ///< where it was [N/m]
+};
+
+/// A change of the parameters that changes no reading, columns scaled to unit length.
+struct NullDirection {
+  std::array<double, pad_parameter_count> pad{};
+  std::vector<double> gains{};  ///< of each reading
+};
+
+struct OutlyingReading {
+  std::size_t press = 0;    ///< its number
+  std::size_t reading = 0;  ///< index
+  double deviation = 0.0;   ///< in standard deviations of the noise
+};
+
+struct StartOutcome {
+  double depth_factor = 1.0;
+  double objective = 0.0;  ///< half the sum of squares, priors included
+  std::size_t iterations = 0;
+  bool converged = false;
+};
+
+/// The misfit's rise over the depth: straight where the sd tells all.
+struct ProfilePoint {
+  double z = 0.0;      ///< log depth minus its estimate, over its sd
+  double depth = 0.0;  ///< [m]
+  double root = 0.0;   ///< signed root of twice the objective's rise; equal to z for a parabola
+};
+
+struct PressFit {
+  PadState pad{};
+  std::vector<double> gains{}, offsets{};  ///< of each reading: number = gain * reading + offset
+  std::array<FittedValue, pad_parameter_count> parameters{};  ///< depth and thickness in m, E in Pa
+  std::vector<FittedValue> gain{}, offset{};  ///< of each reading; a gain's verdict about its mean
+  std::vector<FittedValue> mean_gain{};       ///< of each channel
+  std::vector<FittedPress> presses{};
+  std::vector<NullDirection> null_directions{};
+  std::vector<PadParameter> free{};        ///< rows and columns of the two matrices
+  Matrix covariance{}, correlation{};      ///< depth, thickness, E and pitch by their logarithms
+  Matrix residuals{}, residuals_before{};  ///< presses x readings, in sds of the noise
+  /// What ended more than 4 of its stated sds away: the log and the scene contradict each other.
+  std::vector<PadParameter> contradicted{};
+  std::vector<std::size_t> contradicted_gains{};  ///< channels, by their mean gain
+  std::vector<OutlyingReading> outliers{};
+  std::vector<StartOutcome> starts{};
+  std::vector<ProfilePoint> profile{};
+  double chi_squared = 0.0, dof = 0.0;
+  double p = 1.0;           ///< of F(dof, (frames - 1) readings)
+  double rms = 0.0;         ///< sqrt(chi_squared / dof)
+  double time_trend = 0.0;  ///< correlation of the residual rms with the order of presses
+  std::size_t iterations = 0;
+  FitVerdict verdict = FitVerdict::ok;
+
+  [[nodiscard]] const FittedValue& at(PadParameter parameter) const noexcept {
+    return parameters[static_cast<std::size_t>(parameter)];
+  }
+};
+
+/// Penalised least squares on all of them and all that is unknown of each press together, by
+/// Levenberg-Marquardt on orthogonal factors; linear in presses in time, presses x readings in
+/// memory. Presses' own unknowns are eliminated press by press. Where every load is stated the
+/// first start alone is made: all find the one minimum.
+///
+/// @param unread  of each reading, true: leave it out (dead taxels); empty: none
+/// @throw std::invalid_argument  no press, sizes that do not fit, values out of range, a channel
+///                               without noise
+[[nodiscard]] PressFit fit_presses(const PressModel& model, const PressLog& log,
+                                   const CalibrationOptions& options = {},
+                                   std::span<const bool> unread = {});
+
+}  // namespace tactile_net

@@ -1,0 +1,57 @@
+/// @file
+/// A log of known presses: what a sensor is calibrated with.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tactile_net/elasticity/contact.hpp"
+#include "tactile_net/sensing/array.hpp"
+
+namespace tactile_net {
+
+/// What somebody states of a value: nothing, the value exactly, or the value give or take `sd`.
+struct Stated {
+  std::optional<double> value{};  ///< absent: unknown
+  double sd = 0.0;                ///< one standard deviation, >= 0; 0: exact
+
+  [[nodiscard]] bool is_exact() const noexcept { return value && sd == 0.0; }
+};
+
+/// A rigid indenter held against the pad while the readings were taken.
+struct Press {
+  std::size_t number = 0;  ///< as the log counts, from 1
+  Shape shape = Shape::cylinder;
+  Stated force{};                  ///< [N/m], > 0
+  Stated position{};               ///< of the middle; 0 is the middle of the array [m]
+  Stated half_width{};             ///< of the contact [m], > 0
+  std::optional<double> radius{};  ///< of a rod [m]: ties the half width to the force
+  Stated friction{.value = 0.0};   ///< tangential over normal traction
+  std::vector<double> readings{};  ///< mean of its steady frames, in the array's order
+};
+
+/// What the sensor says when nothing touches it.
+struct UnloadedFrames {
+  std::size_t frames = 0;
+  std::vector<double> mean{};          ///< of each reading
+  std::vector<double> reading_rms{};   ///< of each reading about its mean
+  std::vector<double> rms{};           ///< of each channel, its readings pooled
+  double common_mode = 0.0;            ///< mean correlation of different readings
+  double neighbour_correlation = 0.0;  ///< mean correlation of neighbours of one channel
+};
+
+/// Mean and noise of unloaded frames, each as long as the array's frames.
+///
+/// @throw std::invalid_argument  fewer than two frames, or one of another length
+[[nodiscard]] UnloadedFrames unloaded_frames(const SensorArray& array,
+                                             const std::vector<std::vector<double>>& frames);
+
+struct PressLog {
+  UnloadedFrames unloaded{};
+  std::vector<Press> presses{};
+};
+
+}  // namespace tactile_net

@@ -1,0 +1,328 @@
+#include "calibration/fit_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "tactile_net/calibration/rod_contact.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr double largest_crosstalk = 0.49;
+
+double& member(PadState& pad, std::size_t parameter) {
+  double* const members[] = {&pad.log_depth,   &pad.log_thickness, &pad.poisson_ratio,
+                             &pad.log_modulus, &pad.crosstalk,     &pad.shift,
+                             &pad.log_pitch};
+  return *members[parameter];
+}
+
+void check(const PressLog& log, std::size_t readings) {
+  if (log.presses.empty()) throw std::invalid_argument("a log needs one press at least");
+  if (log.unloaded.frames < 2 || log.unloaded.mean.size() != readings)
+    throw std::invalid_argument("a log needs unloaded frames: its noise and its offsets");
+  for (const Press& press : log.presses)
+    if (press.readings.size() != readings)
+      throw std::invalid_argument("press " + std::to_string(press.number) +
+                                  " has another number of readings than the array");
+}
+
+}  // namespace
+
+FitProblem::FitProblem(const PressModel& model, const PressLog& log,
+                       const CalibrationOptions& options, std::span<const bool> unread)
+    : weights(log.presses.size() * model.sites().size(), 1.0),
+      model_(model),
+      log_(log),
+      options_(options) {
+  check(options);
+  check(log, model.sites().size());
+  const std::size_t n = model.sites().size();
+  if (!unread.empty() && unread.size() != n)
+    throw std::invalid_argument("unread must have a value for each reading");
+  for (std::size_t j = 0; j < n; ++j) {
+    noise_.push_back(log.unloaded.rms[model.sites()[j].channel]);
+    if (!(noise_.back() > 0.0))
+      throw std::invalid_argument("the unloaded frames of a channel do not differ: no noise");
+  }
+  count_columns(unread);
+  for (const Press& press : log.presses) {
+    PressRows rows;
+    const bool is_free[] = {!press.force.is_exact(), !press.position.is_exact(),
+                            !press.half_width.is_exact(), !press.friction.is_exact()};
+    for (std::size_t i = 0; i < press_unknowns; ++i)
+      rows.column[i] = is_free[i] ? rows.columns++ : no_column;
+    press_rows.push_back(rows);
+  }
+}
+
+void FitProblem::count_columns(std::span<const bool> unread) {
+  const std::vector<Site>& sites = model_.sites();
+  for (std::size_t i = 0; i < pad_parameter_count; ++i) {
+    const auto parameter = static_cast<PadParameter>(i);
+    bool free = options_.sd(parameter) > 0.0;
+    if (parameter == PadParameter::thickness)
+      free = free && model_.material().layer && !options_.at_base;
+    pad_column_[i] = free ? columns_++ : no_column;
+  }
+  const std::size_t n = sites.size();
+  used_.assign(n, true);
+  for (std::size_t j = 0; j < unread.size(); ++j) used_[j] = !unread[j];
+
+  GainSharing sharing = options_.gains;
+  if (options_.gain_sd == 0.0) sharing = GainSharing::channel;
+  const bool free = options_.gain_sd > 0.0 || options_.mean_gain_sd > 0.0;
+  gain_of_.assign(n, no_column);
+  first_gain_ = columns_;
+  std::vector<std::size_t> of_key(n, no_column);
+  for (std::size_t j = 0; free && j < n; ++j) {
+    if (!used_[j]) continue;
+    const std::size_t key = sharing == GainSharing::reading ? j
+                            : sharing == GainSharing::taxel ? sites[j].taxel
+                                                            : sites[j].channel;
+    if (of_key[key] == no_column) {
+      of_key[key] = gains_++;
+      const std::size_t group = sharing == GainSharing::taxel ? 0 : sites[j].channel;
+      gain_blocks_.resize(std::max(gain_blocks_.size(), group + 1));
+      gain_blocks_[group].push_back(of_key[key]);
+    }
+    gain_of_[j] = of_key[key];
+  }
+  first_offset_ = first_gain_ + gains_;
+  columns_ = first_offset_ + n;
+}
+
+void FitProblem::free_force(std::size_t press) {
+  PressRows& rows = press_rows[press];
+  rows.force_freed = true;
+  if (rows.column[0] == no_column) rows.column[0] = rows.columns++;
+}
+
+std::size_t FitProblem::readings_used() const noexcept {
+  return static_cast<std::size_t>(std::count(used_.begin(), used_.end(), true));
+}
+
+double FitProblem::gain(const FitState& state, std::size_t reading) const noexcept {
+  return gain_of_[reading] == no_column ? 1.0 : std::exp(state.log_gain[gain_of_[reading]]);
+}
+
+Material FitProblem::material_at(const PadState& pad) const {
+  Material material = model_.material();
+  material.poisson_ratio = pad.poisson_ratio;
+  material.youngs_modulus *= std::exp(pad.log_modulus);
+  if (material.layer)
+    material.layer->thickness = options_.at_base
+                                    ? model_.depth() * std::exp(pad.log_depth)
+                                    : material.layer->thickness * std::exp(pad.log_thickness);
+  return material;
+}
+
+double FitProblem::residual(const FitState& state, const PressReadings& readings, std::size_t p,
+                            std::size_t j) const noexcept {
+  const double above = log_.presses[p].readings[j] - log_.unloaded.mean[j];
+  return (gain(state, j) * readings.value(p, j) - above) / noise_[j] + state.offset[j];
+}
+
+std::vector<PressPrior> FitProblem::press_priors(const FitState& state, std::size_t p) const {
+  const Press& press = log_.presses[p];
+  const PressState& at = state.presses[p];
+  const PressRows& rows = press_rows[p];
+  std::vector<PressPrior> priors;
+  const auto add = [&](double difference, double sd, std::size_t unknown, double weight) {
+    PressPrior prior{.residual = std::sqrt(weight) * difference / sd};
+    prior.by_press[unknown] = std::sqrt(weight) / sd;
+    priors.push_back(prior);
+  };
+  if (press.force.value && press.force.sd > 0.0 && !rows.force_freed)
+    add(at.log_force - std::log(*press.force.value), press.force.sd / *press.force.value, 0,
+        rows.force_weight);
+  if (press.position.value && press.position.sd > 0.0)
+    add(at.center - *press.position.value, press.position.sd, 1, rows.position_weight);
+  if (press.half_width.value && press.half_width.sd > 0.0)
+    add(at.log_half_width - std::log(*press.half_width.value),
+        press.half_width.sd / *press.half_width.value, 2, 1.0);
+  if (press.friction.value && press.friction.sd > 0.0)
+    add(at.friction - *press.friction.value, press.friction.sd, 3, 1.0);
+  if (press.radius) {
+    const RodForce rod =
+        rod_force(material_at(state.pad), std::exp(at.log_half_width), *press.radius);
+    const double sd = std::max(options_.half_width_sd, least_tie_sd) * rod.by_log_half_width;
+    PressPrior tie{.residual = (rod.log_force - at.log_force) / sd};
+    tie.by_press[0] = -1.0 / sd;
+    tie.by_press[2] = rod.by_log_half_width / sd;
+    const std::size_t thickness =
+        static_cast<std::size_t>(options_.at_base ? PadParameter::depth : PadParameter::thickness);
+    tie.by_pad[thickness] = rod.by_log_thickness / sd;
+    tie.by_pad[static_cast<std::size_t>(PadParameter::poisson_ratio)] = rod.by_poisson_ratio / sd;
+    tie.by_pad[static_cast<std::size_t>(PadParameter::youngs_modulus)] = 1.0 / sd;
+    priors.push_back(tie);
+  } else if (!press.half_width.value) {
+    add(at.log_half_width - std::log(weak_width_share * model_.depth()), weak_width_sd, 2, 1.0);
+    priors.back().is_weak = true;
+  }
+  return priors;
+}
+
+Eigen::MatrixXd FitProblem::common_priors(const FitState& state) const {
+  const std::size_t n = model_.sites().size();
+  const auto width = static_cast<Eigen::Index>(columns_ + 1);
+  Eigen::MatrixXd rows =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(pad_parameter_count + gains_ + n), width);
+  Eigen::Index row = 0;
+  const auto at = [](std::size_t column) { return static_cast<Eigen::Index>(column); };
+  const PadState nominal = model_.nominal();
+  for (std::size_t i = 0; i < pad_parameter_count; ++i) {
+    const double sd = options_.sd(static_cast<PadParameter>(i));
+    if (pad_column_[i] == no_column || std::isinf(sd)) continue;
+    PadState from = nominal;
+    PadState to = state.pad;
+    rows(row, at(pad_column_[i])) = 1.0 / sd;
+    rows(row++, width - 1) = (member(to, i) - member(from, i)) / sd;
+  }
+  // (a I + b 11')^(-1/2) = (I - kappa 11'/size) / sqrt(a) for every block that shares a mean.
+  for (const std::vector<std::size_t>& block : gain_blocks_) {
+    const auto size = static_cast<double>(block.size());
+    const bool alone = options_.gain_sd == 0.0 || options_.gains == GainSharing::channel;
+    const double a = alone ? std::pow(options_.mean_gain_sd, 2) : std::pow(options_.gain_sd, 2);
+    if (std::isinf(a) || block.empty()) continue;
+    const double kappa =
+        alone ? 0.0 : 1.0 - std::sqrt(a / (a + size * std::pow(options_.mean_gain_sd, 2)));
+    double mean = 0.0;
+    for (const std::size_t gain : block) mean += state.log_gain[gain] / size;
+    for (const std::size_t gain : block) {
+      for (const std::size_t other : block)
+        rows(row, at(first_gain_ + other)) = -kappa / size / std::sqrt(a);
+      rows(row, at(first_gain_ + gain)) += 1.0 / std::sqrt(a);
+      rows(row++, width - 1) = (state.log_gain[gain] - kappa * mean) / std::sqrt(a);
+    }
+  }
+  const double root = std::sqrt(static_cast<double>(log_.unloaded.frames));
+  for (std::size_t j = 0; j < n; ++j) {
+    rows(row, at(first_offset_ + j)) = root;
+    rows(row++, width - 1) = root * state.offset[j];
+  }
+  return rows.topRows(row);
+}
+
+double FitProblem::objective(const FitState& state, const PressReadings& readings) const {
+  const std::size_t n = model_.sites().size();
+  double sum = common_priors(state).rightCols(1).squaredNorm();
+  for (std::size_t p = 0; p < log_.presses.size(); ++p) {
+    for (std::size_t j = 0; j < n; ++j) {
+      if (!used_[j]) continue;
+      const double r = residual(state, readings, p, j);
+      sum += weights[p * n + j] * r * r;
+    }
+    for (const PressPrior& prior : press_priors(state, p)) sum += prior.residual * prior.residual;
+  }
+  return 0.5 * sum;
+}
+
+FitState FitProblem::moved(const FitState& state, const Eigen::VectorXd& common,
+                           std::span<const std::array<double, press_unknowns>> presses) const {
+  FitState next = state;
+  for (std::size_t i = 0; i < pad_parameter_count; ++i)
+    if (pad_column_[i] != no_column)
+      member(next.pad, i) += common(static_cast<Eigen::Index>(pad_column_[i]));
+  next.pad.poisson_ratio = std::clamp(next.pad.poisson_ratio, 0.0, 0.5);
+  next.pad.crosstalk = std::clamp(next.pad.crosstalk, 0.0, largest_crosstalk);
+  for (std::size_t g = 0; g < gains_; ++g)
+    next.log_gain[g] += common(static_cast<Eigen::Index>(first_gain_ + g));
+  for (std::size_t j = 0; j < next.offset.size(); ++j)
+    next.offset[j] += common(static_cast<Eigen::Index>(first_offset_ + j));
+  for (std::size_t p = 0; p < presses.size(); ++p) {
+    PressState& press = next.presses[p];
+    press.log_force += presses[p][0];
+    press.center += presses[p][1];
+    press.log_half_width += presses[p][2];
+    press.friction += presses[p][3];
+  }
+  hold_thickness(next.pad);
+  follow_exact_ties(next);
+  return next;
+}
+
+void FitProblem::hold_thickness(PadState& pad) const {
+  if (model_.material().layer && !options_.at_base) {
+    double deepest = 0.0;
+    for (const Site& site : model_.sites()) deepest = std::max(deepest, site.depth);
+    const double least = pad.log_depth + std::log(deepest / model_.material().layer->thickness);
+    if (pad_column(PadParameter::thickness) != no_column)
+      pad.log_thickness = std::max(pad.log_thickness, least);
+    else
+      pad.log_depth -= std::max(0.0, least - pad.log_thickness);
+  }
+}
+
+void FitProblem::follow_exact_ties(FitState& state) const {
+  if (options_.half_width_sd >= soft_tie_sd) return;
+  const Material material = material_at(state.pad);
+  for (std::size_t p = 0; p < state.presses.size(); ++p)
+    if (log_.presses[p].radius && press_rows[p].column[2] != no_column)
+      state.presses[p].log_half_width = std::log(
+          rod_half_width(material, std::exp(state.presses[p].log_force), *log_.presses[p].radius));
+}
+
+FitState FitProblem::start(double depth_factor) const {
+  const std::size_t n = model_.sites().size();
+  FitState state{.pad = model_.nominal(),
+                 .log_gain = std::vector<double>(gains_),
+                 .offset = std::vector<double>(n)};
+  if (pad_column(PadParameter::depth) != no_column) state.pad.log_depth = std::log(depth_factor);
+  state = moved(state, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(columns_)), {});
+  const Material material = material_at(state.pad);
+  for (const Press& press : log_.presses) {
+    PressState at{.shape = press.shape,
+                  .log_half_width =
+                      std::log(press.half_width.value.value_or(weak_width_share * model_.depth()))};
+    at.friction = press.friction.value.value_or(0.0);
+    // The middle of what reads above 0.3 of the largest.
+    std::vector<double> size(n);
+    double most = 0.0;
+    for (std::size_t j = 0; j < n; ++j) {
+      if (used_[j]) size[j] = std::abs(press.readings[j] - log_.unloaded.mean[j]) / noise_[j];
+      most = std::max(most, size[j]);
+    }
+    double sum = 0.0;
+    double moment = 0.0;
+    for (std::size_t j = 0; j < n; ++j)
+      if (size[j] > 0.3 * most) {
+        sum += size[j];
+        moment += size[j] * model_.sites()[j].y;
+      }
+    at.center = press.position.value.value_or(sum > 0.0 ? moment / sum : 0.0);
+    if (press.radius && !press.half_width.value && press.force.value)
+      at.log_half_width = std::log(rod_half_width(material, *press.force.value, *press.radius));
+    if (press.force.value) {
+      at.log_force = std::log(*press.force.value);
+    } else {
+      // The force whose readings are nearest, all else as it is.
+      for (int pass = 0; pass < (press.radius ? 4 : 1); ++pass) {
+        PressState unit = at;
+        unit.log_force = 0.0;
+        const PressReadings one =
+            model_.readings(state.pad, std::span(&unit, 1), false, options_.at_base);
+        double both = 0.0;
+        double square = 0.0;
+        for (std::size_t j = 0; j < n; ++j) {
+          if (!used_[j]) continue;
+          const double r = one.value(0, j) / noise_[j];
+          both += r * (press.readings[j] - log_.unloaded.mean[j]) / noise_[j];
+          square += r * r;
+        }
+        if (!(square > 0.0)) throw std::invalid_argument("a press reaches no taxel");
+        // Readings of the wrong sign say that the log is wrong: the fit will.
+        at.log_force = std::log(std::max(both, 1e-3 * std::abs(both) + 1e-12 * square) / square);
+        if (press.radius && !press.half_width.value)
+          at.log_half_width =
+              std::log(rod_half_width(material, std::exp(at.log_force), *press.radius));
+      }
+    }
+    state.presses.push_back(at);
+  }
+  return state;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,128 @@
+/// @file
+/// The rows of the fit: readings and priors, with their derivatives. Private.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "tactile_net/calibration/calibration_options.hpp"
+#include "tactile_net/calibration/press_log.hpp"
+#include "tactile_net/calibration/press_model.hpp"
+
+namespace tactile_net {
+
+inline constexpr std::size_t press_unknowns = 4;  // log force, centre, log half width, friction
+inline constexpr std::size_t no_column = std::numeric_limits<std::size_t>::max();
+
+/// Everything that is fitted, at one place.
+struct FitState {
+  PadState pad{};
+  std::vector<double> log_gain{};  ///< of each free gain
+  std::vector<double> offset{};    ///< of each reading, from the unloaded mean, over the noise
+  std::vector<PressState> presses{};
+};
+
+/// One row of what is stated of a press.
+struct PressPrior {
+  double residual = 0.0;
+  std::array<double, press_unknowns> by_press{};
+  std::array<double, pad_parameter_count> by_pad{};
+  bool is_weak = false;  ///< kept for stability alone: not part of what is known
+};
+
+/// What a press' unknowns are and what weighs its rows.
+struct PressRows {
+  std::array<std::size_t, press_unknowns> column{};  ///< no_column: exact
+  std::size_t columns = 0;
+  bool force_freed = false;
+  double force_weight = 1.0, position_weight = 1.0;  ///< robust, of the stated values
+};
+
+class FitProblem {
+ public:
+  FitProblem(const PressModel& model, const PressLog& log, const CalibrationOptions& options,
+             std::span<const bool> unread);
+
+  /// @param depth_factor  on the nominal depth
+  [[nodiscard]] FitState start(double depth_factor) const;
+
+  [[nodiscard]] PressReadings readings(const FitState& state, bool with_derivatives) const {
+    return model_.readings(state.pad, state.presses, with_derivatives, options_.at_base);
+  }
+  /// Of reading j of press p, over the noise, without the robust weight.
+  [[nodiscard]] double residual(const FitState& state, const PressReadings& readings, std::size_t p,
+                                std::size_t j) const noexcept;
+  [[nodiscard]] std::vector<PressPrior> press_priors(const FitState& state, std::size_t p) const;
+
+  /// Rows of the priors of the common unknowns, and their residuals in the last column.
+  [[nodiscard]] Eigen::MatrixXd common_priors(const FitState& state) const;
+
+  /// Half the sum of squares.
+  [[nodiscard]] double objective(const FitState& state, const PressReadings& readings) const;
+
+  /// The common unknowns: pad parameters, gains, offsets.
+  [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
+  [[nodiscard]] std::size_t pad_column(PadParameter parameter) const noexcept {
+    return pad_column_[static_cast<std::size_t>(parameter)];
+  }
+  [[nodiscard]] std::size_t gain_column(std::size_t reading) const noexcept {
+    return gain_of_[reading] == no_column ? no_column : first_gain_ + gain_of_[reading];
+  }
+  [[nodiscard]] std::size_t offset_column(std::size_t reading) const noexcept {
+    return used_[reading] ? first_offset_ + reading : no_column;
+  }
+  [[nodiscard]] double gain(const FitState& state, std::size_t reading) const noexcept;
+  void set_gain(FitState& state, std::size_t reading, double gain) const {
+    if (gain_of_[reading] != no_column) state.log_gain[gain_of_[reading]] = std::log(gain);
+  }
+  [[nodiscard]] bool used(std::size_t reading) const noexcept { return used_[reading]; }
+  [[nodiscard]] std::size_t readings_used() const noexcept;
+  [[nodiscard]] double noise(std::size_t reading) const noexcept { return noise_[reading]; }
+
+  /// The state moved by a step of the common unknowns and of each press; values that leave their
+  /// range are put onto its end.
+  [[nodiscard]] FitState moved(const FitState& state, const Eigen::VectorXd& common,
+                               std::span<const std::array<double, press_unknowns>> presses) const;
+
+  [[nodiscard]] const PressModel& model() const noexcept { return model_; }
+  [[nodiscard]] const PressLog& log() const noexcept { return log_; }
+  [[nodiscard]] const CalibrationOptions& options() const noexcept { return options_; }
+
+  /// The stated force is put aside: an unknown.
+  void free_force(std::size_t press);
+
+  std::vector<PressRows> press_rows{};
+  std::vector<double> weights{};  ///< robust, presses x readings; of squares
+
+ private:
+  void count_columns(std::span<const bool> unread);
+  /// A layer is as thick as the deepest taxel is deep, or thicker.
+  void hold_thickness(PadState& pad) const;
+  /// Steps along a tie that is all but exact would be short: each is put back onto it.
+  void follow_exact_ties(FitState& state) const;
+  [[nodiscard]] Material material_at(const PadState& pad) const;
+
+  const PressModel& model_;
+  const PressLog& log_;
+  CalibrationOptions options_;
+  std::vector<bool> used_{};
+  std::vector<double> noise_{};
+  std::array<std::size_t, pad_parameter_count> pad_column_{};
+  std::vector<std::size_t> gain_of_{};
+  std::vector<std::vector<std::size_t>> gain_blocks_{};  // gains that share a mean
+  std::size_t first_gain_ = 0, first_offset_ = 0, columns_ = 0, gains_ = 0;
+};
+
+/// A stated width that nobody stated: log a ~ N(log 0.8 depth, 0.7).
+inline constexpr double weak_width_sd = 0.7;
+inline constexpr double weak_width_share = 0.8;
+/// A tie said to be exact: what remains is far below any noise, and the factors stay regular.
+inline constexpr double least_tie_sd = 1e-5;
+inline constexpr double soft_tie_sd = 1e-2;
+
+}  // namespace tactile_net

@@ -1,0 +1,56 @@
+/// @file
+/// The linear system of one step: presses eliminated one by one, the rest a triangle. Private.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "calibration/fit_problem.hpp"
+
+namespace tactile_net {
+
+/// What enters beside the rows of the readings and of what is stated of presses.
+struct SystemParts {
+  double damping = 0.0;            ///< Levenberg's, of columns scaled to unit length
+  bool common_priors = true;       ///< else of the offsets alone: unloaded frames are measured
+  bool weak_priors = true;         ///< of widths that nobody stated
+  bool thickness_follows = false;  ///< at its bound: it moves with the depth
+  std::size_t frozen = no_column;  ///< a common unknown at its bound, or held for a profile
+};
+
+/// Lengths of the columns, and the slope of the objective.
+struct SystemColumns {
+  Eigen::VectorXd norm, gradient;
+  Eigen::VectorXd seen;  ///< lengths without priors
+  std::vector<std::array<double, press_unknowns>> press_norm{};
+};
+[[nodiscard]] SystemColumns system_columns(const FitProblem& problem, const FitState& state,
+                                           const PressReadings& readings);
+
+/// The factors: R x = rhs for the common unknowns, and of each press' own
+/// own x = rhs - share * common.
+struct FitSystem {
+  struct Own {
+    Eigen::MatrixXd own, share;
+    Eigen::VectorXd rhs;
+  };
+  Eigen::MatrixXd triangle;
+  Eigen::VectorXd rhs;
+  std::vector<Own> presses{};
+};
+[[nodiscard]] FitSystem fit_system(const FitProblem& problem, const FitState& state,
+                                   const PressReadings& readings, const SystemColumns& columns,
+                                   const SystemParts& parts);
+
+/// What one press says of the common unknowns, its own eliminated: readings x common unknowns.
+[[nodiscard]] Eigen::MatrixXd eliminated_rows(const FitProblem& problem, const FitState& state,
+                                              const PressReadings& readings, std::size_t press);
+
+/// The unknowns of one press from the common ones, zeros where they are exact.
+[[nodiscard]] std::array<double, press_unknowns> press_step(const FitSystem::Own& own,
+                                                            const PressRows& rows,
+                                                            const Eigen::VectorXd& common);
+
+}  // namespace tactile_net

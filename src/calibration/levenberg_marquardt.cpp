@@ -1,0 +1,124 @@
+#include "calibration/levenberg_marquardt.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "numeric/decompositions.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr double first_damping = 1e-4;
+constexpr double least_damping = 1e-14;
+constexpr double most_damping = 1e8;
+constexpr double enough = 1e-9;       // relative fall of the objective that ends the iteration
+constexpr double longest_step = 1.0;  // of a logarithm
+constexpr double known_share = 1e-7;  // another start's minimum, found again
+
+/// No logarithm moves by more than 1, no centre by more than the array's length over four.
+double shortening(const FitProblem& problem, const Eigen::VectorXd& common,
+                  const std::vector<std::array<double, press_unknowns>>& presses) {
+  double most = 0.0;
+  const auto take = [&](double step, double limit) {
+    most = std::max(most, std::abs(step) / limit);
+  };
+  for (const PadParameter parameter : {PadParameter::depth, PadParameter::thickness,
+                                       PadParameter::youngs_modulus, PadParameter::pitch})
+    if (const std::size_t column = problem.pad_column(parameter); column != no_column)
+      take(common(static_cast<Eigen::Index>(column)), longest_step);
+  const auto [left, right] =
+      std::minmax_element(problem.model().sites().begin(), problem.model().sites().end(),
+                          [](const Site& a, const Site& b) { return a.y < b.y; });
+  const double length = std::max(0.25 * (right->y - left->y), problem.model().depth());
+  for (const auto& step : presses) {
+    take(step[0], longest_step);
+    take(step[1], length);
+    take(step[2], longest_step);
+  }
+  return most > 1.0 ? 1.0 / most : 1.0;
+}
+
+}  // namespace
+
+SystemParts active_bounds(const FitProblem& problem, const FitState& state,
+                          const SystemColumns& columns) {
+  SystemParts parts;
+  const auto slope = [&](PadParameter parameter) {
+    return columns.gradient(static_cast<Eigen::Index>(problem.pad_column(parameter)));
+  };
+  if (problem.pad_column(PadParameter::poisson_ratio) != no_column) {
+    const double nu = state.pad.poisson_ratio;
+    if ((nu >= 0.5 && slope(PadParameter::poisson_ratio) < 0.0) ||
+        (nu <= 0.0 && slope(PadParameter::poisson_ratio) > 0.0))
+      parts.frozen = problem.pad_column(PadParameter::poisson_ratio);
+  }
+  if (problem.pad_column(PadParameter::crosstalk) != no_column && parts.frozen == no_column &&
+      state.pad.crosstalk <= 0.0 && slope(PadParameter::crosstalk) > 0.0)
+    parts.frozen = problem.pad_column(PadParameter::crosstalk);
+  if (problem.pad_column(PadParameter::thickness) != no_column) {
+    double deepest = 0.0;
+    for (const Site& site : problem.model().sites()) deepest = std::max(deepest, site.depth);
+    const double over = std::log(problem.model().material().layer->thickness / deepest) +
+                        state.pad.log_thickness - state.pad.log_depth;
+    parts.thickness_follows = over < 1e-12 && slope(PadParameter::thickness) > 0.0;
+  }
+  return parts;
+}
+
+Descent descend(const FitProblem& problem, FitState state, std::size_t held, double known) {
+  Descent descent;
+  PressReadings readings = problem.readings(state, true);
+  double objective = problem.objective(state, readings);
+  double damping = first_damping;
+  while (descent.iterations < problem.options().most_iterations && !descent.converged) {
+    ++descent.iterations;
+    const SystemColumns columns = system_columns(problem, state, readings);
+    SystemParts parts = active_bounds(problem, state, columns);
+    if (held != no_column) parts.frozen = held;
+    while (true) {
+      parts.damping = damping;
+      const FitSystem system = fit_system(problem, state, readings, columns, parts);
+      Eigen::VectorXd common = solve_upper(system.triangle, system.rhs);
+      if (parts.frozen != no_column) common(static_cast<Eigen::Index>(parts.frozen)) = 0.0;
+      std::vector<std::array<double, press_unknowns>> steps;
+      for (std::size_t p = 0; p < state.presses.size(); ++p)
+        steps.push_back(press_step(system.presses[p], problem.press_rows[p], common));
+      if (parts.thickness_follows)
+        common(static_cast<Eigen::Index>(problem.pad_column(PadParameter::thickness))) =
+            problem.pad_column(PadParameter::depth) == no_column
+                ? 0.0
+                : common(static_cast<Eigen::Index>(problem.pad_column(PadParameter::depth)));
+      const double share = shortening(problem, common, steps);
+      common *= share;
+      for (auto& step : steps)
+        for (double& value : step) value *= share;
+      FitState trial = problem.moved(state, common, steps);
+      PressReadings at = problem.readings(trial, false);
+      const double reached = problem.objective(trial, at);
+      if (std::isfinite(reached) && reached <= objective) {
+        const double fall = objective - reached;
+        descent.converged = share == 1.0 && fall <= enough * objective && damping <= 1e-3;
+        if (known > 0.0 && std::abs(reached - known) <= known_share * known)
+          descent.converged = true;
+        state = std::move(trial);
+        objective = reached;
+        damping = std::max(least_damping, damping * (share == 1.0 ? 0.02 : 0.3));
+        break;
+      }
+      if (damping >= most_damping) {  // nothing near is lower: rounding is all that is left
+        descent.converged = true;
+        break;
+      }
+      damping = std::max(damping * 20.0, 1e-8);
+    }
+    if (!descent.converged) readings = problem.readings(state, true);
+  }
+  descent.state = std::move(state);
+  descent.objective = objective;
+  return descent;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,180 @@
+#include "tactile_net/calibration/press_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "calibration/fit_problem.hpp"
+#include "calibration/fit_summary.hpp"
+#include "calibration/levenberg_marquardt.hpp"
+#include "calibration/null_space.hpp"
+#include "numeric/named.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr double cauchy_scale = 2.4;  // standard deviations at which a row's weight is a half
+constexpr double outlying = 5.0;
+constexpr std::size_t outliers_of_a_wrong_force =
+    3;  // more of a press than this: its force is wrong
+constexpr std::size_t most_reweightings = 25;
+
+constexpr Named<ValueVerdict> value_verdicts[] = {
+    {ValueVerdict::identified, "identified"}, {ValueVerdict::weak, "weak"},
+    {ValueVerdict::prior_only, "prior_only"}, {ValueVerdict::not_identifiable, "not_identifiable"},
+    {ValueVerdict::at_bound, "at_bound"},     {ValueVerdict::fixed, "fixed"}};
+
+constexpr Named<FitVerdict> fit_verdicts[] = {{FitVerdict::ok, "ok"},
+                                              {FitVerdict::poor_fit, "poor_fit"},
+                                              {FitVerdict::iteration_limit, "iteration_limit"}};
+
+/// The same options, every parameter held that the log cannot tell from others.
+CalibrationOptions identifiable(const PressModel& model, const PressLog& log,
+                                CalibrationOptions options, std::span<const bool> unread) {
+  for (std::size_t i = 0; i <= pad_parameter_count; ++i) {
+    const FitProblem problem(model, log, options, unread);
+    const std::vector<NullDirection> directions = null_directions(problem, problem.start(1.0));
+    const auto* held = std::find_if(std::begin(held_first), std::end(held_first),
+                                    [&](PadParameter one) { return takes_part(directions, one); });
+    if (held == std::end(held_first)) break;
+    options.set_sd(*held, 0.0);
+  }
+  return options;
+}
+
+double cauchy(double deviation) {
+  return 1.0 / (1.0 + (deviation / cauchy_scale) * (deviation / cauchy_scale));
+}
+
+/// New weights from the residuals; the largest change of one.
+double reweigh(FitProblem& problem, const FitState& state) {
+  const PressReadings readings = problem.readings(state, false);
+  const std::size_t n = problem.model().sites().size();
+  double change = 0.0;
+  const auto set = [&](double& weight, double deviation) {
+    const double next = cauchy(deviation);
+    change = std::max(change, std::abs(next - weight));
+    weight = next;
+  };
+  for (std::size_t p = 0; p < state.presses.size(); ++p) {
+    for (std::size_t j = 0; j < n; ++j)
+      if (problem.used(j)) set(problem.weights[p * n + j], problem.residual(state, readings, p, j));
+    const Press& press = problem.log().presses[p];
+    const PressState& at = state.presses[p];
+    PressRows& rows = problem.press_rows[p];
+    if (press.force.value && press.force.sd > 0.0 && !rows.force_freed)
+      set(rows.force_weight,
+          (at.log_force - std::log(*press.force.value)) * *press.force.value / press.force.sd);
+    if (press.position.value && press.position.sd > 0.0)
+      set(rows.position_weight, (at.center - *press.position.value) / press.position.sd);
+  }
+  return change;
+}
+
+Descent reweighted(FitProblem& problem, Descent best) {
+  for (std::size_t pass = 0; pass < most_reweightings; ++pass) {
+    if (reweigh(problem, best.state) < 1e-3) break;
+    const std::size_t before = best.iterations;
+    best = descend(problem, std::move(best.state));
+    best.iterations += before;
+  }
+  return best;
+}
+
+/// A press with many outlying readings has a wrong force rather than many wrong readings.
+bool free_wrong_forces(FitProblem& problem, const FitState& state) {
+  const PressReadings readings = problem.readings(state, false);
+  bool any = false;
+  for (std::size_t p = 0; p < state.presses.size(); ++p) {
+    if (problem.press_rows[p].force_freed || !problem.log().presses[p].force.value) continue;
+    std::size_t count = 0;
+    for (std::size_t j = 0; j < problem.model().sites().size(); ++j)
+      if (problem.used(j) && std::abs(problem.residual(state, readings, p, j)) > outlying) ++count;
+    // Weights may have let the force go already: then it is far from what was stated instead.
+    const Stated& force = problem.log().presses[p].force;
+    const double moved = force.sd > 0.0
+                             ? std::abs(state.presses[p].log_force - std::log(*force.value)) *
+                                   *force.value / force.sd
+                             : 0.0;
+    if (count <= outliers_of_a_wrong_force && moved <= outlying) continue;
+    problem.free_force(p);
+    any = true;
+  }
+  return any;
+}
+
+Descent robust(FitProblem& problem, Descent best) {
+  best = reweighted(problem, std::move(best));
+  if (free_wrong_forces(problem, best.state)) {
+    const std::size_t before = best.iterations;
+    best = reweighted(problem, descend(problem, std::move(best.state)));
+    best.iterations += before;
+  }
+  return best;
+}
+
+bool all_loads_stated(const PressLog& log) {
+  return std::all_of(log.presses.begin(), log.presses.end(), [](const Press& press) {
+    return press.force.value && press.position.value && press.half_width.value;
+  });
+}
+
+std::vector<ProfilePoint> profile_of(const FitProblem& problem, const Descent& best,
+                                     const FittedValue& depth) {
+  std::vector<ProfilePoint> profile;
+  const std::size_t column = problem.pad_column(PadParameter::depth);
+  if (column == no_column || !std::isfinite(depth.sd) || depth.sd == 0.0) return profile;
+  const double log_sd = depth.sd / depth.value;
+  for (const double side : {-1.0, 1.0}) {
+    FitState state = best.state;
+    for (int i = 1; i <= 6; ++i) {
+      const double z = side * 0.5 * i;
+      Eigen::VectorXd step = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.columns()));
+      step(static_cast<Eigen::Index>(column)) =
+          best.state.pad.log_depth + z * log_sd - state.pad.log_depth;
+      const Descent held = descend(problem, problem.moved(state, step, {}), column);
+      const double rise = std::max(0.0, 2.0 * (held.objective - best.objective));
+      profile.push_back({z, depth.value * std::exp(z * log_sd), side * std::sqrt(rise)});
+      state = held.state;
+    }
+  }
+  profile.push_back({0.0, depth.value, 0.0});
+  std::sort(profile.begin(), profile.end(),
+            [](const ProfilePoint& a, const ProfilePoint& b) { return a.z < b.z; });
+  return profile;
+}
+
+}  // namespace
+
+std::string_view name(ValueVerdict verdict) noexcept { return name_in<value_verdicts>(verdict); }
+std::string_view name(FitVerdict verdict) noexcept { return name_in<fit_verdicts>(verdict); }
+
+PressFit fit_presses(const PressModel& model, const PressLog& log,
+                     const CalibrationOptions& options, std::span<const bool> unread) {
+  const CalibrationOptions held = identifiable(model, log, options, unread);
+  FitProblem problem(model, log, held, unread);
+  PressFit fit;
+  Descent best;
+  for (const double factor : options.starts) {
+    Descent descent = descend(problem, problem.start(factor), no_column,
+                              fit.starts.empty() ? 0.0 : best.objective);
+    fit.starts.push_back({factor, descent.objective, descent.iterations, descent.converged});
+    fit.iterations += descent.iterations;
+    if (fit.starts.size() == 1 || descent.objective < best.objective * (1.0 - 1e-6))
+      best = std::move(descent);
+    // Held, all starts are one; and with known loads every start finds the one minimum.
+    if (problem.pad_column(PadParameter::depth) == no_column || all_loads_stated(log)) break;
+  }
+  if (options.robust) {
+    best = robust(problem, std::move(best));
+    fit.iterations += best.iterations;
+  }
+  fit.null_directions = null_directions(FitProblem(model, log, options, unread), best.state);
+  summarise(problem, best, options, fit);
+  if (!best.converged) fit.verdict = FitVerdict::iteration_limit;
+  if (options.profile) fit.profile = profile_of(problem, best, fit.at(PadParameter::depth));
+  return fit;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,65 @@
+#include "tactile_net/calibration/press_log.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace tactile_net {
+
+UnloadedFrames unloaded_frames(const SensorArray& array,
+                               const std::vector<std::vector<double>>& frames) {
+  if (frames.size() < 2) throw std::invalid_argument("noise takes two unloaded frames at least");
+  const std::vector<Site> where = sites(array);
+  const std::size_t n = where.size();
+  const auto count = static_cast<double>(frames.size());
+  UnloadedFrames result{.frames = frames.size(),
+                        .mean = std::vector<double>(n),
+                        .reading_rms = std::vector<double>(n),
+                        .rms = std::vector<double>(channel_count(array))};
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    if (frames[f].size() != n) throw std::invalid_argument("a frame has another length");
+    for (std::size_t i = 0; i < n; ++i)  // the mean so far: no sum of large numbers
+      result.mean[i] += (frames[f][i] - result.mean[i]) / static_cast<double>(f + 1);
+  }
+  const auto deviation = [&](std::size_t f, std::size_t i) {
+    return frames[f][i] - result.mean[i];
+  };
+  std::vector<double> per_channel(result.rms.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    double scale = 0.0;
+    for (std::size_t f = 0; f < frames.size(); ++f) scale = std::hypot(scale, deviation(f, i));
+    result.reading_rms[i] = scale / std::sqrt(count - 1.0);
+    double& pooled = result.rms[where[i].channel];
+    pooled = std::hypot(pooled, result.reading_rms[i]);
+    per_channel[where[i].channel] += 1.0;
+  }
+  for (std::size_t c = 0; c < result.rms.size(); ++c) result.rms[c] /= std::sqrt(per_channel[c]);
+
+  // Of standardised deviations: what they share, and what neighbours do.
+  double common = 0.0;
+  double neighbours = 0.0;
+  std::size_t pairs = 0;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    double sum = 0.0;
+    double squares = 0.0;
+    double before = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double z = result.reading_rms[i] > 0.0 ? deviation(f, i) / result.reading_rms[i] : 0.0;
+      sum += z;
+      squares += z * z;
+      if (i > 0 && where[i].channel == where[i - 1].channel) {
+        neighbours += z * before;
+        ++pairs;
+      }
+      before = z;
+    }
+    common += sum * sum - squares;
+  }
+  const auto size = static_cast<double>(n);
+  if (n > 1) result.common_mode = common / ((count - 1.0) * size * (size - 1.0));
+  if (pairs > 0)
+    result.neighbour_correlation =
+        neighbours * count / (static_cast<double>(pairs) * (count - 1.0));
+  return result;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,154 @@
+#include "tactile_net/calibration/rod_contact.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "numeric/decompositions.hpp"
+#include "numeric/dual.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr std::size_t terms = 8;
+constexpr double largest_ratio = 3.0;  // a / h
+constexpr double largest_H = 20.0;     // 1 - compliance is exp(-2 H) H^2 there
+
+using Seeded = Dual<1>;  // by nu
+
+/// Compliance of the layer over that of the half plane, minus 1.
+Seeded compliance_change(Base base, const Seeded& nu, double H) {
+  const double decay = std::exp(-2.0 * H);  // of cosh 2H and sinh 2H, both times it
+  const double cosh = 0.5 * (1.0 + decay * decay);
+  const double sinh = -0.5 * std::expm1(-4.0 * H);
+  if (base == Base::frictionless)
+    return (cosh - decay - sinh - 2.0 * H * decay) / (sinh + 2.0 * H * decay);
+  const Seeded kappa = 3.0 - 4.0 * nu;
+  const Seeded below = kappa * cosh + (2.0 * H * H + 5.0 - 12.0 * nu + 8.0 * nu * nu) * decay;
+  return (kappa * sinh - 2.0 * H * decay) / below - 1.0;
+}
+
+/// J_0 ... J_last at z by the recurrence downwards.
+std::vector<double> bessel(std::size_t last, double z) {
+  std::vector<double> j(last + 1);
+  if (z < 1e-12) {
+    j[0] = 1.0;
+    if (last > 0) j[1] = 0.5 * z;
+    return j;
+  }
+  const auto start = 2 * ((std::max(last, static_cast<std::size_t>(z)) + 40) / 2);
+  double above = 0.0;
+  double here = 1e-300;
+  double sum = 0.0;  // J_0 + 2 (J_2 + J_4 + ...) = 1
+  for (std::size_t n = start; n > 0; --n) {
+    const double below = 2.0 * static_cast<double>(n) / z * here - above;
+    above = here;
+    here = below;
+    if (n - 1 <= last) j[n - 1] = here;
+    if ((n - 1) % 2 == 0) sum += (n == 1 ? 1.0 : 2.0) * here;
+    if (std::abs(here) > 1e200) {
+      here *= 1e-200;
+      above *= 1e-200;
+      sum *= 1e-200;
+      for (double& value : j) value *= 1e-200;
+    }
+  }
+  for (double& value : j) value /= sum;
+  return j;
+}
+
+/// b_0 and its derivatives by a/h and by nu.
+struct Factor {
+  double value = 1.0, by_ratio = 0.0, by_nu = 0.0;
+};
+
+Factor layer_factor(Base base, double nu, double ratio) {
+  using Rule = boost::math::quadrature::gauss<double, 20>;
+  constexpr int panels = 5;
+  constexpr auto size = static_cast<Eigen::Index>(terms);
+  std::array<double, terms> t{};
+  Eigen::MatrixXd system(size, size), by_ratio(size, size), by_nu(size, size);
+  Eigen::VectorXd right(size);
+  for (std::size_t i = 0; i < terms; ++i) {
+    const double angle = std::numbers::pi * (2.0 * static_cast<double>(i) + 1.0) /
+                         (4.0 * static_cast<double>(terms));
+    t[i] = std::cos(angle);
+    right(static_cast<Eigen::Index>(i)) = t[i];
+    for (std::size_t m = 0; m < terms; ++m)
+      system(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(m)) =
+          std::cos((2.0 * static_cast<double>(m) + 1.0) * angle);
+  }
+  by_ratio.setZero();
+  by_nu.setZero();
+  const auto add = [&](double H, double weight) {
+    const Seeded change = compliance_change(base, Seeded::seed(nu, 0), H);
+    const std::vector<double> j = bessel(2 * terms, H * ratio);
+    for (std::size_t m = 0; m < terms; ++m) {
+      const double order = 2.0 * static_cast<double>(m) + 1.0;
+      const double share = (m % 2 == 0 ? order : -order) * weight / H;
+      const double load = share * j[2 * m + 1];
+      const double slope = share * 0.5 * (j[2 * m] - j[2 * m + 2]) * H;  // by the ratio
+      for (std::size_t i = 0; i < terms; ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const auto column = static_cast<Eigen::Index>(m);
+        const double sine = std::sin(H * ratio * t[i]);
+        const double cosine = std::cos(H * ratio * t[i]);
+        system(row, column) += change.value * load * sine;
+        by_nu(row, column) += change.slope[0] * load * sine;
+        by_ratio(row, column) += change.value * (slope * sine + load * H * t[i] * cosine);
+      }
+    }
+  };
+  const double width = largest_H / panels;
+  for (int panel = 0; panel < panels; ++panel)
+    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+      for (const double sign : {-1.0, 1.0})
+        add((panel + 0.5 + 0.5 * sign * Rule::abscissa()[i]) * width,
+            0.5 * width * Rule::weights()[i]);
+  const Lu lu(system);
+  const Eigen::VectorXd b = lu.solve(right);
+  const auto slope = [&](const Eigen::MatrixXd& by) {
+    return -lu.solve(Eigen::VectorXd(by * b))(0);
+  };
+  return {b(0), slope(by_ratio), slope(by_nu)};
+}
+
+}  // namespace
+
+RodForce rod_force(const Material& material, double half_width, double radius) {
+  const double nu = material.poisson_ratio;
+  RodForce force;
+  force.log_force = std::log(std::numbers::pi * half_width / radius * half_width *
+                             material.youngs_modulus / (4.0 * (1.0 - nu * nu)));
+  force.by_poisson_ratio = 2.0 * nu / (1.0 - nu * nu);
+  if (!material.layer) return force;
+  const double ratio = half_width / material.layer->thickness;
+  const Factor b = layer_factor(material.layer->base, nu, std::min(ratio, largest_ratio));
+  const double by_log_ratio = ratio < largest_ratio ? b.by_ratio * ratio / b.value : 0.0;
+  force.log_force += std::log(b.value);
+  force.by_log_half_width += by_log_ratio;
+  force.by_log_thickness = -by_log_ratio;
+  force.by_poisson_ratio += b.by_nu / b.value;
+  return force;
+}
+
+double rod_half_width(const Material& material, double force, double radius) {
+  const double nu = material.poisson_ratio;
+  double log_a = 0.5 * std::log(4.0 * force * radius * (1.0 - nu * nu) /
+                                (std::numbers::pi * material.youngs_modulus));
+  // log P of log a is smooth, steeper than 2 and convex: Newton from the half plane's converges.
+  for (int step = 0; step < 50; ++step) {
+    const RodForce at = rod_force(material, std::exp(log_a), radius);
+    const double change = (std::log(force) - at.log_force) / at.by_log_half_width;
+    log_a += change;
+    if (std::abs(change) < 1e-14) break;
+  }
+  return std::exp(log_a);
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,303 @@
+#include "tactile_net/frames/press_log_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "scene/csv_table.hpp"
+#include "tactile_net/calibration/rod_contact.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
+#include "tactile_net/scene/diagnostic.hpp"
+
+namespace tactile_net::frames {
+namespace {
+
+constexpr std::size_t most_problems = 20;
+constexpr double contradiction = 5.0;  // standard deviations
+
+constexpr std::array described = {"press",    "shape",       "force",  "force_sd",
+                                  "position", "position_sd", "radius", "half_width"};
+constexpr std::array optional_columns = {"half_width_sd", "friction", "friction_sd", "t"};
+
+struct Rule {
+  std::string_view text;
+  bool (*holds)(double);
+};
+constexpr Rule any{"", [](double) { return true; }};
+constexpr Rule positive{"must be > 0", [](double x) { return x > 0.0; }};
+constexpr Rule not_negative{"must be >= 0", [](double x) { return x >= 0.0; }};
+
+class Reader {
+ public:
+  Reader(const std::filesystem::path& path, const Scene& scene, const CalibrationOptions& options)
+      : file_(path.filename().string()),
+        scene_(scene),
+        options_(options),
+        units_(scene.units.value_or(Units{})) {
+    try {
+      table_ = read_csv_table(path);
+    } catch (const std::runtime_error& error) {
+      throw InputError({{.file = path.string(), .message = error.what()}});
+    }
+  }
+
+  PressLogFile read() {
+    find_columns();
+    throw_if_any();
+    for (const CsvTable::Row& row : table_.rows) take(row);
+    throw_if_any();
+    check_whole();
+    throw_if_any();
+    result_.log.unloaded = unloaded_frames(scene_.sensor, unloaded_);
+    check_noise();
+    check_saturation();
+    throw_if_any();
+    remark();
+    return std::move(result_);
+  }
+
+ private:
+  void problem(std::size_t line, std::string message, std::string hint) {
+    if (problems_.size() < most_problems)
+      problems_.push_back(
+          {.file = file_, .line = line, .message = std::move(message), .hint = std::move(hint)});
+  }
+  void throw_if_any() {
+    if (!problems_.empty()) throw InputError(std::move(problems_));
+  }
+
+  void find_columns() {
+    const std::vector<std::string>& header = table_.header.fields;
+    for (std::size_t i = 0; i < header.size(); ++i)
+      if (!columns_.emplace(header[i], i).second)
+        problem(table_.header.line, "a column stands there twice", "keep one of the two");
+    for (const char* name : described)
+      if (!columns_.contains(name))
+        problem(table_.header.line, "has no column '" + std::string(name) + "'",
+                "the header begins with press,shape,force,force_sd,position,position_sd,radius,"
+                "half_width; what is not known is left empty");
+    std::vector<std::string> missing;
+    for (const std::string& name : reading_names(scene_.sensor)) {
+      if (const auto found = columns_.find(name); found != columns_.end())
+        readings_.push_back(found->second);
+      else
+        missing.push_back(name);
+    }
+    if (!missing.empty())
+      problem(
+          table_.header.line,
+          "has no column '" + missing.front() + "'" +
+              (missing.size() > 1 ? " nor " + std::to_string(missing.size() - 1) + " others" : "") +
+              " of the scene's " + std::to_string(reading_names(scene_.sensor).size()) +
+              " readings",
+          "a log of another scene? sensor.count and sensor.reads say which columns there are");
+    std::set<std::string> known(described.begin(), described.end());
+    known.insert(optional_columns.begin(), optional_columns.end());
+    for (const std::string& name : reading_names(scene_.sensor)) known.insert(name);
+    std::size_t others = 0;
+    for (const std::string& name : header)
+      if (!known.contains(name)) ++others;
+    if (others > 0)
+      result_.notes.push_back(std::to_string(others) +
+                              (others == 1 ? " column is not read" : " columns are not read"));
+  }
+
+  std::optional<double> number(const CsvTable::Row& row, const std::string& name, const Rule& rule,
+                               const Unit& unit = {}) {
+    const auto column = columns_.find(name);
+    if (column == columns_.end() || row.fields[column->second].empty()) return std::nullopt;
+    double value = 0.0;
+    if (!read_number(row.fields[column->second], value) || !std::isfinite(value)) {
+      problem(row.line, name + " is not a finite number", "leave it empty if it is not known");
+      return std::nullopt;
+    }
+    if (!rule.holds(value)) {
+      problem(row.line, name + ' ' + std::string(rule.text) + " (got " + shortest(value) + ')',
+              name == "force" ? "compression is positive; a row without load has press 0"
+                              : "leave it empty if it is not known");
+      return std::nullopt;
+    }
+    return unit.to_si(value);
+  }
+
+  Stated stated(const CsvTable::Row& row, const std::string& name, const Rule& rule,
+                const Unit& unit) {
+    Stated result{number(row, name, rule, unit), 0.0};
+    result.sd = number(row, name + "_sd", not_negative, unit).value_or(0.0);
+    const auto column = columns_.find(name);
+    if (result.sd > 0.0 && (column == columns_.end() || row.fields[column->second].empty()))
+      problem(row.line, name + "_sd stands without " + name, "give both, or neither");
+    return result;
+  }
+
+  std::vector<double> readings(const CsvTable::Row& row) {
+    std::vector<double> values;
+    for (const std::size_t column : readings_) {
+      double value = 0.0;
+      if (!read_number(row.fields[column], value) || !std::isfinite(value)) {
+        problem(row.line, table_.header.fields[column] + " is not a finite number",
+                "every reading of every row is needed; dead ones are listed in [dead_taxels], and "
+                "stand there as 0");
+        return {};
+      }
+      values.push_back(value);
+    }
+    if (scene_.calibration) calibrate(*scene_.calibration, values);
+    return values;
+  }
+
+  void take(const CsvTable::Row& row) {
+    const std::string& shape = row.fields[columns_.at("shape")];
+    double count = 0.0;
+    if (!read_number(row.fields[columns_.at("press")], count) || count < 0.0 ||
+        count != std::floor(count) || count > 1e9) {
+      problem(row.line, "press is no number from 0 on", "0: unloaded; presses count from 1");
+      return;
+    }
+    if (count == 0.0 || shape == "none") {
+      unloaded_.push_back(readings(row));
+      return;
+    }
+    Press press{.number = static_cast<std::size_t>(count)};
+    if (!numbers_.insert(press.number).second)
+      problem(row.line, "press " + std::to_string(press.number) + " stands there twice",
+              "a row a press: the mean of its steady frames");
+    if (shape == "cylinder")
+      press.shape = Shape::cylinder;
+    else if (shape == "punch")
+      press.shape = Shape::punch;
+    else if (shape == "wedge")
+      press.shape = Shape::wedge;
+    else
+      problem(row.line, "shape is none that there is",
+              "cylinder, punch, wedge; none: unloaded. A ball is no line load");
+    press.force = stated(row, "force", positive, units_.force);
+    press.position = stated(row, "position", any, units_.length);
+    press.half_width = stated(row, "half_width", positive, units_.length);
+    press.radius = number(row, "radius", positive, units_.length);
+    if (const Stated friction = stated(row, "friction", any, {}); friction.value)
+      press.friction = friction;
+    if (press.radius && press.shape != Shape::cylinder)
+      problem(row.line, "radius is of a cylinder, and the shape is none",
+              "a punch and a wedge have a half_width");
+    check_place(row, press);
+    check_tie(row, press);
+    press.readings = readings(row);
+    result_.log.presses.push_back(std::move(press));
+  }
+
+  void check_place(const CsvTable::Row& row, const Press& press) {
+    const std::vector<double> y = positions(scene_.sensor);
+    const double half = 0.5 * (y.back() - y.front());
+    const double a = press.half_width.value.value_or(0.0);
+    if (press.half_width.value && 2.0 * a > 2.0 * half)
+      problem(row.line, "half_width makes a contact wider than the array",
+              "lengths in " + std::string(units_.length.name) + '?');
+    else if (press.position.value && std::abs(*press.position.value) > half + a)
+      problem(row.line, "position lies beyond the array, which ends at +-" + brief(half) + " m",
+              "0 is the middle of the array; lengths in " + std::string(units_.length.name) + '?');
+  }
+
+  void check_tie(const CsvTable::Row& row, const Press& press) {
+    if (!press.radius || !press.half_width.is_exact() || !press.force.value) return;
+    const double tied = rod_half_width(scene_.material, *press.force.value, *press.radius);
+    const double sd = std::hypot(options_.half_width_sd, 0.5 * options_.youngs_modulus_sd, 0.1);
+    if (std::abs(std::log(*press.half_width.value / tied)) > contradiction * sd)
+      problem(row.line,
+              "half_width and radius contradict each other: this rod's contact is about " +
+                  brief(tied) + " m to each side",
+              "leave one of them empty, or give half_width_sd");
+  }
+
+  void check_whole() {
+    const std::size_t unloaded = unloaded_.size();
+    if (unloaded < least_unloaded)
+      problem(0,
+              unloaded == 0 ? "has no unloaded row"
+                            : "has only " + std::to_string(unloaded) + " unloaded rows",
+              "at least 20 rows with press 0 and shape none: noise and offsets come from them");
+    if (result_.log.presses.empty())
+      problem(0, "has no press", "a row with press 1, its shape, and what is known of it");
+  }
+
+  [[nodiscard]] bool is_dead(std::size_t reading) const {
+    const std::size_t taxel = sites(scene_.sensor)[reading].taxel;
+    return std::count(scene_.dead_taxels.begin(), scene_.dead_taxels.end(), taxel) > 0;
+  }
+
+  void check_noise() {
+    const std::vector<std::string> names = reading_names(scene_.sensor);
+    for (std::size_t j = 0; j < names.size(); ++j)
+      if (result_.log.unloaded.reading_rms[j] == 0.0 && !is_dead(j))
+        problem(0, names[j] + " never changes without load: a dead taxel",
+                "[dead_taxels] indices = [" + std::to_string(sites(scene_.sensor)[j].taxel) +
+                    "], or write readings with more digits");
+  }
+
+  /// The largest number of a reading, exactly, in more than one press: the range's end.
+  void check_saturation() {
+    const std::vector<std::string> names = reading_names(scene_.sensor);
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      if (is_dead(j)) continue;
+      const double floor = 20.0 * result_.log.unloaded.reading_rms[j];
+      double most = 0.0;
+      std::size_t count = 0;
+      for (const Press& press : result_.log.presses) {
+        const double above = std::abs(press.readings[j] - result_.log.unloaded.mean[j]);
+        if (above > most) count = 0;
+        most = std::max(most, above);
+        if (above == most) ++count;
+      }
+      if (count > 1 && most > floor)
+        problem(0,
+                names[j] + " has the same largest value in " + std::to_string(count) +
+                    " presses: it is cut off at the end of its range",
+                "press less hard, or leave these presses out");
+    }
+  }
+
+  void remark() {
+    if (!scene_.contacts.empty())
+      result_.notes.emplace_back("the scene's own contacts are ignored: the log says what pressed");
+    const std::size_t rows = result_.log.presses.size() * readings_.size();
+    const std::size_t unknowns = 2 * readings_.size() + 4 + 3 * result_.log.presses.size();
+    if (rows < unknowns)
+      result_.notes.push_back("fewer readings (" + std::to_string(rows) +
+                              ") than unknowns (up to " + std::to_string(unknowns) +
+                              "): what the scene states holds the rest; press more often");
+    const UnloadedFrames& frames = result_.log.unloaded;
+    const double limit =
+        4.0 / std::sqrt(static_cast<double>(frames.frames) * static_cast<double>(readings_.size()));
+    if (std::abs(frames.neighbour_correlation) > limit)
+      result_.notes.push_back("the noise of neighbours is correlated (" +
+                              brief(frames.neighbour_correlation) +
+                              "), and taken as independent: standard deviations are too small");
+  }
+
+  std::string file_;
+  const Scene& scene_;
+  const CalibrationOptions& options_;
+  Units units_;
+  CsvTable table_{};
+  std::map<std::string, std::size_t> columns_{};
+  std::vector<std::size_t> readings_{};
+  std::vector<std::vector<double>> unloaded_{};
+  std::set<std::size_t> numbers_{};
+  std::vector<Diagnostic> problems_{};
+  PressLogFile result_{};
+};
+
+}  // namespace
+
+PressLogFile read_press_log(const std::filesystem::path& path, const Scene& scene,
+                            const CalibrationOptions& options) {
+  return Reader(path, scene, options).read();
+}
+
+}  // namespace tactile_net::frames

@@ -1,0 +1,126 @@
+#include "tactile_net/report/json/calibration_json.hpp"
+
+#include "report/json/scene_json.hpp"
+#include "tactile_net/report/words/calibration_words.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+Json value_json(const FittedValue& value) {
+  return {{"nominal", value.nominal},
+          {"value", value.value},
+          {"sd", finite_or_null(value.sd)},
+          {"prior_sd", finite_or_null(value.prior_sd)},
+          {"verdict", name(value.verdict)}};
+}
+
+Json value_json(const ValueWithSd& value) {
+  return {{"value", value.value}, {"sd", finite_or_null(value.sd)}};
+}
+
+Json list_json(const std::vector<FittedValue>& values) {
+  Json list = Json::array();
+  for (const FittedValue& value : values)
+    list.push_back({{"value", value.value},
+                    {"sd", finite_or_null(value.sd)},
+                    {"verdict", name(value.verdict)}});
+  return list;
+}
+
+Json matrix_json(const Matrix& matrix) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < matrix.rows; ++i) {
+    const auto row = matrix.row(i);
+    rows.push_back(std::vector<double>(row.begin(), row.end()));
+  }
+  return rows;
+}
+
+Json press_json(const FittedPress& press) {
+  return {{"press", press.number},
+          {"force", value_json(press.force)},
+          {"centre", value_json(press.center)},
+          {"half_width", value_json(press.half_width)},
+          {"friction", value_json(press.friction)},
+          {"weight", press.weight},
+          {"rms", press.rms},
+          {"rms_before", press.rms_before},
+          {"force_put_aside", press.force_freed}};
+}
+
+Json fit_json(const PressFit& fit) {
+  Json starts = Json::array();
+  for (const StartOutcome& start : fit.starts)
+    starts.push_back({{"depth_factor", start.depth_factor},
+                      {"objective", start.objective},
+                      {"iterations", start.iterations},
+                      {"converged", start.converged}});
+  return {{"verdict", name(fit.verdict)},
+          {"chi_squared", fit.chi_squared},
+          {"dof", fit.dof},
+          {"p", fit.p},
+          {"rms", fit.rms},
+          {"time_trend", fit.time_trend},
+          {"iterations", fit.iterations},
+          {"starts", starts}};
+}
+
+}  // namespace
+
+std::string calibration_json(const lab::SceneCalibration& found, const std::string& log) {
+  const PressFit& fit = found.fit;
+  Json json = scene_json(kind::calibrate, found.scene);
+  json["log"] = log;
+  json["fit"] = fit_json(fit);
+  json["words"] = calibration_in_words(found);
+  json["parameters"] = Json::object();
+  for (std::size_t i = 0; i < pad_parameter_count; ++i)
+    if (i != static_cast<std::size_t>(PadParameter::thickness) || found.scene.material.layer)
+      json["parameters"][std::string(name(static_cast<PadParameter>(i)))] =
+          value_json(fit.parameters[i]);
+  const std::vector<Channel> channel = channels(found.scene.sensor);
+  json["mean_gains"] = Json::object();
+  json["noise_rms"] = Json::object();
+  for (std::size_t c = 0; c < channel.size(); ++c) {
+    json["mean_gains"][channel[c].name] = value_json(fit.mean_gain[c]);
+    json["noise_rms"][channel[c].name] = found.log.unloaded.rms[c];
+  }
+  json["gains"] = list_json(fit.gain);
+  json["offsets"] = list_json(fit.offset);
+  json["presses"] = Json::array();
+  for (const FittedPress& press : fit.presses) json["presses"].push_back(press_json(press));
+  Json free = Json::array();
+  for (const PadParameter parameter : fit.free) free.push_back(name(parameter));
+  json["free"] = free;
+  json["covariance"] = matrix_json(fit.covariance);
+  json["correlation"] = matrix_json(fit.correlation);
+  json["null_directions"] = Json::array();
+  for (const NullDirection& direction : fit.null_directions) {
+    lab::SceneCalibration one{.scene = found.scene, .log = found.log};
+    one.fit.null_directions = {direction};
+    Json pad = Json::object();
+    for (std::size_t i = 0; i < pad_parameter_count; ++i)
+      pad[std::string(name(static_cast<PadParameter>(i)))] = direction.pad[i];
+    json["null_directions"].push_back({{"text", null_directions_in_words(one).front()},
+                                       {"parameters", pad},
+                                       {"gains", direction.gains}});
+  }
+  json["outliers"] = Json::array();
+  for (const OutlyingReading& one : fit.outliers)
+    json["outliers"].push_back(
+        {{"press", one.press}, {"reading", one.reading}, {"deviation", one.deviation}});
+  json["next"] = Json::array();
+  for (const NextPress& press : found.next.presses)
+    json["next"].push_back({{"shape", "cylinder"},
+                            {"position", press.position},
+                            {"half_width", press.half_width},
+                            {"force", press.force},
+                            {"unknown_then", press.remaining}});
+  json["unknown_now"] = found.next.presses.empty() ? Json(nullptr) : Json(found.next.now);
+  json["profile"] = Json::array();
+  for (const ProfilePoint& point : fit.profile)
+    json["profile"].push_back({{"z", point.z}, {"depth", point.depth}, {"root", point.root}});
+  return text_of(json);
+}
+
+}  // namespace tactile_net::report

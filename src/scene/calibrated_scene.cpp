@@ -1,0 +1,238 @@
+#include "tactile_net/scene/calibrated_scene.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "scene/document.hpp"
+#include "scene/sections.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/scene/reader.hpp"
+
+namespace tactile_net {
+namespace {
+
+/// The text's lines, whose parts are replaced from the end to the beginning.
+class EditedText {
+ public:
+  explicit EditedText(std::string_view text) : text_(text) {
+    starts_.push_back(0);
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] == '\n') starts_.push_back(i + 1);
+  }
+
+  /// Where a position of the parser is; columns count code points, from 1.
+  [[nodiscard]] std::size_t at(const toml::source_position& position) const {
+    std::size_t offset = starts_.at(position.line - 1);
+    for (std::size_t column = 1; column < position.column; ++column) {
+      ++offset;
+      while (offset < text_.size() && (static_cast<unsigned char>(text_[offset]) & 0xC0) == 0x80)
+        ++offset;
+    }
+    return offset;
+  }
+  void replace(std::size_t from, std::size_t to, std::string with) {
+    edits_.push_back({from, to, std::move(with)});
+  }
+  void replace(const toml::node& node, std::string with) {
+    replace(at(node.source().begin), at(node.source().end), std::move(with));
+  }
+  /// A table from its header up to its last line that says something.
+  void remove(const toml::table& table) {
+    const std::size_t from = starts_.at(table.source().begin.line - 1);
+    std::size_t line = table.source().begin.line;
+    std::size_t to = line < starts_.size() ? starts_[line] : text_.size();
+    for (; line < starts_.size(); ++line) {
+      const std::string_view content = line_of(line);
+      const std::size_t first = content.find_first_not_of(" \t\r\n");
+      if (first != std::string_view::npos && content[first] == '[' && !inside_value(from, line))
+        break;
+      if (first != std::string_view::npos && content[first] != '#')
+        to = line + 1 < starts_.size() ? starts_[line + 1] : text_.size();
+    }
+    replace(from, to, "");
+  }
+  [[nodiscard]] std::string text() && {
+    std::sort(edits_.begin(), edits_.end(),
+              [](const Edit& a, const Edit& b) { return a.from > b.from; });
+    for (const Edit& edit : edits_) text_.replace(edit.from, edit.to - edit.from, edit.with);
+    return std::move(text_);
+  }
+
+ private:
+  struct Edit {
+    std::size_t from, to;
+    std::string with;
+  };
+  [[nodiscard]] std::string_view line_of(std::size_t line) const {
+    const std::size_t end = line + 1 < starts_.size() ? starts_[line + 1] : text_.size();
+    return std::string_view(text_).substr(starts_[line], end - starts_[line]);
+  }
+  /// The line goes on with a list that an earlier one began.
+  [[nodiscard]] bool inside_value(std::size_t from, std::size_t line) const {
+    long depth = 0;
+    bool in_comment = false;
+    for (std::size_t i = from; i < starts_[line]; ++i) {
+      if (text_[i] == '\n') in_comment = false;
+      if (text_[i] == '#') in_comment = true;
+      if (in_comment) continue;
+      if (text_[i] == '[') ++depth;
+      if (text_[i] == ']') --depth;
+    }
+    return depth > 0;
+  }
+
+  std::string text_;
+  std::vector<std::size_t> starts_{};
+  std::vector<Edit> edits_{};
+};
+
+/// As many digits as tell a thousandth of the standard deviation; every one where there is none.
+std::string rounded(double value, double sd) {
+  if (!(sd > 0.0) || !std::isfinite(sd) || value == 0.0) return shortest(value);
+  const double step = std::pow(10.0, std::floor(std::log10(1e-3 * sd)));
+  const double whole = std::round(value / step);
+  if (std::abs(whole) > 9e15) return shortest(value);
+  // Divided by a power of ten that is whole: the nearest double to the decimal number.
+  return shortest(step < 1.0 ? whole / std::round(1.0 / step) : whole * step);
+}
+
+std::string list_of(const std::vector<double>& values, const std::vector<double>& sds) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text += (i == 0 ? "" : i % 8 == 0 ? ",\n  " : ", ") + rounded(values[i], sds[i]);
+  return text + "]";
+}
+
+struct RawScale {
+  std::vector<double> gains, gain_sds, offsets, offset_sds;
+};
+
+/// number = gain * reading + offset, through what the nominal scene made of the number.
+RawScale through(const Scene& nominal, const PressFit& fit) {
+  RawScale raw;
+  const std::vector<Site> where = sites(nominal.sensor);
+  for (std::size_t i = 0; i < fit.gains.size(); ++i) {
+    const double to_si =
+        nominal.units ? reading_unit(*nominal.units, where[i].quantity).to_si(1.0) : 1.0;
+    const double gain = nominal.calibration ? nominal.calibration->gain[i] : 1.0;
+    const double own = nominal.calibration ? nominal.calibration->offset[i] : 0.0;
+    const double baseline = nominal.calibration ? nominal.calibration->baseline[i] : 0.0;
+    raw.gains.push_back(fit.gains[i] / gain * to_si);
+    raw.gain_sds.push_back(fit.gain[i].sd / std::abs(gain) * to_si);
+    raw.offsets.push_back((fit.offsets[i] - own) / gain + baseline);
+    raw.offset_sds.push_back(fit.offset[i].sd / std::abs(gain));
+  }
+  return raw;
+}
+
+std::string calibration_table(const Scene& nominal, const PressLog& log, const PressFit& fit,
+                              std::string_view from) {
+  const RawScale raw = through(nominal, fit);
+  std::string text =
+      "[calibration]  # number = gains * reading + offsets, by tactile-net calibrate\n";
+  text += "gains = " + list_of(raw.gains, raw.gain_sds) + '\n';
+  text += "offsets = " + list_of(raw.offsets, raw.offset_sds) + '\n';
+  std::string name(from);
+  std::erase_if(name,
+                [](char c) { return c == '"' || c == '\\' || static_cast<unsigned char>(c) < 32; });
+  text += "from = \"" + name + "\"\n";
+  text += "presses = " + std::to_string(log.presses.size()) + '\n';
+  text += "chi_squared = " + brief(fit.chi_squared) + '\n';
+  text += "dof = " + brief(fit.dof) + '\n';
+  std::string sds;
+  for (const PadParameter parameter : fit.free) {
+    const FittedValue& value = fit.at(parameter);
+    if (!is_found(value.verdict)) continue;
+    const double unit =
+        !nominal.units                              ? 1.0
+        : parameter == PadParameter::youngs_modulus ? nominal.units->modulus.from_si(1.0)
+        : parameter == PadParameter::poisson_ratio || parameter == PadParameter::crosstalk
+            ? 1.0
+            : nominal.units->length.from_si(1.0);
+    sds += (sds.empty() ? "" : ", ") + std::string(tactile_net::name(parameter)) + " = " +
+           brief(value.sd * unit);
+  }
+  if (!sds.empty()) text += "sd = { " + sds + " }\n";
+  return text;
+}
+
+/// Noise of the corrected readings, one number or one for each quantity.
+std::string noise_of(const Scene& nominal, const PressLog& log, const PressFit& fit) {
+  const std::vector<Channel> channel = channels(nominal.sensor);
+  std::string text;
+  for (const Quantity quantity : nominal.sensor.reads) {
+    double squares = 0.0;
+    double count = 0.0;
+    for (std::size_t c = 0; c < channel.size(); ++c)
+      if (channel[c].quantity == quantity) {
+        squares += std::pow(log.unloaded.rms[c] / fit.mean_gain[c].value, 2);
+        count += 1.0;
+      }
+    const Unit unit = nominal.units ? reading_unit(*nominal.units, quantity) : Unit{};
+    const double number = unit.from_si(std::sqrt(squares / count));
+    const std::string rms = rounded(number, 0.1 * number);
+    if (nominal.sensor.reads.size() == 1) return rms;
+    text += (text.empty() ? "{ " : ", ") + std::string(name(quantity)) + " = " + rms;
+  }
+  return text + " }";
+}
+
+}  // namespace
+
+bool is_found(ValueVerdict verdict) noexcept {
+  return verdict == ValueVerdict::identified || verdict == ValueVerdict::weak ||
+         verdict == ValueVerdict::at_bound;
+}
+
+std::string calibrated_scene(std::string_view toml, const Scene& nominal, const PressLog& log,
+                             const PressFit& fit, std::string_view from) {
+  if (!is_even(nominal.sensor))
+    throw std::invalid_argument(
+        "the scene's taxels are placed by a file or one by one: calibrate writes arrays with count "
+        "and pitch alone");
+  const std::string_view text = without_byte_order_mark(toml);
+  Problems problems(nominal.file, text);
+  const toml::table root = parse_document(text, nominal.file, problems);
+  problems.throw_if_any();
+  EditedText edited(text);
+  const auto put = [&](const toml::node* node, PadParameter parameter, const Unit& unit) {
+    const FittedValue& value = fit.at(parameter);
+    if (node != nullptr && is_found(value.verdict))
+      edited.replace(*node, rounded(unit.from_si(value.value), unit.from_si(value.sd)));
+  };
+  const Units units = nominal.units.value_or(Units{});
+  put(root.at_path("sensor.depth").node(), PadParameter::depth, units.length);
+  if (const toml::array* depths = root.at_path("sensor.depths").as_array();
+      depths != nullptr && is_found(fit.at(PadParameter::depth).verdict))
+    for (std::size_t i = 0; i < depths->size(); ++i) {
+      const double factor = std::exp(fit.pad.log_depth);
+      const double sd = fit.at(PadParameter::depth).sd / fit.at(PadParameter::depth).value;
+      const double depth = nominal.sensor.depths[i] * factor;
+      edited.replace(*depths->get(i),
+                     rounded(units.length.from_si(depth), units.length.from_si(sd * depth)));
+    }
+  put(root.at_path("sensor.pitch").node(), PadParameter::pitch, units.length);
+  put(root.at_path("material.youngs_modulus").node(), PadParameter::youngs_modulus, units.modulus);
+  put(root.at_path("material.poisson_ratio").node(), PadParameter::poisson_ratio, {});
+  put(root.at_path("material.layer.thickness").node(), PadParameter::thickness, units.length);
+  std::string tail;
+  const std::string noise = noise_of(nominal, log, fit);
+  if (const toml::node* rms = root.at_path("noise.rms").node())
+    edited.replace(*rms, noise);
+  else if (!root.contains("noise"))
+    tail += "\n[noise]  # measured without load\nrms = " + noise + '\n';
+  if (const toml::table* own = root.at_path("calibration").as_table()) edited.remove(*own);
+  std::string result = std::move(edited).text();
+  if (!result.empty() && result.back() != '\n') result += '\n';
+  result += tail + '\n' + calibration_table(nominal, log, fit, from);
+  static_cast<void>(parse_scene(result, nominal.file));  // what is written can be read
+  return result;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,148 @@
+#include "tactile_net/calibration/press_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tactile_net/sensing/exact.hpp"
+#include "tests/catch.hpp"
+
+namespace tactile_net {
+namespace {
+
+SensorArray array_of(std::vector<Quantity> reads, double depth = 1.5e-3) {
+  return {.count = 41, .pitch = 0.5e-3, .depths = {depth}, .reads = std::move(reads)};
+}
+
+const std::vector<Quantity> all(quantities.begin(), quantities.end());
+
+Material pad_of(int kind) {
+  Material material{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
+  if (kind > 0) material.layer = Layer{3e-3, kind == 1 ? Base::bonded : Base::frictionless};
+  return material;
+}
+
+const std::vector<PressState> presses{
+    {Shape::cylinder, std::log(200.0), 1.3e-3, std::log(1.1e-3), 0.0},
+    {Shape::punch, std::log(90.0), -6e-3, std::log(0.7e-3), 0.0},
+    {Shape::wedge, std::log(300.0), 8e-3, std::log(1.9e-3), 0.0},
+    {Shape::cylinder, std::log(120.0), -2e-3, std::log(0.9e-3), 0.4}};
+
+double peak(const Matrix& rows, std::size_t row) {
+  double most = 0.0;
+  for (const double value : rows.row(row)) most = std::max(most, std::abs(value));
+  return most;
+}
+
+RigidContact contact_of(const PressState& press) {
+  return {.shape = press.shape,
+          .center = press.center,
+          .half_width = std::exp(press.log_half_width),
+          .force = std::exp(press.log_force),
+          .friction = press.friction};
+}
+
+/// Another place in the space of parameters, by `step` along one of them.
+PadState moved(PadState pad, std::size_t parameter, double step) {
+  double* const members[] = {&pad.log_depth,   &pad.log_thickness, &pad.poisson_ratio,
+                             &pad.log_modulus, &pad.crosstalk,     &pad.shift,
+                             &pad.log_pitch};
+  *members[parameter] += step;
+  return pad;
+}
+
+}  // namespace
+
+TEST_CASE("readings under rigid indenters are the exact integrals") {
+  const int kind = GENERATE(0, 1, 2);
+  const Material pad = pad_of(kind);
+  for (const Quantity quantity : quantities) {
+    const SensorArray array = array_of({quantity});
+    const PressModel model(array, pad);
+    const PressReadings readings = model.readings(model.nominal(), presses, false);
+    for (std::size_t p = 0; p < presses.size(); ++p) {
+      if (kind == 2 && presses[p].friction != 0.0) continue;  // a pole at k = 0: see below
+      const std::vector<Contact> contacts{contact_of(presses[p])};
+      const std::vector<double> exact = exact_readings(array, pad, contacts);
+      double most = 0.0;
+      for (const double value : exact) most = std::max(most, std::abs(value));
+      for (std::size_t j = 0; j < exact.size(); ++j) {
+        CAPTURE(kind, name(quantity), p, j);
+        CHECK(std::abs(readings.value(p, j) - exact[j]) <= 1e-8 * most);
+      }
+    }
+  }
+}
+
+TEST_CASE("a drag on a layer that slips on its base is read right, far field included") {
+  const Material pad = pad_of(2);
+  const SensorArray array = array_of({Quantity::stress_y});
+  const PressModel model(array, pad);
+  const PressReadings readings = model.readings(model.nominal(), presses, false);
+  const std::vector<Contact> contacts{contact_of(presses[3])};
+  const std::vector<double> exact = exact_readings(array, pad, contacts);
+  for (std::size_t j = 0; j < exact.size(); ++j)
+    CHECK(std::abs(readings.value(3, j) - exact[j]) <= 1e-8 * peak(readings.value, 3));
+}
+
+TEST_CASE("derivatives are those of central differences") {
+  const int kind = GENERATE(0, 1, 2);
+  const PressModel model(array_of(all), pad_of(kind));
+  PadState pad = model.nominal();
+  pad.log_depth = 0.1;
+  pad.poisson_ratio = 0.43;
+  pad.crosstalk = 0.04;
+  pad.shift = 2e-4;
+  pad.log_pitch = 0.01;
+  const PressReadings at = model.readings(pad, presses, true);
+  // Fourth order: (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / 12 h.
+  const auto compare = [&](const auto& value_at, const Matrix& column, double step,
+                           const char* what) {
+    const Matrix near = value_at(step), back = value_at(-step);
+    const Matrix far = value_at(2.0 * step), behind = value_at(-2.0 * step);
+    for (std::size_t p = 0; p < presses.size(); ++p) {
+      const double scale = peak(column, p);
+      for (std::size_t j = 0; j < column.columns; ++j) {
+        const double difference =
+            (8.0 * (near(p, j) - back(p, j)) - (far(p, j) - behind(p, j))) / (12.0 * step);
+        CAPTURE(kind, what, p, j);
+        CHECK(std::abs(column(p, j) - difference) <=
+              1e-7 * scale + 1e-10 * peak(at.value, p) / step * 1e-3);
+      }
+    }
+  };
+  for (std::size_t i = 0; i < pad_parameter_count; ++i) {
+    const double step = static_cast<PadParameter>(i) == PadParameter::shift ? 2e-6 : 2e-3;
+    compare([&](double by) { return model.readings(moved(pad, i, by), presses, false).value; },
+            at.by_pad[i], step, name(static_cast<PadParameter>(i)).data());
+  }
+  const auto with = [&](auto member, double by) {
+    std::vector<PressState> other = presses;
+    for (PressState& press : other) press.*member += by;
+    return model.readings(pad, other, false).value;
+  };
+  compare([&](double by) { return with(&PressState::log_force, by); }, at.by_log_force, 2e-3, "P");
+  compare([&](double by) { return with(&PressState::center, by); }, at.by_center, 2e-6, "c");
+  compare([&](double by) { return with(&PressState::log_half_width, by); }, at.by_log_half_width,
+          2e-3, "a");
+  compare([&](double by) { return with(&PressState::friction, by); }, at.by_friction, 2e-3, "mu");
+}
+
+TEST_CASE("at the base one derivative moves depth and thickness together") {
+  Material pad = pad_of(1);
+  const PressModel model(array_of({Quantity::stress_x, Quantity::shear_xy}, 3e-3), pad);
+  PadState state = model.nominal();
+  const PressReadings at = model.readings(state, presses, true, true);
+  const auto value = [&](double by) {
+    PadState other = state;
+    other.log_depth += by;
+    return model.readings(other, presses, false, true).value;
+  };
+  const Matrix up = value(1e-4), down = value(-1e-4);
+  for (std::size_t p = 0; p < presses.size(); ++p)
+    for (std::size_t j = 0; j < up.columns; ++j)
+      CHECK(std::abs(at.by_pad[0](p, j) - (up(p, j) - down(p, j)) / 2e-4) <=
+            1e-7 * peak(at.by_pad[0], p));
+}
+
+}  // namespace tactile_net
