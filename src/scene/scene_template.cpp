@@ -7,6 +7,7 @@
 
 #include "scene/document.hpp"
 #include "scene/sections.hpp"
+#include "scene/skin_sections.hpp"
 #include "scene/table.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -78,8 +79,14 @@ Scene scene_of(const SceneTemplate& base, std::span<const Setting> settings, Pro
   }
   Scene scene;
   scene.file = base.file().filename().string();
+  if (!problems.none()) return scene;
+  const std::filesystem::path folder = base.file().parent_path();
+  if (is_skin(toml, folder)) {
+    refuse_skin(toml, problems);
+    return scene;
+  }
   Table root{toml, "", problems};
-  if (problems.none()) read_sections(root, base.file().parent_path(), scene);
+  read_sections(root, folder, scene);
   return scene;
 }
 
