@@ -7,6 +7,7 @@
 #include "frames/column_names.hpp"
 #include "frames/column_places.hpp"
 #include "frames/npy_header.hpp"
+#include "tactile_net/elasticity/space/skin_quantity.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/npy.hpp"
 #include "tactile_net/frames/open.hpp"
@@ -105,12 +106,28 @@ class HeaderLayout {
     return layout_;
   }
 
+  /// "stress_x_3": what stands before a column's number is a quantity with a row.
+  static bool is_of_skin(const ColumnGroup& group) {
+    const std::string_view stem = group.stem;
+    const std::size_t row = stem.rfind('_');
+    return row != stem.npos && row + 1 < stem.size() &&
+           stem.find_first_not_of("0123456789", row + 1) == stem.npos &&
+           skin_quantity_named(stem.substr(0, std::min(row, stem.find('@')))).has_value();
+  }
+
   /// "Druck 1", "Druck 2", ...: the names that most columns share.
   RecordingLayout of_common_names(std::vector<ColumnGroup> groups, std::size_t quantities) {
     std::size_t most = 0;
     for (const ColumnGroup& group : groups) most = std::max(most, group.field_of.size());
     std::erase_if(groups, [&](const ColumnGroup& one) { return one.field_of.size() < most; });
     const bool one_for_all = groups.size() == 1 && most >= 2;
+    if (!groups.empty() && is_of_skin(groups.front()))
+      fail(path_,
+           "is of a skin: its columns have a row and a column each, '" + groups.front().stem +
+               "_0' first, and scenes of skins are not sketched",
+           "write [sensor] rows, columns, pitch, depth and reads as in scenes/skins, then "
+           "tactile-net solve SCENE --readings " +
+               path_);
     if (!one_for_all && (groups.size() != quantities || most < 2))
       fail(path_,
            groups.empty() || most < 2

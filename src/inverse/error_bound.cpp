@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "inverse/rounding.hpp"
 #include "inverse/stabiliser.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/eigen.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 
@@ -18,6 +21,14 @@ double wedin_bound(double condition, double matrix_norm, double right_norm, doub
   const double size = matrix_norm * solution_norm;
   return perturbation *
          (condition * (1.0 + right_norm / size + condition * residual_norm / size) + 1.0);
+}
+
+void require_full_rank(double condition, std::size_t rows) {
+  const double limit = 1.0 / (std::numeric_limits<double>::epsilon() * static_cast<double>(rows));
+  if (!(condition < limit))
+    throw std::domain_error("rank deficient in double precision: condition number " +
+                            brief(condition, 6) + " of the stacked matrix, limit " +
+                            brief(limit, 6) + "; raise alpha");
 }
 
 double forward_bound(const InverseProblem& problem, double alpha, std::span<const double> readings,

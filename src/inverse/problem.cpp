@@ -76,20 +76,6 @@ void add_hats(const Material& material, InverseProblem& problem) {
   }
 }
 
-/// P W K for W K. @param taken  C of what has been taken before
-void take_offsets_out(InverseProblem& problem, const Eigen::MatrixXd& taken = {}) {
-  if (!problem.unknown_offsets) return;
-  const Weighting weighting(problem);
-  const Eigen::MatrixXd kernel = as_eigen(problem.kernel);
-  Eigen::MatrixXd constants = weighting.constants().transpose() * kernel;
-  problem.kernel_error =
-      std::hypot(problem.kernel_error, std::numeric_limits<double>::epsilon() * constants.norm());
-  if (taken.size() > 0)
-    constants += weighting.constants().transpose() * taken * as_eigen(problem.constants);
-  problem.constants = from_eigen(constants);
-  problem.kernel = from_eigen(weighting.projected(kernel));
-}
-
 }  // namespace
 
 bool is_measured(const SensorArray& array, const ProblemOptions& options) {
@@ -166,15 +152,7 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
 }
 
 void leave_out(InverseProblem& problem, std::span<const std::size_t> taxels) {
-  const Eigen::MatrixXd taken = Weighting(problem).constants();
-  for (std::size_t row = 0; row < problem.sites.size(); ++row) {
-    if (std::find(taxels.begin(), taxels.end(), problem.sites[row].taxel) == taxels.end()) continue;
-    problem.weights[row] = 0.0;
-    for (std::size_t column = 0; column < problem.kernel.columns; ++column)
-      problem.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
-  }
-  // What was taken from more rows is constant in those that are left, too.
-  take_offsets_out(problem, taken);
+  leave_taxels_out(problem, taxels);
 }
 
 std::vector<double> weighted(const InverseProblem& problem, std::span<const double> readings) {
@@ -185,19 +163,7 @@ std::vector<double> weighted(const InverseProblem& problem, std::span<const doub
 
 std::vector<double> offsets(const InverseProblem& problem, std::span<const double> readings,
                             std::span<const double> tractions) {
-  check_size(readings, problem.weights.size());
-  if (tractions.size() != problem.kernel.columns)
-    throw std::invalid_argument("tractions need one value per column of the problem");
-  if (!problem.unknown_offsets) return {};
-  const Weighting weighting(problem);
-  const Eigen::VectorXd left =
-      weighting.constants().transpose() * weighting.weights().cwiseProduct(as_eigen(readings)) -
-      as_eigen(problem.constants) * as_eigen(tractions);
-  const Eigen::VectorXd size = weighting.constants().transpose() * weighting.weights();
-  std::vector<double> result;
-  for (Eigen::Index c = 0; c < left.size(); ++c)
-    result.push_back(size(c) > 0.0 ? left(c) / size(c) : 0.0);
-  return result;
+  return offsets_of(problem, readings, tractions);
 }
 
 std::size_t independent_readings(const InverseProblem& problem) {

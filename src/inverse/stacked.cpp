@@ -1,11 +1,10 @@
 #include "inverse/stacked.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <vector>
 
-#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/inverse/error_bound.hpp"
 
 namespace tactile_net {
 
@@ -29,13 +28,8 @@ StackedQr::StackedQr(const Eigen::MatrixXd& stacked)
     : sorted_(sorting(stacked)), factors_(sorted_ * stacked) {}
 
 double StackedQr::checked_condition(const Eigen::VectorXd& s) const {
-  const double limit =
-      1.0 / (std::numeric_limits<double>::epsilon() * static_cast<double>(factors_.rows()));
   const double condition = s(0) / s(s.size() - 1);
-  if (!(condition < limit))
-    throw std::domain_error("rank deficient in double precision: condition number " +
-                            brief(condition, 6) + " of the stacked matrix, limit " +
-                            brief(limit, 6) + "; raise alpha");
+  require_full_rank(condition, static_cast<std::size_t>(factors_.rows()));
   return condition;
 }
 

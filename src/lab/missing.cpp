@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lab/pattern_cache.hpp"
 #include "numeric/named.hpp"
 
 namespace tactile_net::lab {
@@ -35,13 +36,16 @@ struct IncompleteFrames::Pattern {
 
   SceneProblem problem;
   std::unique_ptr<FrameSolver> solver;
-  std::size_t used = 0;  // when, in frames
+};
+
+struct IncompleteFrames::Patterns : PatternCache<Pattern> {
+  using PatternCache::PatternCache;
 };
 
 IncompleteFrames::IncompleteFrames(SceneProblem problem, Method method)
     : problem_(std::move(problem)),
       method_(method),
-      most_kept_(std::max<std::size_t>(most_bytes / bytes_of_pattern(problem_), 1)) {
+      patterns_(std::make_unique<Patterns>(bytes_of_pattern(problem_))) {
   if (!traits(method).has_bands)
     throw std::invalid_argument(
         "readings that are missing cannot be estimated by dft, which takes a dead taxel for a "
@@ -54,32 +58,21 @@ const SceneProblem& IncompleteFrames::problem() const noexcept {
   return last_ == nullptr ? problem_ : last_->problem;
 }
 
-IncompleteFrames::Pattern& IncompleteFrames::pattern(const std::vector<std::size_t>& taxels) {
-  const auto known = patterns_.find(taxels);
-  if (known != patterns_.end()) return *known->second;
-  if (patterns_.size() >= most_kept_)
-    patterns_.erase(std::min_element(
-        patterns_.begin(), patterns_.end(),
-        [](const auto& a, const auto& b) { return a.second->used < b.second->used; }));
-  auto made = std::make_unique<Pattern>(problem_.without(taxels), method_);
-  return *patterns_.emplace(taxels, std::move(made)).first->second;
-}
+std::size_t IncompleteFrames::kept() const noexcept { return patterns_->kept(); }
+std::size_t IncompleteFrames::most_kept() const noexcept { return patterns_->most_kept(); }
 
 std::optional<FrameResult> IncompleteFrames::solve(std::span<double> readings,
                                                    std::span<double> tractions) {
   const std::vector<Site>& sites = problem_.problem().sites;
-  std::vector<std::size_t> dead = problem_.scene().dead_taxels;
-  for (std::size_t i = 0; i < readings.size(); ++i)
-    if (std::isnan(readings[i])) dead.push_back(sites[i].taxel);
-  std::sort(dead.begin(), dead.end());
-  dead.erase(std::unique(dead.begin(), dead.end()), dead.end());
+  const std::vector<std::size_t> dead =
+      dead_with_missing(problem_.scene().dead_taxels, sites, readings);
   ProblemOptions options = problem_.options();
   options.dead_taxels = dead;
   if (!is_measured(problem_.scene().sensor, options)) return std::nullopt;
   for (std::size_t i = 0; i < readings.size(); ++i)
     if (std::binary_search(dead.begin(), dead.end(), sites[i].taxel)) readings[i] = 0.0;
-  Pattern& of_frame = pattern(dead);
-  of_frame.used = ++uses_;
+  Pattern& of_frame = (*patterns_)(
+      dead, [&] { return std::make_unique<Pattern>(problem_.without(dead), method_); });
   last_ = &of_frame;
   return of_frame.solver->solve(readings, tractions);
 }

@@ -47,21 +47,27 @@ PlanAlpha of_contact(const ChosenAlpha& chosen) {
 /// none where they have nothing in common.
 std::vector<ReadingRange> ranges_of(const Scene& scene,
                                     const std::optional<Calibration>& calibration) {
-  const auto& [bits, low, high] = *scene.quantization;
   const std::vector<Channel> all = channels(scene.sensor);
   const bool alike = std::all_of(all.begin(), all.end(), [&](const Channel& channel) {
     return channel.count == scene.sensor.count;
   });
-  std::vector<ReadingRange> ranges(all.size(), {low, high});
+  std::vector<ReadingRange> ranges;
+  for (const Channel& channel : all) {
+    const auto& [low, high] = scene.quantization->range.at(channel.quantity);
+    ranges.push_back({low, high});
+  }
   const auto per_reading = [&](const std::vector<ReadingRange>& of_channels) {
     std::vector<ReadingRange> spread;
     for (const Site& site : sites(scene.sensor)) spread.push_back(of_channels[site.channel]);
     return spread;
   };
   if (!calibration) return alike ? ranges : per_reading(ranges);
-  const std::size_t readings = reading_count(scene.sensor);
-  std::vector<double> lowest(readings, low);
-  std::vector<double> highest(readings, high);
+  std::vector<double> lowest;
+  std::vector<double> highest;
+  for (const Site& site : sites(scene.sensor)) {
+    lowest.push_back(ranges[site.channel].lowest);
+    highest.push_back(ranges[site.channel].highest);
+  }
   uncalibrate(*calibration, lowest);
   uncalibrate(*calibration, highest);
   for (std::size_t c = 0; c < ranges.size(); ++c) {

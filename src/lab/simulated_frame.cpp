@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lab/frame_walk.hpp"
 #include "tactile_net/sensing/exact.hpp"
 
 namespace tactile_net::lab {
@@ -64,19 +65,8 @@ void SensorRecording::load(double time) {
 }
 
 bool SensorRecording::next(bool wanted) {
-  for (; next_ < instants_.size(); ++next_) {
-    const Instant& at = instants_[next_];
-    if (wanted || path_.has_memory())
-      load(at.time);
-    else
-      readings_.assign(reading_count(scene_.sensor), 0.0);
-    path_.apply(at, readings_);
-    if (!at.recorded) continue;
-    time_ = at.time;
-    ++next_;
-    return true;
-  }
-  return false;
+  FrameWalk walk{instants_, next_, path_, readings_, time_};
+  return walk.go_on(wanted, reading_count(scene_.sensor), [&](double time) { load(time); });
 }
 
 SimulatedFrame simulate(const Scene& scene, Observer& observer) {

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
+#include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net::lab {
 namespace {
-
-constexpr const char* overflow = "the frame's tractions overflow a double; scale the readings";
 
 /// |W (K f - g)|
 double residual_of(const SkinProblem& problem, std::span<const double> readings,
@@ -26,13 +26,43 @@ double residual_of(const SkinProblem& problem, std::span<const double> readings,
   return size;
 }
 
-ChosenAlpha alpha_of(const SkinSceneProblem& problem, const FilterFrame& frame) {
+ChosenAlpha alpha_of(const SkinSceneProblem& problem, const FilterFrame& frame,
+                     const SkinAlphaChooser& choose) {
   if (const auto& given = problem.scene().reconstruct.alpha) return {.value = *given};
-  const AlphaChoice choice = choose_alone(frame, problem.alpha_tables(frame), problem.alpha_rule(),
-                                          problem.stated_noise());
+  const AlphaChoice choice = choose ? choose(frame)
+                                    : choose_alone(frame, problem.alpha_tables(frame),
+                                                   problem.alpha_rule(), problem.stated_noise());
   const double alpha =
       problem.constraints() ? constrained_alpha(choice.rule, choice.alpha) : choice.alpha;
   return {.value = alpha, .rule = choice.rule, .verdict = choice.verdict};
+}
+
+/// How far rounding alone may have moved the tractions, over their 2-norm, in coordinates in which
+/// the stabiliser is simple.
+double rounding_bound(const FilterFrame& frame, double alpha, double condition,
+                      std::size_t columns) {
+  const double root = std::sqrt(alpha);
+  double solution = 0.0;
+  double residual = frame.outside;
+  double right = frame.outside;
+  double largest = root;
+  for (std::size_t i = 0; i < frame.gamma.size(); ++i) {
+    const double size = std::hypot(frame.gamma[i], root);
+    solution = std::hypot(solution, frame.beta[i] / size * (frame.gamma[i] / size));
+    residual = std::hypot(residual, frame.beta[i] * (root / size));  // with what alpha takes
+    right = std::hypot(right, frame.beta[i]);
+    largest = std::max(largest, frame.gamma[i]);
+  }
+  const double rounding = std::numeric_limits<double>::epsilon() / 2.0 *
+                          std::sqrt(static_cast<double>(frame.rows + columns));
+  return wedin_bound(condition, largest, right, residual, solution, rounding);
+}
+
+remark::OffsetsFound with_names(std::span<const double> offsets, const SkinArray& skin) {
+  remark::OffsetsFound found;
+  for (const SkinChannel& channel : channels(skin))
+    found.channels.emplace_back(channel.name, offsets[found.channels.size()]);
+  return found;
 }
 
 void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame,
@@ -46,16 +76,26 @@ void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFram
     if (answer.verdict == Verdict::ok) answer.verdict = Verdict::oversmoothed;
     answer.remarks.emplace_back(remark::Unexplained{left / all});
   }
+  const double rounding =
+      rounding_bound(frame, answer.alpha.value, problem.family().condition(answer.alpha.value),
+                     problem.tractions());
+  if (!(rounding <= 1e-3)) {
+    if (answer.verdict == Verdict::ok) answer.verdict = Verdict::ill_conditioned;
+    answer.remarks.emplace_back(remark::Rounding{rounding});
+  }
+  answer.offsets = offsets(problem.problem(), readings, answer.tractions);
+  if (!answer.offsets.empty())
+    answer.remarks.emplace_back(with_names(answer.offsets, problem.scene().sensor));
   if (answer.noise.model_rms > 0.0)
     answer.remarks.emplace_back(remark::ModelError{
         .times = answer.noise.model_rms / *answer.noise.stated_rms, .held = true});
 }
 
 /// Of the prior that sizes the bands: gml's alpha, or where that has no verdict the tractions' own.
-AlphaChoice prior_of(const FilterFrame& frame, AlphaRule rule, double alpha,
-                     std::optional<double> stated) {
+AlphaChoice prior_of(const FilterFrame& frame, const AlphaTables& tables, AlphaRule rule,
+                     double alpha, std::optional<double> stated) {
   AlphaChoice prior = choose_alone(
-      frame, rule == AlphaRule::evidence ? AlphaRule::evidence : AlphaRule::gml, stated);
+      frame, tables, rule == AlphaRule::evidence ? AlphaRule::evidence : AlphaRule::gml, stated);
   if (prior.verdict != AlphaVerdict::ok) prior.alpha = alpha;
   return prior;
 }
@@ -90,16 +130,19 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   // An error of the model counts for noise.
   const double rms = answer.noise.model_rms > 0.0 ? answer.noise.residual_rms : answer.noise.rms();
   const AlphaRule rule = problem.alpha_rule();
-  const SkinCovariance own(problem.family(), alpha,
-                           prior_of(frame, rule, alpha, problem.stated_noise()).alpha);
+  const SkinCovariance own(
+      problem.family(), alpha,
+      prior_of(frame, problem.alpha_tables(frame), rule, alpha, problem.stated_noise()).alpha);
   answer.deviations = own.deviations();
   for (double& deviation : answer.deviations) deviation *= rms;
 
   std::optional<SkinCovariance> of_face;
   std::vector<double> touching = answer.deviations;
   if (face) {
+    const FilterFrame left = face->analyse(readings);
+    const AlphaTables tables(left.gamma, left.rows, left.shares);
     of_face.emplace(*face, alpha,
-                    prior_of(face->analyse(readings), rule, alpha, problem.stated_noise()).alpha);
+                    prior_of(left, tables, rule, alpha, problem.stated_noise()).alpha);
     touching = of_face->deviations();
     for (double& deviation : touching) deviation *= rms;
   }
@@ -131,15 +174,18 @@ std::span<const double> component(std::span<const double> values, const SkinGrid
   return first < values.size() ? values.subspan(first, grid.count()) : std::span<const double>{};
 }
 
-SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings) {
+SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
+                 const SkinAlphaChooser& choose) {
   const FilterFrame frame = problem.family().analyse(readings);
-  SkinAnswer answer{.alpha = alpha_of(problem, frame)};
+  SkinAnswer answer{.alpha = alpha_of(problem, frame, choose)};
   answer.verdict = verdict_of(answer.alpha.verdict);
   answer.condition = problem.family().stacked_condition(answer.alpha.value);
+  require_full_rank(problem.family().condition(answer.alpha.value),
+                    problem.problem().kernel.rows + problem.tractions());
   std::optional<SkinFamily> face;
   if (problem.constraints()) {
     answer.cone = problem.cone(answer.alpha.value).solve(readings);
-    if (answer.cone->status != FrameStatus::ok) throw std::domain_error(overflow);
+    if (answer.cone->status != FrameStatus::ok) throw FrameOverflow();
     answer.tractions = answer.cone->tractions;
     if (answer.cone->verdict == ConstrainedVerdict::iteration_limit) {
       answer.verdict = Verdict::iteration_limit;
@@ -153,7 +199,7 @@ SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readin
   }
   if (!std::all_of(answer.tractions.begin(), answer.tractions.end(),
                    [](double f) { return std::isfinite(f); }))
-    throw std::domain_error(overflow);
+    throw FrameOverflow();
   judge(answer, problem, frame, readings);
   add_bands(answer, problem, frame, face, readings);
   return answer;

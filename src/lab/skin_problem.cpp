@@ -1,6 +1,8 @@
 #include "tactile_net/lab/skin_problem.hpp"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace tactile_net::lab {
 namespace {
@@ -9,7 +11,8 @@ SkinProblemOptions options_of(const SkinScene& scene) {
   SkinProblemOptions options{.components = components(scene),
                              .smoothing_length = scene.reconstruct.smoothing_length,
                              .dead_taxels = scene.dead_taxels,
-                             .grid = scene.reconstruct.grid};
+                             .grid = scene.reconstruct.grid,
+                             .unknown_offsets = scene.reconstruct.offset};
   if (scene.noise && scene.noise->weights_rows)
     for (const SkinChannel& channel : channels(scene.sensor))
       options.channel_rms.push_back(scene.noise->rms.at(channel.quantity));
@@ -61,7 +64,9 @@ std::optional<double> SkinSceneProblem::stated_noise() const {
   const auto& noise = parts_->scene.noise;
   if (!noise) return std::nullopt;
   if (noise->weights_rows) return 1.0;
-  const double rms = noise->rms.begin()->second;
+  const auto& reads = parts_->scene.sensor.reads;
+  const auto stated = reads.empty() ? noise->rms.end() : noise->rms.find(reads.front());
+  const double rms = stated != noise->rms.end() ? stated->second : 0.0;
   return rms > 0.0 ? std::optional(rms) : std::nullopt;
 }
 
@@ -85,8 +90,18 @@ const SkinCone& SkinSceneProblem::cone(double alpha) const {
 
 SkinSceneProblem SkinSceneProblem::without(std::span<const std::size_t> taxels) const {
   SkinScene scene = parts_->scene;
-  scene.dead_taxels.assign(taxels.begin(), taxels.end());
-  return SkinSceneProblem(std::move(scene));
+  const std::vector<std::size_t> dead(taxels.begin(), taxels.end());
+  const bool more_are_dead = std::all_of(
+      scene.dead_taxels.begin(), scene.dead_taxels.end(),
+      [&](std::size_t taxel) { return std::find(dead.begin(), dead.end(), taxel) != dead.end(); });
+  scene.dead_taxels = dead;
+  SkinSceneProblem rest(std::move(scene));
+  if (!more_are_dead || !is_measured(rest.scene().sensor, dead, rest.scene().reconstruct.offset))
+    return rest;
+  // Kernels take longest, of layers above all.
+  rest.parts_->problem = problem();
+  leave_out(*rest.parts_->problem, dead);
+  return rest;
 }
 
 }  // namespace tactile_net::lab

@@ -1,5 +1,6 @@
 #include "tactile_net/lab/skin_recording.hpp"
 
+#include <limits>
 #include <utility>
 
 namespace tactile_net::lab {
@@ -47,6 +48,12 @@ void SkinRecordingAnswer::add(std::string time, std::span<const double> frame_re
   hardest = frames.size() - 1;
   readings.assign(frame_readings.begin(), frame_readings.end());
   answer = found;
+}
+
+void SkinRecordingAnswer::skip(std::string time) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  frames.push_back({.time = std::move(time), .missing = true, .verdict = Verdict::failed});
+  frames.back().wrench.normal = {none, none};
 }
 
 }  // namespace tactile_net::lab

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "tactile_net/sensing/effects/noise.hpp"
+#include "lab/frame_walk.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -21,46 +21,32 @@ double share_beyond(const SkinFrame& frame, const SkinGrid& grid) {
 
 }  // namespace
 
-SkinRecording::SkinRecording(SkinScene scene) : scene_(std::move(scene)), grid_(grid(scene_)) {
-  if (scene_.forward == ForwardModel::exact) model_.emplace(scene_.sensor, scene_.material);
+SkinRecording::SkinRecording(SkinScene scene)
+    : scene_(std::move(scene)),
+      grid_(grid(scene_)),
+      instants_(instants(scene_)),
+      path_(signal_path(scene_)) {
+  if (scene_.forward == ForwardModel::exact)
+    exact_.emplace(scene_.sensor, scene_.material);
+  else
+    sampled_.emplace(scene_.sensor, scene_.material, grid_, any_drag(scene_) ? 3 : 1);
 }
 
-void SkinRecording::load() {
-  if (loaded_ && !moves(scene_)) return;
-  contacts_ = scene_.time ? contacts_at(scene_, time_) : scene_.contacts;
-  truth_ = cell_means(contacts_, grid_);
-  pure_ = model_ ? model_->readings(contacts_)
-                 : sampled_readings(scene_.sensor, scene_.material, grid_, truth_);
-  loaded_ = true;
+void SkinRecording::load(double time) {
+  if (!loaded_ || moves(scene_)) {
+    contacts_ = scene_.time ? contacts_at(scene_, time) : scene_.contacts;
+    truth_ = cell_means(contacts_, grid_);
+    const std::span<const double> truth = truth_;
+    pure_ = exact_ ? exact_->readings(contacts_)
+                   : sampled_->readings(any_drag(scene_) ? truth : truth.first(grid_.count()));
+    loaded_ = true;
+  }
+  readings_ = pure_;
 }
 
 bool SkinRecording::next(bool wanted) {
-  if (next_ > scene_.frame) return false;
-  time_ = scene_.time ? scene_.time->time(next_) : 0.0;
-  if (wanted) {
-    load();
-    readings_ = pure_;
-    add_effects(next_);
-  }
-  ++next_;
-  return true;
-}
-
-/// A stream of noise for each channel of each frame.
-void SkinRecording::add_effects(std::size_t frame) {
-  const std::vector<SkinChannel> all = channels(scene_.sensor);
-  for (std::size_t c = 0; scene_.noise && c < all.size(); ++c)
-    if (const double rms = scene_.noise->rms.at(all[c].quantity); rms > 0.0)
-      add_noise(std::span(readings_).subspan(all[c].first, all[c].count), rms, scene_.noise->seed,
-                frame * all.size() + c);
-  const auto is_dead = [&](std::size_t taxel) {
-    return std::find(scene_.dead_taxels.begin(), scene_.dead_taxels.end(), taxel) !=
-           scene_.dead_taxels.end();
-  };
-  for (std::size_t i = 0; const SkinSite& site : sites(scene_.sensor)) {
-    if (is_dead(site.taxel)) readings_[i] = 0.0;
-    ++i;
-  }
+  FrameWalk walk{instants_, next_, path_, readings_, time_};
+  return walk.go_on(wanted, reading_count(scene_.sensor), [&](double time) { load(time); });
 }
 
 SkinFrame simulate(const SkinScene& scene, Observer& observer) {
@@ -69,7 +55,8 @@ SkinFrame simulate(const SkinScene& scene, Observer& observer) {
     observer.step({.kind = Step::Kind::frame, .count = frame});
   SkinFrame result{.truth = recording.truth(),
                    .readings = {recording.readings().begin(), recording.readings().end()},
-                   .wrench = resultant(recording.contacts())};
+                   .wrench = resultant(recording.contacts()),
+                   .notes = recording.notes()};
   if (scene.contacts.empty()) result.remarks.emplace_back(remark::NoContact{});
   if (components(scene) == 1 && std::any_of(scene.contacts.begin(), scene.contacts.end(), drags))
     result.remarks.emplace_back(remark::FrictionUnseen{});

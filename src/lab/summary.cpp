@@ -29,9 +29,9 @@ void SolvedFrames::add(const FrameResult& result, bool incomplete) {
 
 void SolvedFrames::skip() { skipped.add(frames++); }
 
-void RecordedFrames::add(const SensorRecording& recording) {
+void RecordedFrames::add(const std::vector<CutOffNote>& notes) {
   ++frames;
-  for (const CutOffNote& note : recording.notes()) ++cut_off[std::string(note.effect)];
+  for (const CutOffNote& note : notes) ++cut_off[std::string(note.effect)];
 }
 
 }  // namespace tactile_net::lab

@@ -68,7 +68,7 @@ class Counter {
   void add_effect(const SceneEffect& effect) {
     Workload::Effect work{.row = &effect, .simulated = effect.present(scene_)};
     if (work.simulated) {
-      work.idle = effect.make != nullptr && effect.make(scene_) == nullptr;
+      work.idle = effect.make != nullptr && effect.make(scene_, scene_.sensor) == nullptr;
       if (!work.idle)
         work.operations = effect.operations(scene_) * static_cast<double>(sizes_.readings);
     }

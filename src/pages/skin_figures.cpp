@@ -34,18 +34,6 @@ double largest_drag(const Values& values, const SkinGrid& grid) {
   return most;
 }
 
-Dimension dimension_of(SkinQuantity quantity) {
-  switch (traits(quantity).kind) {
-    case QuantityKind::stress:
-      return Dimension::stress;
-    case QuantityKind::displacement:
-      return Dimension::length;
-    case QuantityKind::strain:
-      break;
-  }
-  return Dimension::none;
-}
-
 }  // namespace
 
 void take(Scales& scales, const Values& values, const SkinGrid& grid) {
@@ -102,7 +90,8 @@ std::string readings_figure(const lab::SkinExperiment& experiment) {
                             "Map of the readings " + channel.name,
                             map_image(grid, values, most, MapColours::signed_values)) +
                 colour_bar(MapColours::signed_values,
-                           report::axis_unit(scene.units, dimension_of(channel.quantity), most),
+                           report::axis_unit(scene.units,
+                                             dimension_of(traits(channel.quantity).kind), most),
                            most, true, "") +
                 "</div>";
   }

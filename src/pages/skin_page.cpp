@@ -156,7 +156,8 @@ drawing::Page recording_page(const lab::SkinRecordingAnswer& recording, const st
                                     .grid = recording.grid,
                                     .frame = {.readings = recording.readings},
                                     .answer = recording.answer};
-  drawing::Page page{.files = report::run_files(hardest)};
+  drawing::Page page;
+  if (recording.answer) page.files = report::run_files(hardest);
   std::string html =
       heading(scene.title, scene.file,
               readings + ", " + std::to_string(recording.frames.size()) +
@@ -164,9 +165,9 @@ drawing::Page recording_page(const lab::SkinRecordingAnswer& recording, const st
                   report::sensor_in_words(scene) + "; " + report::material_in_words(scene));
   html += answer_box(report::answers(recording));
   html += paragraphs(report::warnings(hardest), "note") + frames_figure(recording);
-  if (recording.frames.size() > 1)
+  if (recording.answer && recording.frames.size() > 1)
     html += element("h2", "Frame " + std::to_string(recording.hardest) + ", which presses hardest");
-  html += frame_html(hardest) + readings_figure(hardest);
+  if (recording.answer) html += frame_html(hardest) + readings_figure(hardest);
   html += colophon("The scene, the files, the command", scene_html(scene), page.files,
                    Made{.by = by, .files = {"result.json"}});
   page.html = page_html(scene.file + " - tactile-net", html);

@@ -42,7 +42,7 @@ class Reader {
   Reader(const Read& read, const SensorArray& array)
       : array_(array), known_(read.reads_complete && read.depths_complete && array.count > 0) {
     for (const Site& site : sites(array)) {
-      units_.push_back(reading_unit(read.units, site.quantity));
+      units_.push_back(unit_of(read.units, traits(SignalQuantity(site.quantity)).kind));
       quantities_.push_back(site.quantity);
     }
   }

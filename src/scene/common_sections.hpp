@@ -13,10 +13,12 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/effect_values.hpp"
 #include "scene/table.hpp"
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/sensor_effects.hpp"
 #include "tactile_net/scene/timing.hpp"
 #include "tactile_net/scene/units.hpp"
 
@@ -102,5 +104,16 @@ template <typename Quantity, std::size_t size>
 /// @param noise_known  a rule may ask for it
 void read_alpha(const Value& value, const Unit& unit, bool noise_known,
                 std::optional<double>& alpha, std::optional<AlphaRule>& rule);
+
+/// The knots of a temperature that changes.
+///
+/// @param timed  the scene has a table [time]; a problem where it has none
+[[nodiscard]] PiecewiseLinear read_trajectory(const Value& trajectory, bool timed);
+
+/// The tables of what lies between the pad and the file: [noise], [quantization] and their like.
+///
+/// @param time  of the scene, whose frames a sampling window must fit between
+void read_sensor_effects(Table& root, const SensorOfEffects& sensor,
+                         const std::optional<Timing>& time, SensorEffects& effects);
 
 }  // namespace tactile_net

@@ -35,6 +35,10 @@ std::vector<std::string> fields_of(std::string_view line) {
   return fields;
 }
 
+bool is_row(std::string_view content) { return !content.empty() && content.front() != '#'; }
+
+constexpr const char* no_header = "it has 0 rows, not even a header";
+
 std::string text_of(const std::filesystem::path& path) {
   try {
     return bounded_text(path, largest_file, "");
@@ -49,13 +53,21 @@ std::runtime_error error_in_line(std::size_t line, const std::string& what) {
   return std::runtime_error("line " + std::to_string(line) + ": " + what);
 }
 
+std::vector<std::string> read_csv_header(const std::filesystem::path& path) {
+  const std::string held = text_of(path);
+  std::string_view text = without_byte_order_mark(held);
+  while (!text.empty())
+    if (const auto content = trimmed(cut(text, '\n')); is_row(content)) return fields_of(content);
+  throw std::runtime_error(no_header);
+}
+
 CsvTable read_csv_table(const std::filesystem::path& path) {
   const std::string held = text_of(path);
   std::string_view text = without_byte_order_mark(held);
   CsvTable table;
   for (std::size_t line = 1; !text.empty(); ++line) {
     const std::string_view content = trimmed(cut(text, '\n'));
-    if (content.empty() || content.front() == '#') continue;
+    if (!is_row(content)) continue;
     CsvTable::Row row{line, fields_of(content)};
     if (table.header.line == 0)
       table.header = std::move(row);
@@ -66,7 +78,7 @@ CsvTable read_csv_table(const std::filesystem::path& path) {
     else
       table.rows.push_back(std::move(row));
   }
-  if (table.header.line == 0) throw std::runtime_error("it has 0 rows, not even a header");
+  if (table.header.line == 0) throw std::runtime_error(no_header);
   return table;
 }
 

@@ -25,6 +25,10 @@ struct CsvTable {
 /// @throw std::runtime_error  the file cannot be read, is larger than 16 MiB, or a row differs
 [[nodiscard]] CsvTable read_csv_table(const std::filesystem::path& path);
 
+/// Of the header alone, whatever follows it.
+/// @throw std::runtime_error  the file cannot be read, is larger than 16 MiB, or has no header
+[[nodiscard]] std::vector<std::string> read_csv_header(const std::filesystem::path& path);
+
 /// "line 7: what".
 [[nodiscard]] std::runtime_error error_in_line(std::size_t line, const std::string& what);
 

@@ -35,9 +35,7 @@ AnyScene parse_named(std::string_view text, const std::string& file, bool skins)
   if (!is_skin(toml, path.parent_path()))
     return parse_as<Scene>(toml, path, problems, read_sections);
   if (!skins) {
-    problems.add(place_of(toml.get("sensor")->source().begin),
-                 "[sensor] is of a skin, and this knows line arrays alone as yet",
-                 "run, simulate and solve know skins");
+    refuse_skin(toml, problems);
     problems.throw_if_any();
   }
   Problems of_skin{file, text, skin_file};
@@ -45,6 +43,12 @@ AnyScene parse_named(std::string_view text, const std::string& file, bool skins)
 }
 
 }  // namespace
+
+void refuse_skin(const toml::table& scene, Problems& problems) {
+  problems.add(place_of(scene.get("sensor")->source().begin),
+               "[sensor] is of a skin, and this knows line arrays alone as yet",
+               "run, simulate and solve know skins");
+}
 
 Scene read_scene(const std::filesystem::path& path) {
   return std::get<Scene>(parse_named(input_text(path), path.string(), false));

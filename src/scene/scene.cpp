@@ -1,7 +1,6 @@
 #include "tactile_net/scene/scene.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -21,24 +20,6 @@ bool any_friction(const Scene& scene) {
 }
 
 namespace {
-
-/// Puts moments in order and makes one of those that rounding alone tells apart.
-void merge(std::vector<Instant>& instants, double apart) {
-  std::stable_sort(instants.begin(), instants.end(),
-                   [](const Instant& a, const Instant& b) { return a.time < b.time; });
-  std::vector<Instant> merged;
-  for (const Instant& instant : instants) {
-    if (merged.empty() || instant.time - merged.back().time > apart) {
-      merged.push_back(instant);
-      continue;
-    }
-    Instant& same = merged.back();
-    if (instant.recorded && !same.recorded) same.time = instant.time;
-    same.recorded = same.recorded || instant.recorded;
-    same.opens = same.opens || instant.opens;
-  }
-  instants = std::move(merged);
-}
 
 constexpr Named<ForwardModel> forward_models[] = {{ForwardModel::sampled, "sampled"},
                                                   {ForwardModel::exact, "exact"}};
@@ -97,43 +78,13 @@ Scene at_frame(Scene scene, std::size_t frame) {
   return scene;
 }
 
-std::vector<std::pair<std::string_view, bool>> effects(const Scene& scene) {
-  std::vector<std::pair<std::string_view, bool>> result;
-  for (const SceneEffect& effect : scene_effects())
-    result.emplace_back(effect.name, effect.present(scene));
-  return result;
-}
-
-SignalPath signal_path(const Scene& scene) {
-  std::vector<std::unique_ptr<SensorEffect>> stages;
-  for (const SceneEffect& effect : scene_effects())
-    if (effect.make != nullptr && effect.present(scene)) stages.push_back(effect.make(scene));
-  return {std::move(stages), reading_count(scene.sensor)};
-}
+SignalPath signal_path(const Scene& scene) { return signal_path(scene, scene.sensor); }
 
 std::vector<Instant> instants(const Scene& scene) {
-  if (!scene.time) return {Instant{}};
-  const Timing& timing = *scene.time;
-  std::vector<Instant> result;
-  for (std::size_t k = 0; k <= scene.frame; ++k)
-    result.push_back({.time = timing.time(k), .recorded = true});
-  if (signal_path(scene).has_memory()) {
-    const auto between = [&](double t, bool opens) {
-      if (t > 0.0 && t < timing.time(scene.frame))
-        result.push_back({.time = t, .recorded = false, .opens = opens});
-    };
-    for (const ContactTrajectory& trajectory : scene.trajectories)
-      for (const ContactKnot& knot : trajectory) between(knot.time, false);
-    if (scene.temperature)
-      for (const double t : scene.temperature->change.times) between(t, false);
-    if (scene.sampling && scene.sampling->aperture > 0.0)
-      for (std::size_t k = 1; k <= scene.frame; ++k)
-        between(timing.time(k) - scene.sampling->aperture, true);
-    merge(result, 1e-9 / timing.rate);
-  }
-  for (std::size_t i = 1; i < result.size(); ++i)
-    result[i].since = result[i].time - result[i - 1].time;
-  return result;
+  std::vector<double> knots;
+  for (const ContactTrajectory& trajectory : scene.trajectories)
+    for (const ContactKnot& knot : trajectory) knots.push_back(knot.time);
+  return instants(scene, signal_path(scene), scene.time, scene.frame, knots);
 }
 
 }  // namespace tactile_net

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/unit_text.hpp"
@@ -12,24 +13,24 @@ namespace {
 constexpr double draw = 20.0;  // what a random number costs
 
 template <auto member>
-bool present(const Scene& scene) {
-  return (scene.*member).has_value();
+bool present(const SensedScene& scene) {
+  return (scene.effects->*member).has_value();
 }
 
 template <auto member>
-std::unique_ptr<SensorEffect> make(const Scene& scene) {
-  return make_effect(*(scene.*member), scene.sensor);
+std::unique_ptr<SensorEffect> make(const SensorEffects& effects, const SignalLayout& sensor) {
+  return effects.*member ? make_effect(*(effects.*member), sensor) : nullptr;
 }
 
 template <int thousandths>
-double operations(const Scene&) {
+double operations(const SensedScene&) {
   return thousandths / 1000.0;
 }
 
 /// An effect whose data is an optional member of the scene.
 template <auto member>
-constexpr SceneEffect stage(std::string_view name, std::string (*words)(const Scene&),
-                            double (*cost)(const Scene&)) {
+constexpr SceneEffect stage(std::string_view name, std::string (*words)(const SensedScene&),
+                            double (*cost)(const SensedScene&)) {
   return {name, present<member>, make<member>, words, cost};
 }
 
@@ -38,20 +39,19 @@ std::string taxels(std::size_t count) {
 }
 
 /// With its unit, if the scene has units.
-std::string in_unit(const Scene& scene, Dimension dimension, double number) {
-  return scene.units ? with_unit(number, si_unit(dimension)) : brief(number);
+std::string in_unit(const SensedScene& scene, Dimension dimension, double number) {
+  return *scene.units ? with_unit(number, si_unit(dimension)) : brief(number);
 }
 
-std::string seconds(const Scene& scene, double number) {
-  return scene.units ? duration(number) : brief(number);
+std::string seconds(const SensedScene& scene, double number) {
+  return *scene.units ? duration(number) : brief(number);
 }
 
 /// "1e-4" or "strain_x 1e-4, stress_x 20".
-std::string each(const Scene& scene, const PerQuantity<double>& values) {
+std::string each(const SensedScene& scene, const PerQuantity<double>& values) {
   if (values.empty()) return "0";
   const auto number = [&](const auto& one) {
-    const bool is_strain = traits(one.first).kind == QuantityKind::strain;
-    return in_unit(scene, is_strain ? Dimension::none : Dimension::stress, one.second);
+    return in_unit(scene, dimension_of(traits(one.first).kind), one.second);
   };
   const auto differs = [&](const auto& one) {
     return one.second != values.begin()->second || number(one) != number(*values.begin());
@@ -63,114 +63,169 @@ std::string each(const Scene& scene, const PerQuantity<double>& values) {
   return text;
 }
 
-double strain_share(const Scene& scene) {
-  const auto strains =
-      std::count_if(scene.sensor.reads.begin(), scene.sensor.reads.end(), is_strain);
-  return static_cast<double>(strains) / static_cast<double>(scene.sensor.reads.size());
+/// Of the quantities read, how many of a whole creep.
+double creeping_share(const SensedScene& scene) {
+  const auto creeping = std::count_if(scene.reads.begin(), scene.reads.end(),
+                                      [](SignalQuantity quantity) { return quantity.creeps(); });
+  return static_cast<double>(creeping) / static_cast<double>(scene.reads.size());
 }
 
 // The order of the signal path: what loads the pad, the pad itself, the taxels and the wires
 // between them, the amplifiers, the converter, and what is broken for good.
 const std::array table = {
-    SceneEffect{"friction", any_friction, nullptr,
-                [](const Scene&) -> std::string {
+    SceneEffect{"friction", [](const SensedScene& scene) { return scene.drags; }, nullptr,
+                [](const SensedScene&) -> std::string {
                   return "contacts drag the surface: a second field of tractions";
                 },
-                [](const Scene& scene) { return 2.0 * static_cast<double>(scene.sensor.count); },
+                [](const SensedScene& scene) { return 2.0 * static_cast<double>(scene.taxels); },
                 "one field of tractions, no tangential kernel"},
-    SceneEffect{
-        "layer", [](const Scene& scene) { return scene.material.layer.has_value(); }, nullptr,
-        [](const Scene& scene) {
-          return "pad " + in_unit(scene, Dimension::length, scene.material.layer->thickness) +
-                 " thick on a " + std::string(name(scene.material.layer->base)) +
-                 " base: its kernels are integrals";
-        },
-        operations<0>, "half plane: kernels are closed formulas"},
-    stage<&Scene::viscoelasticity>(
+    SceneEffect{"layer", [](const SensedScene& scene) { return scene.material->layer.has_value(); },
+                nullptr,
+                [](const SensedScene& scene) {
+                  return "pad " +
+                         in_unit(scene, Dimension::length, scene.material->layer->thickness) +
+                         " thick on a " + std::string(name(scene.material->layer->base)) +
+                         " base: its kernels are integrals";
+                },
+                operations<0>, "half plane: kernels are closed formulas"},
+    stage<&SensorEffects::viscoelasticity>(
         "viscoelasticity",
-        [](const Scene& scene) {
-          const std::size_t terms = scene.viscoelasticity->terms.size();
-          return strain_share(scene) == 0.0
+        [](const SensedScene& scene) {
+          const std::size_t terms = scene.effects->viscoelasticity->terms.size();
+          return creeping_share(scene) == 0.0
                      ? std::string("stresses under given loads do not relax: no stage")
                      : "strains creep, " + std::to_string(terms) + " Prony terms";
         },
-        [](const Scene& scene) {
-          return strain_share(scene) * 7.0 *
-                 static_cast<double>(scene.viscoelasticity->terms.size());
+        [](const SensedScene& scene) {
+          return creeping_share(scene) * 7.0 *
+                 static_cast<double>(scene.effects->viscoelasticity->terms.size());
         }),
-    stage<&Scene::hysteresis>(
+    stage<&SensorEffects::hysteresis>(
         "hysteresis",
-        [](const Scene& scene) {
-          return std::to_string(scene.hysteresis->weights.size()) + " play operators";
+        [](const SensedScene& scene) {
+          return std::to_string(scene.effects->hysteresis->weights.size()) + " play operators";
         },
-        [](const Scene& scene) {
-          return 7.0 * static_cast<double>(scene.hysteresis->weights.size());
+        [](const SensedScene& scene) {
+          return 7.0 * static_cast<double>(scene.effects->hysteresis->weights.size());
         }),
-    stage<&Scene::crosstalk>(
+    stage<&SensorEffects::crosstalk>(
         "crosstalk",
-        [](const Scene& scene) {
-          return "fraction " + brief(scene.crosstalk->fraction) + " to each neighbour";
+        [](const SensedScene& scene) {
+          return "fraction " + brief(scene.effects->crosstalk->fraction) + " to each neighbour";
         },
         operations<4000>),
-    stage<&Scene::gain_error>(
+    stage<&SensorEffects::gain_error>(
         "gain_error",
-        [](const Scene& scene) {
-          return scene.gain_error->values.empty()
-                     ? "drawn once, rms " + brief(scene.gain_error->rms)
+        [](const SensedScene& scene) {
+          return scene.effects->gain_error->values.empty()
+                     ? "drawn once, rms " + brief(scene.effects->gain_error->rms)
                      : std::string("as listed");
         },
         operations<1000>),
-    stage<&Scene::offset_error>(
+    stage<&SensorEffects::offset_error>(
         "offset_error",
-        [](const Scene& scene) {
-          return scene.offset_error->values.empty()
-                     ? "drawn once, rms " + each(scene, scene.offset_error->rms)
+        [](const SensedScene& scene) {
+          return scene.effects->offset_error->values.empty()
+                     ? "drawn once, rms " + each(scene, scene.effects->offset_error->rms)
                      : std::string("as listed");
         },
         operations<1000>),
-    stage<&Scene::temperature>(
+    stage<&SensorEffects::temperature>(
         "temperature",
-        [](const Scene& scene) {
-          return "gain " + brief(scene.temperature->gain) + " and offset " +
-                 each(scene, scene.temperature->offset) + " per kelvin";
+        [](const SensedScene& scene) {
+          return "gain " + brief(scene.effects->temperature->gain) + " and offset " +
+                 each(scene, scene.effects->temperature->offset) + " per kelvin";
         },
         operations<4000>),
-    stage<&Scene::low_pass>(
+    stage<&SensorEffects::low_pass>(
         "low_pass",
-        [](const Scene& scene) {
-          return "time constant " + seconds(scene, scene.low_pass->time_constant);
+        [](const SensedScene& scene) {
+          return "time constant " + seconds(scene, scene.effects->low_pass->time_constant);
         },
         operations<5000>),
-    stage<&Scene::sampling>(
+    stage<&SensorEffects::sampling>(
         "sampling",
-        [](const Scene& scene) { return "mean over " + seconds(scene, scene.sampling->aperture); },
+        [](const SensedScene& scene) {
+          return "mean over " + seconds(scene, scene.effects->sampling->aperture);
+        },
         operations<5000>),
-    stage<&Scene::noise>(
-        "noise", [](const Scene& scene) { return "rms " + each(scene, scene.noise->rms); },
-        [](const Scene&) { return draw + 2.0; }),
-    stage<&Scene::taxel_noise>(
-        "taxel_noise", [](const Scene&) { return std::string("an rms for each taxel"); },
-        [](const Scene&) { return draw + 2.0; }),
-    stage<&Scene::saturation>(
-        "saturation", [](const Scene&) { return std::string("readings end at their range"); },
+    stage<&SensorEffects::noise>(
+        "noise",
+        [](const SensedScene& scene) { return "rms " + each(scene, scene.effects->noise->rms); },
+        [](const SensedScene&) { return draw + 2.0; }),
+    stage<&SensorEffects::taxel_noise>(
+        "taxel_noise", [](const SensedScene&) { return std::string("an rms for each taxel"); },
+        [](const SensedScene&) { return draw + 2.0; }),
+    stage<&SensorEffects::saturation>(
+        "saturation", [](const SensedScene&) { return std::string("readings end at their range"); },
         operations<2000>),
-    stage<&Scene::quantization>(
+    stage<&SensorEffects::quantization>(
         "quantization",
-        [](const Scene& scene) { return std::to_string(scene.quantization->bits) + " bits"; },
+        [](const SensedScene& scene) {
+          return std::to_string(scene.effects->quantization->bits) + " bits";
+        },
         operations<9000>),
-    stage<&Scene::stuck_taxels>(
+    stage<&SensorEffects::stuck_taxels>(
         "stuck_taxels",
-        [](const Scene& scene) { return taxels(scene.stuck_taxels->indices.size()); },
+        [](const SensedScene& scene) {
+          return taxels(scene.effects->stuck_taxels->indices.size());
+        },
         operations<0>),
     SceneEffect{
-        "dead_taxels", [](const Scene& scene) { return !scene.dead_taxels.empty(); },
-        [](const Scene& scene) { return make_effect(DeadTaxels{scene.dead_taxels}, scene.sensor); },
-        [](const Scene& scene) { return taxels(scene.dead_taxels.size()) + " at zero"; },
+        "dead_taxels", [](const SensedScene& scene) { return !scene.effects->dead_taxels.empty(); },
+        [](const SensorEffects& effects, const SignalLayout& sensor) {
+          return effects.dead_taxels.empty() ? nullptr
+                                             : make_effect(DeadTaxels{effects.dead_taxels}, sensor);
+        },
+        [](const SensedScene& scene) {
+          return taxels(scene.effects->dead_taxels.size()) + " at zero";
+        },
         operations<0>},
 };
 
 }  // namespace
 
+SensedScene::SensedScene(const Scene& scene)
+    : effects(&scene),
+      material(&scene.material),
+      units(&scene.units),
+      reads(scene.sensor.reads.begin(), scene.sensor.reads.end()),
+      taxels(scene.sensor.count),
+      drags(any_friction(scene)) {}
+
+SensedScene::SensedScene(const SkinScene& scene)
+    : effects(&scene),
+      material(&scene.material),
+      units(&scene.units),
+      reads(scene.sensor.reads.begin(), scene.sensor.reads.end()),
+      taxels(taxel_count(scene.sensor)),
+      drags(any_drag(scene)) {}
+
 std::span<const SceneEffect> scene_effects() { return table; }
+
+namespace {
+
+std::vector<std::pair<std::string_view, bool>> effects_of(const SensedScene& scene) {
+  std::vector<std::pair<std::string_view, bool>> result;
+  for (const SceneEffect& effect : table) result.emplace_back(effect.name, effect.present(scene));
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string_view, bool>> effects(const Scene& scene) {
+  return effects_of(scene);
+}
+
+std::vector<std::pair<std::string_view, bool>> effects(const SkinScene& scene) {
+  return effects_of(scene);
+}
+
+SignalPath signal_path(const SensorEffects& effects, const SignalLayout& sensor) {
+  std::vector<std::unique_ptr<SensorEffect>> stages;
+  for (const SceneEffect& effect : table)
+    if (effect.make != nullptr) stages.push_back(effect.make(effects, sensor));
+  return {std::move(stages), sensor.readings.size()};
+}
 
 }  // namespace tactile_net

@@ -230,6 +230,15 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
   return options;
 }
 
+SensorOfEffects effects_sensor(const Read& read, const SensorArray& array) {
+  return {.units = read.units,
+          .on_offer = {quantities.begin(), quantities.end()},
+          .reads = {array.reads.begin(), array.reads.end()},
+          .reads_complete = read.reads_complete,
+          .taxels = array.count,
+          .timed = read.timed};
+}
+
 }  // namespace
 
 void read_sections(Table& root, const std::filesystem::path& folder, Scene& scene) {
@@ -250,7 +259,7 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
   if (const auto table = table_of(time)) scene.time = read_time(*table);
   if (const auto contacts = root.value("contact"))
     if (auto tables = contacts->tables()) read_contacts(std::move(*tables), read, scene);
-  read_sensor_effects(root, read, scene);
+  read_sensor_effects(root, effects_sensor(read, scene.sensor), scene.time, scene);
   read_calibration(table_of(root.value("calibration")), folder, read, scene);
   if (const auto table = table_of(root.value("calibrate")))
     static_cast<void>(read_calibrate(*table, read.units, scene.material.layer.has_value()));

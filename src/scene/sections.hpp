@@ -23,22 +23,10 @@ namespace tactile_net {
 /// @param folder  of the scene's file: of the files that it names
 void read_sections(Table& root, const std::filesystem::path& folder, Scene& scene);
 
-/// The knots of a temperature that changes.
-///
-/// @param timed  the scene has a table [time]; a problem where it has none
-[[nodiscard]] PiecewiseLinear read_trajectory(const Value& trajectory, bool timed);
-
 /// The table [sensor].
 ///
 /// @param folder  of the scene's file
 [[nodiscard]] SensorArray read_sensor(Table table, const std::filesystem::path& folder, Read& read);
-
-/// The unit of a quantity's readings.
-[[nodiscard]] Unit reading_unit(const Units& units, Quantity quantity) noexcept;
-
-/// The unit of a number that is of every quantity's readings at once; a problem at `value` if they
-/// differ.
-[[nodiscard]] Unit reading_unit(const Units& units, const SensorArray& array, const Value& value);
 
 /// The unit of alpha and of the matrix P: that of weighted readings over tractions, squared.
 [[nodiscard]] Unit alpha_unit(const Units& units, const Scene& scene) noexcept;
@@ -56,8 +44,5 @@ void read_calibration(const std::optional<Table>& table, const std::filesystem::
 
 /// The table [network]; the noise is known by then.
 [[nodiscard]] NetworkOptions read_network(Table table, const Units& units, const Scene& scene);
-
-/// The tables of what lies between the pad and the file: [noise], [quantization] and their like.
-void read_sensor_effects(Table& root, const Read& read, Scene& scene);
 
 }  // namespace tactile_net

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -8,139 +5,22 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/effect_values.hpp"
 #include "scene/sections.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 
 namespace {
 
-constexpr Rule up_to_half{"must be from 0 to 0.5",
-                          [](double x) noexcept { return x >= 0.0 && x <= 0.5; }};
 constexpr Rule share{"must be >= 0 and < 1", [](double x) noexcept { return x >= 0.0 && x < 1.0; }};
 constexpr Rule weight_range{"must be > 0 and at most 1",
                             [](double x) noexcept { return x > 0.0 && x <= 1.0; }};
 
-using Numbers = std::vector<double>;
-using Indices = std::optional<std::vector<std::size_t>>;  // absent: all taxels
-
 /// Reads the tables of one scene's sensor effects.
-class Reader {
+class Reader : private EffectValues {
  public:
-  Reader(const Read& read, const SensorArray& array) : read_(read), array_(array) {}
-
-  // --- shared ---
-
-  /// A table that names every quantity that is read and no other; `one` reads each value, given the
-  /// unit of that quantity's readings.
-  template <typename T>
-  PerQuantity<T> of_each(Table table, auto one) const {
-    PerQuantity<T> result;
-    for (const Quantity quantity : quantities) {
-      const bool is_read =
-          std::find(array_.reads.begin(), array_.reads.end(), quantity) != array_.reads.end();
-      const auto value = is_read && read_.reads_complete
-                             ? table.required(name(quantity),
-                                              "the table names every quantity that "
-                                              "sensor.reads does")
-                             : table.value(name(quantity));
-      if (!value) continue;
-      if (!is_read && read_.reads_complete)
-        value->problem("is of a quantity that sensor.reads does not name", "remove it");
-      else if (auto got = one(*value, reading_unit(read_.units, quantity)))
-        result[quantity] = std::move(*got);
-    }
-    table.finish();
-    return result;
-  }
-
-  /// One value for every quantity, or a table of one for each.
-  template <typename T>
-  PerQuantity<T> per_quantity(const Value& value, auto one) const {
-    if (value.is_table()) return of_each<T>(*value.table(), one);
-    PerQuantity<T> result;
-    for (const Quantity quantity : array_.reads)
-      if (auto got = one(value, reading_unit(read_.units, quantity)))
-        result[quantity] = std::move(*got);
-    if (array_.reads.empty()) (void)one(value, Unit{});  // what is wrong with it is said anyway
-    return result;
-  }
-
-  PerQuantity<double> numbers_per_quantity(const Value& value, const Rule& rule) const {
-    return per_quantity<double>(
-        value, [&](const Value& one, const Unit& unit) { return one.number(rule, unit); });
-  }
-
-  static std::uint64_t seed(Table& table) {
-    const auto seed = table.value("seed");
-    return seed ? static_cast<std::uint64_t>(seed->integer(0, INT64_MAX).value_or(1)) : 1;
-  }
-
-  /// Taxels by their numbers.
-  std::vector<std::size_t> taxels(const Value& indices) const {
-    std::vector<std::size_t> result;
-    const std::int64_t last =
-        array_.count > 0 ? static_cast<std::int64_t>(array_.count) - 1 : most_taxels - 1;
-    std::size_t misfits = 0;
-    for (const Value& item : indices.list("taxel numbers").value_or(std::vector<Value>{})) {
-      if (misfits == most_misfits) break;
-      const auto index = item.integer(0, last, "taxels are numbered from 0");
-      const auto taxel = static_cast<std::size_t>(index.value_or(0));
-      if (!index) {
-        ++misfits;
-      } else if (std::find(result.begin(), result.end(), taxel) != result.end()) {
-        ++misfits;
-        item.misfit("names a taxel twice", "remove one");
-      } else {
-        result.push_back(taxel);
-      }
-    }
-    return result;
-  }
-
-  /// A list of one value per taxel, or per index where there are some; `indices` are complete.
-  std::optional<Numbers> taxel_values(const Value& value, const Rule& rule, const Indices& indices,
-                                      const Unit& unit = {}) const {
-    auto numbers = value.numbers(rule, unit);
-    if (!numbers) return std::nullopt;
-    const std::size_t expected = indices ? indices->size() : array_.count;
-    if (expected > 0 && numbers->size() != expected) {
-      value.problem("must have one value per " + std::string(indices ? "index" : "taxel") + ": " +
-                    std::to_string(expected) + " (got " + std::to_string(numbers->size()) + ')');
-      return std::nullopt;
-    }
-    return numbers;
-  }
-
-  /// As `taxel_values`, spread over all taxels: 0 where no index is.
-  std::optional<Numbers> spread(const Value& value, const Rule& rule, const Indices& indices,
-                                const Unit& unit = {}) const {
-    auto numbers = taxel_values(value, rule, indices, unit);
-    if (!numbers || !indices) return numbers;
-    Numbers all(array_.count);
-    for (std::size_t i = 0; i < indices->size() && i < numbers->size(); ++i)
-      if ((*indices)[i] < all.size()) all[(*indices)[i]] = (*numbers)[i];
-    return all;
-  }
-
-  Indices optional_indices(Table& table) const {
-    const auto value = table.value("indices");
-    return value ? std::optional(taxels(*value)) : std::nullopt;
-  }
-
-  std::optional<Range> range(const Value& value, const Unit& unit) const {
-    const auto ends = value.numbers(any_number, unit);
-    if (!ends) return std::nullopt;
-    if (ends->size() != 2)
-      value.problem("must be two numbers, the lowest and the highest reading",
-                    "range = [-1.0, 1.0]");
-    else if (!((*ends)[0] < (*ends)[1]))
-      value.problem("must begin with the lower of its two numbers", "range = [-1.0, 1.0]");
-    else if (!std::isfinite((*ends)[1] - (*ends)[0]))
-      value.problem("is wider than a double can hold");
-    else
-      return Range{(*ends)[0], (*ends)[1]};
-    return std::nullopt;
-  }
+  explicit Reader(const SensorOfEffects& sensor) : EffectValues(sensor), sensor_(sensor) {}
 
   // --- one function for each table, in the order of the signal path ---
 
@@ -201,7 +81,7 @@ class Reader {
     Crosstalk result;
     if (const auto fraction = table.required(
             "fraction", "the share of a signal that leaks to each neighbour: fraction = 0.02"))
-      result.fraction = fraction->number(up_to_half).value_or(0.0);
+      result.fraction = read_leak(*fraction);
     table.finish();
     return result;
   }
@@ -238,7 +118,7 @@ class Reader {
   TemperatureDrift temperature(Table table) const {
     TemperatureDrift result;
     if (const auto gain = table.value("gain")) result.gain = gain->number(any_number).value_or(0.0);
-    for (const Quantity quantity : array_.reads) result.offset[quantity] = 0.0;
+    for (const SignalQuantity quantity : sensor_.reads) result.offset[quantity] = 0.0;
     if (const auto offset = table.value("offset"))
       result.offset = numbers_per_quantity(*offset, any_number);
     const auto trajectory = table.value("trajectory");
@@ -247,7 +127,7 @@ class Reader {
     if (change && trajectory)
       trajectory->problem("and temperature.change exclude each other", "keep one of the two");
     if (change) result.change = {{0.0}, {change->number(any_number).value_or(0.0)}};
-    if (trajectory) result.change = read_trajectory(*trajectory, read_.timed);
+    if (trajectory) result.change = read_trajectory(*trajectory, sensor_.timed);
     table.finish();
     return result;
   }
@@ -311,22 +191,22 @@ class Reader {
     Saturation result;
     if (const auto value =
             table.required("range", "the lowest and the highest reading: range = [-1.0, 1.0]"))
-      result.range = per_quantity<Range>(
-          *value, [&](const Value& one, const Unit& unit) { return range(one, unit); });
+      result.range = ranges_per_quantity(*value);
     table.finish();
     return result;
   }
 
-  Converter quantization(Table table) const {
-    Converter converter;
+  Quantization quantization(Table table) const {
+    Quantization result;
     if (const auto bits = table.required("bits", "the converter's resolution: bits = 12"))
-      converter.bits = static_cast<int>(bits->integer(1, 32).value_or(converter.bits));
+      result.bits = static_cast<int>(bits->integer(1, 32).value_or(result.bits));
     if (const auto value = table.required(
-            "range", "the lowest and the highest reading it can tell: range = [-1.0, 1.0]"))
-      if (const auto ends = range(*value, reading_unit(read_.units, array_, *value)))
-        converter = {converter.bits, ends->low, ends->high};
+            "range", "the lowest and the highest reading it can tell: range = [-1.0, 1.0]")) {
+      require_one_unit(*value);
+      result.range = ranges_per_quantity(*value);
+    }
     table.finish();
-    return converter;
+    return result;
   }
 
   StuckTaxels stuck_taxels(Table table) const {
@@ -346,7 +226,7 @@ class Reader {
     std::vector<std::size_t> dead;
     if (const auto indices = table.required("indices", "which taxels, from 0: indices = [3, 17]")) {
       dead = taxels(*indices);
-      if (array_.count > 0 && dead.size() == array_.count)
+      if (sensor_.taxels > 0 && dead.size() == sensor_.taxels)
         indices->problem("leaves no taxel alive", "at least one taxel must read something");
     }
     table.finish();
@@ -359,37 +239,49 @@ class Reader {
       values->problem("and rms exclude each other", "list the errors, or draw them");
   }
 
-  const Read& read_;
-  const SensorArray& array_;
+  /// Beyond this a taxel would give away more than it has.
+  [[nodiscard]] double read_leak(const Value& fraction) const {
+    const double most = 1.0 / static_cast<double>(sensor_.most_neighbours);
+    const double leak = fraction.number(any_number).value_or(0.0);
+    if (leak >= 0.0 && leak <= most) return leak;
+    fraction.misfit("must be from 0 to " + brief(most),
+                    sensor_.skin == nullptr ? ""
+                                            : "1 over the most neighbours that a taxel has: " +
+                                                  std::to_string(sensor_.most_neighbours));
+    return 0.0;
+  }
+
+  const SensorOfEffects& sensor_;
 };
 
 }  // namespace
 
-void read_sensor_effects(Table& root, const Read& read, Scene& scene) {
-  const Reader reader(read, scene.sensor);
+void read_sensor_effects(Table& root, const SensorOfEffects& sensor,
+                         const std::optional<Timing>& time, SensorEffects& effects) {
+  const Reader reader(sensor);
   const auto table = [&](std::string_view key) { return table_of(root.value(key)); };
   // An effect that shows only in how readings change.
   const auto timed = [&](std::string_view key) {
     const auto value = root.value(key);
-    if (value && !read.timed)
+    if (value && !sensor.timed)
       value->problem("shows over time, and this scene has none",
                      "add [time], duration = 1.0, rate = 100.0");
     return table_of(value);
   };
-  if (const auto t = timed("viscoelasticity")) scene.viscoelasticity = reader.viscoelasticity(*t);
-  if (const auto t = table("hysteresis")) scene.hysteresis = reader.hysteresis(*t);
-  if (const auto t = table("crosstalk")) scene.crosstalk = reader.crosstalk(*t);
-  if (const auto t = table("gain_error")) scene.gain_error = reader.gain_error(*t);
-  if (const auto t = table("offset_error")) scene.offset_error = reader.offset_error(*t);
-  if (const auto t = table("temperature")) scene.temperature = reader.temperature(*t);
-  if (const auto t = timed("low_pass")) scene.low_pass = reader.low_pass(*t);
-  if (const auto t = timed("sampling")) scene.sampling = reader.sampling(*t, scene.time);
-  if (const auto t = table("noise")) scene.noise = reader.noise(*t);
-  if (const auto t = table("taxel_noise")) scene.taxel_noise = reader.taxel_noise(*t);
-  if (const auto t = table("saturation")) scene.saturation = reader.saturation(*t);
-  if (const auto t = table("quantization")) scene.quantization = reader.quantization(*t);
-  if (const auto t = table("stuck_taxels")) scene.stuck_taxels = reader.stuck_taxels(*t);
-  if (const auto t = table("dead_taxels")) scene.dead_taxels = reader.dead_taxels(*t);
+  if (const auto t = timed("viscoelasticity")) effects.viscoelasticity = reader.viscoelasticity(*t);
+  if (const auto t = table("hysteresis")) effects.hysteresis = reader.hysteresis(*t);
+  if (const auto t = table("crosstalk")) effects.crosstalk = reader.crosstalk(*t);
+  if (const auto t = table("gain_error")) effects.gain_error = reader.gain_error(*t);
+  if (const auto t = table("offset_error")) effects.offset_error = reader.offset_error(*t);
+  if (const auto t = table("temperature")) effects.temperature = reader.temperature(*t);
+  if (const auto t = timed("low_pass")) effects.low_pass = reader.low_pass(*t);
+  if (const auto t = timed("sampling")) effects.sampling = reader.sampling(*t, time);
+  if (const auto t = table("noise")) effects.noise = reader.noise(*t);
+  if (const auto t = table("taxel_noise")) effects.taxel_noise = reader.taxel_noise(*t);
+  if (const auto t = table("saturation")) effects.saturation = reader.saturation(*t);
+  if (const auto t = table("quantization")) effects.quantization = reader.quantization(*t);
+  if (const auto t = table("stuck_taxels")) effects.stuck_taxels = reader.stuck_taxels(*t);
+  if (const auto t = table("dead_taxels")) effects.dead_taxels = reader.dead_taxels(*t);
 }
 
 }  // namespace tactile_net

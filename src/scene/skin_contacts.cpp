@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -11,10 +12,17 @@
 namespace tactile_net {
 namespace {
 
-// SkinShape's names in its order, then the one that is no indenter.
-constexpr std::array<std::string_view, 5> shape_names = {"sphere", "ellipsoid", "punch", "cone",
-                                                         "tractions"};
-constexpr std::size_t tractions = 4;
+constexpr std::array indenters = {SkinShape::sphere, SkinShape::ellipsoid, SkinShape::punch,
+                                  SkinShape::cone};
+
+/// Those of the indenters in their order, then the one that is none.
+std::array<std::string_view, indenters.size() + 1> shape_names() {
+  std::array<std::string_view, indenters.size() + 1> names;
+  std::transform(indenters.begin(), indenters.end(), names.begin(),
+                 [](SkinShape shape) { return name(shape); });
+  names.back() = "tractions";
+  return names;
+}
 
 constexpr auto rigid_keys = {"place",    "radius",    "radii", "angle",   "force",
                              "friction", "direction", "stick", "torsion", "trajectory"};
@@ -74,7 +82,10 @@ bool read_numbers(Table& table, const Units& units, SkinContact& contact) {
 }
 
 /// The library's rules for the whole; what it says is put at `where`.
-void check_contact(const SkinContact& contact, const SkinScene& scene, const Value& where) {
+///
+/// @param place  the value that puts it there
+void check_contact(const SkinContact& contact, const SkinScene& scene, const Value& where,
+                   const std::optional<Value>& place) {
   try {
     check(SkinLoad(contact));
   } catch (const std::invalid_argument& error) {
@@ -96,8 +107,9 @@ void check_contact(const SkinContact& contact, const SkinScene& scene, const Val
   }
   if (part.from_y > skin.to_y + reach || part.to_y < skin.from_y - reach ||
       part.from_z > skin.to_z + reach || part.to_z < skin.from_z - reach)
-    where.problem("puts the contact beside the skin, further from every taxel than it is deep",
-                  "move it, or give the skin more taxels");
+    place.value_or(where).problem(
+        "puts the contact beside the skin, further from every taxel than it is deep",
+        "move it, or give the skin more taxels");
 }
 
 SkinContactTrajectory read_knots(const Value& trajectory, const std::vector<Needed>& needed,
@@ -122,10 +134,12 @@ SkinContactTrajectory read_knots(const Value& trajectory, const std::vector<Need
                   "a jump is two knots a moment apart: t = 1.0, then t = 1.001");
     }
     if (knots.empty())
-      for (const auto& [key, hint] : needed) (void)table.required(key, hint);
+      for (const auto& [key, hint] : needed)
+        if (!table.required(key, hint)) understood = false;
+    const auto place = table.value("place");
     understood = read_numbers(table, read.units, knot.contact) && understood;
     table.finish();
-    if (t && understood) check_contact(knot.contact, scene, *t);
+    if (t && understood) check_contact(knot.contact, scene, *t, place);
     knots.push_back(knot);
   }
   return knots;
@@ -136,9 +150,10 @@ SkinContact read_rigid(Table& table, const Value& where, SkinShape shape, const 
   SkinContact contact{.shape = shape};
   const auto moves = table.value("trajectory");
   std::vector<Needed> in_knots;  // what must stand in the first knot
+  bool complete = true;
   const auto needs = [&](std::string_view key, std::string_view hint) {
     if (!moves)
-      (void)table.required(key, hint);
+      complete = table.required(key, hint).has_value() && complete;
     else if (!table.value(key))
       in_knots.emplace_back(key, hint);
   };
@@ -158,11 +173,12 @@ SkinContact read_rigid(Table& table, const Value& where, SkinShape shape, const 
   for (const std::string_view key : sampled_keys)
     table.not_here(key, "applies to the shape \"tractions\" only",
                    "remove it, or give the load by shape = \"tractions\"");
-  const bool understood = read_numbers(table, read.units, contact);
+  const auto place = table.value("place");
+  const bool understood = read_numbers(table, read.units, contact) && complete;
   if (moves)
     trajectory = read_knots(*moves, in_knots, contact, understood, scene, read);
   else if (understood)
-    check_contact(contact, scene, where);
+    check_contact(contact, scene, where, place);
   return trajectory.empty() ? contact : trajectory.front().contact;
 }
 
@@ -171,7 +187,16 @@ std::vector<double> read_field(const Value& value, const Unit& stress, SampledPa
   std::vector<double> all;
   const auto rows = value.list("rows, each a list of numbers");
   if (!rows) return all;
+  if (rows->empty()) {
+    value.problem("must hold at least one row", "normal = [[0.0, 1.0], [1.0, 2.0]]");
+    return all;
+  }
   for (const Value& row : *rows) {
+    if (!row.is_list()) {
+      value.problem("must be a list of rows, each a list of numbers",
+                    "one row stands in brackets of its own: normal = [[0.0, 1.0]]");
+      return {};
+    }
     const auto numbers = row.numbers(any_number, stress);
     if (!numbers) return {};
     if (patch.columns == 0) patch.columns = numbers->size();
@@ -183,7 +208,7 @@ std::vector<double> read_field(const Value& value, const Unit& stress, SampledPa
     all.insert(all.end(), numbers->begin(), numbers->end());
   }
   if (patch.rows == 0) patch.rows = rows->size();
-  if (rows->size() == patch.rows && patch.rows > 0) return all;
+  if (rows->size() == patch.rows) return all;
   value.problem("must have as many rows as normal: " + std::to_string(patch.rows) + " (got " +
                 std::to_string(rows->size()) + ')');
   return {};
@@ -237,15 +262,15 @@ void read_skin_contacts(std::vector<Table> tables, const Read& read, SkinScene& 
     const auto shape = table.required(
         "shape",
         "how the load is spread: \"sphere\", \"ellipsoid\", \"punch\", \"cone\" or \"tractions\"");
-    const auto index = shape ? shape->one_of("shape", shape_names) : std::nullopt;
+    const auto index = shape ? shape->one_of("shape", shape_names()) : std::nullopt;
     SkinContactTrajectory trajectory;
     if (!index)
       pass_over(table);
-    else if (*index == tractions)
+    else if (*index == indenters.size())
       scene.contacts.emplace_back(read_tractions(table, read));
     else
       scene.contacts.emplace_back(
-          read_rigid(table, *shape, static_cast<SkinShape>(*index), scene, read, trajectory));
+          read_rigid(table, *shape, indenters[*index], scene, read, trajectory));
     table.finish();
     scene.trajectories.resize(scene.contacts.size());
     if (!trajectory.empty()) scene.trajectories.back() = std::move(trajectory);

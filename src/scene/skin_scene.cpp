@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-namespace tactile_net {
-namespace {
+#include "tactile_net/skin/signal_layout.hpp"
 
+namespace tactile_net {
 bool any_drag(const SkinScene& scene) {
   return std::any_of(scene.contacts.begin(), scene.contacts.end(), drags) ||
          std::any_of(scene.trajectories.begin(), scene.trajectories.end(),
@@ -16,20 +16,6 @@ bool any_drag(const SkinScene& scene) {
                      });
 }
 
-Unit unit_of(const Units& units, SkinQuantity quantity) {
-  switch (traits(quantity).kind) {
-    case QuantityKind::stress:
-      return units.stress;
-    case QuantityKind::displacement:
-      return units.length;
-    case QuantityKind::strain:
-      break;
-  }
-  return {};
-}
-
-}  // namespace
-
 std::size_t components(const SkinScene& scene) {
   if (channel_count(scene.sensor) < 2) return 1;
   const SkinReconstructOptions& options = scene.reconstruct;
@@ -39,6 +25,17 @@ std::size_t components(const SkinScene& scene) {
 }
 
 SkinGrid grid(const SkinScene& scene) { return grid_of(scene.sensor, scene.reconstruct.grid); }
+
+SignalPath signal_path(const SkinScene& scene) {
+  return signal_path(scene, signal_layout(scene.sensor));
+}
+
+std::vector<Instant> instants(const SkinScene& scene) {
+  std::vector<double> knots;
+  for (const SkinContactTrajectory& trajectory : scene.trajectories)
+    for (const SkinContactKnot& knot : trajectory) knots.push_back(knot.time);
+  return instants(scene, signal_path(scene), scene.time, scene.frame, knots);
+}
 
 std::vector<SkinLoad> contacts_at(const SkinScene& scene, double t) {
   std::vector<SkinLoad> contacts = scene.contacts;
@@ -58,7 +55,7 @@ std::optional<Calibration> calibration(const SkinScene& scene) {
   if (!scene.units) return std::nullopt;
   Calibration result;
   for (const SkinSite& site : sites(scene.sensor))
-    result.gain.push_back(unit_of(*scene.units, site.quantity).to_si(1.0));
+    result.gain.push_back(unit_of(*scene.units, traits(site.quantity).kind).to_si(1.0));
   result.baseline.resize(result.gain.size());
   result.offset.resize(result.gain.size());
   return result;

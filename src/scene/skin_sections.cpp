@@ -1,6 +1,7 @@
 #include "scene/skin_sections.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -8,6 +9,9 @@
 #include "scene/references.hpp"
 #include "scene/taxel_table.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/skin/problem.hpp"
+#include "tactile_net/skin/signal_layout.hpp"
 
 namespace tactile_net {
 namespace {
@@ -19,22 +23,9 @@ struct Absent {
 };
 constexpr Absent absent_tables[] = {
     {"network", "is a circuit, and those of skins are not generated yet"},
-    {"calibration", "is of line arrays: a skin's recording holds readings"},
-    {"viscoelasticity", "is not simulated for skins yet"},
-    {"hysteresis", "is not simulated for skins yet"},
-    {"crosstalk", "is not simulated for skins yet"},
-    {"gain_error", "is not simulated for skins yet"},
-    {"offset_error", "is not simulated for skins yet"},
-    {"temperature", "is not simulated for skins yet"},
-    {"low_pass", "is not simulated for skins yet"},
-    {"sampling", "is not simulated for skins yet"},
-    {"taxel_noise", "is not simulated for skins yet"},
-    {"saturation", "is not simulated for skins yet"},
-    {"quantization", "is not simulated for skins yet"},
-    {"stuck_taxels", "is not simulated for skins yet"}};
+    {"calibration", "is of line arrays: a skin's recording holds readings"}};
 constexpr Absent absent_keys[] = {
     {"surface", "has one kind for skins, a grid of cells"},
-    {"offset", "is not estimated for skins yet"},
     {"contact_friction", "is of the method \"dft\", which is for line arrays"},
     {"noise_gain_limit", "is of the method \"dft\", which is for line arrays"},
     {"tangential_weight", "is 1 for skins"},
@@ -53,76 +44,17 @@ void refuse_at(const Value& value, const std::string& what, const std::string& h
   }
 }
 
-std::map<SkinQuantity, double> read_rms(const Value& value, const SkinScene& scene,
-                                        const Read& read) {
-  std::map<SkinQuantity, double> rms;
-  const auto unit = [&](SkinQuantity quantity) {
-    return traits(quantity).kind == QuantityKind::stress         ? read.units.stress
-           : traits(quantity).kind == QuantityKind::displacement ? read.units.length
-                                                                 : Unit{};
-  };
-  const auto& reads = scene.sensor.reads;
-  if (!value.is_table()) {
-    const auto same_unit = [&](SkinQuantity quantity) {
-      return traits(quantity).kind == traits(reads.front()).kind;
-    };
-    if (!std::all_of(reads.begin(), reads.end(), same_unit))
-      value.problem("is of readings that differ in kind",
-                    "one for each quantity: rms = { stress_x = 20.0, strain_y = 1e-4 }");
-    for (const SkinQuantity quantity : reads)
-      if (const auto number = value.number(not_negative, unit(quantity))) rms[quantity] = *number;
-    return rms;
-  }
-  auto table = value.table();
-  for (const SkinQuantity quantity : skin_quantities) {
-    const bool is_read = std::find(reads.begin(), reads.end(), quantity) != reads.end();
-    const auto one =
-        is_read ? table->required(name(quantity), "the table names every quantity that is read")
-                : table->value(name(quantity));
-    if (!one) continue;
-    if (!is_read && is_whole(scene))
-      one->problem("is of a quantity that sensor.reads does not name", "remove it");
-    else if (const auto number = one->number(positive, unit(quantity)))
-      rms[quantity] = *number;
-  }
-  table->finish();
-  return rms;
-}
-
-SkinNoise read_noise(Table table, const SkinScene& scene, const Read& read) {
-  SkinNoise noise;
-  if (const auto rms = table.required(
-          "rms", "the noise of one reading, in its unit: rms = 20.0, or one for each quantity")) {
-    noise.weights_rows = rms->is_table();
-    noise.rms = read_rms(*rms, scene, read);
-  }
-  if (const auto seed = table.value("seed"))
-    noise.seed = static_cast<std::uint64_t>(seed->integer(0, INT64_MAX).value_or(1));
-  table.finish();
-  return noise;
-}
-
-std::vector<std::size_t> read_dead_taxels(Table table, const SkinScene& scene) {
-  std::vector<std::size_t> dead;
-  const auto indices =
-      table.required("indices", "which taxels, from 0, row after row: indices = [3, 17]");
-  const auto last = static_cast<std::int64_t>(
-      is_whole(scene) ? taxel_count(scene.sensor) - 1 : static_cast<std::size_t>(most_taxels));
-  if (indices)
-    for (const Value& item : indices->list("taxel numbers").value_or(std::vector<Value>{})) {
-      const auto index = item.integer(
-          0, last, "taxels are numbered from 0, row after row: row * columns + column");
-      if (!index) break;
-      const auto taxel = static_cast<std::size_t>(*index);
-      if (std::find(dead.begin(), dead.end(), taxel) != dead.end())
-        item.misfit("names a taxel twice", "remove one");
-      else
-        dead.push_back(taxel);
-    }
-  if (indices && is_whole(scene) && dead.size() == taxel_count(scene.sensor))
-    indices->problem("leaves no taxel alive", "at least one taxel must read something");
-  table.finish();
-  return dead;
+SensorOfEffects effects_sensor(const Read& read, const SkinScene& scene) {
+  SensorOfEffects sensor{.units = read.units,
+                         .on_offer = {skin_quantities.begin(), skin_quantities.end()},
+                         .timed = read.timed,
+                         .skin = &scene.sensor};
+  if (!is_whole(scene)) return sensor;
+  sensor.reads = {scene.sensor.reads.begin(), scene.sensor.reads.end()};
+  sensor.reads_complete = true;
+  sensor.taxels = taxel_count(scene.sensor);
+  sensor.most_neighbours = signal_layout(scene.sensor).most_neighbours;
+  return sensor;
 }
 
 /// (weighted readings over tractions) squared.
@@ -138,25 +70,74 @@ Unit alpha_unit(const Units& units, const SkinScene& scene) {
   return {"", one.multiplier * one.multiplier, one.divisor * one.divisor};
 }
 
-void read_grid(Table& table, const Read& read, SkinScene& scene) {
+/// What would make fewer cells, with its count.
+std::string fewer_cells(const SkinScene& scene, const Units& units) {
+  SkinScene other = scene;
+  SkinGridOptions& options = other.reconstruct.grid;
+  const auto tractions = [&]() -> std::optional<std::size_t> {
+    try {
+      const std::size_t count = components(other) * grid(other).count();
+      return count <= most_skin_tractions ? std::optional(count) : std::nullopt;
+    } catch (const std::invalid_argument&) {
+      return std::nullopt;
+    }
+  };
+  const auto makes = [&](std::size_t count) {
+    return ", which makes " + std::to_string(count) + " unknown tractions";
+  };
+  if (options.margin) {
+    options.margin.reset();
+    if (const auto count = tractions())
+      return "reconstruct.margin is left out: the depth" + makes(*count);
+    options.margin = scene.reconstruct.grid.margin;
+  }
+  if (options.spacing) {
+    options.spacing.reset();
+    if (const auto count = tractions())
+      return "reconstruct.spacing is left out: the pitch, or half the depth if that is less" +
+             makes(*count);
+  }
+  // Two digits, from the depth on.
+  for (int step = 0; step < 3000; ++step) {
+    const double spacing = units.length.from_si(least_depth(scene.sensor) * std::pow(1.2, step));
+    const std::string text = brief(spacing, 2);
+    double rounded = 0.0;
+    if (!read_number(text, rounded)) continue;
+    options.spacing = units.length.to_si(rounded);
+    if (const auto count = tractions()) return "reconstruct.spacing = " + text + makes(*count);
+  }
+  return "fewer taxels, or taxels nearer to one another";
+}
+
+void check_grid(const std::optional<Value>& at, const Units& units, const SkinScene& scene) {
+  if (!at || !is_whole(scene)) return;
+  std::string cells;
+  try {
+    const SkinGrid made = grid(scene);
+    const std::size_t unknowns = components(scene) * made.count();
+    if (unknowns <= most_skin_tractions) return;
+    cells = std::to_string(made.rows) + " x " + std::to_string(made.columns) + " cells with " +
+            std::to_string(unknowns) + " unknown tractions, more than " +
+            std::to_string(most_skin_tractions);
+  } catch (const std::invalid_argument& error) {
+    cells = error.what();
+    cells = cells.substr(0, cells.find(": choose"));
+  }
+  at->problem("makes too many cells: " + cells, fewer_cells(scene, units));
+}
+
+/// @param at  the depths, or what says where the taxels are
+void read_grid(Table& table, const std::optional<Value>& at, const Read& read, SkinScene& scene) {
   const auto spacing = table.value("spacing");
   const auto margin = table.value("margin");
   SkinGridOptions& options = scene.reconstruct.grid;
   if (spacing) options.spacing = spacing->number(positive, read.units.length);
   if (margin) options.margin = margin->number(not_negative, read.units.length);
-  const auto& named = spacing ? spacing : margin ? margin : read.reads;
-  if (!named || !is_whole(scene)) return;
-  refuse_at(*named, "makes no grid: ", "spacing = half of the depth", [&] {
-    const std::size_t unknowns = components(scene) * grid(scene).count();
-    if (unknowns > most_skin_tractions)
-      named->problem("makes " + std::to_string(unknowns) + " unknown tractions, more than " +
-                         std::to_string(most_skin_tractions),
-                     "a wider reconstruct.spacing: half of the depth resolves what the pad lets "
-                     "through");
-  });
+  check_grid(spacing ? spacing : margin ? margin : at, read.units, scene);
 }
 
-void read_reconstruct(Table table, const Read& read, SkinScene& scene) {
+void read_reconstruct(Table table, const std::optional<Value>& depths, const Read& read,
+                      SkinScene& scene) {
   SkinReconstructOptions& options = scene.reconstruct;
   if (const auto methods = table.value("methods")) {
     constexpr std::string_view one[] = {"tikhonov"};
@@ -176,6 +157,10 @@ void read_reconstruct(Table table, const Read& read, SkinScene& scene) {
     options.nonnegative = nonnegative->boolean().value_or(false);
   if (const auto limit = table.value("friction_limit")) {
     options.friction_limit = limit->number(positive);
+    const auto nonnegative = table.value("nonnegative");
+    if (nonnegative && !options.nonnegative && nonnegative->boolean())
+      nonnegative->problem("lets the surface be pulled, which friction_limit does not",
+                           "remove one of the two");
     if (one_channel)
       limit->problem("bounds the drags, which one quantity at one depth cannot tell", three);
   }
@@ -186,9 +171,24 @@ void read_reconstruct(Table table, const Read& read, SkinScene& scene) {
     if (options.tangential == false && options.friction_limit)
       tangential->problem("leaves out the drags that friction_limit bounds", "remove one");
   }
+  if (const auto offset = table.value("offset")) {
+    options.offset = offset->boolean().value_or(false);
+    if (options.offset && is_whole(scene) && !is_measured(scene.sensor, scene.dead_taxels, true))
+      offset->problem("takes one reading a channel, and no channel has two living taxels",
+                      "remove it");
+  }
   for (const Absent& absent : absent_keys) table.not_here(absent.key, absent.why, "remove it");
-  read_grid(table, read, scene);
+  read_grid(table, depths, read, scene);
   table.finish();
+}
+
+/// By which cells are sized where nobody says it: the depths, or the file that has them.
+std::optional<Value> depths_in(const std::optional<Value>& sensor) {
+  auto table = sensor && sensor->is_table() ? sensor->table() : std::nullopt;
+  if (!table) return std::nullopt;
+  for (const std::string_view key : {"depth", "depths", "taxels"})
+    if (auto value = table->value(key)) return value;
+  return sensor;
 }
 
 /// What the sensor cannot read of this pad, and what cannot be added without the noise.
@@ -214,14 +214,42 @@ void check_reads(const Read& read, const SkinScene& scene) {
 
 }  // namespace
 
+namespace {
+
+/// What a scene of a line cannot say. For those whose file of taxels does not tell.
+bool speaks_of_a_skin(const toml::table& scene) {
+  const auto any_of = [](const toml::node* list, const auto& is) {
+    const toml::array* all = list != nullptr ? list->as_array() : nullptr;
+    return all != nullptr && std::any_of(all->begin(), all->end(), is);
+  };
+  const auto of_skins_alone = [](const toml::node& read) {
+    const auto text = read.value<std::string>();
+    return text && skin_quantity_named(*text) &&
+           std::none_of(quantities.begin(), quantities.end(),
+                        [&](Quantity one) { return name(one) == *text; });
+  };
+  const auto has_place = [](const toml::node& contact) {
+    const toml::table* table = contact.as_table();
+    return table != nullptr && table->contains("place");
+  };
+  const auto force = scene["units"]["force"].value<std::string>();
+  const auto points = units_of(Dimension::point_force);
+  return any_of(scene["sensor"]["reads"].node(), of_skins_alone) ||
+         any_of(scene["contact"].node(), has_place) ||
+         (force && std::any_of(points.begin(), points.end(),
+                               [&](const Unit& unit) { return unit.name == *force; }));
+}
+
+}  // namespace
+
 bool is_skin(const toml::table& scene, const std::filesystem::path& folder) {
   const toml::table* sensor = scene["sensor"].as_table();
   if (sensor == nullptr) return false;
   if (sensor->contains("rows") || sensor->contains("columns")) return true;
   const auto file = (*sensor)["taxels"].value<std::string>();
   const References references{folder.empty() ? "." : folder};
-  return file && !file->empty() && references.allow(*file) &&
-         has_column(references.folder / *file, "z");
+  if (!file || file->empty() || !references.allow(*file)) return false;
+  return has_column(references.folder / *file, "z") || speaks_of_a_skin(scene);
 }
 
 void read_skin_sections(Table& root, const std::filesystem::path& folder, SkinScene& scene) {
@@ -232,10 +260,11 @@ void read_skin_sections(Table& root, const std::filesystem::path& folder, SkinSc
     scene.units = read_units(*table, Dimension::point_force);
     read.units = *scene.units;
   }
-  if (const auto table = table_of(root.required(
-          "sensor",
-          "it says where the taxels are and what they read: rows, columns, pitch, depth, reads")))
-    scene.sensor = read_skin_sensor(*table, folder, read);
+  const auto sensor =
+      root.required("sensor",
+                    "it says where the taxels are and what they read: rows, columns, pitch, depth, "
+                    "reads");
+  if (const auto table = table_of(sensor)) scene.sensor = read_skin_sensor(*table, folder, read);
   if (const auto table = table_of(root.required(
           "material", "it says what the pad is made of: youngs_modulus, poisson_ratio")))
     scene.material = read_material(*table, scene.sensor.depths, read.units);
@@ -244,13 +273,14 @@ void read_skin_sections(Table& root, const std::filesystem::path& folder, SkinSc
   if (const auto table = table_of(time)) scene.time = read_time(*table);
   if (const auto contacts = root.value("contact"))
     if (auto tables = contacts->tables()) read_skin_contacts(std::move(*tables), read, scene);
-  if (const auto table = table_of(root.value("noise")))
-    scene.noise = read_noise(*table, scene, read);
-  if (const auto table = table_of(root.value("dead_taxels")))
-    scene.dead_taxels = read_dead_taxels(*table, scene);
+  read_sensor_effects(root, effects_sensor(read, scene), scene.time, scene);
   if (const auto table = table_of(root.value("forward")))
     scene.forward = read_forward(*table, true);
-  if (auto table = table_of(root.value("reconstruct"))) read_reconstruct(*table, read, scene);
+  const auto depths = depths_in(sensor);
+  if (auto table = table_of(root.value("reconstruct")))
+    read_reconstruct(*table, depths, read, scene);
+  else
+    check_grid(depths, read.units, scene);
   for (const Absent& absent : absent_tables) root.not_here(absent.key, absent.why, "remove it");
   check_reads(read, scene);
   root.finish();

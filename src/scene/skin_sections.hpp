@@ -14,6 +14,9 @@ namespace tactile_net {
 /// column z.
 [[nodiscard]] bool is_skin(const toml::table& scene, const std::filesystem::path& folder);
 
+/// The problem of a skin's scene for those who know lines alone. @pre  it is of a skin
+void refuse_skin(const toml::table& scene, Problems& problems);
+
 /// Fills the scene from the whole file; what is wrong goes to the problems that `root` was made
 /// with, and then the scene is not complete.
 ///

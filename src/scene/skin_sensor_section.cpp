@@ -1,5 +1,7 @@
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "scene/skin_sections.hpp"
@@ -11,6 +13,32 @@ namespace {
 constexpr std::array<std::string_view, 5> known = {"name", "y", "z", "depth", "reads"};
 enum Column { name_column, y, z, depth, reads };
 
+/// Each taxel's line, and what is at whose place.
+class Places {
+ public:
+  /// @throw std::runtime_error  another taxel has this one's name, or reads the same in its place
+  void add(std::size_t line, const SkinTaxel& taxel) {
+    if (const auto [other, is_new] = names_.try_emplace(taxel.name, line);
+        !is_new && !taxel.name.empty())
+      throw error_in_line(line, "the name is that of the taxel in line " +
+                                    std::to_string(other->second) +
+                                    " too: columns of recordings "
+                                    "are called by it");
+    for (const SkinQuantity quantity : taxel.reads)
+      if (const auto [other, is_new] =
+              readings_.try_emplace({taxel.y, taxel.z, taxel.depth, quantity}, line);
+          !is_new && other->second != line)
+        throw error_in_line(line, "the taxel is at the place of that in line " +
+                                      std::to_string(other->second) + " and reads the same, " +
+                                      std::string(name(quantity)) +
+                                      ": leave one out, or average their readings");
+  }
+
+ private:
+  std::map<std::string, std::size_t> names_{};
+  std::map<std::tuple<double, double, double, SkinQuantity>, std::size_t> readings_{};
+};
+
 std::vector<SkinTaxel> read_taxels(const std::filesystem::path& path, const SkinTaxel& missing,
                                    const Unit& length) {
   const TaxelTable table(path, known, length);
@@ -19,6 +47,7 @@ std::vector<SkinTaxel> read_taxels(const std::filesystem::path& path, const Skin
   table.require(depth, missing.depth > 0.0, ", and the scene states no sensor.depth");
   table.require(reads, !missing.reads.empty(), ", and the scene states no sensor.reads");
   std::vector<SkinTaxel> taxels;
+  Places places;
   for (const TaxelTable::Row& row : table.rows(1, static_cast<std::size_t>(most_taxels))) {
     SkinTaxel taxel = missing;
     if (table.has(name_column)) taxel.name = table.text(row, name_column);
@@ -27,6 +56,7 @@ std::vector<SkinTaxel> read_taxels(const std::filesystem::path& path, const Skin
     if (table.has(depth)) taxel.depth = table.length(row, depth);
     if (table.has(reads)) taxel.reads = table.quantities(row, reads, skin_quantities);
     if (!(taxel.depth > 0.0)) throw error_in_line(row.line, "depth is not > 0");
+    places.add(row.line, taxel);
     taxels.push_back(std::move(taxel));
   }
   return taxels;
@@ -62,13 +92,14 @@ SkinArray read_even(Table& table, Read& read) {
   read.depths_complete = !array.depths.empty();
   read.reads = table.required("reads", "what each taxel reads: reads = [\"stress_x\"]");
   if (read.reads) read.reads_complete = read_quantities(*read.reads, skin_quantities, array.reads);
-  if (array.rows * array.columns > static_cast<std::size_t>(most_taxels)) {
+  const bool too_many = array.rows * array.columns > static_cast<std::size_t>(most_taxels);
+  if (too_many) {
     if (const auto rows = table.value("rows"))
       rows->problem("times columns makes " + std::to_string(array.rows * array.columns) +
                         " taxels, more than " + std::to_string(most_taxels),
                     "the matrices are dense: 4096 taxels at most");
   }
-  const bool complete = array.rows > 0 && array.columns > 0 && array.pitch_y > 0.0 &&
+  const bool complete = !too_many && array.rows > 0 && array.columns > 0 && array.pitch_y > 0.0 &&
                         array.pitch_z > 0.0 && read.depths_complete && read.reads_complete;
   return complete ? array : SkinArray{};
 }

@@ -70,7 +70,7 @@ double TaxelTable::length(const Row& row, std::size_t column) const {
 
 bool has_column(const std::filesystem::path& path, std::string_view name) noexcept {
   try {
-    const std::vector<std::string> fields = read_csv_table(path).header.fields;
+    const std::vector<std::string> fields = read_csv_header(path);
     return std::any_of(fields.begin(), fields.end(),
                        [&](const std::string& field) { return without_unit(field) == name; });
   } catch (const std::exception&) {

@@ -73,7 +73,7 @@ class TaxelTable {
   std::vector<std::optional<std::size_t>> places_;  // where each known column stands
 };
 
-/// Whether a CSV has such a column, whatever its unit; false of a file that is not in order.
+/// Whether the header of a CSV has such a column, whatever its unit; false of a file without one.
 [[nodiscard]] bool has_column(const std::filesystem::path& path, std::string_view name) noexcept;
 
 }  // namespace tactile_net

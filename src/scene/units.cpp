@@ -55,4 +55,27 @@ std::span<const Unit> units_of(Dimension dimension) noexcept {
 
 std::string_view si_unit(Dimension dimension) noexcept { return row_in<dimensions>(dimension).si; }
 
+Dimension dimension_of(QuantityKind kind) noexcept {
+  switch (kind) {
+    case QuantityKind::stress:
+      return Dimension::stress;
+    case QuantityKind::displacement:
+      return Dimension::length;
+    case QuantityKind::strain:
+      break;
+  }
+  return Dimension::none;
+}
+
+Unit unit_of(const Units& units, QuantityKind kind) noexcept {
+  switch (dimension_of(kind)) {
+    case Dimension::stress:
+      return units.stress;
+    case Dimension::length:
+      return units.length;
+    default:
+      return {};
+  }
+}
+
 }  // namespace tactile_net

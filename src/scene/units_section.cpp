@@ -57,20 +57,6 @@ Units read_units(Table table, Dimension force) {
   return units;
 }
 
-Unit reading_unit(const Units& units, Quantity quantity) noexcept {
-  return is_strain(quantity) ? Unit{} : units.stress;
-}
-
-Unit reading_unit(const Units& units, const SensorArray& array, const Value& value) {
-  const auto& reads = array.reads;
-  const bool strains = std::any_of(reads.begin(), reads.end(), is_strain);
-  const bool stresses = !std::all_of(reads.begin(), reads.end(), is_strain);
-  if (strains && stresses && !units.stress.is_si())
-    value.problem("is of strains and of stresses, which differ in their units here",
-                  "under [units], stress = \"Pa\", or leave it out");
-  return stresses ? units.stress : Unit{};
-}
-
 Unit alpha_unit(const Units& units, const Scene& scene) noexcept {
   const auto& reads = scene.sensor.reads;
   const bool weighted = scene.noise && scene.noise->weights_rows;

@@ -57,19 +57,19 @@ bool is_lattice(const SkinArray& skin, const SkinGrid& grid) noexcept {
          fits(skin.columns, skin.pitch_z, grid.stride_columns, grid.spacing_z);
 }
 
-std::size_t check_sampled(const SkinArray& skin, const Material& material, const SkinGrid& grid,
-                          std::span<const double> tractions) {
+void check_sampled(const SkinArray& skin, const Material& material, std::size_t components) {
+  require(components == 1 || components == 3, "components", "be 1 or 3", components);
   check(skin, material);
-  const std::size_t count = grid.count();
-  require(tractions.size() == count || tractions.size() == 3 * count, "tractions",
-          "hold one value for each cell and component, " + std::to_string(count) + " or " +
-              std::to_string(3 * count),
-          tractions.size());
-  const std::size_t components = tractions.size() / count;
   for (std::size_t k = 0; k < components; ++k)
     for (const SkinQuantity quantity : skin.reads)
       check_quantity(quantity, skin_tractions[k], material);
-  return components;
+}
+
+void check_tractions(const SkinGrid& grid, std::size_t components,
+                     std::span<const double> tractions) {
+  const std::size_t count = components * grid.count();
+  require(tractions.size() == count, "tractions",
+          "hold one value for each cell and component, " + std::to_string(count), tractions.size());
 }
 
 }  // namespace tactile_net

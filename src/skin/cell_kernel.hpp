@@ -83,10 +83,12 @@ struct LatticeCell {
 /// Whether every taxel lies on a cell's middle, by the grid's strides.
 [[nodiscard]] bool is_lattice(const SkinArray& skin, const SkinGrid& grid) noexcept;
 
-/// @throw std::invalid_argument  the skin or the material is out of range, the tractions are not
-///                               one component or three, or a reading has no value under them
-/// @return  how many components they are
-std::size_t check_sampled(const SkinArray& skin, const Material& material, const SkinGrid& grid,
-                          std::span<const double> tractions);
+/// @throw std::invalid_argument  the skin or the material is out of range, there is not one
+///                               component or three, or a reading has no value under them
+void check_sampled(const SkinArray& skin, const Material& material, std::size_t components);
+
+/// @throw std::invalid_argument  not one value for each cell and component
+void check_tractions(const SkinGrid& grid, std::size_t components,
+                     std::span<const double> tractions);
 
 }  // namespace tactile_net

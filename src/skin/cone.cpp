@@ -105,7 +105,10 @@ double largest_eigenvalue(const SkinProblem& problem, double alpha) {
   const auto kernel = as_eigen(problem.kernel);
   const Eigen::VectorXd spectrum = alpha * stabiliser_spectrum(problem);
   const CosineCoordinates waves(problem, Eigen::VectorXd::Ones(spectrum.size()));
-  Eigen::VectorXd x = kernel.transpose() * Eigen::VectorXd::Ones(kernel.rows());
+  // What all readings add up to; that says nothing where each channel's constant is unknown.
+  Eigen::VectorXd seen = Eigen::VectorXd::Ones(kernel.rows());
+  if (problem.unknown_offsets) seen = kernel * Eigen::VectorXd::Ones(kernel.cols());
+  Eigen::VectorXd x = kernel.transpose() * seen;
   for (Index i = 0; i < x.size(); ++i)
     x(i) += 1e-3 * x.cwiseAbs().maxCoeff() * std::cos(static_cast<double>(i));
   double largest = 0.0;
@@ -203,9 +206,10 @@ SkinCone& SkinCone::operator=(SkinCone&&) noexcept = default;
 SkinConeSolution SkinCone::solve(std::span<const double> readings, std::size_t iteration_limit,
                                  double enough) const {
   const System& s = *system_;
-  if (std::ssize(readings) != s.factors.weights.size()) return {.status = FrameStatus::wrong_size};
+  if (std::ssize(readings) != s.factors.weighting.size())
+    return {.status = FrameStatus::wrong_size};
   if (!all_finite(readings)) return {.status = FrameStatus::not_finite};
-  Eigen::VectorXd g = s.factors.weights.cwiseProduct(as_eigen(readings));
+  Eigen::VectorXd g = s.factors.weighting(readings);
   const double scale = g.cwiseAbs().maxCoeff();
   if (!std::isfinite(scale)) return {.status = FrameStatus::too_large};
   if (scale > 0.0) g = g / scale;

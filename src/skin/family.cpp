@@ -23,10 +23,7 @@ double stabiliser_condition(const SkinProblem& problem) {
 SkinFamily::Factors::Factors(const SkinProblem& problem,
                              std::shared_ptr<const SkinCoordinates> basis,
                              std::vector<SkinClass> classes, double condition)
-    : weights(as_eigen(std::span(problem.weights))),
-      rows(independent_readings(problem)),
-      coordinates(std::move(basis)),
-      stabiliser_condition(condition) {
+    : weighting(problem), coordinates(std::move(basis)), stabiliser_condition(condition) {
   const Eigen::MatrixXd all = coordinates->sums(as_eigen(problem.kernel).transpose());  // T' K' W
   for (SkinClass& part : classes) {
     const Eigen::MatrixXd selected = all(part.waves, Eigen::all);
@@ -105,9 +102,10 @@ double SkinFamily::degrees_of_freedom(double alpha) const noexcept {
 
 FilterFrame SkinFamily::analyse(std::span<const double> readings) const {
   const Factors& factors = *factors_;
-  check_readings(readings, static_cast<std::size_t>(factors.weights.size()));
-  FilterFrame frame{.gamma = factors.gamma, .rows = factors.rows};
-  Eigen::VectorXd g = factors.weights.cwiseProduct(as_eigen(readings));
+  check_readings(readings, static_cast<std::size_t>(factors.weighting.size()));
+  FilterFrame frame{.gamma = factors.gamma,
+                    .rows = static_cast<std::size_t>(factors.weighting.rows())};
+  Eigen::VectorXd g = factors.weighting(readings);
   frame.scale = g.cwiseAbs().maxCoeff();
   if (frame.scale > 0.0) g = g / frame.scale;
   for (const Factors::Block& block : factors.blocks) {
@@ -148,13 +146,13 @@ Reconstruction SkinFamily::reconstruction(double alpha) const {
   const Factors& factors = *factors_;
   const double root = std::sqrt(alpha);
   Eigen::MatrixXd coordinates =
-      Eigen::MatrixXd::Zero(factors.coordinates->count(), factors.weights.size());
+      Eigen::MatrixXd::Zero(factors.coordinates->count(), factors.weighting.size());
   for (const Factors::Block& block : factors.blocks) {
     const Eigen::VectorXd filters =
         block.gamma.unaryExpr([=](double gamma) { return filter(gamma, root); });
     const Eigen::MatrixXd own = block.v * filters.asDiagonal() * block.u.transpose();
     coordinates(block.part.waves, Eigen::all) =
-        Eigen::MatrixXd(own * block.part.readings) * factors.weights.asDiagonal();
+        factors.weighting.applied(Eigen::MatrixXd(own * block.part.readings));
   }
   return {from_eigen(factors.coordinates->tractions(coordinates)), stacked_condition(alpha)};
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "inverse/weighting.hpp"
 #include "skin/coordinates.hpp"
 #include "skin/mirror.hpp"
 #include "tactile_net/skin/family.hpp"
@@ -30,8 +31,7 @@ struct SkinFamily::Factors {
   /// V of each class, applied to components: coordinates.
   [[nodiscard]] Eigen::MatrixXd from_components(const Eigen::MatrixXd& components) const;
 
-  Eigen::VectorXd weights;
-  std::size_t rows = 0;  // with a weight
+  Weighting weighting;
   std::shared_ptr<const SkinCoordinates> coordinates;
   std::vector<Block> blocks{};
   std::vector<double> gamma{};  // of all blocks

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "inverse/weighting.hpp"
 #include "numeric/eigen.hpp"
 #include "skin/cell_kernel.hpp"
 #include "skin/coordinates.hpp"
@@ -125,7 +126,8 @@ SkinProblem make_problem(const SkinArray& skin, const Material& material,
                       .taxels = taxel_count(skin),
                       .components = options.components,
                       .grid = grid_of(skin, options.grid),
-                      .tangential_weight = options.tangential_weight};
+                      .tangential_weight = options.tangential_weight,
+                      .unknown_offsets = options.unknown_offsets};
   problem.area = problem.grid.area() / taxel_area(skin);
   problem.smoothing_length = options.smoothing_length.value_or(mean_depth(problem.sites));
   std::vector<bool> dead(problem.taxels);
@@ -135,7 +137,10 @@ SkinProblem make_problem(const SkinArray& skin, const Material& material,
                               : options.channel_rms.empty()
                                   ? 1.0
                                   : 1.0 / options.channel_rms[site.channel]);
-  require(independent_readings(problem) > 0, "every taxel is dead: nothing is measured");
+  require(is_measured(skin, options.dead_taxels, options.unknown_offsets),
+          options.unknown_offsets
+              ? "unknown offsets take one reading a channel: two living taxels are needed"
+              : "every taxel is dead: nothing is measured");
 
   const std::size_t rows = problem.sites.size();
   const std::size_t columns = problem.components * problem.grid.count();
@@ -149,29 +154,37 @@ SkinProblem make_problem(const SkinArray& skin, const Material& material,
   else
     add_places(kernels, problem);
   problem.kernel_error = kernel_error(kernels, problem);
+  take_offsets_out(problem);
   return problem;
 }
 
+bool is_measured(const SkinArray& skin, std::span<const std::size_t> dead_taxels,
+                 bool unknown_offsets) {
+  std::vector<bool> dead(taxel_count(skin));
+  for (const std::size_t taxel : dead_taxels) dead[taxel] = true;
+  std::vector<std::size_t> living(channel_count(skin));
+  for (const SkinSite& site : sites(skin))
+    if (!dead[site.taxel]) ++living[site.channel];
+  return *std::max_element(living.begin(), living.end()) >= (unknown_offsets ? 2 : 1);
+}
+
 void leave_out(SkinProblem& problem, std::span<const std::size_t> taxels) {
-  for (std::size_t row = 0; row < problem.sites.size(); ++row) {
-    if (std::find(taxels.begin(), taxels.end(), problem.sites[row].taxel) == taxels.end()) continue;
-    problem.weights[row] = 0.0;
-    for (std::size_t column = 0; column < problem.kernel.columns; ++column)
-      problem.kernel(row, column) *= 0.0;  // as make_problem does, sign and all
-  }
+  leave_taxels_out(problem, taxels);
 }
 
 std::vector<double> weighted(const SkinProblem& problem, std::span<const double> readings) {
   check_size(readings, problem.weights.size());
-  std::vector<double> rows(readings.size());
-  std::transform(readings.begin(), readings.end(), problem.weights.begin(), rows.begin(),
-                 [](double reading, double weight) { return weight * reading; });
-  return rows;
+  const Eigen::VectorXd rows = Weighting(problem)(readings);
+  return {rows.begin(), rows.end()};
+}
+
+std::vector<double> offsets(const SkinProblem& problem, std::span<const double> readings,
+                            std::span<const double> tractions) {
+  return offsets_of(problem, readings, tractions);
 }
 
 std::size_t independent_readings(const SkinProblem& problem) {
-  return static_cast<std::size_t>(std::count_if(problem.weights.begin(), problem.weights.end(),
-                                                [](double w) { return w != 0.0; }));
+  return static_cast<std::size_t>(Weighting(problem).rows());
 }
 
 Matrix normal_matrix(const SkinProblem& problem, double alpha) {

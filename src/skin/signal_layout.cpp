@@ -2,20 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace tactile_net {
 namespace {
 
 constexpr double reach = 1.3;  // between 1 and sqrt 2, the diagonal of a square
 
-bool side_by_side(const SkinArray& skin, const SkinSite& a, const SkinSite& b) {
-  if (is_even(skin)) {
-    // b comes later.
-    const bool next_column = b.taxel == a.taxel + 1 && b.taxel % skin.columns != 0;
-    return next_column || b.taxel == a.taxel + skin.columns;
+using Neighbours = SignalLayout::Neighbours;
+
+/// Of a channel of an even skin, by their places in it.
+std::vector<Neighbours> on_lattice(const SkinArray& skin) {
+  std::vector<Neighbours> all;
+  const std::size_t taxels = taxel_count(skin);
+  for (std::size_t i = 0; i < taxels; ++i) {
+    if ((i + 1) % skin.columns != 0) all.push_back({i, i + 1});
+    if (i + skin.columns < taxels) all.push_back({i, i + skin.columns});
   }
-  const double distance = std::hypot(a.y - b.y, a.z - b.z);
-  return distance > 0.0 && distance <= reach * skin.pitch_y;
+  return all;
+}
+
+/// Of a channel of an uneven one.
+std::vector<Neighbours> nearby(std::span<const SkinSite> sites, double pitch) {
+  std::vector<Neighbours> all;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    for (std::size_t j = i + 1; j < sites.size(); ++j) {
+      const double distance = std::hypot(sites[i].y - sites[j].y, sites[i].z - sites[j].z);
+      if (distance > 0.0 && distance <= reach * pitch) all.push_back({i, j});
+    }
+  return all;
 }
 
 }  // namespace
@@ -27,14 +42,12 @@ SignalLayout signal_layout(const SkinArray& skin) {
   std::vector<std::size_t> neighbours(all.size());
   for (const SkinChannel& channel : channels(skin)) {
     layout.channels.push_back({channel.quantity, channel.first, channel.count});
-    const std::size_t end = channel.first + channel.count;
-    for (std::size_t i = channel.first; i < end; ++i)
-      for (std::size_t j = i + 1; j < end; ++j) {
-        if (!side_by_side(skin, all[i], all[j])) continue;
-        layout.neighbours.push_back({i, j});
-        ++neighbours[i];
-        ++neighbours[j];
-      }
+    const auto own = std::span(all).subspan(channel.first, channel.count);
+    for (const auto& [i, j] : is_even(skin) ? on_lattice(skin) : nearby(own, skin.pitch_y)) {
+      layout.neighbours.push_back({channel.first + i, channel.first + j});
+      ++neighbours[channel.first + i];
+      ++neighbours[channel.first + j];
+    }
   }
   for (const SkinSite& site : all)
     layout.readings.push_back({site.quantity, site.taxel, site.channel});

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "numeric/real_fft.hpp"
-#include "numeric/require.hpp"
 #include "skin/cell_kernel.hpp"
 
 namespace tactile_net {
@@ -86,8 +85,7 @@ struct SpectralSkinModel::Plan {
 
 SpectralSkinModel::SpectralSkinModel(const SkinArray& skin, const Material& material,
                                      const SkinGrid& grid, std::size_t components) {
-  require(components == 1 || components == 3, "components", "be 1 or 3", components);
-  check_sampled(skin, material, grid, std::vector<double>(components * grid.count()));
+  check_sampled(skin, material, components);
   if (!is_lattice(skin, grid))
     throw std::invalid_argument(
         "the taxels must lie on the lattice of the grid's cells for an FFT: use sampled_readings");
@@ -99,9 +97,7 @@ SpectralSkinModel::SpectralSkinModel(SpectralSkinModel&&) noexcept = default;
 SpectralSkinModel& SpectralSkinModel::operator=(SpectralSkinModel&&) noexcept = default;
 
 std::vector<double> SpectralSkinModel::readings(std::span<const double> tractions) {
-  const std::size_t count = plan_->components * plan_->grid.count();
-  require(tractions.size() == count, "tractions",
-          "hold one value for each cell and component, " + std::to_string(count), tractions.size());
+  check_tractions(plan_->grid, plan_->components, tractions);
   return plan_->readings(tractions);
 }
 

@@ -1,6 +1,9 @@
 // Skins on the command line: run, simulate, solve; and who does not know them says so.
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tactile_net/realtime/load_plan.hpp"
 #include "tests/catch.hpp"
@@ -113,6 +116,132 @@ TEST_CASE("what simulate records of a skin, solve finds as run does", "[cli][ski
                                ContainsSubstring("(frames, 5, 4, 3)") &&
                                ContainsSubstring("swapaxes"));
   }
+}
+
+TEST_CASE("simulate and run of a skin go through its effects", "[cli][skin]") {
+  const Folder folder;
+  const std::string path =
+      folder.write("skin.toml", skin +
+                                    "[saturation]\nrange = [-1, 1]\n[stuck_taxels]\n"
+                                    "indices = [[2, 1], \"4_3\"]\nvalues = [0.5, 0.25]\n");
+  const ProcessResult simulated =
+      tool({"simulate", path, "-o", folder / "g.csv", "--json", folder / "s"});
+  CAPTURE(simulated.errors);
+  REQUIRE(simulated.code == 0);
+  CHECK_THAT(simulated.errors, ContainsSubstring("saturation cuts readings off in 1 of 1 frames"));
+  const std::string csv = read_text(folder / "g.csv");
+  const std::vector<double> readings = numbers(csv.substr(csv.find('\n') + 1));
+  CHECK(*std::max_element(readings.begin(), readings.end()) == 1.0);
+  CHECK(readings[9] == 0.5);
+  CHECK(readings[59] == 0.25);
+  const Json json = Json::parse(read_text(folder / "s"));
+  CHECK(json["effects"]["simulated"] == Json{"friction", "noise", "saturation", "stuck_taxels"});
+  CHECK(json["effects"]["absent"].size() == 12);
+  CHECK(json["frames_cut_off"]["saturation"] == 1);
+  const ProcessResult run = tool({"run", path});
+  CHECK_THAT(run.output, ContainsSubstring("saturation"));
+}
+
+TEST_CASE("solve of a skin: what --missing says becomes of frames", "[cli][skin]") {
+  const Folder folder;
+  const std::string path = folder.write("skin.toml", skin);
+  REQUIRE(tool({"simulate", path, "-q", "-o", folder / "g.csv"}).code == 0);
+  const std::string csv = read_text(folder / "g.csv");
+  const std::string head = csv.substr(0, csv.find('\n') + 1);
+  const std::string row = csv.substr(head.size());
+  const std::string gap = row.substr(row.find(','));  // the first is missing
+  folder.write("gap.csv", head + row + gap + row);
+  const auto solve = [&](const std::string& missing) {
+    return tool({"solve", path, "--readings", folder / "gap.csv", "--missing", missing, "-o",
+                 folder / "t.csv", "--uncertainty", folder / "u.csv", "--json", folder / "s",
+                 "--out", folder / missing});
+  };
+  const ProcessResult failed = solve("fail");
+  CHECK(failed.code == 2);
+  CHECK_THAT(failed.errors, ContainsSubstring("gap.csv:3:") && ContainsSubstring("--missing") &&
+                                ContainsSubstring("1 frame before it was written to"));
+  CHECK_FALSE(std::filesystem::exists(folder / "t.csv"));
+
+  const ProcessResult skipped = solve("skip");
+  CAPTURE(skipped.errors);
+  REQUIRE(skipped.code == 0);
+  CHECK_THAT(skipped.errors, ContainsSubstring("1 of 3 frames miss readings, and their rows are "
+                                               "empty: frame 1"));
+  Json json = Json::parse(read_text(folder / "s"));
+  CHECK(json["frames"][1]["verdict"] == "failed");
+  CHECK(json["frames"][1]["resultant"].is_null());
+  CHECK(json["frames"][2]["resultant"] == json["frames"][0]["resultant"]);
+  const std::string rows = read_text(folder / "t.csv");
+  CHECK(std::count(rows.begin(), rows.end(), '\n') == 4);
+
+  const ProcessResult estimated = solve("estimate");
+  CAPTURE(estimated.errors);
+  REQUIRE(estimated.code == 0);
+  CHECK_THAT(estimated.errors, ContainsSubstring("solved from the other taxels: frame 1"));
+  json = Json::parse(read_text(folder / "s"));
+  const double whole = json["frames"][0]["resultant"]["normal"]["value"];
+  CHECK_THAT(json["frames"][1]["resultant"]["normal"]["value"].get<double>(),
+             WithinRel(whole, 0.1));
+  CHECK(json["frames"][1]["resultant"] != json["frames"][0]["resultant"]);
+
+  folder.write("none.csv", head);
+  const ProcessResult empty = tool({"solve", path, "--readings", folder / "none.csv", "-o",
+                                    folder / "e.csv", "--out", folder / "empty"});
+  CAPTURE(empty.errors);
+  CHECK(empty.code == 0);  // as of a line
+  CHECK_THAT(empty.errors, ContainsSubstring("0 frames: the recording holds none"));
+  CHECK_THAT(read_text(folder / "empty/report.html"), ContainsSubstring("holds no frame"));
+}
+
+TEST_CASE("solve of a skin: neighbours share an alpha, and offsets are found", "[cli][skin]") {
+  const Folder folder;
+  std::string text = skin;
+  const std::string ruled = text.replace(text.find("alpha = 1e-4"), 12, "alpha = \"aicc\"");
+  const std::string path = folder.write("skin.toml", ruled + "offset = true\n");
+  REQUIRE(tool({"simulate", path, "-q", "-o", folder / "g.csv"}).code == 0);
+  const ProcessResult solved = tool({"solve", path, "--readings", folder / "g.csv", "-q", "-o",
+                                     folder / "t.csv", "--share-alpha", "3"});
+  CAPTURE(solved.errors);
+  CHECK(solved.code == 0);
+  CHECK_THAT(tool({"run", path}).output, ContainsSubstring("an offset that is not known"));
+  CHECK_THAT(tool({"solve", path, "--readings", folder / "g.csv", "--share-alpha", "0"}).errors,
+             ContainsSubstring("at least 1 frame"));
+  const std::string given = folder.write("given.toml", skin);
+  CHECK_THAT(tool({"solve", given, "--readings", folder / "g.csv", "--share-alpha", "3"}).errors,
+             ContainsSubstring("needs an alpha that a rule chooses"));
+}
+
+TEST_CASE("readings and alphas that no double can take are refused", "[cli][skin]") {
+  const Folder folder;
+  std::string rough = skin;
+  rough.replace(rough.find("alpha = 1e-4"), 12, "alpha = 1e-10");
+  const std::string path = folder.write("skin.toml", rough);
+  REQUIRE(tool({"simulate", path, "-q", "-o", folder / "g.csv"}).code == 0);
+  const std::string csv = read_text(folder / "g.csv");
+  const std::string head = csv.substr(0, csv.find('\n') + 1);
+  std::string huge = "9e304";
+  for (int i = 1; i < 60; ++i) huge += i % 2 == 0 ? ",9e304" : ",-9e304";
+  folder.write("huge.csv", head + huge + "\n");
+  const ProcessResult refused = tool({"solve", path, "--readings", folder / "huge.csv", "-q"});
+  CHECK(refused.code == 2);
+  CHECK_THAT(refused.errors, ContainsSubstring("huge.csv") && ContainsSubstring("overflow"));
+  std::string small = skin;
+  small.replace(small.find("alpha = 1e-4"), 12, "alpha = 1e-300");
+  const ProcessResult deficient = tool({"run", folder.write("small.toml", small)});
+  CHECK(deficient.code == 1);
+  CHECK_THAT(deficient.output + deficient.errors, ContainsSubstring("raise alpha"));
+}
+
+TEST_CASE("a skin's sketch, its spacing and a single taxel are said as they are", "[cli][skin]") {
+  const Folder folder;
+  const std::string path = folder.write("skin.toml", skin + "spacing = 0.45\n");
+  REQUIRE(tool({"simulate", path, "-q", "-o", folder / "g.csv"}).code == 0);
+  CHECK_THAT(tool({"init", "--from-csv", folder / "g.csv"}).errors,
+             ContainsSubstring("is of a skin") && ContainsSubstring("scenes/skins"));
+  CHECK_THAT(tool({"run", path}).output, ContainsSubstring("spacing = 450 µm was asked"));
+  std::string one = skin;
+  one.replace(one.find("rows = 5\ncolumns = 4"), 20, "rows = 1\ncolumns = 1");
+  CHECK_THAT(tool({"run", folder.write("one.toml", one)}).output, ContainsSubstring(" 1 taxel, "));
 }
 
 TEST_CASE("readings whose names are no taxels are refused", "[cli][skin]") {

@@ -80,7 +80,9 @@ TEST_CASE("counts give the tractions of the readings that they were made of",
 
 TEST_CASE("a controller finds in counts what solve finds in readings", "[lab][units]") {
   Scene raw = read_scene(counts + ".toml");
-  raw.quantization = Converter{.bits = 12, .low = -20e3, .high = 30e3};
+  raw.quantization = Quantization{.bits = 12};
+  for (const Quantity quantity : raw.sensor.reads)
+    raw.quantization->range[quantity] = {-20e3, 30e3};
   const SceneProblem problem(raw);
   const PlannedController planned = plan_controller(problem, {.value = 1e-8}, {.accuracy = 1e-10});
   CHECK_FALSE(planned.needs_baseline);

@@ -92,8 +92,8 @@ TEST_CASE("every table of the format arrives in the scene", "[scene]") {
   CHECK_FALSE(scene.noise->weights_rows);
   REQUIRE(scene.quantization.has_value());
   CHECK(scene.quantization->bits == 12);
-  CHECK(scene.quantization->low == -1.0);
-  CHECK(scene.quantization->high == 1.0);
+  CHECK(scene.quantization->range.at(Quantity::strain_x).low == -1.0);
+  CHECK(scene.quantization->range.at(Quantity::strain_x).high == 1.0);
   CHECK(scene.dead_taxels == std::vector<std::size_t>{1});
   CHECK(scene.forward == ForwardModel::exact);
   CHECK(scene.reconstruct.methods == std::vector{Method::dft, Method::tikhonov});

@@ -214,4 +214,8 @@ TEST_CASE("one range for strains and stresses has no unit", "[scene][units]") {
   CHECK(refusal(text + "[units]\nlength = \"mm\"\n") == "accepted");
   CHECK_THAT(refusal(text + "[units]\nstress = \"kPa\"\n"),
              ContainsSubstring("quantization.range is of strains and of stresses"));
+  text.replace(text.find("[-1.0, 1.0]"), 11, "{ stress_x = [-50, 50], strain_x = [-1, 1] }");
+  const Scene scene = parse_scene(text + "[units]\nstress = \"kPa\"\n", "scene.toml");
+  CHECK(scene.quantization->range.at(Quantity::stress_x).high == 50e3);
+  CHECK(scene.quantization->range.at(Quantity::strain_x).high == 1.0);
 }

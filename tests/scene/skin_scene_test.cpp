@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tactile_net/scene/reader.hpp"
+#include "tactile_net/scene/scene_template.hpp"
 #include "tests/catch.hpp"
 
 using namespace tactile_net;
@@ -175,6 +176,34 @@ TEST_CASE("who knows lines alone says so of a skin, once", "[scene]") {
   }
 }
 
+TEST_CASE("a study of a skin is refused with one problem", "[scene]") {
+  const SceneTemplate base{std::string(good), "skin.toml"};
+  try {
+    (void)base.with({});
+    FAIL("a skin is taken for a line");
+  } catch (const InputError& error) {
+    REQUIRE(error.diagnostics().size() == 1);
+    CHECK(error.diagnostics()[0].line == 6);
+  }
+}
+
+TEST_CASE("a skin whose file of taxels is not in order is no line", "[scene]") {
+  // The header names no z, or another: what else the scene says tells.
+  const std::string toml =
+      "[units]\nlength = \"mm\"\nstress = \"kPa\"\nforce = \"N\"\n[sensor]\n"
+      "taxels = \"nobody.csv\"\nreads = [\"stress_x\"]\ndepth = 1.0\n"
+      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n";
+  for (const char* more : {"",
+                           "[[contact]]\nshape = \"sphere\"\nradius = 1.0\nforce = 1.0\n"
+                           "place = [0.0, 0.0]\n"}) {
+    const auto problems = problems_of(toml + more);
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].line == 6);
+    CHECK_THAT(problems[0].message, ContainsSubstring("a file that is not in order"));
+    CHECK_THAT(problems[0].hint, ContainsSubstring("name,y,z,depth,reads"));
+  }
+}
+
 TEST_CASE("what is wrong with a skin's scene is said at its place", "[scene]") {
   CHECK(problems_of(std::string(good)).empty());
   check_each({
@@ -187,18 +216,51 @@ TEST_CASE("what is wrong with a skin's scene is said at its place", "[scene]") {
       {"shape = \"ellipsoid\"", "shape = \"cylinder\"", "20:9", "unknown shape"},
       {"radii = [2.0, 1.0]", "radii = [2.0, -1.0]", "22:15", "must be > 0"},
       {"stick = 0.5", "stick = 1.0", "26:9", "must be >= 0 and < 1"},
-      {"place = [1.5, 0.5]", "place = [15.0, 0.5]", "28:47", "beside the skin"},
+      {"place = [1.5, 0.5]", "place = [15.0, 0.5]", "28:60", "trajectory.place puts the contact"},
+      {"radii = [2.0, 1.0]", "", "28:15", "contact.trajectory.radii is missing"},
+      {"normal = [[0.0, 1.0], [2.0, 3.0]]", "normal = []", "32:10", "at least one row"},
+      {"normal = [[0.0, 1.0], [2.0, 3.0]]", "normal = [1, 2]", "32:10", "must be a list of rows"},
+      {"rows = 3", "rows = 2000", "7:8", "makes 8000 taxels, more than 4096"},
       {"t = 0.2,", "t = 0.0,", "28:47", "must be later than the knot before"},
       {"[2.0, 3.0]]", "[2.0]]", "32:23", "as many numbers as the first row"},
       {", shear_xz = 0.05", "", "34:7", "noise.rms.shear_xz is missing"},
       {"indices = [5]", "indices = [12]", "36:12", "must be from 0 to 11"},
       {"indices = [5]", "indices = [5, 5]", "36:15", "names a taxel twice"},
       {"methods = [\"tikhonov\"]", "methods = [\"dft\"]", "40:12", "unknown method of skins"},
-      {"spacing = 1.0\nmargin", "spacing = 1e-4\nmargin", "43:11", ""},
+      {"spacing = 1.0\nmargin", "spacing = 1e-300\nmargin", "43:11", "too many cells"},
       {"spacing = 1.0\nmargin", "spacing = 0.1\nmargin", "43:11", "unknown tractions, more than"},
-      {"margin = 2.0", "margin = 2.0\noffset = true", "45:10", "is not estimated for skins yet"},
+      {"margin = 2.0", "margin = 2.0\nnonnegative = false", "45:15", "which friction_limit does"},
+      {"margin = 2.0", "margin = 2.0\noffset = 1", "45:10", "must be true or false"},
+      {"margin = 2.0", "margin = 2.0\nsurface = \"grid\"", "45:11", "has one kind for skins"},
       {"[dead_taxels]", "[network]\n[dead_taxels]", "35:1", "is a circuit"},
   });
+}
+
+TEST_CASE("too many cells are refused with what would make fewer", "[scene]") {
+  const auto hint = [](std::string_view from, std::string_view to) {
+    std::string toml(good);
+    toml.replace(toml.find(from), from.size(), to);
+    const auto problems = problems_of(toml);
+    CAPTURE(InputError{problems}.what());
+    REQUIRE(problems.size() == 1);
+    // What is advised makes a scene.
+    const std::string& advice = problems[0].hint;
+    return advice;
+  };
+  CHECK_THAT(hint("margin = 2.0", "margin = 1e9"),
+             ContainsSubstring("reconstruct.margin is left out: the depth, which makes"));
+  CHECK_THAT(hint("spacing = 1.0\nmargin", "spacing = 1e-300\nmargin"),
+             ContainsSubstring("reconstruct.spacing is left out"));
+  // Half of so small a depth: the depth is named, and a spacing that will do.
+  std::string toml(good);
+  toml.replace(toml.find("depth = 2.0"), 11, "depth = 1e-6");
+  toml.replace(toml.find("spacing = 1.0\nmargin = 2.0\n"), 27, "");
+  const auto problems = problems_of(toml);
+  REQUIRE(problems.size() == 1);
+  CHECK(problems[0].line == 10);
+  const std::string& advice = problems[0].hint;
+  REQUIRE(advice.starts_with("reconstruct.spacing = "));
+  CHECK(problems_of(toml + advice.substr(12, advice.find(',') - 12) + "\n").empty());
 }
 
 TEST_CASE("displacements along a surface that slips are refused with what to do", "[scene]") {
@@ -216,8 +278,11 @@ TEST_CASE("a file of taxels that is not in order is said with its line", "[scene
   const auto problem = [](const std::string& csv) { return TaxelFile(csv).problem(); };
   const std::string head = "name,y,z,depth,reads\n";
   CHECK_THAT(problem(head + "a,0,0,1,stress_x\nb,0,0,1,stress_x\n"),
-             ContainsSubstring("palm.toml:2:10") && ContainsSubstring("is no skin"));
-  CHECK_THAT(problem(head + "a,0,0,1,stress_x\na,1,0,1,stress_x\n"), ContainsSubstring("a"));
+             ContainsSubstring("palm.toml:2:10") &&
+                 ContainsSubstring("line 3: the taxel is at the place of that in line 2"));
+  CHECK_THAT(problem(head + "a,0,0,1,stress_x\na,1,0,1,stress_x\n"),
+             ContainsSubstring("line 3: the name is that of the taxel in line 2 too"));
+  CHECK_THAT(problem("name,y,z,depth,reads\na,0,0,1\n"), ContainsSubstring("line 2: it has 4"));
   CHECK_THAT(problem(head + "a,0,nan,1,stress_x\n"),
              ContainsSubstring("line 2: z is not a finite number"));
   CHECK_THAT(problem(head + "a,0,0,-1,stress_x\n"), ContainsSubstring("line 2: depth is not > 0"));

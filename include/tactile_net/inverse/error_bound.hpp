@@ -2,6 +2,7 @@
 /// What rounding can have done to a reconstruction: a bound of its forward error.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "tactile_net/inverse/problem.hpp"
@@ -22,6 +23,12 @@ namespace tactile_net {
 [[nodiscard]] double wedin_bound(double condition, double matrix_norm, double right_norm,
                                  double residual_norm, double solution_norm,
                                  double perturbation) noexcept;
+
+/// @param condition  of a stacked matrix
+/// @param rows       of it
+/// @throw std::domain_error  double precision cannot tell its columns apart: condition is not below
+///                           1 / (epsilon rows)
+void require_full_rank(double condition, std::size_t rows);
 
 /// That bound for the stacked problem [W K; sqrt(alpha) L] f = [W g; 0], with the error of the
 /// kernel's entries and of a QR of that size (sqrt(rows) units of rounding) as the perturbation. It

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -31,11 +30,9 @@ enum class Missing {
 /// Solves each frame from the taxels whose readings are all there: a taxel that misses one is dead
 /// in that frame, with all its channels, and the answer is that of the scene with these taxels
 /// under [dead_taxels] too. What a pattern of missing taxels needs is made once and kept, in
-/// `most_bytes` for all patterns, the latest ones first. Not thread-safe.
+/// 64 MiB for all patterns, the latest ones first. Not thread-safe.
 class IncompleteFrames {
  public:
-  static constexpr std::size_t most_bytes = std::size_t{64} << 20;
-
   /// @throw std::invalid_argument  as `make_solver`; the method takes a dead taxel for a living one
   IncompleteFrames(SceneProblem problem, Method method);
   ~IncompleteFrames();
@@ -51,19 +48,17 @@ class IncompleteFrames {
   /// The problem that the last frame was solved with.
   [[nodiscard]] const SceneProblem& problem() const noexcept;
   /// How many patterns are kept.
-  [[nodiscard]] std::size_t kept() const noexcept { return patterns_.size(); }
+  [[nodiscard]] std::size_t kept() const noexcept;
   /// And how many may be.
-  [[nodiscard]] std::size_t most_kept() const noexcept { return most_kept_; }
+  [[nodiscard]] std::size_t most_kept() const noexcept;
 
  private:
   struct Pattern;
-  Pattern& pattern(const std::vector<std::size_t>& taxels);
+  struct Patterns;
 
   SceneProblem problem_;
   Method method_;
-  std::size_t most_kept_;
-  std::size_t uses_ = 0;
-  std::map<std::vector<std::size_t>, std::unique_ptr<Pattern>> patterns_;  // by the dead taxels
+  std::unique_ptr<Patterns> patterns_;
   const Pattern* last_ = nullptr;
 };
 

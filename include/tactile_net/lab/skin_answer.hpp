@@ -2,8 +2,10 @@
 /// One frame of a skin's readings, turned into tractions and judged.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "tactile_net/inverse/uncertainty.hpp"
@@ -30,13 +32,27 @@ struct SkinAnswer {
   std::optional<SkinFriction> friction{};   ///< absent with one component, or where nothing touches
   std::optional<ContactEllipse> ellipse{};  ///< of the strongest contact, by Hertz' law
   std::size_t contacts = 0;                 ///< that lie apart
+  std::vector<double> offsets{};            ///< of each channel [its unit]; none: they are known
   Remarks remarks{};
 };
 
+/// A frame's tractions overflow a double.
+class FrameOverflow : public std::domain_error {
+ public:
+  FrameOverflow() : domain_error("the frame's tractions overflow a double; scale the readings") {}
+};
+
+/// What chooses a frame's alpha, before constraints.
+using SkinAlphaChooser = std::function<AlphaChoice(const FilterFrame& frame)>;
+
+/// @param choose  absent: the scene's alpha or rule, of this frame alone
 /// @throw std::invalid_argument  readings have the wrong size or are not finite, or the scene
 ///                               cannot be solved: as `make_problem`
-/// @throw std::domain_error      the tractions overflow a double
-[[nodiscard]] SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings);
+/// @throw FrameOverflow          the tractions overflow a double
+/// @throw std::domain_error      alpha is so small that double precision cannot tell the tractions
+///                               apart
+[[nodiscard]] SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
+                               const SkinAlphaChooser& choose = {});
 
 /// Of one component, of values as the answer has them; empty where it was not solved for.
 [[nodiscard]] std::span<const double> component(std::span<const double> values,

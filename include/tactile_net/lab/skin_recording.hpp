@@ -16,7 +16,8 @@ namespace tactile_net::lab {
 struct SkinRecordingAnswer {
   /// What is kept of every frame.
   struct Frame {
-    std::string time{};  ///< as the file has it; empty: it has none
+    std::string time{};    ///< as the file has it; empty: it has none
+    bool missing = false;  ///< readings are, and there is no answer: what follows holds nothing
     Verdict verdict = Verdict::ok;
     ChosenAlpha alpha{};
     UncertainWrench wrench{};
@@ -39,10 +40,12 @@ struct SkinRecordingAnswer {
   std::vector<Shown> shown{};          ///< in the order of time, at most `most_shown`
   std::size_t hardest = 0;             ///< the frame with the largest normal force
   std::vector<double> readings{};      ///< of that one
-  std::optional<SkinAnswer> answer{};  ///< of that one; absent: there is no frame
+  std::optional<SkinAnswer> answer{};  ///< of that one; absent: none has one
 
   /// Memory grows by what is kept of a frame alone.
   void add(std::string time, std::span<const double> frame_readings, const SkinAnswer& found);
+  /// A frame without an answer.
+  void skip(std::string time);
 };
 
 }  // namespace tactile_net::lab

@@ -7,10 +7,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tactile_net/lab/frame_runs.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/skin_simulation.hpp"
 
 namespace tactile_net::lab {
 
@@ -43,7 +45,11 @@ struct RecordedFrames {
   std::map<std::string, std::size_t, std::less<>> cut_off{};
 
   /// Counts the frame that the recording has just taken.
-  void add(const SensorRecording& recording);
+  void add(const SensorRecording& recording) { add(recording.notes()); }
+  void add(const SkinRecording& recording) { add(recording.notes()); }
+
+ private:
+  void add(const std::vector<CutOffNote>& notes);
 };
 
 }  // namespace tactile_net::lab

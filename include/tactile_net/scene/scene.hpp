@@ -15,23 +15,11 @@
 #include "tactile_net/network/circuit.hpp"
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/network/tolerance.hpp"
+#include "tactile_net/scene/sensor_effects.hpp"
 #include "tactile_net/scene/timing.hpp"
 #include "tactile_net/scene/units.hpp"
 #include "tactile_net/sensing/array.hpp"
 #include "tactile_net/sensing/calibration.hpp"
-#include "tactile_net/sensing/effects/broken_taxels.hpp"
-#include "tactile_net/sensing/effects/crosstalk.hpp"
-#include "tactile_net/sensing/effects/gain_error.hpp"
-#include "tactile_net/sensing/effects/hysteresis.hpp"
-#include "tactile_net/sensing/effects/low_pass.hpp"
-#include "tactile_net/sensing/effects/noise.hpp"
-#include "tactile_net/sensing/effects/offset_error.hpp"
-#include "tactile_net/sensing/effects/quantization.hpp"
-#include "tactile_net/sensing/effects/sampling.hpp"
-#include "tactile_net/sensing/effects/saturation.hpp"
-#include "tactile_net/sensing/effects/taxel_noise.hpp"
-#include "tactile_net/sensing/effects/temperature.hpp"
-#include "tactile_net/sensing/effects/viscoelasticity.hpp"
 #include "tactile_net/sensing/moving_contact.hpp"
 #include "tactile_net/sensing/signal_path.hpp"
 #include "tactile_net/sensing/surface.hpp"
@@ -76,7 +64,8 @@ struct NetworkOptions {
   std::optional<double> settling_accuracy{};    ///< absent: only the operating point
 };
 
-struct Scene {
+/// `SensorEffects` lie between the pad and the file.
+struct Scene : SensorEffects {
   std::string file;   ///< name of the file, without its folder
   std::string title;  ///< optional `title` at the top of the file
   /// Present: every number below is in SI, whatever the file has. Absent: any consistent set, as
@@ -91,21 +80,6 @@ struct Scene {
   std::size_t frame = 0;  ///< that `run` reconstructs: the reader sets the last, `at_frame` another
   std::vector<Contact> contacts;                ///< as they are at that frame
   std::vector<ContactTrajectory> trajectories;  ///< one per contact, empty where it stands still
-  // Effects between the pad and the file; src/scene/scene_effects.cpp has their order.
-  std::optional<Viscoelasticity> viscoelasticity;
-  std::optional<Hysteresis> hysteresis;
-  std::optional<Crosstalk> crosstalk;
-  std::optional<GainError> gain_error;
-  std::optional<OffsetError> offset_error;
-  std::optional<TemperatureDrift> temperature;
-  std::optional<LowPass> low_pass;
-  std::optional<Sampling> sampling;
-  std::optional<NoiseModel> noise;
-  std::optional<TaxelNoise> taxel_noise;
-  std::optional<Saturation> saturation;
-  std::optional<Converter> quantization;
-  std::optional<StuckTaxels> stuck_taxels;
-  std::vector<std::size_t> dead_taxels;
   ForwardModel forward = ForwardModel::exact;
   ReconstructOptions reconstruct;
   NetworkOptions network;

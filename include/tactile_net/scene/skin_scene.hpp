@@ -4,8 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,16 +30,11 @@ struct SkinReconstructOptions {
   std::optional<bool> tangential{};          ///< solve for the drags too; absent: see `components`
   bool nonnegative = false;                  ///< p >= 0
   std::optional<double> friction_limit{};    ///< |q| <= limit p; implies p >= 0
+  bool offset = false;  ///< each channel's readings have a constant that is not known
 };
 
-/// White noise of every reading.
-struct SkinNoise {
-  std::map<SkinQuantity, double> rms{};  ///< of every quantity read [its unit], >= 0
-  bool weights_rows = false;  ///< `rms` was given as a table: each reading is divided by it
-  std::uint64_t seed = 1;
-};
-
-struct SkinScene {
+/// `SensorEffects` lie between the pad and the file.
+struct SkinScene : SensorEffects {
   std::string file{};   ///< name of the file, without its folder
   std::string title{};  ///< optional `title` at the top of the file
   /// Present: every number below is in SI, whatever the file has; its force is in newtons. Absent:
@@ -53,8 +46,6 @@ struct SkinScene {
   std::size_t frame = 0;             ///< that `run` reconstructs: the reader sets the last
   std::vector<SkinLoad> contacts{};  ///< as they are at that frame
   std::vector<SkinContactTrajectory> trajectories{};  ///< one per contact, empty where it stands
-  std::optional<SkinNoise> noise{};
-  std::vector<std::size_t> dead_taxels{};  ///< they read 0, and nothing is asked of them
   ForwardModel forward = ForwardModel::exact;
   SkinReconstructOptions reconstruct{};
 };
@@ -70,6 +61,15 @@ struct SkinScene {
 
 /// Tractions that a skin is solved for, at most: their matrices are dense.
 inline constexpr std::size_t most_skin_tractions = 8192;
+
+/// A contact drags at any time.
+[[nodiscard]] bool any_drag(const SkinScene& scene);
+
+/// The stages that the scene's effects put between the pad and the file, at rest.
+[[nodiscard]] SignalPath signal_path(const SkinScene& scene);
+
+/// As of a line's scene: the moments at which the sensor is gone through up to the scene's frame.
+[[nodiscard]] std::vector<Instant> instants(const SkinScene& scene);
 
 /// Every contact at time t [s], those that stand still as they are.
 [[nodiscard]] std::vector<SkinLoad> contacts_at(const SkinScene& scene, double t);

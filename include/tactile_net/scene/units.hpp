@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "tactile_net/elasticity/space/skin_quantity.hpp"
+
 namespace tactile_net {
 
 /// What a number of a scene measures.
@@ -52,5 +54,11 @@ struct Units {
   Unit stress{.name = "Pa"};   ///< of readings, their noise, and tractions
   Unit force{.name = "N/m"};   ///< of contacts' loads; on a skin N
 };
+
+/// What readings of a kind measure: stresses a stress, strains nothing, displacements a length.
+[[nodiscard]] Dimension dimension_of(QuantityKind kind) noexcept;
+
+/// The unit of readings of that kind.
+[[nodiscard]] Unit unit_of(const Units& units, QuantityKind kind) noexcept;
 
 }  // namespace tactile_net

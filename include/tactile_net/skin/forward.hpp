@@ -76,11 +76,35 @@ class ExactSkinModel {
 [[nodiscard]] std::vector<double> exact_readings(const SkinArray& skin, const Material& material,
                                                  std::span<const SkinLoad> loads);
 
-/// What the cells of a grid cause, K times their tractions, by the sum itself: readings x cells.
+/// What the cells of a grid cause, K times their tractions, by the sum itself: kernels are computed
+/// once, frames cost their products.
+///
+///     const SampledSkinModel model(skin, silicone, grid, 3);
+///     model.readings(cell_means(loads, grid));
+class SampledSkinModel {
+ public:
+  /// @param components  1: normal tractions alone; 3: all of them
+  /// @throw std::invalid_argument  the skin or the material is out of range, a reading has no value
+  ///                               under one of the components (`check_quantity`), or taxels beside
+  ///                               the grid's lattice take more than `most_kernel_entries` numbers
+  SampledSkinModel(const SkinArray& skin, const Material& material, const SkinGrid& grid,
+                   std::size_t components);
+
+  /// Of all taxels, channel after channel. Const and without state: threads may share a model.
+  ///
+  /// @param tractions  grid.count() values of each component
+  /// @throw std::invalid_argument  they are not as many
+  [[nodiscard]] std::vector<double> readings(std::span<const double> tractions) const;
+
+ private:
+  struct Kernels;
+  std::shared_ptr<const Kernels> kernels_;
+};
+
+/// As `SampledSkinModel`, once.
 ///
 /// @param tractions  grid.count() values of each component: one component, normal, or all three
-/// @throw std::invalid_argument  the skin or the material is out of range, the tractions do not fit
-///                               the grid, or a reading has no value under them (`check_quantity`)
+/// @throw std::invalid_argument  as `SampledSkinModel`
 [[nodiscard]] std::vector<double> sampled_readings(const SkinArray& skin, const Material& material,
                                                    const SkinGrid& grid,
                                                    std::span<const double> tractions);

@@ -3,13 +3,14 @@
 ///
 /// Minimised is, as in inverse/problem.hpp but in two dimensions,
 ///
-///     |W (K f - g)|^2 + alpha A/P sum_u w_u^2 sum_cells (f_u^2 + l^2 |grad f_u|^2)
+///     |P W (K f - g)|^2 + alpha A/P sum_u w_u^2 sum_cells (f_u^2 + l^2 |grad f_u|^2)
 ///
-/// with differences between neighbouring cells over their distance for the gradient, none beyond
-/// the grid's ends (Neumann), l = smoothing length, A = area of a cell, P = area of a taxel; w = 1
-/// for the normal traction, w = tangential_weight for the tangential ones. The sums are integrals,
-/// and A/P weighs them as integrals: neither alpha nor the tractions nor their bands follow the
-/// grid's spacing.
+/// P = 1, or where each channel's readings have a constant that is not known, what takes that out
+/// of them, as on lines. With differences between neighbouring cells over their distance for the
+/// gradient, none beyond the grid's ends (Neumann), l = smoothing length, A = area of a cell, P =
+/// area of a taxel; w = 1 for the normal traction, w = tangential_weight for the tangential ones.
+/// The sums are integrals, and A/P weighs them as integrals: neither alpha nor the tractions nor
+/// their bands follow the grid's spacing.
 ///
 ///     const SkinArray skin{.rows = 16, .columns = 16, .pitch_y = 2e-3, .pitch_z = 2e-3,
 ///                          .depths = {3e-3}, .reads = reads};
@@ -33,7 +34,7 @@
 namespace tactile_net {
 
 struct SkinProblem {
-  Matrix kernel{};                ///< W K, readings x (components x cells)
+  Matrix kernel{};  ///< W K, readings x (components x cells); P W K where offsets are unknown
   std::vector<double> weights{};  ///< diagonal of W, one per row; 0 for a dead taxel
   std::vector<SkinSite> sites{};  ///< where each row's reading is taken
   std::size_t taxels = 0;
@@ -43,6 +44,9 @@ struct SkinProblem {
   double smoothing_length = 0.0;   ///< l [m], >= 0
   double tangential_weight = 1.0;  ///< w of the tangential tractions, > 0
   double kernel_error = 0.0;       ///< how far rounding may have moved the kernel, in the 2-norm
+  bool unknown_offsets = false;    ///< P is not 1
+  /// What P takes from W K, channels x columns: along W 1 of each channel, over its 2-norm.
+  Matrix constants{};
 };
 
 struct SkinProblemOptions {
@@ -52,7 +56,13 @@ struct SkinProblemOptions {
   std::vector<double> channel_rms{};         ///< noise of each channel; empty: rows not weighted
   std::vector<std::size_t> dead_taxels{};    ///< indices < taxel_count; their rows get weight 0
   SkinGridOptions grid{};
+  bool unknown_offsets = false;  ///< each channel's readings have a constant that is not known
 };
+
+/// Whether anything is left to go by: a living taxel, or where offsets are unknown two of one
+/// channel.
+[[nodiscard]] bool is_measured(const SkinArray& skin, std::span<const std::size_t> dead_taxels,
+                               bool unknown_offsets);
 
 /// Numbers of K, at most: 1 GB.
 inline constexpr std::size_t most_kernel_entries = std::size_t{1} << 27;
@@ -67,7 +77,9 @@ void check(const SkinArray& skin, const Material& material, const SkinProblemOpt
 /// Readings that cannot tell the tractions apart (observability.hpp) still have an answer for
 /// alpha > 0, the smallest that explains them.
 ///
-/// @throw std::invalid_argument  skin, material or an option is out of range; every taxel is dead;
+/// @throw std::invalid_argument  skin, material or an option is out of range; every taxel is dead,
+/// or unknown
+///                               offsets leave nothing;
 ///                               stresses, strains and displacements are mixed without
 ///                               `channel_rms`; a displacement along the surface in a layer that
 ///                               slips, with tangential tractions as unknowns; more than
@@ -78,11 +90,19 @@ void check(const SkinArray& skin, const Material& material, const SkinProblemOpt
 /// Leaves these taxels out, as if they had been dead when the problem was made.
 void leave_out(SkinProblem& problem, std::span<const std::size_t> taxels);
 
-/// W g: what W K f stands beside. @throw std::invalid_argument  readings have the wrong size
+/// P W g: what the kernel's K f stands beside.
+/// @throw std::invalid_argument  readings have the wrong size
 [[nodiscard]] std::vector<double> weighted(const SkinProblem& problem,
                                            std::span<const double> readings);
 
-/// Rows with a weight.
+/// The constant of each channel's readings [its unit] that these tractions leave; 0 where all of
+/// its taxels are dead. None where offsets are known.
+/// @throw std::invalid_argument  readings or tractions have the wrong size
+[[nodiscard]] std::vector<double> offsets(const SkinProblem& problem,
+                                          std::span<const double> readings,
+                                          std::span<const double> tractions);
+
+/// Rows with a weight, less the constants that are unknown.
 [[nodiscard]] std::size_t independent_readings(const SkinProblem& problem);
 
 /// P = (WK)'(WK) + alpha L'L, the matrix of the conductance network: symmetric, positive definite

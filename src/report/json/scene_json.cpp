@@ -2,14 +2,17 @@
 
 namespace tactile_net::report {
 
-Json scene_json(const DocumentKind& kind, const Scene& scene) {
+Json effects_json(const std::vector<std::pair<std::string_view, bool>>& effects) {
   Json simulated = Json::array();
   Json absent = Json::array();
-  for (const auto& [effect, present] : effects(scene))
-    (present ? simulated : absent).push_back(effect);
+  for (const auto& [effect, present] : effects) (present ? simulated : absent).push_back(effect);
+  return {{"simulated", simulated}, {"absent", absent}};
+}
+
+Json scene_json(const DocumentKind& kind, const Scene& scene) {
   Json json = document(kind);
   json["scene"] = scene.file;
-  json["effects"] = {{"simulated", simulated}, {"absent", absent}};
+  json["effects"] = effects_json(effects(scene));
   if (scene.units) json["units"] = units_json(*scene.units);
   if (scene.time)
     json["frame"] = {

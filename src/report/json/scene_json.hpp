@@ -2,10 +2,17 @@
 /// How the JSON documents of a scene begin.
 #pragma once
 
+#include <string_view>
+#include <utility>
+#include <vector>
+
 #include "report/json/document.hpp"
 #include "tactile_net/scene/scene.hpp"
 
 namespace tactile_net::report {
+
+/// {"simulated": [...], "absent": [...]}: the effects' names.
+[[nodiscard]] Json effects_json(const std::vector<std::pair<std::string_view, bool>>& effects);
 
 /// As `document`, then {"scene": file, "effects": {"simulated": [...], "absent": [...]}}, and
 /// "frame" of a scene over time.

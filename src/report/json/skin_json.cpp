@@ -6,6 +6,7 @@
 #include "report/json/document.hpp"
 #include "report/json/scene_json.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
+#include "tactile_net/scene/scene_effects.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -19,12 +20,7 @@ Json skin_units_json(const Units& units) {
 Json scene_json(const DocumentKind& kind, const SkinScene& scene) {
   Json json = document(kind);
   json["scene"] = scene.file;
-  Json simulated = Json::array();
-  if (components(scene) == 3 && !scene.contacts.empty()) simulated.push_back("friction");
-  if (scene.material.layer) simulated.push_back("layer");
-  if (scene.noise) simulated.push_back("noise");
-  if (!scene.dead_taxels.empty()) simulated.push_back("dead_taxels");
-  json["effects"] = {{"simulated", simulated}, {"absent", Json::array()}};
+  json["effects"] = effects_json(effects(scene));
   if (scene.units) json["units"] = skin_units_json(*scene.units);
   if (scene.time)
     json["frame"] = {
@@ -137,14 +133,14 @@ std::string experiment_json(const lab::SkinExperiment& experiment) {
   return text_of(json);
 }
 
-std::string simulate_json(const SkinScene& scene, std::size_t frames,
+std::string simulate_json(const SkinScene& scene, const lab::RecordedFrames& recorded,
                           std::span<const std::string> columns) {
   Json json = scene_json(kind::simulate, scene);
   json.erase("frame");
-  json["frames"] = frames;
+  json["frames"] = recorded.frames;
   json["rate"] = scene.time ? Json(scene.time->rate) : Json(nullptr);
   json["columns"] = columns;
-  json["frames_cut_off"] = Json::object();
+  json["frames_cut_off"] = recorded.cut_off;
   return text_of(json);
 }
 
@@ -154,15 +150,22 @@ std::string recording_json(const lab::SkinRecordingAnswer& recording, const std:
   json["readings"] = readings;
   if (recording.scene.units) json["units"] = skin_units_json(*recording.scene.units);
   json["grid"] = grid_json(recording.grid);
-  json["hardest"] = recording.hardest;
+  json["hardest"] = recording.answer ? Json(recording.hardest) : Json(nullptr);
   json["frames"] = Json::array();
-  for (const lab::SkinRecordingAnswer::Frame& frame : recording.frames)
-    json["frames"].push_back({{"t", frame.time.empty() ? Json(nullptr) : Json(frame.time)},
-                              {"verdict", name(frame.verdict)},
-                              {"alpha", frame.alpha.value},
-                              {"alpha_rule", source(frame.alpha)},
-                              {"resultant", found_json(frame.wrench)},
-                              {"friction", uncertain_or_null(frame.friction)}});
+  for (const lab::SkinRecordingAnswer::Frame& frame : recording.frames) {
+    Json one = {{"t", frame.time.empty() ? Json(nullptr) : Json(frame.time)},
+                {"verdict", name(frame.verdict)},
+                {"alpha", nullptr},
+                {"alpha_rule", nullptr},
+                {"resultant", nullptr},
+                {"friction", uncertain_or_null(frame.friction)}};
+    if (!frame.missing) {
+      one["alpha"] = frame.alpha.value;
+      one["alpha_rule"] = source(frame.alpha);
+      one["resultant"] = found_json(frame.wrench);
+    }
+    json["frames"].push_back(std::move(one));
+  }
   return text_of(json);
 }
 

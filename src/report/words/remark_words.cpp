@@ -107,12 +107,20 @@ std::string in_words(const lab::SceneRemark& remark) {
   return std::visit([](const auto& one) { return say(one); }, remark);
 }
 
-std::vector<std::string> in_words(const lab::SimulatedFrame& frame) {
+namespace {
+
+std::vector<std::string> said_of(const auto& frame) {
   std::vector<std::string> sentences;
   for (const lab::SceneRemark& one : frame.remarks) sentences.push_back(in_words(one));
   for (const CutOffNote& note : frame.notes) sentences.push_back(in_words(note));
   return sentences;
 }
+
+}  // namespace
+
+std::vector<std::string> in_words(const lab::SimulatedFrame& frame) { return said_of(frame); }
+
+std::vector<std::string> in_words(const lab::SkinFrame& frame) { return said_of(frame); }
 
 std::string in_words(const lab::Remark& remark) {
   return std::visit([](const auto& one) { return say(one); }, remark);

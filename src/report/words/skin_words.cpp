@@ -169,15 +169,29 @@ std::optional<Answer> twisted(const lab::SkinExperiment& experiment) {
 
 }  // namespace
 
+namespace {
+
+/// Where cells are narrower than the scene asks: taxels stand in the middle of cells.
+std::string narrowed(const SkinScene& scene, const SkinGrid& grid) {
+  const auto asked = scene.reconstruct.grid.spacing;
+  const double widest = std::max(grid.spacing_y, grid.spacing_z);
+  if (!asked || widest > 0.999 * *asked) return {};
+  return "; spacing = " + length(scene, *asked) +
+         " was asked, and a whole number of cells lies between taxels";
+}
+
+}  // namespace
+
 std::string sensor_in_words(const SkinScene& scene) {
   const SkinArray& sensor = scene.sensor;
   std::vector<std::string> reads;
   for (const SkinQuantity quantity : sensor.reads) reads.emplace_back(name(quantity));
   const std::string taxels =
-      is_even(sensor) ? std::to_string(sensor.rows) + " x " + std::to_string(sensor.columns) +
-                            " taxels, pitch " + sides(scene, sensor.pitch_y, sensor.pitch_z)
-                      : std::to_string(taxel_count(sensor)) + " taxels about " +
-                            length(scene, sensor.pitch_y) + " apart";
+      taxel_count(sensor) == 1 ? "1 taxel"
+      : is_even(sensor) ? std::to_string(sensor.rows) + " x " + std::to_string(sensor.columns) +
+                              " taxels, pitch " + sides(scene, sensor.pitch_y, sensor.pitch_z)
+                        : std::to_string(taxel_count(sensor)) + " taxels about " +
+                              length(scene, sensor.pitch_y) + " apart";
   return taxels + ", reading " + join(reads, ", ") + " at depth " + depths_in_words(scene);
 }
 
@@ -200,12 +214,12 @@ std::vector<std::string> contacts_in_words(const SkinScene& scene) {
 std::string grid_in_words(const SkinScene& scene, const SkinGrid& grid) {
   return "tractions of " + std::to_string(grid.rows) + " x " + std::to_string(grid.columns) +
          " cells of " + sides(scene, grid.spacing_y, grid.spacing_z) +
-         (components(scene) == 3 ? ", normal and tangential" : ", normal alone");
+         (components(scene) == 3 ? ", normal and tangential" : ", normal alone") +
+         narrowed(scene, grid);
 }
 
 std::vector<std::string> warnings(const lab::SkinExperiment& experiment) {
-  std::vector<std::string> all;
-  for (const lab::SceneRemark& remark : experiment.frame.remarks) all.push_back(in_words(remark));
+  std::vector<std::string> all = in_words(experiment.frame);
   if (experiment.answer)
     for (const std::string& remark : in_words(experiment.answer->remarks)) all.push_back(remark);
   return all;
@@ -225,6 +239,11 @@ std::vector<Answer> answers(const lab::SkinExperiment& experiment) {
 }
 
 std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
+  if (!recording.answer)
+    return {{"no answer",
+             recording.frames.empty() ? "the recording holds no frame"
+                                      : "every frame of the recording misses readings",
+             true}};
   const SkinScene& scene = recording.scene;
   const UncertainWrench& wrench = recording.answer->wrench;
   std::vector<Answer> all = {{uncertain(scene, Dimension::point_force, wrench.normal),

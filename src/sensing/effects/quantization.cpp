@@ -2,23 +2,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
-#include "numeric/require.hpp"
+#include "sensing/effects/per_taxel.hpp"
 
 namespace tactile_net {
 namespace {
 
 class Levels final : public SensorEffect {
  public:
-  explicit Levels(const Converter& converter) : converter_(converter) {}
+  Levels(std::vector<SignalChannel> channels, std::vector<Converter> converters)
+      : channels_(std::move(channels)), converters_(std::move(converters)) {
+    for (const auto& [bits, low, high] : converters_) {
+      require(bits >= 1 && bits <= 32, "bits", "be from 1 to 32", bits);
+      require(low < high, "range", "begin below its end", low);
+    }
+  }
   void apply(const Instant&, std::span<double> readings) override {
-    const double step = (converter_.high - converter_.low) / (std::ldexp(1.0, converter_.bits) - 1);
     readings_ = readings.size();
-    limited_ = static_cast<std::size_t>(
-        std::count_if(readings.begin(), readings.end(), [&](double reading) {
-          return reading < converter_.low - 0.5 * step || reading > converter_.high + 0.5 * step;
-        }));
-    quantize(readings, converter_);
+    limited_ = 0;
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const auto own = readings.subspan(channels_[c].first, channels_[c].count);
+      const auto& [bits, low, high] = converters_[c];
+      const double step = (high - low) / (std::ldexp(1.0, bits) - 1);
+      limited_ += static_cast<std::size_t>(
+          std::count_if(own.begin(), own.end(),
+                        [lowest = low - 0.5 * step, highest = high + 0.5 * step](double reading) {
+                          return reading < lowest || reading > highest;
+                        }));
+      quantize(own, converters_[c]);
+    }
   }
   [[nodiscard]] std::optional<CutOffNote> note() const override {
     if (limited_ == 0) return std::nullopt;
@@ -26,7 +40,8 @@ class Levels final : public SensorEffect {
   }
 
  private:
-  Converter converter_;
+  std::vector<SignalChannel> channels_;
+  std::vector<Converter> converters_;  // of each channel
   std::size_t limited_ = 0;
   std::size_t readings_ = 0;
 };
@@ -42,10 +57,18 @@ void quantize(std::span<double> readings, const Converter& converter) noexcept {
   }
 }
 
-std::unique_ptr<SensorEffect> make_effect(const Converter& converter, const SignalLayout&) {
-  require(converter.bits >= 1 && converter.bits <= 32, "bits", "be from 1 to 32", converter.bits);
-  require(converter.low < converter.high, "range", "begin below its end", converter.low);
-  return std::make_unique<Levels>(converter);
+std::unique_ptr<SensorEffect> make_effect(const Quantization& quantization,
+                                          const SignalLayout& sensor) {
+  std::vector<Converter> converters;
+  for (const SignalChannel& channel : sensor.channels) {
+    const auto& [low, high] = value_of(quantization.range, channel.quantity, "range");
+    converters.push_back({quantization.bits, low, high});
+  }
+  return std::make_unique<Levels>(sensor.channels, std::move(converters));
+}
+
+std::unique_ptr<SensorEffect> make_effect(const Converter& converter, const SignalLayout& sensor) {
+  return std::make_unique<Levels>(sensor.channels, std::vector(sensor.channels.size(), converter));
 }
 
 }  // namespace tactile_net

@@ -20,9 +20,16 @@ class FramesFile {
       : file_(path, &standard_output), sink_(frames::make_sink(file_, path, columns, with_time)) {}
 
   void add(std::string_view time, std::span<const double> values) { sink_->add(time, values); }
+  /// Somebody waits at the other end.
+  void flush() { sink_->flush(); }
   void commit() {
     sink_->finish();
     file_.commit();
+  }
+  /// What there is of it, under a name that says so. @return that name, as `OutputFile` does
+  std::string commit_partial() {
+    sink_->finish();
+    return file_.commit_partial().string();
   }
 
  private:

@@ -1,6 +1,8 @@
 #include "commands/recording.hpp"
 
 #include <ostream>
+#include <utility>
+#include <vector>
 
 #include "scene/excerpt.hpp"
 
@@ -18,6 +20,17 @@ void say_opening(std::ostream& err, const std::string& name, const frames::Frame
 void say_closing(std::ostream& err, const std::string& name, const frames::FrameSource& source) {
   for (const std::string& note : source.closing_notes())
     err << name << ": note: " << printable(note) << '\n';
+}
+
+InputError with_frames_before(const InputError& error, std::size_t frames,
+                              const std::string& partial) {
+  std::vector<Diagnostic> diagnostics = error.diagnostics();
+  std::string& hint = diagnostics.back().hint;
+  if (!hint.empty()) hint += "; ";
+  hint += std::to_string(frames) +
+          (frames == 1 ? " frame before it was" : " frames before it were") + " written" +
+          (partial.empty() ? "" : " to " + partial);
+  return InputError(std::move(diagnostics));
 }
 
 }  // namespace tactile_net::tool

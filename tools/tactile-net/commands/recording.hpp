@@ -2,10 +2,12 @@
 /// What is said of a recording, by every command that reads one.
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <string>
 
 #include "tactile_net/frames/source.hpp"
+#include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::tool {
 
@@ -16,5 +18,12 @@ void say_opening(std::ostream& err, const std::string& name, const frames::Frame
 
 /// What turned out to be odd about its frames.
 void say_closing(std::ostream& err, const std::string& name, const frames::FrameSource& source);
+
+/// The same error, and where what came before it is to be found.
+///
+/// @param frames   how many
+/// @param partial  the file that holds them; empty: they went to a stream
+[[nodiscard]] InputError with_frames_before(const InputError& error, std::size_t frames,
+                                            const std::string& partial);
 
 }  // namespace tactile_net::tool

@@ -55,6 +55,14 @@ class TruthFile {
   std::vector<double> row_;
 };
 
+/// What is said of a recording that is on disk.
+void close(const auto& scene, const lab::RecordedFrames& recorded,
+           std::span<const std::string> columns, const auto& summary, const Streams& streams) {
+  for (const std::string& sentence : report::in_words(recorded))
+    streams.err << "note: " << sentence << '\n';
+  if (summary) write(summary.get(), report::simulate_json(scene, recorded, columns));
+}
+
 void run(const SkinScene& scene, const SimulateOptions& options, const Streams& streams) {
   const std::vector<std::string> columns = reading_names(scene.sensor);
   FramesFile output(options.output, columns, scene.time.has_value(), streams.out);
@@ -66,18 +74,18 @@ void run(const SkinScene& scene, const SimulateOptions& options, const Streams& 
 
   Progress progress(streams);
   lab::SkinRecording recording(scene);
-  std::size_t frames = 0;
+  lab::RecordedFrames recorded;
   while (recording.next()) {
     const std::string time = shortest(recording.time());
     output.add(time, raw_numbers(scene, recording.readings()));
     if (truth) truth->add(time, recording.truth());
-    ++frames;
-    if (progress.due()) progress.say(std::to_string(frames) + " frames ...");
+    recorded.add(recording);
+    if (progress.due()) progress.say(std::to_string(recorded.frames) + " frames ...");
   }
   progress.clear();
   output.commit();
   if (truth) truth->commit();
-  if (summary) write(summary.get(), report::simulate_json(scene, frames, columns));
+  close(scene, recorded, columns, summary, streams);
 }
 
 void run(const Scene& scene, const SimulateOptions& options, const Streams& streams) {
@@ -103,10 +111,7 @@ void run(const Scene& scene, const SimulateOptions& options, const Streams& stre
   sink->finish();
   output.commit();
   if (truth) truth->commit();
-
-  for (const std::string& sentence : report::in_words(recorded))
-    streams.err << "note: " << sentence << '\n';
-  if (summary) write(summary.get(), report::simulate_json(scene, recorded, columns));
+  close(scene, recorded, columns, summary, streams);
 }
 
 }  // namespace

@@ -166,18 +166,6 @@ lab::SceneProblem with_noise(const lab::SceneProblem& problem, const SolveOption
   }
 }
 
-/// The same error, and where what came before it is to be found.
-InputError with_frames_before(const InputError& error, std::size_t frames,
-                              const std::string& partial) {
-  std::vector<Diagnostic> diagnostics = error.diagnostics();
-  std::string& hint = diagnostics.back().hint;
-  if (!hint.empty()) hint += "; ";
-  hint += std::to_string(frames) +
-          (frames == 1 ? " frame before it was" : " frames before it were") + " written" +
-          (partial.empty() ? "" : " to " + partial);
-  return InputError(std::move(diagnostics));
-}
-
 void solve_line(Scene scene, const SolveOptions& options, const Streams& streams) {
   const lab::SceneProblem stated(std::move(scene));
   const Method method = options.method;

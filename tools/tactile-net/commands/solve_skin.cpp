@@ -1,8 +1,10 @@
 #include "commands/solve_skin.hpp"
 
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "commands/frames_file.hpp"
@@ -10,60 +12,128 @@
 #include "failure.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/lab/skin_recording.hpp"
+#include "tactile_net/lab/skin_recording_solver.hpp"
 #include "tactile_net/pages/skin_page.hpp"
 #include "tactile_net/report/csv/skin_csv.hpp"
 #include "tactile_net/report/json/skin_json.hpp"
+#include "tactile_net/report/words/summary_words.hpp"
 
 namespace tactile_net::tool {
 namespace {
 
-void refuse_for_skins(const SolveOptions& options) {
+void refuse_for_skins(const SolveOptions& options, const SkinScene& scene) {
   if (options.method != Method::tikhonov)
     throw WrongUsage("--method", "skins are solved by tikhonov alone");
-  if (options.missing != lab::Missing::fail)
-    throw WrongUsage("--missing",
-                     "values that are missing are not filled in for skins: name taxels without "
-                     "readings under [dead_taxels]");
-  if (options.share_alpha)
-    throw WrongUsage("--share-alpha", "is for line arrays, and this scene is of a skin");
+  if (options.share_alpha && *options.share_alpha == 0)
+    throw WrongUsage("--share-alpha", "must be at least 1 frame");
+  if (options.share_alpha && scene.reconstruct.alpha)
+    throw WrongUsage("--share-alpha", "needs an alpha that a rule chooses");
+}
+
+/// Where the answers go.
+class Outputs {
+ public:
+  Outputs(const SolveOptions& options, const lab::SkinSceneProblem& problem, bool with_time,
+          Results* results, const Streams& streams)
+      : in_folder_(options.output.empty() && !options.results.folder.empty()),
+        tractions_(in_folder_ ? results->place("tractions-of-frames.csv") : options.output,
+                   report::traction_columns(problem.grid(), problem.problem().components),
+                   with_time, streams.out),
+        unknown_(problem.tractions(), std::numeric_limits<double>::quiet_NaN()) {
+    if (!options.uncertainty.empty())
+      wrenches_.emplace(options.uncertainty, report::wrench_columns(), with_time, streams.out);
+  }
+
+  void add(std::string_view time, const lab::SkinAnswer& answer) {
+    tractions_.add(time, answer.tractions);
+    if (wrenches_) wrenches_->add(time, report::wrench_values(answer));
+  }
+  /// A frame without an answer: its row is there, so that row k of the answers is frame k of the
+  /// recording.
+  void skip(std::string_view time) {
+    tractions_.add(time, unknown_);
+    if (wrenches_)
+      wrenches_->add(time, std::vector<double>(report::wrench_columns().size(),
+                                               std::numeric_limits<double>::quiet_NaN()));
+  }
+  void flush() {
+    tractions_.flush();
+    if (wrenches_) wrenches_->flush();
+  }
+  /// The tractions are a file of the page's folder.
+  [[nodiscard]] bool in_folder() const noexcept { return in_folder_; }
+  void commit() {
+    tractions_.commit();
+    if (wrenches_) wrenches_->commit();
+  }
+  std::string commit_partial() {
+    if (wrenches_) wrenches_->commit_partial();
+    return tractions_.commit_partial();
+  }
+
+ private:
+  bool in_folder_;
+  FramesFile tractions_;
+  std::vector<double> unknown_;
+  std::optional<FramesFile> wrenches_{};
+};
+
+lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::ReadingsFile& file,
+                                   Outputs& outputs, const Streams& streams) {
+  const lab::SkinSceneProblem& whole = solver.problem();
+  lab::SkinRecordingAnswer recording{.scene = whole.scene(), .grid = whole.grid()};
+  Progress progress(streams);
+  frames::FrameSource& source = file.source();
+  std::vector<double> readings(source.columns().size());
+  while (source.next(readings)) {
+    try {
+      if (const auto answer = solver.solve(readings)) {
+        outputs.add(source.time(), *answer);
+        recording.add(std::string(source.time()), readings, *answer);
+      } else {
+        outputs.skip(source.time());
+        recording.skip(std::string(source.time()));
+      }
+    } catch (const lab::FrameOverflow&) {
+      source.refuse("the frame's tractions overflow a double", "scale the readings");
+    }
+    if (file.live()) outputs.flush();
+    if (progress.due()) progress.frames(recording.frames.size(), file.share_read());
+  }
+  progress.clear();
+  return recording;
 }
 
 }  // namespace
 
 void solve_skin(const SkinScene& scene, const SolveOptions& options, const Streams& streams) {
-  refuse_for_skins(options);
-  const lab::SkinSceneProblem problem(scene);
-  frames::ReadingsFile file(options.readings, scene, &streams.in, {.columns = options.columns});
+  refuse_for_skins(options, scene);
+  lab::SkinRecordingSolver solver(lab::SkinSceneProblem(scene),
+                                  {.missing = options.missing, .share_alpha = options.share_alpha});
+  frames::ReadingsFile file(
+      options.readings, scene, &streams.in,
+      {.columns = options.columns, .accept_missing = options.missing != lab::Missing::fail});
   frames::FrameSource& source = file.source();
   say_opening(streams.err, file.name(), source);
 
   std::optional<Results> results;
   if (!options.results.folder.empty() || !options.results.json.empty())
     results.emplace(options.results, streams);
-  const bool in_folder = options.output.empty() && !options.results.folder.empty();
-  FramesFile tractions(in_folder ? results->place("tractions-of-frames.csv") : options.output,
-                       report::traction_columns(problem.grid(), problem.problem().components),
-                       source.has_time(), streams.out);
-  std::optional<FramesFile> wrenches;
-  if (!options.uncertainty.empty())
-    wrenches.emplace(options.uncertainty, report::wrench_columns(), source.has_time(), streams.out);
-
-  lab::SkinRecordingAnswer recording{.scene = scene, .grid = problem.grid()};
-  Progress progress(streams);
-  std::vector<double> readings(source.columns().size());
-  while (source.next(readings)) {
-    const lab::SkinAnswer answer = solve(problem, readings);
-    tractions.add(source.time(), answer.tractions);
-    if (wrenches) wrenches->add(source.time(), report::wrench_values(answer));
-    recording.add(std::string(source.time()), readings, answer);
-    if (progress.due()) progress.frames(recording.frames.size(), file.share_read());
+  Outputs outputs(options, solver.problem(), source.has_time(), results ? &*results : nullptr,
+                  streams);
+  lab::SkinRecordingAnswer recording;
+  try {
+    recording = solve_all(solver, file, outputs, streams);
+  } catch (const InputError& error) {
+    if (outputs.in_folder()) throw;  // which goes as a whole
+    throw with_frames_before(error, solver.solved().frames, outputs.commit_partial());
   }
-  progress.clear();
-  tractions.commit();
-  if (wrenches) wrenches->commit();
+  outputs.commit();
   say_closing(streams.err, file.name(), source);
-  if (recording.frames.empty()) throw CheckFailed("the recording holds no frame");
+  for (const std::string& sentence : report::in_words(solver.solved()))
+    streams.err << name(options.method) << ": note: " << sentence << '\n';
   if (!results) return;
+  Progress progress(streams);
   results->write(
       {.json = [&] { return report::recording_json(recording, options.readings); },
        .page = [&] { return pages::recording_page(recording, options.readings, streams.command); }},

@@ -8,7 +8,6 @@
 namespace tactile_net::tool {
 
 /// @throw WrongUsage  an option that skins do not know
-/// @throw CheckFailed  the recording is empty
 void solve_skin(const SkinScene& scene, const SolveOptions& options, const Streams& streams);
 
 }  // namespace tactile_net::tool

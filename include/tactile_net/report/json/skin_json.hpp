@@ -8,6 +8,7 @@
 
 #include "tactile_net/lab/skin_recording.hpp"
 #include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/lab/summary.hpp"
 
 namespace tactile_net::report {
 
@@ -17,7 +18,7 @@ namespace tactile_net::report {
 /// A recording of a skin: docs/schemas/simulate.json.
 ///
 /// @param columns  of the file of readings
-[[nodiscard]] std::string simulate_json(const SkinScene& scene, std::size_t frames,
+[[nodiscard]] std::string simulate_json(const SkinScene& scene, const lab::RecordedFrames& recorded,
                                         std::span<const std::string> columns);
 
 /// A recording solved: docs/schemas/skin_solve.json. @param readings  the file of readings

@@ -7,6 +7,7 @@
 
 #include "tactile_net/lab/remark.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/skin_simulation.hpp"
 
 namespace tactile_net::report {
 
@@ -20,5 +21,6 @@ namespace tactile_net::report {
 
 /// All that is to be said of a scene's readings.
 [[nodiscard]] std::vector<std::string> in_words(const lab::SimulatedFrame& frame);
+[[nodiscard]] std::vector<std::string> in_words(const lab::SkinFrame& frame);
 
 }  // namespace tactile_net::report

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "tactile_net/sensing/effects/effect.hpp"
+#include "tactile_net/sensing/effects/saturation.hpp"
 
 namespace tactile_net {
 
@@ -18,7 +19,17 @@ struct Converter {
 };
 void quantize(std::span<double> readings, const Converter& converter) noexcept;
 
+/// Converters of one width, a range for every quantity.
+struct Quantization {
+  int bits = 12;               ///< 1 ... 32
+  PerQuantity<Range> range{};  ///< of every quantity that is read [unit of the reading]
+};
+
 /// Each frame says how many of its readings lay beyond the levels.
+[[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Quantization& quantization,
+                                                        const SignalLayout& sensor);
+
+/// The same converter for every quantity.
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Converter& converter,
                                                         const SignalLayout& sensor);
 

@@ -1,0 +1,217 @@
+// What a skin's effects make of its frames, and frames of recordings: readings that miss, offsets
+// that nobody knows, an alpha that neighbours share.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tactile_net/lab/skin_recording_solver.hpp"
+#include "tactile_net/lab/skin_simulation.hpp"
+#include "tactile_net/lab/summary.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+SkinScene skin(const std::string& more = "", const std::string& forward = "exact") {
+  const std::string toml =
+      "[sensor]\nrows = 5\ncolumns = 4\npitch = 1.0\ndepth = 1.0\n"
+      "reads = [\"strain_x\", \"strain_y\", \"strain_z\"]\n"
+      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+      "[time]\nrate = 10.0\nframes = 5\n[[contact]]\nshape = \"sphere\"\nradius = 1.5\n"
+      "friction = 0.4\ntrajectory = [{ t = 0, force = 0 }, { t = 0.15, force = 1, place = [0.5, "
+      "-0.2] }, { t = 0.4, force = 0.5 }]\n[forward]\nmodel = \"" +
+      forward + "\"\n";
+  return std::get<SkinScene>(parse_any_scene(toml + more, "skin.toml"));
+}
+
+std::vector<std::vector<double>> frames_of(const SkinScene& scene) {
+  std::vector<std::vector<double>> all;
+  lab::SkinRecording recording(scene);
+  while (recording.next())
+    all.emplace_back(recording.readings().begin(), recording.readings().end());
+  return all;
+}
+
+double norm(const std::vector<double>& x) {
+  double sum = 0.0;
+  for (const double value : x) sum = std::hypot(sum, value);
+  return sum;
+}
+
+double distance(const std::vector<double>& x, const std::vector<double>& y) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) sum = std::hypot(sum, x[i] - y[i]);
+  return sum;
+}
+
+const std::string tables =
+    "[viscoelasticity]\nterms = [{ fraction = 0.3, time = 0.1 }]\n[crosstalk]\nfraction = 0.1\n"
+    "[low_pass]\ntime_constant = 0.05\n[sampling]\naperture = 0.02\n"
+    "[saturation]\nrange = [-0.05, 0.05]\n[stuck_taxels]\nindices = [[2, 1]]\nvalues = [0.01]\n";
+
+}  // namespace
+
+TEST_CASE("a skin's recording is its loads gone through the signal path", "[lab][skin][effects]") {
+  const std::string forward = GENERATE("exact", "sampled");
+  CAPTURE(forward);
+  const SkinScene scene = skin(tables, forward);
+  // The pure readings at each moment, by scenes of their own without an effect.
+  SignalPath path = signal_path(scene);
+  std::vector<std::vector<double>> expected;
+  std::size_t cut_off = 0;
+  for (const Instant& at : instants(scene)) {
+    SkinScene still = skin("", forward);
+    still.contacts = contacts_at(scene, at.time);
+    still.trajectories.assign(still.contacts.size(), {});
+    still.time.reset();
+    still.frame = 0;
+    lab::SkinRecording pure(still);
+    REQUIRE(pure.next());
+    std::vector<double> readings(pure.readings().begin(), pure.readings().end());
+    path.apply(at, readings);
+    if (!at.recorded) continue;
+    expected.push_back(readings);
+    cut_off += !path.notes().empty();
+  }
+  CHECK(instants(scene).size() > 5);
+  const auto found = frames_of(scene);
+  REQUIRE(found.size() == 5);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    CHECK(distance(found[k], expected[k]) <= 1e-12 * norm(expected[k]));
+  CHECK(found[3][9] == 0.01);
+  // A frame of its own is the same as after the others.
+  CHECK(lab::simulate(scene).readings == found.back());
+  lab::SkinRecording recording(scene);
+  lab::RecordedFrames recorded;
+  while (recording.next()) recorded.add(recording);
+  CHECK(recorded.frames == 5);
+  REQUIRE(cut_off > 0);
+  CHECK(recorded.cut_off.at("saturation") == cut_off);
+}
+
+TEST_CASE("sampled readings leave out the drags that nothing has", "[lab][skin][effects]") {
+  SkinScene scene = skin("", "sampled");
+  for (auto& knot : scene.trajectories[0]) knot.contact.friction = 0.0;
+  for (auto& contact : scene.contacts) std::get<SkinContact>(contact).friction = 0.0;
+  CHECK_FALSE(any_drag(scene));
+  lab::SkinRecording recording(scene);
+  REQUIRE(recording.next());
+  REQUIRE(recording.next());
+  const std::vector<double> all =
+      sampled_readings(scene.sensor, scene.material, grid(scene), recording.truth());
+  const std::vector<double> readings(recording.readings().begin(), recording.readings().end());
+  CHECK(distance(readings, all) <= 1e-14 * norm(all));
+}
+
+TEST_CASE("a frame that misses readings is solved as if their taxels were dead",
+          "[lab][skin][missing]") {
+  const SkinScene scene = skin("[noise]\nrms = 1e-4\n");
+  const std::vector<double> whole = lab::simulate(scene).readings;
+  std::vector<double> readings = whole;
+  readings[7] = readings[20 + 3] = missing;
+  lab::SkinRecordingSolver solver(lab::SkinSceneProblem(scene),
+                                  {.missing = lab::Missing::estimate});
+  std::vector<double> given = readings;
+  const auto found = solver.solve(given);
+  REQUIRE(found);
+  CHECK(given[23] == 0.0);
+  CHECK(given[40 + 7] == 0.0);  // with all its channels
+
+  SkinScene dead = scene;
+  dead.dead_taxels = {3, 7};
+  std::vector<double> zeros = readings;
+  for (std::size_t i = 0; i < zeros.size(); ++i)
+    if (i % 20 == 3 || i % 20 == 7) zeros[i] = 0.0;
+  const lab::SkinAnswer expected = lab::solve(lab::SkinSceneProblem(dead), zeros);
+  CHECK(distance(found->tractions, expected.tractions) <= 1e-9 * norm(expected.tractions));
+  CHECK_THAT(found->alpha.value, WithinRel(expected.alpha.value, 1e-6));
+  CHECK(solver.problem().scene().dead_taxels == dead.dead_taxels);
+
+  // The next frame that misses nothing is the recording's again; one without a taxel has no answer.
+  given = whole;
+  REQUIRE(solver.solve(given));
+  CHECK(solver.problem().scene().dead_taxels.empty());
+  given.assign(whole.size(), missing);
+  CHECK_FALSE(solver.solve(given));
+  CHECK(solver.solved().frames == 3);
+  CHECK(solver.solved().estimated.count() == 1);
+  CHECK(solver.solved().skipped.count() == 1);
+
+  lab::SkinRecordingSolver skipping(lab::SkinSceneProblem(scene), {.missing = lab::Missing::skip});
+  given = readings;
+  CHECK_FALSE(skipping.solve(given));
+  lab::SkinRecordingSolver refusing{lab::SkinSceneProblem(scene)};
+  given = readings;
+  CHECK_THROWS_AS(refusing.solve(given), std::invalid_argument);
+}
+
+TEST_CASE("an alpha that frames share is each one's where they are equal", "[lab][skin]") {
+  const SkinScene scene = skin("[reconstruct]\nalpha = \"aicc\"\n");
+  const lab::SkinSceneProblem problem(scene);
+  std::vector<double> readings = lab::simulate(scene).readings;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    readings[i] += 1e-4 * std::sin(7.0 * static_cast<double>(i));
+  const double own = lab::solve(problem, readings).alpha.value;
+  lab::SkinRecordingSolver sharing(problem, {.share_alpha = 3});
+  for (int frame = 0; frame < 4; ++frame) {
+    const auto answer = sharing.solve(readings);
+    REQUIRE(answer);
+    CHECK_THAT(answer->alpha.value, WithinRel(own, 1e-6));
+  }
+  // Another frame: what it wants, and the two before it.
+  std::vector<double> other = readings;
+  for (std::size_t i = 0; i < other.size(); ++i)
+    other[i] += 3e-3 * std::cos(3.0 * static_cast<double>(i * i));
+  const double alone = lab::solve(problem, other).alpha.value;
+  const auto shared = sharing.solve(other);
+  REQUIRE(shared);
+  CHECK(std::abs(std::log(alone / own)) > 0.1);
+  CHECK(std::abs(std::log(shared->alpha.value / alone)) > 1e-3);
+
+  SkinScene given = scene;
+  given.reconstruct.alpha = 1e-4;
+  CHECK_THROWS_WITH(lab::SkinRecordingSolver(lab::SkinSceneProblem(given), {.share_alpha = 3}),
+                    ContainsSubstring("this scene gives one"));
+  CHECK_THROWS_WITH(lab::SkinRecordingSolver(problem, {.share_alpha = 0}),
+                    ContainsSubstring("at least one frame"));
+}
+
+TEST_CASE("offsets that are not known change no answer, and are said", "[lab][skin][offset]") {
+  const SkinScene scene = skin("[reconstruct]\nalpha = 1e-3\noffset = true\n");
+  const lab::SkinSceneProblem problem(scene);
+  const std::vector<double> readings = lab::simulate(scene).readings;
+  std::vector<double> moved = readings;
+  const std::vector<double> off{0.5, -0.25, 2.0};
+  for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += off[i / 20];
+  const lab::SkinAnswer a = lab::solve(problem, readings);
+  const lab::SkinAnswer b = lab::solve(problem, moved);
+  CHECK(distance(a.tractions, b.tractions) <= 1e-9 * norm(a.tractions));
+  REQUIRE(b.offsets.size() == 3);
+  for (std::size_t c = 0; c < 3; ++c)
+    CHECK_THAT(b.offsets[c] - a.offsets[c], WithinAbs(off[c], 1e-9));
+  CHECK(std::any_of(b.remarks.begin(), b.remarks.end(), [](const lab::Remark& remark) {
+    return std::holds_alternative<lab::remark::OffsetsFound>(remark);
+  }));
+  CHECK(lab::solve(lab::SkinSceneProblem(skin("[reconstruct]\nalpha = 1e-3\n")), readings)
+            .offsets.empty());
+}
+
+TEST_CASE("an alpha that double precision cannot hold is refused, as on lines", "[lab][skin]") {
+  const SkinScene scene = skin("[reconstruct]\nalpha = 1e-300\n");
+  const std::vector<double> readings = lab::simulate(scene).readings;
+  CHECK_THROWS_WITH(
+      lab::solve(lab::SkinSceneProblem(scene), readings),
+      ContainsSubstring("rank deficient in double precision") && ContainsSubstring("raise alpha"));
+}
+
+TEST_CASE("a noise that states nothing is no noise", "[lab][skin]") {
+  SkinScene scene = skin();
+  scene.noise = NoiseModel{};
+  CHECK_FALSE(lab::SkinSceneProblem(scene).stated_noise());
+}
