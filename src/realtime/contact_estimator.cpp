@@ -81,6 +81,43 @@ std::size_t ContactEstimator::tractions() const noexcept {
 std::string_view ContactEstimator::label() const noexcept { return ready_->label; }
 InstructionSet ContactEstimator::instruction_set() const noexcept { return ready_->set; }
 
+/// @param moments  of each traction of a line; none of a skin
+[[gnu::always_inline]] inline void ContactEstimator::add_resultant(
+    ContactEstimate& estimate, std::span<const Moments> moments) noexcept {
+  const Ready& ready = *ready_;
+  estimate.tangential_force = ContactEstimate::unknown;
+  estimate.tangential_y = ContactEstimate::unknown;
+  estimate.tangential_z = ContactEstimate::unknown;
+  estimate.centre = ContactEstimate::unknown;
+  estimate.centre_z = ContactEstimate::unknown;
+  estimate.torsion = ContactEstimate::unknown;
+  estimate.angle = ContactEstimate::unknown;
+  estimate.friction_margin = ContactEstimate::unknown;
+  estimate.slip_margin = ContactEstimate::unknown;
+  estimate.residual_rms = ContactEstimate::unknown;
+  estimate.touching = 0;
+  estimate.misfit = false;
+  estimate.outlier = -1;
+  if (ready.cells)
+    return add_skin_resultant(*ready.cells, ready.unknowns, estimate.tractions.data(),
+                              ready.friction, ready.certain_force, ready.highest_force,
+                              ready.lowest_force, scratch_->marks, estimate);
+  const Moments& normal = moments[0];
+  estimate.normal_force = ready.spacing * normal.sum;
+  estimate.contact = estimate.normal_force > 0.0;
+  estimate.pulls = estimate.normal_force < ready.lowest_force;
+  estimate.implausible = std::abs(estimate.normal_force) > ready.highest_force;
+  if (estimate.contact)
+    estimate.centre = ready.centre + ready.spacing * (normal.first / normal.sum);
+  if (ready.unknowns != 2) return;
+  estimate.tangential_force = ready.spacing * moments[1].sum;
+  if (estimate.contact)
+    estimate.angle = std::atan2(estimate.tangential_force, estimate.normal_force);
+  if (ready.friction)
+    estimate.friction_margin =
+        *ready.friction * estimate.normal_force - std::abs(estimate.tangential_force);
+}
+
 FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEstimate& estimate,
                                      double time) noexcept {
   const Ready& ready = *ready_;
@@ -119,7 +156,7 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
     if (loops.largest(x, n) > std::bit_cast<std::uint64_t>(ready.limit))
       return FrameStatus::too_large;
   }
-  fill_planned();
+  if (ready.fill_rows > 0) fill_planned();
 
   double* const f = estimate.tractions.data();
   std::array<Moments, 2> each;
@@ -147,38 +184,6 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   add_resultant(estimate, moments);
   if (ready.prediction) judge(estimate);
   return FrameStatus::ok;
-}
-
-/// @param moments  of each traction of a line; none of a skin
-void ContactEstimator::add_resultant(ContactEstimate& estimate,
-                                     std::span<const Moments> moments) noexcept {
-  const Ready& ready = *ready_;
-  for (double* const result :
-       {&estimate.tangential_force, &estimate.tangential_y, &estimate.tangential_z,
-        &estimate.centre, &estimate.centre_z, &estimate.torsion, &estimate.angle,
-        &estimate.friction_margin, &estimate.slip_margin, &estimate.residual_rms})
-    *result = ContactEstimate::unknown;
-  estimate.touching = 0;
-  estimate.misfit = false;
-  estimate.outlier = -1;
-  if (ready.cells)
-    return add_skin_resultant(*ready.cells, ready.unknowns, estimate.tractions.data(),
-                              ready.friction, ready.certain_force, ready.highest_force,
-                              ready.lowest_force, scratch_->marks, estimate);
-  const Moments& normal = moments[0];
-  estimate.normal_force = ready.spacing * normal.sum;
-  estimate.contact = estimate.normal_force > 0.0;
-  estimate.pulls = estimate.normal_force < ready.lowest_force;
-  estimate.implausible = std::abs(estimate.normal_force) > ready.highest_force;
-  if (estimate.contact)
-    estimate.centre = ready.centre + ready.spacing * (normal.first / normal.sum);
-  if (ready.unknowns != 2) return;
-  estimate.tangential_force = ready.spacing * moments[1].sum;
-  if (estimate.contact)
-    estimate.angle = std::atan2(estimate.tangential_force, estimate.normal_force);
-  if (ready.friction)
-    estimate.friction_margin =
-        *ready.friction * estimate.normal_force - std::abs(estimate.tangential_force);
 }
 
 /// What the tractions explain of scratch_->x.

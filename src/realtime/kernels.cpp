@@ -393,47 +393,12 @@ template <int Bytes, class T>
   }
 }
 
-/// Class by class of the reflections; that of (+, -) is (-, +)'s too where y and z are exchanged.
-template <class T>
-[[gnu::always_inline]] inline void multiply_classes(const ReadyProduct<T>& a, Difference x,
-                                                    double* y, T* scratch, double shrink,
-                                                    double grow, const auto& factor,
-                                                    const auto& twice) noexcept {
-  T* const input = scratch;
-  T* const middle = scratch + a.input_size;
-  T* const other_middle = middle + a.middle_size / 2;
-  T* const output = middle + a.middle_size;
-  const Folding<T>& in = *a.fold_x;
-  const Folding<T>& out = *a.fold_y;
-  in.fold(x, shrink, input);
-  const bool low_rank = is_low_rank(a.structure);
-  const std::size_t shared = in.classes() == 5 ? 2 : in.classes();
-  for (std::size_t c = 0; c < in.classes(); ++c) {
-    const T* const from = input + in.offset(c);
-    T* const to = output + out.offset(c);
-    const T* const other_from = input + in.second_offset();
-    T* const other_to = output + out.second_offset();
-    if (c != shared && low_rank) {
-      factor(a.factors[2 * c], from, middle);
-      factor(a.factors[2 * c + 1], middle, to);
-    } else if (c != shared) {
-      factor(a.factors[c], from, to);
-    } else if (low_rank) {
-      twice(a.factors[2 * c], from, other_from, middle, other_middle);
-      twice(a.factors[2 * c + 1], middle, other_middle, to, other_to);
-    } else {
-      twice(a.factors[c], from, other_from, to, other_to);
-    }
-  }
-  out.unfold(output, grow, y);
-}
-
-/// `factor(A, x, y)` multiplies by one factor, `twice` two vectors by it.
+/// `factor(A, x, y)` multiplies by one factor.
 template <int Bytes, class T>
 [[gnu::always_inline]] inline bool multiply(const ReadyProduct<T>& a, Difference x, double* y,
                                             T* scratch, double magnitude,
                                             std::span<Moments> moments, std::uint64_t limit,
-                                            const auto& factor, const auto& twice) noexcept {
+                                            const auto& factor) noexcept {
   T* const input = scratch;
   T* const middle = scratch + a.input_size;
   T* const output = middle + a.middle_size;
@@ -441,12 +406,7 @@ template <int Bytes, class T>
   const double shrink = sizeof(T) == sizeof(double) ? 1.0 : 1.0 / magnitude;
   const double grow = sizeof(T) == sizeof(double) ? a.scale : magnitude * a.scale;
   const bool low_rank = is_low_rank(a.structure);
-  if (has_reflections(a.structure)) {
-    std::uint64_t largest = 0;
-    for (std::size_t i = 0; i < a.columns; ++i) largest = std::max(largest, magnitude_bits(x[i]));
-    if (largest > limit) return false;
-    multiply_classes(a, x, y, scratch, shrink, grow, factor, twice);
-  } else if (!has_parity(a.structure)) {
+  if (!has_parity(a.structure)) {
     std::uint64_t largest = 0;
     for (std::size_t i = 0; i < a.columns; ++i) {
       const double value = x[i];
@@ -541,6 +501,50 @@ template <int Bytes>
   return misfit;
 }
 
+/// Class by class of the reflections; that of (+, -) is (-, +)'s too where y and z are exchanged.
+/// Apart from the above, so that lines have their registers to themselves.
+///
+/// @param factor  one vector, by one factor of this instruction set
+/// @param twice   two vectors
+template <class T>
+[[gnu::noinline]] bool multiply_classes(const ReadyProduct<T>& a, Difference x, double* y,
+                                        T* scratch, double magnitude, std::uint64_t limit,
+                                        void (*factor)(const Panels<T>&, const T*, T*) noexcept,
+                                        void (*twice)(const Panels<T>&, const T*, const T*, T*,
+                                                      T*) noexcept) noexcept {
+  std::uint64_t largest = 0;
+  for (std::size_t i = 0; i < a.columns; ++i) largest = std::max(largest, magnitude_bits(x[i]));
+  if (largest > limit) return false;
+  T* const input = scratch;
+  T* const middle = scratch + a.input_size;
+  T* const other_middle = middle + a.middle_size / 2;
+  T* const output = middle + a.middle_size;
+  const Folding<T>& in = *a.fold_x;
+  const Folding<T>& out = *a.fold_y;
+  in.fold(x, sizeof(T) == sizeof(double) ? 1.0 : 1.0 / magnitude, input);
+  const bool low_rank = is_low_rank(a.structure);
+  const std::size_t shared = in.classes() == 5 ? 2 : in.classes();
+  for (std::size_t c = 0; c < in.classes(); ++c) {
+    const T* const from = input + in.offset(c);
+    T* const to = output + out.offset(c);
+    const T* const other_from = input + in.second_offset();
+    T* const other_to = output + out.second_offset();
+    if (c != shared && low_rank) {
+      factor(a.factors[2 * c], from, middle);
+      factor(a.factors[2 * c + 1], middle, to);
+    } else if (c != shared) {
+      factor(a.factors[c], from, to);
+    } else if (low_rank) {
+      twice(a.factors[2 * c], from, other_from, middle, other_middle);
+      twice(a.factors[2 * c + 1], middle, other_middle, to, other_to);
+    } else {
+      twice(a.factors[c], from, other_from, to, other_to);
+    }
+  }
+  out.unfold(output, sizeof(T) == sizeof(double) ? a.scale : magnitude * a.scale, y);
+  return true;
+}
+
 }  // namespace
 
 // One set of entries for each instruction set; the attribute is all that differs.
@@ -574,12 +578,14 @@ template <int Bytes>
   TARGET bool multiply64(const ReadyProduct<double>& a, Difference x, double* y, double* scratch,  \
                          double magnitude, std::span<Moments> moments,                             \
                          std::uint64_t limit) noexcept {                                           \
-    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor64, twice64);        \
+    if (a.fold_x) return multiply_classes(a, x, y, scratch, magnitude, limit, factor64, twice64);  \
+    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor64);                 \
   }                                                                                                \
   TARGET bool multiply32(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,    \
                          double magnitude, std::span<Moments> moments,                             \
                          std::uint64_t limit) noexcept {                                           \
-    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor32, twice32);        \
+    if (a.fold_x) return multiply_classes(a, x, y, scratch, magnitude, limit, factor32, twice32);  \
+    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor32);                 \
   }                                                                                                \
   TARGET double dot(const double* a, const double* b, std::size_t n) noexcept {                    \
     return dot_of<BYTES>(a, b, n);                                                                 \

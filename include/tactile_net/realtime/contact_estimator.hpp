@@ -33,10 +33,10 @@ struct ContactEstimate {
   double normal_force = 0.0;          ///< F_v = h sum f_v, h the spacing [N/m]
   double tangential_force = unknown;  ///< F_t = h sum f_t [N/m]; NaN with one unknown; of a skin
                                       ///< its size, >= 0
-  double tangential_y = unknown;  ///< of a skin, along y; else NaN
-  double tangential_z = unknown;  ///< along z
-  double centre = unknown;        ///< sum y f_v / sum f_v [m]; NaN without contact
-  double centre_z = unknown;      ///< of a skin, along z
+  double tangential_y = unknown;      ///< of a skin, along y; else NaN
+  double tangential_z = unknown;      ///< along z
+  double centre = unknown;            ///< sum y f_v / sum f_v [m]; NaN without contact
+  double centre_z = unknown;          ///< of a skin, along z
   double torsion =
       unknown;             ///< of a skin, about x through the centre of pressure, from y towards z
   double angle = unknown;  ///< atan2(F_t, F_v) [rad]; NaN with one unknown or without contact
