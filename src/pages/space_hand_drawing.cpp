@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pages/picture.hpp"
+#include "tactile_net/numeric/text.hpp"
 
 namespace tactile_net::pages {
 namespace {
@@ -104,7 +105,8 @@ class Sheet {
     for (std::size_t i = 0; i < tips.size(); ++i)
       if (const auto& friction = grasp_.hand.fingers[i].friction) cone(tips[i], *friction);
     for (const lab::SpaceFingertip& tip : tips) finger(tip);
-    for (const Name& name : names_) picture_.text(name.place, name.text, name.anchor);
+    for (const Label& label : labels_)
+      picture_.text(label.place, join(label.words, ", "), label.anchor);
     ring();
     if (grasp_.held) arrows(grasp_.held->grasp.fingers, "held");
     if (grasp_.measured) arrows(grasp_.measured->grasp.fingers, "measured");
@@ -162,7 +164,6 @@ class Sheet {
 
   /// Joints that lie behind one another have their numbers side by side.
   void joints(const lab::SpaceFingertip& tip) {
-    std::vector<std::pair<Vector2, std::string>> numbers;
     std::size_t number = 0;
     for (const SpaceJoint& joint : tip.finger.joints) {
       ++number;
@@ -172,16 +173,8 @@ class Sheet {
       const Vector2 place = at(joint.place);
       picture_.line({place - half, place + half}, "axis");
       picture_.dot(place, 6.0, "joint");
-      const auto same = std::find_if(numbers.begin(), numbers.end(), [&](const auto& other) {
-        return length(other.first - place) < 12.0;
-      });
-      if (same == numbers.end())
-        numbers.emplace_back(place, std::to_string(number));
-      else
-        same->second += ", " + std::to_string(number);
+      say(place + Vector2{11.0, -9.0}, std::to_string(number), "start", 1.6 * text_size);
     }
-    for (const auto& [place, text] : numbers)
-      picture_.text(place + Vector2{11.0, -9.0}, text, "start");
   }
 
   /// Behind the pad; where one looks along its normal above it, unless another stands before it.
@@ -204,14 +197,16 @@ class Sheet {
       say({0.5 * (left + right), top - 8.0}, tip.finger.name, "middle");
   }
 
-  /// Names of pads that lie behind one another stand in one line.
-  void say(Vector2 place, const std::string& text, const std::string& anchor) {
-    for (Name& name : names_)
-      if (name.anchor == anchor && length(name.place - place) < text_size) {
-        name.text += ", " + text;
-        return;
-      }
-    names_.push_back({place, text, anchor});
+  /// What is to be read within some distance of other words stands beside them, and once.
+  void say(Vector2 place, const std::string& text, const std::string& anchor,
+           double near = text_size) {
+    for (Label& label : labels_) {
+      if (label.anchor != anchor || length(label.place - place) >= near) continue;
+      if (std::find(label.words.begin(), label.words.end(), text) == label.words.end())
+        label.words.push_back(text);
+      return;
+    }
+    labels_.push_back({place, {text}, anchor});
   }
 
   void ring() {
@@ -248,12 +243,12 @@ class Sheet {
   Scales scales_;
   Picture picture_;
 
-  struct Name {
+  struct Label {
     Vector2 place;
-    std::string text;
+    std::vector<std::string> words;
     std::string anchor;
   };
-  std::vector<Name> names_{};
+  std::vector<Label> labels_{};
 };
 
 }  // namespace
