@@ -1,5 +1,5 @@
 /// @file
-/// Logs of presses whose truth is known: "set-up S" of docs/calibration.md.
+/// Logs of presses whose truth is known: the set-up of docs/internals/calibration.md.
 #pragma once
 
 #include <cmath>

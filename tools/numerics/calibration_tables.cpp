@@ -221,8 +221,8 @@ std::string page() {
          "*field*: median error of the tractions in the 2-norm.\n\n"
          "| noise | scene | resultant | field |\n|---|---|---|---|\n";
   for (const double noise : {0.003, 0.01}) out << traction_rows(noise);
-  out << "\n## Time\n\nOne fit with its three starts, on one core of the machine that wrote this "
-         "page.\n\n| presses | time | iterations of all starts |\n|---|---|---|\n"
+  out << "\n## Time\n\nOne fit of known loads, which takes one start, on one core of the machine "
+         "that wrote this page, busy or not.\n\n| presses | time | iterations |\n|---|---|---|\n"
       << time_rows();
   return out.str();
 }

@@ -35,7 +35,6 @@ struct NextPresses {
 /// @throw std::invalid_argument  the target is not free
 [[nodiscard]] NextPresses next_presses(const PressModel& model, const PressLog& log,
                                        const CalibrationOptions& options, const PressFit& fit,
-                                       std::size_t count,
-                                       std::optional<PadParameter> target = {});
+                                       std::size_t count, std::optional<PadParameter> target = {});
 
 }  // namespace tactile_net

@@ -1,7 +1,8 @@
 /// @file
 /// A scene and a log of presses: what the scene should have said.
 ///
-///     const lab::SceneCalibration found = lab::calibrate(scene, log, parse_calibration_options(text, file));
+///     const CalibrationOptions stated = parse_calibration_options(text, file);
+///     const lab::SceneCalibration found = lab::calibrate(scene, log, stated);
 ///     report::print_calibration(std::cout, found);
 #pragma once
 

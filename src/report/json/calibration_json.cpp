@@ -75,9 +75,9 @@ std::string calibration_json(const lab::SceneCalibration& found, const std::stri
   json["words"] = calibration_in_words(found);
   json["parameters"] = Json::object();
   for (std::size_t i = 0; i < pad_parameter_count; ++i)
-    if (i != static_cast<std::size_t>(PadParameter::thickness) || found.scene.material.layer)
-      json["parameters"][std::string(name(static_cast<PadParameter>(i)))] =
-          value_json(fit.parameters[i]);
+    json["parameters"][std::string(name(static_cast<PadParameter>(i)))] =
+        value_json(fit.parameters[i]);
+  if (!found.scene.material.layer) json["parameters"]["thickness"] = nullptr;
   const std::vector<Channel> channel = channels(found.scene.sensor);
   json["mean_gains"] = Json::object();
   json["noise_rms"] = Json::object();

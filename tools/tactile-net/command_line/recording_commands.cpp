@@ -77,7 +77,7 @@ void add_calibrate(AllCommands& all) {
                "what cannot be known from it",
        .pages = {"calibration.md"},
        .examples = {
-           {"calibrate scenes/calibration/rod-layer.csv --scene scenes/calibration/rod-layer.toml "
+           {"calibrate scenes/calibration/fe-rods.csv --scene scenes/calibration/fe-rods.toml "
             "-o calibrated.toml",
             "a scene that solve, run, identify and plan take"},
            {"calibrate log.csv --scene pad.toml --robust --out out",
