@@ -14,42 +14,13 @@
 #include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/forward.hpp"
 #include "tactile_net/skin/tangential_weight.hpp"
+#include "tests/skin/skins.hpp"
 
 namespace {
 
 using namespace tactile_net;
 
 constexpr double friction_limit = 0.8;
-const Material silicone{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
-
-SkinArray skin_of(std::size_t count) {
-  return {.rows = count,
-          .columns = count,
-          .pitch_y = 1e-3,
-          .pitch_z = 1e-3,
-          .depths = {2e-3},
-          .reads = {SkinQuantity::stress_x, SkinQuantity::shear_xy, SkinQuantity::shear_xz}};
-}
-
-/// One to three ellipses, dragged by 0 to 0.6 of their pressure.
-std::vector<SkinLoad> random_contacts(std::mt19937& random, double half_width) {
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  std::vector<SkinLoad> loads(1 + static_cast<std::size_t>(3.0 * unit(random)));
-  for (SkinLoad& load : loads) {
-    const double a = 1e-3 * (1.5 + 2.5 * unit(random));
-    const double b = a * (0.6 + 0.4 * unit(random));
-    load = SkinContact{.shape = SkinShape::ellipsoid,
-                       .y = 0.75 * half_width * (2.0 * unit(random) - 1.0),
-                       .z = 0.75 * half_width * (2.0 * unit(random) - 1.0),
-                       .radius = a,
-                       .second_radius = b,
-                       .angle = 3.14 * unit(random),
-                       .force = 1e4 * (0.5 + unit(random)) * a * b,
-                       .friction = 0.6 * unit(random),
-                       .direction = 6.28 * unit(random)};
-  }
-  return loads;
-}
 
 double error(const std::vector<double>& found, const std::vector<double>& truth) {
   double wrong = 0.0;
@@ -92,7 +63,7 @@ std::vector<Contact> contacts(const SkinArray& skin, const SkinGrid& grid, std::
 }
 
 void compare_rules(std::size_t count) {
-  const SkinArray skin = skin_of(count);
+  const SkinArray skin = square_skin(count, 2e-3);
   const SkinProblem problem = make_problem(skin, silicone);
   const SkinFamily family(problem);
   const AlphaTables tables(family.singular_values(), independent_readings(problem));
@@ -112,7 +83,7 @@ void compare_rules(std::size_t count) {
 }
 
 void compare_shares(std::size_t count) {
-  const SkinArray skin = skin_of(count);
+  const SkinArray skin = square_skin(count, 2e-3);
   SkinProblem problem = make_problem(skin, silicone);
   constexpr std::array shares{1.0, 0.5, 1.0 / 3.0, 0.2};
   std::vector<std::vector<double>> ratios(shares.size());

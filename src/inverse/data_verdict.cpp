@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "inverse/data_limits.hpp"
 #include "inverse/data_memory.hpp"
 #include "inverse/nonnegative.hpp"
 #include "inverse/significance.hpp"
@@ -22,8 +23,6 @@ constexpr double false_alarms = 1e-3;   ///< of honest frames, each test
 constexpr double usual_friction = 1.0;  ///< of rubber on what it touches, at most
 constexpr std::size_t most_suspects = 4;
 constexpr std::size_t iteration_limit = 300;
-
-bool positive(double value) { return value > 0.0 && std::isfinite(value); }
 
 /// What a contact is allowed besides pressing: columns without a sign.
 struct Freedom {
@@ -97,22 +96,10 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
       kernel(as_eigen(problem.kernel)),
       rows(static_cast<double>(weighting.rows())),
       constant_gain(std::numeric_limits<double>::infinity()) {
-  const auto require = [](bool holds, const char* rule) {
-    if (!holds) throw std::invalid_argument(rule);
-  };
-  require(!limits.noise_rms || positive(*limits.noise_rms), "noise_rms must be > 0 and finite");
-  require(!limits.friction_limit || positive(*limits.friction_limit),
-          "friction_limit must be > 0 and finite");
-  require(!limits.largest_traction || positive(*limits.largest_traction),
-          "largest_traction must be > 0 and finite");
-  require(
-      limits.largest_readings.empty() ||
-          (limits.largest_readings.size() == problem.weights.size() &&
-           std::all_of(limits.largest_readings.begin(), limits.largest_readings.end(), positive)),
-      "largest_readings needs one value > 0 per row, or none");
-  require(contacts.weights == problem.weights && contacts.unknowns == problem.unknowns &&
-              contacts.unknown_offsets == problem.unknown_offsets,
-          "contacts need the rows and unknowns of the problem");
+  check_limits(limits, problem.weights.size());
+  if (!(contacts.weights == problem.weights && contacts.unknowns == problem.unknowns &&
+        contacts.unknown_offsets == problem.unknown_offsets))
+    throw std::invalid_argument("contacts need the rows and unknowns of the problem");
 
   weights /= unit;
   kernel /= unit;

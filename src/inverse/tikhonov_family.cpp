@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "inverse/checks.hpp"
+#include "inverse/degrees_of_freedom.hpp"
 #include "inverse/family_factors.hpp"
 #include "inverse/stacked.hpp"
 
@@ -130,12 +131,7 @@ double TikhonovFamily::stacked_condition(double alpha) const noexcept {
 }
 
 double TikhonovFamily::degrees_of_freedom(double alpha) const noexcept {
-  double sum = 0.0;
-  for (const double gamma : factors_->gamma) {
-    const double root = gamma / std::hypot(gamma, std::sqrt(alpha));
-    sum += root * root;
-  }
-  return sum;
+  return degrees_of_freedom_of(factors_->gamma, alpha);
 }
 
 FilterFrame TikhonovFamily::analyse(std::span<const double> readings) const {

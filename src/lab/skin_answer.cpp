@@ -40,8 +40,8 @@ void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFram
   const double left = residual_of(problem.problem(), readings, answer.tractions);
   answer.noise =
       estimate_noise(left, frame.rows, answer.degrees_of_freedom, problem.stated_noise());
-  const std::vector<double> none(answer.tractions.size());
-  const double all = residual_of(problem.problem(), readings, none);
+  double all = 0.0;  // without tractions
+  for (const double reading : weighted(problem.problem(), readings)) all = std::hypot(all, reading);
   if (all > 0.0 && left > 0.5 * all) {
     if (answer.verdict == Verdict::ok) answer.verdict = Verdict::oversmoothed;
     answer.remarks.emplace_back(remark::Unexplained{left / all});

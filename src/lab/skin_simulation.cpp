@@ -13,11 +13,6 @@ bool moves(const SkinScene& scene) {
                      [](const SkinContactTrajectory& one) { return !one.empty(); });
 }
 
-bool drags(const SkinLoad& load) {
-  return has_traction(load, SkinTraction::tangential_y) ||
-         has_traction(load, SkinTraction::tangential_z);
-}
-
 /// How much of the contacts' force lies beyond the grid, where no traction can stand for it.
 double share_beyond(const SkinFrame& frame, const SkinGrid& grid) {
   const double found = resultant(std::span(frame.truth).first(grid.count()), grid).force.front();

@@ -6,11 +6,6 @@
 namespace tactile_net {
 namespace {
 
-bool drags(const SkinLoad& load) {
-  return has_traction(load, SkinTraction::tangential_y) ||
-         has_traction(load, SkinTraction::tangential_z);
-}
-
 bool any_drag(const SkinScene& scene) {
   return std::any_of(scene.contacts.begin(), scene.contacts.end(), drags) ||
          std::any_of(scene.trajectories.begin(), scene.trajectories.end(),

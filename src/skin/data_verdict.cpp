@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "inverse/checks.hpp"
+#include "inverse/data_limits.hpp"
 #include "inverse/significance.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/skin/cone.hpp"
@@ -26,8 +27,6 @@ constexpr std::size_t iteration_limit = 1000;
 constexpr double converged = 1e-5;
 /// Over the square of the largest singular value, in the order in which they are tried.
 constexpr std::array smoothings = {1e-4, 1e-6, 1e-8};
-
-bool positive(double value) { return value > 0.0 && std::isfinite(value); }
 
 double largest_square(const SkinProblem& problem) {
   const SkinFamily family(problem);
@@ -73,21 +72,9 @@ SkinDataJudge::Parts::Parts(const SkinProblem& found_for, const SkinProblem& sou
       unit(limits.noise_rms.value_or(1.0)),
       rows(static_cast<double>(independent_readings(problem))),
       least_alpha(largest_square(contacts)) {
-  const auto require = [](bool holds, const char* rule) {
-    if (!holds) throw std::invalid_argument(rule);
-  };
-  require(!limits.noise_rms || positive(*limits.noise_rms), "noise_rms must be > 0 and finite");
-  require(!limits.friction_limit || positive(*limits.friction_limit),
-          "friction_limit must be > 0 and finite");
-  require(!limits.largest_traction || positive(*limits.largest_traction),
-          "largest_traction must be > 0 and finite");
-  require(
-      limits.largest_readings.empty() ||
-          (limits.largest_readings.size() == problem.weights.size() &&
-           std::all_of(limits.largest_readings.begin(), limits.largest_readings.end(), positive)),
-      "largest_readings needs one value > 0 per row, or none");
-  require(contacts.weights == problem.weights && contacts.components == problem.components,
-          "contacts need the rows and components of the problem");
+  check_limits(limits, problem.weights.size());
+  if (!(contacts.weights == problem.weights && contacts.components == problem.components))
+    throw std::invalid_argument("contacts need the rows and components of the problem");
   if (problem.components == 3)
     press.friction_limit = limits.friction_limit.value_or(usual_friction);
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "inverse/degrees_of_freedom.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "skin/family_factors.hpp"
@@ -99,12 +100,7 @@ double SkinFamily::stacked_condition(double alpha) const noexcept {
 }
 
 double SkinFamily::degrees_of_freedom(double alpha) const noexcept {
-  double sum = 0.0;
-  for (const double gamma : factors_->gamma) {
-    const double root = gamma / std::hypot(gamma, std::sqrt(alpha));
-    sum += root * root;
-  }
-  return sum;
+  return degrees_of_freedom_of(factors_->gamma, alpha);
 }
 
 FilterFrame SkinFamily::analyse(std::span<const double> readings) const {

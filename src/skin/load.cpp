@@ -187,4 +187,9 @@ bool has_traction(const SkinLoad& load, SkinTraction component) noexcept {
   return of_kind(load, [&](const auto& own) { return has_traction(own, component); });
 }
 
+bool drags(const SkinLoad& load) noexcept {
+  return has_traction(load, SkinTraction::tangential_y) ||
+         has_traction(load, SkinTraction::tangential_z);
+}
+
 }  // namespace tactile_net

@@ -43,6 +43,16 @@ for page in pages.values():
     if page.path not in reached and page.path.name != "CHANGELOG.md":
         fault(page.path, 1, "no page links to this one")
 
+# The site shows each page once, and no page that is not there.
+navigation = project / "docs/mkdocs.yml"
+shown = [project / name for name in re.findall(r"^ +- (?:.*: )?(\S+\.md)$", navigation.read_text(encoding="utf-8"), re.MULTILINE)]
+for page in pages.values():
+    if shown.count(page.path) != 1:
+        fault(navigation, 1, f"{page.path.relative_to(project)} is in it {shown.count(page.path)} times")
+for path in shown:
+    if path.resolve() not in pages:
+        fault(navigation, 1, f"there is no page {path.relative_to(project)}")
+
 # The headers that the glossary names.
 glossary = project / "docs/glossary.md"
 for line, text in pages[glossary.resolve()].prose:

@@ -133,6 +133,9 @@ struct SkinSupport {
 /// True if the load has a traction along that axis anywhere.
 [[nodiscard]] bool has_traction(const SkinLoad& load, SkinTraction component) noexcept;
 
+/// True if the load has a tangential traction anywhere: it drags or twists.
+[[nodiscard]] bool drags(const SkinLoad& load) noexcept;
+
 /// The mean of the loads' tractions over each cell [Pa], 3 * grid.count() values: integrals in
 /// closed form, singular rims and apexes included, correct to some 1e-15 of the largest mean, and
 /// times radius over spacing where that is more. So the cells' forces add up to the load's where
