@@ -118,7 +118,7 @@ def entry(name: str, tree: ast.Module) -> list[str]:
 
 def text() -> str:
     lines = [introduction]
-    for title, name in (("tactile_net", "__init__"), ("tactile_net.plot", "plot"), ("tactile_net.logs", "logs"),
+    for title, name in (("tactile_net", "__init__"), ("tactile_net.datasets", "datasets"), ("tactile_net.plot", "plot"), ("tactile_net.logs", "logs"),
                         ("tactile_net.mujoco", "mujoco"), ("tactile_net.errors", "errors")):
         tree = module(name)
         own = {node.name for node in tree.body if isinstance(node, ast.ClassDef | ast.FunctionDef)}

@@ -42,5 +42,5 @@ figure.savefig("skin.png", dpi=110)
 # %%
 solver = skin.replace({"reconstruct": {"alpha": solution.alpha[0]}}).solver()
 print(f"one matrix of {solver.matrix.shape}")
-off = solver(recording.readings[0])[0].sum() * solver.scene.cell_area - solution.normal_force[0]
+off = solver(recording.readings[0])[0].sum() * skin.cell_area - solution.normal_force[0]
 print(f"without constraints all cells together press {1e3 * off:+.0f} mN more")

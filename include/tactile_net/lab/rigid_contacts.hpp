@@ -1,6 +1,6 @@
 /// @file
-/// From the contact points of a rigid-body simulator to patches of load in plane strain; to loads on
-/// a skin go skin_contacts.hpp.
+/// From the contact points of a rigid-body simulator to patches of load in plane strain; to loads
+/// on a skin go skin_contacts.hpp.
 #pragma once
 
 #include <array>
