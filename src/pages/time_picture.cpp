@@ -57,13 +57,20 @@ std::string path_of(std::size_t columns, const Range& range, const ColumnValue& 
 
 std::string area_of(std::size_t columns, const Range& range, const ColumnValue& low,
                     const ColumnValue& high, std::string_view type) {
-  std::string d;
-  const auto add = [&](std::size_t i, const ColumnValue& edge) {
-    d += (d.empty() ? "M" : "L") + point(i, range.at(edge(i)));
+  const auto known = [&](std::size_t i) {
+    return std::isfinite(range.at(low(i))) && std::isfinite(range.at(high(i)));
   };
-  for (std::size_t i = 0; i < columns; ++i) add(i, high);
-  for (std::size_t i = columns; i-- > 0;) add(i, low);
-  return "<path class=\"" + std::string(type) + "\" d=\"" + d + "Z\"/>";
+  std::string d;
+  for (std::size_t first = 0; first < columns; ++first) {
+    if (!known(first)) continue;
+    std::size_t end = first;  // of a piece without a gap
+    for (; end < columns && known(end); ++end)
+      d += (end == first ? "M" : "L") + point(end, range.at(high(end)));
+    for (std::size_t i = end; i-- > first;) d += "L" + point(i, range.at(low(i)));
+    d += "Z";
+    first = end;
+  }
+  return "<path class=\"" + std::string(type) + "\" d=\"" + d + "\"/>";
 }
 
 std::string level_line(std::size_t columns, const Range& range, double level,

@@ -171,6 +171,7 @@ TEST_CASE("solve of a skin: what --missing says becomes of frames", "[cli][skin]
   CHECK(json["frames"][1]["verdict"] == "failed");
   CHECK(json["frames"][1]["resultant"].is_null());
   CHECK(json["frames"][2]["resultant"] == json["frames"][0]["resultant"]);
+  CHECK_THAT(read_text(folder / "skip/report.html"), !ContainsSubstring(" -L"));
   const std::string rows = read_text(folder / "t.csv");
   CHECK(std::count(rows.begin(), rows.end(), '\n') == 4);
 
