@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "tactile_net/lab/skin_data_verdict.hpp"
 #include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net::lab {
@@ -155,6 +156,8 @@ SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readin
                    [](double f) { return std::isfinite(f); }))
     throw std::domain_error(overflow);
   judge(answer, problem, frame, readings);
+  answer.data = data_verdict(problem, readings, answer.tractions);
+  if (!answer.data.consistent()) answer.remarks.emplace_back(remark::DataDoubted{answer.data});
   add_bands(answer, problem, frame, face, readings);
   return answer;
 }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "tactile_net/lab/skin_data_verdict.hpp"
+
 namespace tactile_net::lab {
 namespace {
 
@@ -33,6 +35,7 @@ struct SkinSceneProblem::Parts {
   std::optional<SkinFamily> family{};
   std::optional<AlphaTables> alpha_tables{};
   std::optional<std::pair<double, SkinCone>> cone{};  // of its alpha
+  std::optional<SkinDataJudge> data_judge{};
 };
 
 SkinSceneProblem::SkinSceneProblem(SkinScene scene)
@@ -81,6 +84,17 @@ const SkinCone& SkinSceneProblem::cone(double alpha) const {
   if (!made || made->first != alpha)
     made.emplace(alpha, SkinCone(problem(), alpha, *parts_->constraints));
   return made->second;
+}
+
+const SkinDataJudge& SkinSceneProblem::data_judge() const {
+  if (!parts_->data_judge) parts_->data_judge.emplace(lab::data_judge(*this));
+  return *parts_->data_judge;
+}
+
+SkinProblem SkinSceneProblem::on(const SkinGridOptions& grid) const {
+  SkinProblemOptions options = options_of(parts_->scene);
+  options.grid = grid;
+  return make_problem(parts_->scene.sensor, parts_->scene.material, options);
 }
 
 SkinSceneProblem SkinSceneProblem::without(std::span<const std::size_t> taxels) const {

@@ -37,7 +37,7 @@ AnyScene parse_named(std::string_view text, const std::string& file, bool skins)
   if (!skins) {
     problems.add(place_of(toml.get("sensor")->source().begin),
                  "[sensor] is of a skin, and this knows line arrays alone as yet",
-                 "run, simulate and solve know skins");
+                 "run, simulate, solve and identify know skins");
     problems.throw_if_any();
   }
   Problems of_skin{file, text, skin_file};

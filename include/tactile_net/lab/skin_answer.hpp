@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/alpha.hpp"
 #include "tactile_net/lab/remark.hpp"
@@ -22,6 +23,7 @@ struct SkinAnswer {
   Verdict verdict = Verdict::ok;
   std::optional<SkinConeSolution> cone{};  ///< where the scene has constraints
   NoiseEstimate noise{};
+  DataVerdict data{};                ///< whether the readings can be true
   double degrees_of_freedom = 0.0;   ///< of the readings that the tractions use up, under
                                      ///< constraints those that these leave free
   double condition = 0.0;            ///< `SkinFamily::stacked_condition`

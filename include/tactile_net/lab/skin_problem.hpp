@@ -14,6 +14,7 @@
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/scene/skin_scene.hpp"
 #include "tactile_net/skin/cone.hpp"
+#include "tactile_net/skin/data_verdict.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/problem.hpp"
 
@@ -43,6 +44,11 @@ class SkinSceneProblem {
 
   /// Of the last alpha asked for. @pre  there are constraints
   [[nodiscard]] const SkinCone& cone(double alpha) const;
+
+  /// Whether readings can be true (skin_data_verdict.hpp).
+  [[nodiscard]] const SkinDataJudge& data_judge() const;
+  /// The problem on another grid.
+  [[nodiscard]] SkinProblem on(const SkinGridOptions& grid) const;
 
   /// The same without these taxels, and with no other.
   [[nodiscard]] SkinSceneProblem without(std::span<const std::size_t> taxels) const;

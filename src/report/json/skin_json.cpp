@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "report/json/data_json.hpp"
 #include "report/json/document.hpp"
 #include "report/json/scene_json.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
@@ -15,6 +16,8 @@ Json skin_units_json(const Units& units) {
   json["force"] = si_unit(Dimension::point_force);
   return json;
 }
+
+}  // namespace
 
 Json scene_json(const DocumentKind& kind, const SkinScene& scene) {
   Json json = document(kind);
@@ -31,6 +34,8 @@ Json scene_json(const DocumentKind& kind, const SkinScene& scene) {
         {"index", scene.frame}, {"of", scene.time->frames}, {"t", scene.time->time(scene.frame)}};
   return json;
 }
+
+namespace {
 
 Json list(std::span<const double> values) {
   return values.empty() ? Json(nullptr) : Json(std::vector(values.begin(), values.end()));
@@ -107,6 +112,7 @@ Json answer_json(const lab::SkinExperiment& experiment) {
                 {{"stated", number_or_null(answer.noise.stated_rms)},
                  {"residual", finite_or_null(answer.noise.residual_rms)},
                  {"model", finite_or_null(answer.noise.model_rms)}}},
+               {"data", data_json(answer.data)},
                {"seconds",
                 {{"setup", finite_or_null(experiment.setup_seconds)},
                  {"frame", finite_or_null(experiment.frame_seconds)}}}};
@@ -162,7 +168,8 @@ std::string recording_json(const lab::SkinRecordingAnswer& recording, const std:
                               {"alpha", frame.alpha.value},
                               {"alpha_rule", source(frame.alpha)},
                               {"resultant", found_json(frame.wrench)},
-                              {"friction", uncertain_or_null(frame.friction)}});
+                              {"friction", uncertain_or_null(frame.friction)},
+                              {"data", doubts_json(frame.data)}});
   return text_of(json);
 }
 

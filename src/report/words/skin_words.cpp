@@ -8,6 +8,7 @@
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
+#include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
@@ -245,6 +246,12 @@ std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
                     [](const auto& frame) { return frame.verdict == lab::Verdict::ok; }));
   all.push_back({std::to_string(good) + " of " + std::to_string(recording.frames.size()),
                  "frames have the verdict ok", good < recording.frames.size()});
+  const auto doubted = static_cast<std::size_t>(
+      std::count_if(recording.frames.begin(), recording.frames.end(),
+                    [](const auto& frame) { return !frame.data.consistent(); }));
+  if (doubted > 0)
+    all.push_back({std::to_string(doubted) + " of " + std::to_string(recording.frames.size()),
+                   "frames' readings cannot be those of a contact", true});
   return all;
 }
 
@@ -300,7 +307,7 @@ void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment) 
   if (components(scene) == 3)
     out << ", q_y " << percent(experiment.relative[1]) << ", q_z "
         << percent(experiment.relative[2]) << " of it";
-  out << '\n';
+  out << "; data " << data_word(answer.data) << '\n';
   if (answer.cone)
     out << "cells that slide " << answer.cone->sliding << ", stick " << answer.cone->sticking
         << ", touch nothing " << answer.cone->apart << " (" << answer.cone->iterations
