@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "tactile_net/lab/skin_data_verdict.hpp"
+#include "tactile_net/lab/skin_sight.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -36,6 +37,8 @@ struct SkinSceneProblem::Parts {
   std::optional<AlphaTables> alpha_tables{};
   std::optional<std::pair<double, SkinCone>> cone{};  // of its alpha
   std::optional<SkinDataJudge> data_judge{};
+  std::optional<std::vector<bool>> unseen{};
+  std::optional<SkinSceneProblem> beyond{};
 };
 
 SkinSceneProblem::SkinSceneProblem(SkinScene scene)
@@ -89,6 +92,20 @@ const SkinCone& SkinSceneProblem::cone(double alpha) const {
 const SkinDataJudge& SkinSceneProblem::data_judge() const {
   if (!parts_->data_judge) parts_->data_judge.emplace(lab::data_judge(*this));
   return *parts_->data_judge;
+}
+
+const std::vector<bool>& SkinSceneProblem::unseen() const {
+  if (!parts_->unseen) parts_->unseen = unseen_cells(*this);
+  return *parts_->unseen;
+}
+
+const SkinSceneProblem& SkinSceneProblem::reaching_beyond() const {
+  if (!parts_->beyond) {
+    SkinScene scene = parts_->scene;
+    scene.reconstruct.grid.margin = 2.0 * least_depth(scene.sensor);
+    parts_->beyond.emplace(std::move(scene));
+  }
+  return *parts_->beyond;
 }
 
 SkinProblem SkinSceneProblem::on(const SkinGridOptions& grid) const {

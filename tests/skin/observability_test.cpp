@@ -175,8 +175,7 @@ TEST_CASE("long ripples are known better than short ones", "[skin][observability
   }
   using enum SkinRipple;
   CHECK_FALSE(resolvable_wavelength(half, drag_across, WaveDirection::any, 1e12));
-  X
-  CHECK(resolvable_wavelength(all, pressure, WaveDirection::any, 10.0) == fine);
+  X CHECK(resolvable_wavelength(all, pressure, WaveDirection::any, 10.0) == fine);
   // Readings that are all zero hide everything: one row, and nothing but the drag's shear across
   // it.
   const SkinArray row = {.rows = 5,

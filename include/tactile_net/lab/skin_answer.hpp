@@ -32,6 +32,7 @@ struct SkinAnswer {
   std::optional<SkinFriction> friction{};   ///< absent with one component, or where nothing touches
   std::optional<ContactEllipse> ellipse{};  ///< of the strongest contact, by Hertz' law
   std::size_t contacts = 0;                 ///< that lie apart
+  double unseen = 0.0;  ///< share of their force where no taxel sees (skin_sight.hpp)
   Remarks remarks{};
 };
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
@@ -47,6 +48,11 @@ class SkinSceneProblem {
 
   /// Whether readings can be true (skin_data_verdict.hpp).
   [[nodiscard]] const SkinDataJudge& data_judge() const;
+  /// `unseen_cells` (skin_sight.hpp).
+  [[nodiscard]] const std::vector<bool>& unseen() const;
+  /// The same with cells to two depths beyond the outermost taxels, for what presses over the edge.
+  /// @pre  the scene states no margin
+  [[nodiscard]] const SkinSceneProblem& reaching_beyond() const;
   /// The problem on another grid.
   [[nodiscard]] SkinProblem on(const SkinGridOptions& grid) const;
 

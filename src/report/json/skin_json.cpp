@@ -101,6 +101,7 @@ Json answer_json(const lab::SkinExperiment& experiment) {
                {"deviations", fields(answer.deviations, experiment.grid)},
                {"cells", answer.cells},
                {"contacts", answer.contacts},
+               {"unseen", answer.unseen},
                {"resultant", found_json(answer.wrench)},
                {"friction", friction_json(answer.friction)},
                {"ellipse", ellipse_json(answer.ellipse)},
