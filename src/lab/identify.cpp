@@ -250,6 +250,11 @@ void check_positive(const char* name, const std::optional<double>& value) {
 
 }  // namespace
 
+void check(const SurveyOptions& options) {
+  check_positive("traction", options.traction);
+  check_positive("relative_noise", options.relative_noise);
+}
+
 bool needs_traction(const Scene& scene, const SurveyOptions& options) {
   return !options.traction && !options.relative_noise && peak_traction(scene) == 0.0 &&
          std::any_of(scene.sensor.reads.begin(), scene.sensor.reads.end(),
@@ -269,8 +274,7 @@ double traction_behind(const Scene& scene, std::span<const double> largest) {
 }
 
 Survey identify(const Scene& scene, const SurveyOptions& options, Observer& observer) {
-  check_positive("traction", options.traction);
-  check_positive("relative_noise", options.relative_noise);
+  check(options);
   Survey result{.traction = assumed_traction(scene, options),
                 .taxels = compared_taxels(scene.sensor.count)};
   result.noise = assumed_noise(scene, options, result.traction);

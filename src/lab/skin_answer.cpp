@@ -5,8 +5,11 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "tactile_net/inverse/error_bound.hpp"
+#include "tactile_net/lab/skin_data_verdict.hpp"
+#include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net::lab {
@@ -118,6 +121,27 @@ void scale_to_peak(std::vector<double>& deviations, std::span<const double> pres
   for (double& deviation : deviations) deviation *= factor;
 }
 
+/// The variance of place that smoothing may have added to pressure: of a rectangle that stands for
+/// one degree of freedom of it.
+double smoothed_variance(const SkinSceneProblem& problem, double degrees_of_freedom) {
+  const SkinArray& skin = problem.scene().sensor;
+  const double depth = least_depth(skin);
+  const double y = is_even(skin) && skin.rows == 1 ? depth : skin.pitch_y;
+  const double z = is_even(skin) && skin.columns == 1 ? depth : skin.pitch_z;
+  const auto components = static_cast<double>(problem.problem().components);
+  const double each = degrees_of_freedom / components / static_cast<double>(taxel_count(skin));
+  return y * z / std::max(each, 1e-3) / 12.0;
+}
+
+/// A radius by second moments lies between what it would be if smoothing had added all of that
+/// variance, and none.
+Uncertain without_smoothing(const Uncertain& radius, double variance) {
+  constexpr double hertz = 5.0;  // the radius' square over the variance
+  const double least = std::sqrt(std::max(radius.value * radius.value - hertz * variance, 0.0));
+  return {0.5 * (radius.value + least),
+          std::hypot(radius.deviation, (radius.value - least) / std::sqrt(12.0))};
+}
+
 /// Bands, the cells that touch, and what the tractions amount to. Under constraints the contacts
 /// are judged by what these leave free; the bands of cells are those without constraints, which
 /// hold what the constraints have moved.
@@ -130,9 +154,9 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   // An error of the model counts for noise.
   const double rms = answer.noise.model_rms > 0.0 ? answer.noise.residual_rms : answer.noise.rms();
   const AlphaRule rule = problem.alpha_rule();
-  const SkinCovariance own(
-      problem.family(), alpha,
-      prior_of(frame, problem.alpha_tables(frame), rule, alpha, problem.stated_noise()).alpha);
+  const double prior =
+      prior_of(frame, problem.alpha_tables(frame), rule, alpha, problem.stated_noise()).alpha;
+  const SkinCovariance own(problem.family(), alpha, prior);
   answer.deviations = own.deviations();
   for (double& deviation : answer.deviations) deviation *= rms;
 
@@ -148,7 +172,7 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   }
   const Covariance& covariance = of_face ? *of_face : own;
   const std::span<const double> f = answer.tractions;
-  const double rim = 0.5 * least_depth(problem.scene().sensor);
+  const double rim = least_depth(problem.scene().sensor);
   answer.cells = contact_cells(grid, f, touching, rim);
   std::vector<std::size_t> summed(grid.count());
   std::iota(summed.begin(), summed.end(), std::size_t{0});
@@ -158,12 +182,35 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
     answer.cells = contact_cells(grid, f, touching, rim);
   }
   if (answer.cells.empty()) return;
-  answer.wrench = resultant_of(grid, f, answer.cells, covariance, rms);
-  answer.friction = friction_of(grid, f, answer.cells, covariance, rms,
-                                problem.scene().reconstruct.friction_limit);
+  answer.unseen = unseen_share(f, answer.cells, problem.unseen());
+  const bool seen = answer.unseen <= most_unseen;
+  // Where no taxel sees, what constraints hold is not certain either.
+  const SkinCovariance of_contact(problem.family(), alpha,
+                                  contact_prior(prior, answer.cells.size(), grid.count(), seen));
+  const Covariance& known = of_face && seen ? covariance : of_contact;
+  answer.wrench = resultant_of(grid, f, answer.cells, known, rms);
+  answer.friction =
+      friction_of(grid, f, answer.cells, known, rms, problem.scene().reconstruct.friction_limit);
   const auto apart = separate_contacts(grid, f, answer.cells);
   answer.contacts = apart.size();
-  answer.ellipse = contact_ellipse(grid, f, apart.front(), covariance, rms);
+  answer.ellipse = contact_ellipse(grid, f, apart.front(), known, rms);
+  if (!answer.ellipse) return;
+  // Of tractions without constraints: these change little of what the readings tell of a size.
+  const double variance = smoothed_variance(problem, problem.family().degrees_of_freedom(alpha));
+  answer.ellipse->radius = without_smoothing(answer.ellipse->radius, variance);
+  answer.ellipse->second_radius = without_smoothing(answer.ellipse->second_radius, variance);
+}
+
+/// What a contact that reaches over the skin's edge amounts to, from an answer on a grid that
+/// reaches further. The map stays as it is.
+void take_from_beyond(SkinAnswer& answer, SkinAnswer beyond) {
+  if (beyond.cells.empty()) return;
+  answer.wrench = beyond.wrench;
+  answer.unseen = beyond.unseen;
+  answer.ellipse = beyond.ellipse;
+  if (!answer.friction || !beyond.friction) return;
+  beyond.friction->cell_margins = std::move(answer.friction->cell_margins);  // of this grid's cells
+  answer.friction = std::move(beyond.friction);
 }
 
 }  // namespace
@@ -201,7 +248,13 @@ SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readin
                    [](double f) { return std::isfinite(f); }))
     throw FrameOverflow();
   judge(answer, problem, frame, readings);
+  answer.data = data_verdict(problem, readings, answer.tractions);
+  if (!answer.data.consistent()) answer.remarks.emplace_back(remark::DataDoubted{answer.data});
   add_bands(answer, problem, frame, face, readings);
+  if (answer.unseen > most_unseen && !problem.scene().reconstruct.grid.margin)
+    take_from_beyond(answer, solve(problem.reaching_beyond(), readings));
+  if (answer.unseen > most_guessed && answer.verdict == Verdict::ok)
+    answer.verdict = Verdict::cut_off;
   return answer;
 }
 

@@ -4,6 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "tactile_net/lab/skin_data_verdict.hpp"
+#include "tactile_net/lab/skin_sight.hpp"
+
 namespace tactile_net::lab {
 namespace {
 
@@ -36,6 +39,9 @@ struct SkinSceneProblem::Parts {
   std::optional<SkinFamily> family{};
   std::optional<AlphaTables> alpha_tables{};
   std::optional<std::pair<double, SkinCone>> cone{};  // of its alpha
+  std::optional<SkinDataJudge> data_judge{};
+  std::optional<std::vector<bool>> unseen{};
+  std::optional<SkinSceneProblem> beyond{};
 };
 
 SkinSceneProblem::SkinSceneProblem(SkinScene scene)
@@ -86,6 +92,31 @@ const SkinCone& SkinSceneProblem::cone(double alpha) const {
   if (!made || made->first != alpha)
     made.emplace(alpha, SkinCone(problem(), alpha, *parts_->constraints));
   return made->second;
+}
+
+const SkinDataJudge& SkinSceneProblem::data_judge() const {
+  if (!parts_->data_judge) parts_->data_judge.emplace(lab::data_judge(*this));
+  return *parts_->data_judge;
+}
+
+const std::vector<bool>& SkinSceneProblem::unseen() const {
+  if (!parts_->unseen) parts_->unseen = unseen_cells(*this);
+  return *parts_->unseen;
+}
+
+const SkinSceneProblem& SkinSceneProblem::reaching_beyond() const {
+  if (!parts_->beyond) {
+    SkinScene scene = parts_->scene;
+    scene.reconstruct.grid.margin = 2.0 * least_depth(scene.sensor);
+    parts_->beyond.emplace(std::move(scene));
+  }
+  return *parts_->beyond;
+}
+
+SkinProblem SkinSceneProblem::on(const SkinGridOptions& grid) const {
+  SkinProblemOptions options = options_of(parts_->scene);
+  options.grid = grid;
+  return make_problem(parts_->scene.sensor, parts_->scene.material, options);
 }
 
 SkinSceneProblem SkinSceneProblem::without(std::span<const std::size_t> taxels) const {

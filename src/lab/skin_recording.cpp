@@ -42,7 +42,8 @@ void SkinRecordingAnswer::add(std::string time, std::span<const double> frame_re
        .verdict = found.verdict,
        .alpha = found.alpha,
        .wrench = found.wrench,
-       .friction = found.friction ? std::optional(found.friction->ratio) : std::nullopt});
+       .friction = found.friction ? std::optional(found.friction->ratio) : std::nullopt,
+       .data = found.data});
   show(*this, found);
   if (answer && found.wrench.normal.value <= answer->wrench.normal.value) return;
   hardest = frames.size() - 1;

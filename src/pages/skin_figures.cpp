@@ -9,6 +9,7 @@
 #include "pages/skin_section.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 
@@ -66,6 +67,13 @@ std::string traction_map(const SkinScene& scene, const SkinGrid& cells_of, const
                       scales.drag);
   svg += map_outline(grid, touches);
   return map_picture(scene.units, grid, title, "Map of the tractions, " + title, svg);
+}
+
+std::string scene_html(const SkinScene& scene) {
+  return element("p", "Sensor: " + report::sensor_in_words(scene) +
+                          ". Material: " + report::material_in_words(scene) +
+                          ". Forward model: " + std::string(name(scene.forward)) + ".") +
+         drawing::html_list(report::contacts_in_words(scene));
 }
 
 std::string maps(const std::vector<std::string>& pictures) {
@@ -209,7 +217,8 @@ std::string judgement(const lab::SkinExperiment& experiment) {
   html += "<p>" + verdict_mark(std::string(name(answer.verdict))) + " " +
           drawing::escaped(drawing::typeset("alpha " + brief(answer.alpha.value) + " (" +
                                             std::string(source(answer.alpha)) + "), " +
-                                            report::grid_in_words(scene, experiment.grid) + ".")) +
+                                            report::grid_in_words(scene, experiment.grid) +
+                                            ". Data: " + report::data_word(answer.data) + ".")) +
           "</p>\n";
   if (answer.cone)
     html += element("p", "Under the constraints " + std::to_string(answer.cone->sliding) +

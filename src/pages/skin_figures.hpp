@@ -10,6 +10,9 @@
 
 namespace tactile_net::pages {
 
+/// A skin's scene in words: sensor, material, contacts.
+[[nodiscard]] std::string scene_html(const SkinScene& scene);
+
 /// Drags that are smaller beside the pressure are not drawn: noise has some everywhere.
 inline constexpr double least_drag = 0.1;
 

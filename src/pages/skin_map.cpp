@@ -180,13 +180,25 @@ std::string map_picture(const std::optional<Units>& units, const MapGrid& grid,
   const ScaledUnit unit = report::axis_unit(units, Dimension::length, largest);
   const auto tick = [&](double value) { return brief(value * unit.factor); };
   const std::string name = units ? ' ' + unit.label : std::string{};
+  return map_picture(grid,
+                     {.left = tick(from_y),
+                      .across = "y →",
+                      .right = tick(to_y) + name,
+                      .top = tick(from_z),
+                      .down = "z ↓",
+                      .bottom = tick(to_z)},
+                     title, label, inside);
+}
+
+std::string map_picture(const MapGrid& grid, const MapEnds& ends, std::string_view title,
+                        std::string_view label, const std::string& inside) {
   std::string html = title.empty() ? "" : element("p", title, "map-title");
-  html += "<div class=\"map\"><div class=\"ticks\">" + element("span", tick(from_z)) +
-          element("span", "z ↓") + element("span", tick(to_z)) + "</div><svg viewBox=\"0 0 " +
+  html += "<div class=\"map\"><div class=\"ticks\">" + element("span", ends.top) +
+          element("span", ends.down) + element("span", ends.bottom) + "</div><svg viewBox=\"0 0 " +
           px(MapGrid::width) + ' ' + px(grid.height()) + "\" role=\"img\" aria-label=\"" +
           escaped(label) + "\">\n" + inside + "</svg><i></i><div class=\"ends\">" +
-          element("span", tick(from_y)) + element("span", "y →") +
-          element("span", tick(to_y) + name) + "</div></div>\n";
+          element("span", ends.left) + element("span", ends.across) + element("span", ends.right) +
+          "</div></div>\n";
   return html;
 }
 

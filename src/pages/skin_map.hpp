@@ -72,6 +72,17 @@ enum class MapColours { signed_values, sizes };
                                       std::string_view title, std::string_view label,
                                       const std::string& inside);
 
+/// What stands around a map: at the ends of its two axes, and what runs along them.
+struct MapEnds {
+  std::string left{}, across{}, right{};
+  std::string top{}, down{}, bottom{};
+};
+
+/// The same with other words than places around it.
+[[nodiscard]] std::string map_picture(const MapGrid& grid, const MapEnds& ends,
+                                      std::string_view title, std::string_view label,
+                                      const std::string& inside);
+
 /// The colours' numbers, from 0 or -`most` to `most`.
 ///
 /// @param negative  values below 0 are to be seen

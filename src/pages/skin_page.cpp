@@ -12,6 +12,7 @@
 #include "pages/time_picture.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/report/csv/skin_csv.hpp"
+#include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 
@@ -20,13 +21,6 @@ namespace {
 
 using drawing::element;
 using drawing::figure_html;
-
-std::string scene_html(const SkinScene& scene) {
-  return element("p", "Sensor: " + report::sensor_in_words(scene) +
-                          ". Material: " + report::material_in_words(scene) +
-                          ". Forward model: " + std::string(name(scene.forward)) + ".") +
-         drawing::html_list(report::contacts_in_words(scene));
-}
 
 /// A value of every frame with its band, as a stretched picture.
 std::string course_picture(const lab::SkinRecordingAnswer& recording, const std::string& title,
@@ -102,7 +96,8 @@ std::string frames_figure(const lab::SkinRecordingAnswer& recording) {
         ": " +
         report::in_unit(units, Dimension::point_force, frame.wrench.normal.value,
                         frame.wrench.normal.deviation) +
-        (frame.verdict == lab::Verdict::ok ? "" : ", " + std::string(name(frame.verdict)));
+        (frame.verdict == lab::Verdict::ok ? "" : ", " + std::string(name(frame.verdict))) +
+        (frame.data.consistent() ? "" : ", data " + report::data_word(frame.data));
     html += std::string("<div class=\"frame\"") + (i == first ? ">" : " hidden>") +
             traction_map(recording.scene, grid, one.tractions, one.cells, scales, title) + "</div>";
   }

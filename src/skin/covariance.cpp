@@ -1,5 +1,6 @@
 #include "tactile_net/skin/covariance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -51,7 +52,12 @@ std::vector<double> SkinCovariance::deviations() const {
 }
 
 double SkinCovariance::deviation(std::span<const double> weights) const {
-  return std::sqrt(std::max(covariance(weights, weights), 0.0));
+  double most = 0.0;  // a weight may be an area, whose square no number holds
+  for (const double weight : weights) most = std::max(most, std::abs(weight));
+  if (!(most > 0.0)) return 0.0;
+  std::vector<double> shares(weights.begin(), weights.end());
+  for (double& share : shares) share /= most;
+  return most * std::sqrt(std::max(covariance(shares, shares), 0.0));
 }
 
 double SkinCovariance::covariance(std::span<const double> a, std::span<const double> b) const {

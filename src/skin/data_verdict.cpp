@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <list>
+#include <mutex>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -28,6 +31,8 @@ constexpr double converged = 1e-5;
 /// Over the square of the largest singular value, in the order in which they are tried.
 constexpr std::array smoothings = {1e-4, 1e-6, 1e-8};
 
+constexpr std::size_t most_kept = 8;  // problems without a taxel
+
 double largest_square(const SkinProblem& problem) {
   const SkinFamily family(problem);
   const auto gammas = family.singular_values();
@@ -35,14 +40,42 @@ double largest_square(const SkinProblem& problem) {
   return largest * largest;
 }
 
+/// A problem's cones, each factored when it is first asked for, by any thread.
+class Cones {
+ public:
+  Cones(SkinProblem problem, const Constraints& press, std::optional<double> least = {})
+      : problem_(std::move(problem)), press_(press), least_(least) {}
+
+  [[nodiscard]] const SkinProblem& problem() const noexcept { return problem_; }
+  [[nodiscard]] const SkinCone& cone(std::size_t smoothing) {
+    const std::lock_guard lock(mutex_);
+    if (!least_) least_ = largest_square(problem_);
+    auto& cone = cones_[smoothing];
+    if (!cone) cone.emplace(problem_, smoothings[smoothing] * *least_, press_);
+    return *cone;
+  }
+  /// Smoothings stand for it.
+  [[nodiscard]] double least() {
+    const std::lock_guard lock(mutex_);
+    if (!least_) least_ = largest_square(problem_);
+    return *least_;
+  }
+
+ private:
+  SkinProblem problem_;
+  Constraints press_;
+  std::optional<double> least_;
+  std::array<std::optional<SkinCone>, smoothings.size()> cones_{};
+  std::mutex mutex_{};
+};
+
 }  // namespace
 
 struct SkinDataJudge::Parts {
-  Parts(const SkinProblem& problem, const SkinProblem& sought, DataLimits given);
+  Parts(const SkinProblem& problem, std::function<SkinProblem()> sought, DataLimits given);
 
   /// Of W (K f - g) over the noise, by the best contact found: as soon as it is enough.
-  [[nodiscard]] Eigen::VectorXd left_by_contact(const SkinProblem& of, double least,
-                                                std::span<const double> readings,
+  [[nodiscard]] Eigen::VectorXd left_by_contact(Cones& of, std::span<const double> readings,
                                                 double enough) const;
   [[nodiscard]] std::vector<double> nearest_contact(std::span<const double> tractions) const;
   [[nodiscard]] Eigen::VectorXd left(const SkinProblem& of, std::span<const double> readings,
@@ -54,27 +87,31 @@ struct SkinDataJudge::Parts {
   [[nodiscard]] double limit(double taken) const {
     return std::sqrt(chi_squared_limit(std::max(rows - taken, 1.0), false_alarms));
   }
+  /// What contacts are sought with.
+  [[nodiscard]] Cones& contacts() const;
+  /// The same without a taxel.
+  [[nodiscard]] std::shared_ptr<Cones> without(std::size_t taxel) const;
 
   DataLimits limits;
   SkinProblem problem;
-  SkinProblem contacts;
+  std::function<SkinProblem()> make_contacts;
   Constraints press{};
   double unit;  // of all that is weighted: the noise, where it is known
   double rows;
-  double least_alpha;  // smoothings stand for it
+
+  mutable std::mutex mutex{};
+  mutable std::unique_ptr<Cones> made{};
+  mutable std::list<std::pair<std::size_t, std::shared_ptr<Cones>>> kept{};  // the last one first
 };
 
-SkinDataJudge::Parts::Parts(const SkinProblem& found_for, const SkinProblem& sought,
+SkinDataJudge::Parts::Parts(const SkinProblem& found_for, std::function<SkinProblem()> sought,
                             DataLimits given)
     : limits(std::move(given)),
       problem(found_for),
-      contacts(sought),
+      make_contacts(std::move(sought)),
       unit(limits.noise_rms.value_or(1.0)),
-      rows(static_cast<double>(independent_readings(problem))),
-      least_alpha(largest_square(contacts)) {
+      rows(static_cast<double>(independent_readings(problem))) {
   check_limits(limits, problem.weights.size());
-  if (!(contacts.weights == problem.weights && contacts.components == problem.components))
-    throw std::invalid_argument("contacts need the rows and components of the problem");
   if (problem.components == 3)
     press.friction_limit = limits.friction_limit.value_or(usual_friction);
 }
@@ -85,15 +122,41 @@ Eigen::VectorXd SkinDataJudge::Parts::left(const SkinProblem& of, std::span<cons
   return (as_eigen(std::span(g)) - as_eigen(of.kernel) * as_eigen(tractions)) / unit;
 }
 
-Eigen::VectorXd SkinDataJudge::Parts::left_by_contact(const SkinProblem& of, double least,
-                                                      std::span<const double> readings,
+Cones& SkinDataJudge::Parts::contacts() const {
+  const std::lock_guard lock(mutex);
+  if (!made) {
+    SkinProblem sought = make_contacts ? make_contacts() : problem;
+    if (sought.weights != problem.weights || sought.components != problem.components)
+      throw std::invalid_argument("contacts need the rows and components of the problem");
+    made = std::make_unique<Cones>(std::move(sought), press);
+  }
+  return *made;
+}
+
+std::shared_ptr<Cones> SkinDataJudge::Parts::without(std::size_t taxel) const {
+  Cones& all = contacts();
+  const double least = all.least();
+  const std::lock_guard lock(mutex);
+  const auto at =
+      std::find_if(kept.begin(), kept.end(), [&](const auto& one) { return one.first == taxel; });
+  if (at != kept.end()) {
+    kept.splice(kept.begin(), kept, at);
+    return kept.front().second;
+  }
+  SkinProblem rest = all.problem();
+  leave_out(rest, std::span(&taxel, 1));
+  kept.emplace_front(taxel, std::make_shared<Cones>(std::move(rest), press, least));
+  if (kept.size() > most_kept) kept.pop_back();
+  return kept.front().second;
+}
+
+Eigen::VectorXd SkinDataJudge::Parts::left_by_contact(Cones& of, std::span<const double> readings,
                                                       double enough) const {
   Eigen::VectorXd best;
-  for (const double smoothing : smoothings) {
-    const SkinConeSolution found =
-        SkinCone(of, smoothing * least, press).solve(readings, iteration_limit, converged);
+  for (std::size_t i = 0; i < smoothings.size(); ++i) {
+    const SkinConeSolution found = of.cone(i).solve(readings, iteration_limit, converged);
     if (found.status != FrameStatus::ok) continue;
-    Eigen::VectorXd residual = left(of, readings, found.tractions);
+    Eigen::VectorXd residual = left(of.problem(), readings, found.tractions);
     if (best.size() == 0 || residual.norm() < best.norm()) best = std::move(residual);
     if (best.norm() <= enough) break;
   }
@@ -148,10 +211,8 @@ std::optional<std::size_t> SkinDataJudge::Parts::bad_taxel(std::span<const doubl
   double best = std::numeric_limits<double>::infinity();
   for (const std::size_t taxel : order) {
     if (taken[taxel] == 0.0 || taken[taxel] >= rows) continue;
-    SkinProblem rest = contacts;
-    leave_out(rest, std::span(&taxel, 1));
     const double most = limit(taken[taxel]);
-    const double norm = left_by_contact(rest, least_alpha, readings, most).norm();
+    const double norm = left_by_contact(*without(taxel), readings, most).norm();
     const double gain = residual.squaredNorm() - norm * norm;
     const double chance =
         chi_squared_limit(taken[taxel], false_alarms / static_cast<double>(problem.taxels));
@@ -163,10 +224,16 @@ std::optional<std::size_t> SkinDataJudge::Parts::bad_taxel(std::span<const doubl
 }
 
 SkinDataJudge::SkinDataJudge(const SkinProblem& problem, DataLimits limits)
-    : SkinDataJudge(problem, problem, std::move(limits)) {}
+    : SkinDataJudge(problem, std::function<SkinProblem()>{}, std::move(limits)) {}
 SkinDataJudge::SkinDataJudge(const SkinProblem& problem, const SkinProblem& contacts,
                              DataLimits limits)
-    : parts_(std::make_unique<const Parts>(problem, contacts, std::move(limits))) {}
+    : SkinDataJudge(
+          problem, [contacts] { return contacts; }, std::move(limits)) {
+  (void)parts_->contacts();
+}
+SkinDataJudge::SkinDataJudge(const SkinProblem& problem, std::function<SkinProblem()> contacts,
+                             DataLimits limits)
+    : parts_(std::make_unique<const Parts>(problem, std::move(contacts), std::move(limits))) {}
 SkinDataJudge::~SkinDataJudge() = default;
 SkinDataJudge::SkinDataJudge(SkinDataJudge&&) noexcept = default;
 SkinDataJudge& SkinDataJudge::operator=(SkinDataJudge&&) noexcept = default;
@@ -190,7 +257,7 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
   verdict.residual_limit = most * rms;
   Eigen::VectorXd residual = p.left(p.problem, readings, p.nearest_contact(tractions));
   if (!(residual.norm() <= most)) {
-    const Eigen::VectorXd best = p.left_by_contact(p.contacts, p.least_alpha, readings, most);
+    const Eigen::VectorXd best = p.left_by_contact(p.contacts(), readings, most);
     if (best.size() > 0 && !(residual.norm() <= best.norm())) residual = best;
   }
   verdict.residual_rms = residual.norm() * rms;
@@ -205,7 +272,7 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
   verdict.taxel = p.bad_taxel(readings, residual);
   if (verdict.taxel)
     verdict.doubts.push_back(DataDoubt::bad_taxel);
-  else if (p.left_by_contact(p.contacts, p.least_alpha, turned, most).norm() <= most ||
+  else if (p.left_by_contact(p.contacts(), turned, most).norm() <= most ||
            p.left(p.problem, readings, tractions).norm() <= most)
     verdict.doubts.push_back(DataDoubt::pulls);
   else

@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <memory>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
-#include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/named.hpp"
 #include "skin/family_factors.hpp"
-#include "tactile_net/elasticity/space/skin_transform.hpp"
+#include "skin/wave_symbol.hpp"
 
 namespace tactile_net {
 namespace {
@@ -22,93 +19,12 @@ using Eigen::Index;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
-constexpr double hidden_below = 1e-10;  // of the largest singular value of a wave
 
 constexpr Named<WaveDirection> directions[] = {{WaveDirection::any, "any"},
                                                {WaveDirection::along_y, "along_y"},
                                                {WaveDirection::along_z, "along_z"},
                                                {WaveDirection::diagonal, "diagonal"},
                                                {WaveDirection::mean, "mean"}};
-
-/// The kernels' transforms, a row for each quantity and depth.
-class Symbol {
- public:
-  Symbol(const SkinArray& skin, const Material& material, const SkinProblemOptions& options)
-      : material_(material), components_(static_cast<Index>(options.components)) {
-    check(skin, material, options);
-    const auto weight = [&](std::size_t channel) {
-      return options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[channel];
-    };
-    if (is_even(skin)) {
-      for (const SkinChannel& channel : channels(skin))
-        rows_.push_back({channel.quantity, channel.depth, weight(rows_.size())});
-      return;
-    }
-    std::map<std::tuple<SkinQuantity, double, double>, double> readings;  // how many alike
-    for (const SkinSite& site : sites(skin))
-      readings[{site.quantity, site.depth, weight(site.channel)}] += 1.0;
-    const auto taxels = static_cast<double>(taxel_count(skin));
-    for (const auto& [row, count] : readings)
-      rows_.push_back(
-          {std::get<0>(row), std::get<1>(row), std::get<2>(row) * std::sqrt(count / taxels)});
-  }
-
-  /// Rows x components. @param at_nyquist_y  the lattice's: odd kernels vanish there
-  [[nodiscard]] Eigen::MatrixXcd operator()(double k_y, double k_z, bool at_nyquist_y = false,
-                                            bool at_nyquist_z = false) const {
-    Eigen::MatrixXcd matrix(std::ssize(rows_), components_);
-    for (Index i = 0; i < matrix.rows(); ++i)
-      for (Index u = 0; u < components_; ++u) {
-        const auto& [quantity, depth, weight] = rows_[static_cast<std::size_t>(i)];
-        const SkinTraction component = skin_tractions[static_cast<std::size_t>(u)];
-        const bool vanishes = (at_nyquist_y && is_odd(quantity, component, Axis::y)) ||
-                              (at_nyquist_z && is_odd(quantity, component, Axis::z));
-        matrix(i, u) =
-            vanishes ? 0.0
-                     : weight * skin_transform(quantity, component, material_, depth, k_y, k_z);
-      }
-    // A displacement of the mean is without bound: all that counts is that it shows.
-    for (Index i = 0; i < matrix.rows(); ++i) {
-      if (matrix.row(i).allFinite()) continue;
-      for (Index u = 0; u < components_; ++u)
-        matrix(i, u) = std::isfinite(std::abs(matrix(i, u))) ? 0.0 : 1.0;
-    }
-    return matrix;
-  }
-
-  [[nodiscard]] Index components() const noexcept { return components_; }
-
- private:
-  struct Row {
-    SkinQuantity quantity;
-    double depth;
-    double weight;
-  };
-  const Material& material_;
-  Index components_;
-  std::vector<Row> rows_{};
-};
-
-/// With as many singular values as columns, the missing ones 0.
-ComplexSvd full_decomposition(const Eigen::MatrixXcd& matrix) {
-  Eigen::MatrixXcd tall =
-      Eigen::MatrixXcd::Zero(std::max(matrix.rows(), matrix.cols()), matrix.cols());
-  tall.topRows(matrix.rows()) = matrix;
-  return singular_value_decomposition(tall);
-}
-
-Index rank_of(const Eigen::VectorXd& values) {
-  return values(0) > 0.0 ? (values.array() > hidden_below * values(0)).count() : 0;
-}
-
-/// From (p, q_y, q_z) to (p, q_L, q_T).
-Eigen::MatrixXcd along_wave(const Eigen::MatrixXcd& matrix, double angle) {
-  if (matrix.cols() < 3) return matrix;
-  Eigen::MatrixXcd turned = matrix;
-  turned.col(1) = std::cos(angle) * matrix.col(1) + std::sin(angle) * matrix.col(2);
-  turned.col(2) = std::cos(angle) * matrix.col(2) - std::sin(angle) * matrix.col(1);
-  return turned;
-}
 
 /// What a wave hides.
 HiddenWaves hidden_in(const Eigen::MatrixXcd& matrix, WaveDirection direction) {
@@ -136,7 +52,7 @@ HiddenWaves in_common(const HiddenWaves& a, const HiddenWaves& b) {
   return both;
 }
 
-HiddenWaves hidden_along(const Symbol& symbol, double depth, WaveDirection direction,
+HiddenWaves hidden_along(const WaveSymbol& symbol, double depth, WaveDirection direction,
                          std::span<const double> angles) {
   std::optional<HiddenWaves> hidden;
   for (const double angle : angles)
@@ -151,56 +67,51 @@ HiddenWaves hidden_along(const Symbol& symbol, double depth, WaveDirection direc
   return *hidden;
 }
 
-/// Of a lattice without ends of as many taxels: the waves' numbers along one axis.
-struct LatticeLine {
-  std::size_t count;
-  double length;  // [m]
-
-  [[nodiscard]] double wavenumber(std::size_t i) const {
-    const auto turns = static_cast<double>(i) - (2 * i > count ? static_cast<double>(count) : 0.0);
-    return count > 1 ? 2.0 * pi * turns / length : 0.0;
-  }
-  [[nodiscard]] bool is_nyquist(std::size_t i) const { return count > 1 && 2 * i == count; }
-  [[nodiscard]] std::size_t mirrored(std::size_t i) const { return i == 0 ? 0 : count - i; }
+/// Of W K.
+struct Spectrum {
+  std::size_t hidden = 0;
+  double smallest = 0.0;  // of those that show
+  double condition = 1.0;
 };
 
-LatticeLine lattice_line(const SkinArray& skin, bool along_z) {
-  if (is_even(skin)) {
-    const std::size_t count = along_z ? skin.columns : skin.rows;
-    return {count, static_cast<double>(count) * (along_z ? skin.pitch_z : skin.pitch_y)};
-  }
-  const SkinGrid grid = grid_of(skin, {.spacing = skin.pitch_y, .margin = 0.0});
-  const std::size_t count = along_z ? grid.columns : grid.rows;
-  return {count, static_cast<double>(count) * (along_z ? grid.spacing_z : grid.spacing_y)};
-}
-
-FiniteSight finite_sight(const SkinArray& skin, const Material& material,
-                         SkinProblemOptions options, const Symbol& symbol) {
-  options.dead_taxels.clear();
-  options.grid = {.spacing = std::max(skin.rows > 1 ? skin.pitch_y : 0.0,
-                                      skin.columns > 1 ? skin.pitch_z : 0.0),
-                  .margin = 0.0};
-  if (*options.grid.spacing == 0.0) options.grid.spacing.reset();
-  const SkinProblem problem = make_problem(skin, material, options);
+Spectrum spectrum_of(const SkinProblem& problem) {
   const SkinFamily::Factors factors(
       problem,
       std::make_shared<const CosineCoordinates>(
           problem, Eigen::VectorXd::Ones(static_cast<Index>(problem.kernel.columns))),
       mirror_classes(problem), 1.0);
-  FiniteSight sight{.tractions = problem.kernel.columns};
-  const double largest = *std::max_element(factors.gamma.begin(), factors.gamma.end());
+  // Of readings that are all zero there is none.
+  const double largest =
+      factors.gamma.empty() ? 0.0 : *std::max_element(factors.gamma.begin(), factors.gamma.end());
   const auto size = static_cast<double>(std::max(problem.kernel.rows, problem.kernel.columns));
   const double floor =
       std::max(size * std::numeric_limits<double>::epsilon() * largest, problem.kernel_error);
-  double smallest = largest;
-  std::size_t seen = 0;
+  Spectrum spectrum{.hidden = problem.kernel.columns, .smallest = largest};
   for (const double gamma : factors.gamma)
     if (gamma > floor) {
-      smallest = std::min(smallest, gamma);
-      ++seen;
+      spectrum.smallest = std::min(spectrum.smallest, gamma);
+      --spectrum.hidden;
     }
-  sight.hidden = sight.tractions - seen;
-  sight.condition = largest / smallest;
+  spectrum.condition = largest > 0.0 ? largest / spectrum.smallest : infinity;
+  return spectrum;
+}
+
+FiniteSight finite_sight(const SkinArray& skin, const Material& material,
+                         SkinProblemOptions options, const WaveSymbol& symbol) {
+  std::vector<std::size_t> dead_taxels = std::exchange(options.dead_taxels, {});
+  options.grid = {.spacing = std::max(skin.rows > 1 ? skin.pitch_y : 0.0,
+                                      skin.columns > 1 ? skin.pitch_z : 0.0),
+                  .margin = 0.0};
+  if (*options.grid.spacing == 0.0) options.grid.spacing.reset();
+  const Spectrum all = spectrum_of(make_problem(skin, material, options));
+  FiniteSight sight{.tractions = options.components * taxel_count(skin),
+                    .hidden = all.hidden,
+                    .condition = all.condition,
+                    .noise_gain = all.hidden > 0 ? infinity : 1.0 / all.smallest};
+  if (!dead_taxels.empty()) {
+    options.dead_taxels = std::move(dead_taxels);
+    sight.dead = spectrum_of(make_problem(skin, material, options)).hidden - all.hidden;
+  }
 
   const LatticeLine y = lattice_line(skin, false);
   const LatticeLine z = lattice_line(skin, true);
@@ -222,7 +133,7 @@ std::string_view name(WaveDirection direction) noexcept { return name_in<directi
 std::vector<std::complex<double>> skin_symbol(const SkinArray& skin, const Material& material,
                                               const SkinProblemOptions& options,
                                               double wavenumber_y, double wavenumber_z) {
-  const Eigen::MatrixXcd matrix = Symbol(skin, material, options)(wavenumber_y, wavenumber_z);
+  const Eigen::MatrixXcd matrix = WaveSymbol(skin, material, options)(wavenumber_y, wavenumber_z);
   std::vector<std::complex<double>> entries;
   for (Index i = 0; i < matrix.rows(); ++i)
     for (Index u = 0; u < matrix.cols(); ++u) entries.push_back(matrix(i, u));
@@ -232,7 +143,7 @@ std::vector<std::complex<double>> skin_symbol(const SkinArray& skin, const Mater
 WaveSight wave_sight(const SkinArray& skin, const Material& material,
                      const SkinProblemOptions& options, double wavenumber_y, double wavenumber_z) {
   const Eigen::VectorXd values =
-      full_decomposition(Symbol(skin, material, options)(wavenumber_y, wavenumber_z)).values;
+      full_decomposition(WaveSymbol(skin, material, options)(wavenumber_y, wavenumber_z)).values;
   WaveSight sight{.singular_values = {values.begin(), values.end()},
                   .rank = static_cast<std::size_t>(rank_of(values))};
   sight.condition =
@@ -242,7 +153,7 @@ WaveSight wave_sight(const SkinArray& skin, const Material& material,
 
 SkinObservability observability(const SkinArray& skin, const Material& material,
                                 const SkinProblemOptions& options) {
-  const Symbol symbol(skin, material, options);
+  const WaveSymbol symbol(skin, material, options);
   const double depth = least_depth(skin);
   const HiddenWaves any =
       hidden_along(symbol, depth, WaveDirection::any, std::array{0.3, 0.52, 1.2, 2.0, 2.8});
@@ -257,60 +168,6 @@ SkinObservability observability(const SkinArray& skin, const Material& material,
   add(hidden_in(symbol(0.0, 0.0), WaveDirection::mean));
   if (is_even(skin)) told.finite = finite_sight(skin, material, options, symbol);
   return told;
-}
-
-double SkinResolution::wavelength() const noexcept {
-  return 2.0 * pi / std::hypot(wavenumber_y, wavenumber_z);
-}
-
-std::vector<SkinResolution> skin_resolutions(const SkinArray& skin, const Material& material,
-                                             const SkinProblemOptions& options) {
-  const Symbol symbol(skin, material, options);
-  const LatticeLine y = lattice_line(skin, false);
-  const LatticeLine z = lattice_line(skin, true);
-  const auto taxels = static_cast<double>(taxel_count(skin));
-  std::vector<SkinResolution> all;
-  for (std::size_t i = 0; i < y.count; ++i)
-    for (std::size_t j = 0; j < z.count; ++j) {
-      const std::pair other{y.mirrored(i), z.mirrored(j)};
-      if (other < std::pair{i, j}) continue;
-      const bool real = other == std::pair{i, j};
-      SkinResolution one{y.wavenumber(i), z.wavenumber(j), {}};
-      one.deviations.fill(infinity);
-      const ComplexSvd svd = full_decomposition(
-          symbol(one.wavenumber_y, one.wavenumber_z, y.is_nyquist(i), z.is_nyquist(j)));
-      const Index rank = rank_of(svd.values);
-      for (Index u = 0; u < symbol.components(); ++u) {
-        const Eigen::VectorXd shares = svd.v.row(u).cwiseAbs().transpose();
-        if (shares.tail(shares.size() - rank).norm() > std::sqrt(hidden_below)) continue;
-        one.deviations[static_cast<std::size_t>(u)] =
-            std::sqrt((real ? 1.0 : 2.0) / taxels) *
-            shares.head(rank).cwiseQuotient(svd.values.head(rank)).norm();
-      }
-      all.push_back(one);
-    }
-  return all;
-}
-
-std::optional<double> resolvable_wavelength(std::span<const SkinResolution> all,
-                                            SkinTraction component, double limit) {
-  std::vector<SkinResolution> order(all.begin(), all.end());
-  std::stable_sort(order.begin(), order.end(),
-                   [](const auto& a, const auto& b) { return a.wavelength() > b.wavelength(); });
-  const auto known = [&](const SkinResolution& one) {
-    return one.deviations[static_cast<std::size_t>(component)] <= limit;
-  };
-  double lost = 0.0;  // the longest that is not known
-  for (const SkinResolution& one : order)
-    if (std::isfinite(one.wavelength()) && !known(one)) {
-      lost = one.wavelength();
-      break;
-    }
-  std::optional<double> shortest;
-  for (const SkinResolution& one : order)
-    if (std::isfinite(one.wavelength()) && one.wavelength() > lost * (1.0 + 1e-9))
-      shortest = one.wavelength();
-  return shortest;
 }
 
 }  // namespace tactile_net

@@ -67,15 +67,18 @@ double kernel_error(CellKernels& kernels, const SkinProblem& problem) {
   return square * std::sqrt(static_cast<double>(problem.kernel.columns));
 }
 
-/// Of a taxel, where a direction in which there is one has no pitch.
-double taxel_area(const SkinArray& skin) {
-  if (!is_even(skin))
-    return skin.taxels.size() > 1 ? skin.pitch_y * skin.pitch_z
-                                  : least_depth(skin) * least_depth(skin);
-  const double other = skin.rows > 1      ? skin.pitch_y
-                       : skin.columns > 1 ? skin.pitch_z
-                                          : least_depth(skin);
-  return (skin.rows > 1 ? skin.pitch_y : other) * (skin.columns > 1 ? skin.pitch_z : other);
+/// A cell's area over that of a taxel, length by length: an area may be too large, or too small,
+/// for a number. A direction in which there is one taxel has the other's pitch, or the depth.
+double area_ratio(const SkinArray& skin, const SkinGrid& grid) {
+  const double depth = least_depth(skin);
+  if (!is_even(skin)) {
+    const bool one = skin.taxels.size() == 1;
+    return grid.spacing_y / (one ? depth : skin.pitch_y) *
+           (grid.spacing_z / (one ? depth : skin.pitch_z));
+  }
+  const double other = skin.rows > 1 ? skin.pitch_y : skin.columns > 1 ? skin.pitch_z : depth;
+  return grid.spacing_y / (skin.rows > 1 ? skin.pitch_y : other) *
+         (grid.spacing_z / (skin.columns > 1 ? skin.pitch_z : other));
 }
 
 double mean_depth(const std::vector<SkinSite>& sites) {
@@ -128,7 +131,7 @@ SkinProblem make_problem(const SkinArray& skin, const Material& material,
                       .grid = grid_of(skin, options.grid),
                       .tangential_weight = options.tangential_weight,
                       .unknown_offsets = options.unknown_offsets};
-  problem.area = problem.grid.area() / taxel_area(skin);
+  problem.area = area_ratio(skin, problem.grid);
   problem.smoothing_length = options.smoothing_length.value_or(mean_depth(problem.sites));
   std::vector<bool> dead(problem.taxels);
   for (const std::size_t taxel : options.dead_taxels) dead[taxel] = true;
@@ -153,6 +156,11 @@ SkinProblem make_problem(const SkinArray& skin, const Material& material,
     add_lattice(skin, kernels, problem);
   else
     add_places(kernels, problem);
+  require(
+      std::all_of(problem.kernel.values.begin(), problem.kernel.values.end(),
+                  [](double entry) { return std::isfinite(entry); }),
+      "lengths, moduli or noise are of a size at which readings overflow a double: choose other "
+      "units");
   problem.kernel_error = kernel_error(kernels, problem);
   take_offsets_out(problem);
   return problem;

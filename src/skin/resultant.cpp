@@ -26,11 +26,20 @@ class Contact {
       for (std::size_t i = cell; i < own_.size(); i += count_) own_[i] = tractions[i];
     }
     wrench_ = resultant(own_, grid);
-    if (const auto centre = wrench_.centre()) centre_ = *centre;
+    centre_ = centre_of_pressure();
+    // About the centre: moments about the middle of the skin may be out of a double's range.
+    if (presses_ && drags()) {
+      torsion_ = 0.0;
+      for (const std::size_t cell : cells)
+        torsion_ += y(cell) * (q_z(cell) * area()) - z(cell) * (q_y(cell) * area());
+    }
   }
 
   [[nodiscard]] const SkinWrench& wrench() const noexcept { return wrench_; }
-  [[nodiscard]] bool presses() const noexcept { return wrench_.centre().has_value(); }
+  [[nodiscard]] bool presses() const noexcept { return presses_; }
+  /// Of pressure [m]. @pre  it presses
+  [[nodiscard]] const SkinWrench::Centre& centre() const noexcept { return centre_; }
+  [[nodiscard]] double torsion() const noexcept { return torsion_; }
   [[nodiscard]] bool drags() const noexcept { return own_.size() > count_; }
   [[nodiscard]] std::span<const std::size_t> cells() const noexcept { return cells_; }
 
@@ -57,14 +66,15 @@ class Contact {
     return gradient([&](std::size_t, std::size_t u) { return u == component ? area() : 0.0; });
   }
   [[nodiscard]] Gradient of_centre(bool along_z) const {
+    const double share = area() / wrench_.force[0];
     return gradient([&](std::size_t cell, std::size_t u) {
-      return u == 0 ? area() * (along_z ? z(cell) : y(cell)) / wrench_.force[0] : 0.0;
+      return u == 0 ? share * (along_z ? z(cell) : y(cell)) : 0.0;
     });
   }
   [[nodiscard]] Gradient of_torsion() const {
     const auto& force = wrench_.force;
     return gradient([&](std::size_t cell, std::size_t u) {
-      const double on_centre = (force[1] * z(cell) - force[2] * y(cell)) / force[0];
+      const double on_centre = force[1] / force[0] * z(cell) - force[2] / force[0] * y(cell);
       return area() * (u == 0 ? on_centre : u == 1 ? -z(cell) : y(cell));
     });
   }
@@ -80,12 +90,31 @@ class Contact {
   }
 
  private:
+  /// By pressures over the largest one: neither forces nor moments need be of a size.
+  SkinWrench::Centre centre_of_pressure() {
+    double most = 0.0;
+    for (const std::size_t cell : cells_) most = std::max(most, std::abs(p(cell)));
+    if (!(most > 0.0)) return {};
+    double all = 0.0;
+    SkinWrench::Centre sum;
+    for (const std::size_t cell : cells_) {
+      const double share = p(cell) / most;
+      all += share;
+      sum.y += share * grid_.y(cell / grid_.columns);
+      sum.z += share * grid_.z(cell % grid_.columns);
+    }
+    presses_ = all > 0.0;
+    return presses_ ? SkinWrench::Centre{sum.y / all, sum.z / all} : SkinWrench::Centre{};
+  }
+
   const SkinGrid& grid_;
   std::size_t count_;
   std::span<const std::size_t> cells_;
   std::vector<double> own_;
   SkinWrench wrench_{};
   SkinWrench::Centre centre_{};
+  bool presses_ = false;
+  double torsion_ = 0.0;
 };
 
 /// A value, and how it errs.
@@ -153,11 +182,10 @@ UncertainWrench resultant_of(const SkinGrid& grid, std::span<const double> tract
     result.tangential_y = uncertain(1, force[1], contact.of_force(1));
     result.tangential_z = uncertain(2, force[2], contact.of_force(2));
   }
-  if (const auto centre = contact.wrench().centre()) {
-    result.centre_y = uncertain(3, centre->y, contact.of_centre(false));
-    result.centre_z = uncertain(4, centre->z, contact.of_centre(true));
-    if (contact.drags())
-      result.torsion = uncertain(5, *contact.wrench().torsion(), contact.of_torsion());
+  if (contact.presses()) {
+    result.centre_y = uncertain(3, contact.centre().y, contact.of_centre(false));
+    result.centre_z = uncertain(4, contact.centre().z, contact.of_centre(true));
+    if (contact.drags()) result.torsion = uncertain(5, contact.torsion(), contact.of_torsion());
   }
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j <= i; ++j)
@@ -193,7 +221,7 @@ std::optional<SkinFriction> friction_of(const SkinGrid& grid, std::span<const do
 
   const double slide = ratio / *limit;
   const double most = *limit * friction.lever;
-  const double twist = most > 0.0 ? *contact.wrench().torsion() / most : 0.0;
+  const double twist = most > 0.0 ? contact.torsion() / most : 0.0;
   const double used = std::hypot(slide, twist);
   // The lever's own error is of second order beside the torsion's.
   const Gradient of_margin =

@@ -138,3 +138,27 @@ TEST_CASE("identify refuses what is no amplitude", "[cli]") {
       CHECK_THAT(result.errors, ContainsSubstring(option));
     }
 }
+
+TEST_CASE("identify says what a skin can tell", "[cli][skin]") {
+  const ProcessResult told = tool({"identify", scene("skins/pressure-alone.toml")});
+  CHECK(told.code == 0);
+  for (const char* text :
+       {"The curl of q is seen by no depth of stress_x", "by the ends of the skin alone",
+        "Best of all compared: stress_x, shear_xy, shear_xz", "drag across it (the curl)"})
+    CHECK_THAT(told.output, ContainsSubstring(text));
+  const Folder folder;
+  const ProcessResult page =
+      tool({"identify", scene("skins/row.toml"), "--out", folder / "out", "-q"});
+  CHECK(page.code == 0);
+  CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("waves.csv"));
+  CHECK_THAT(read_text(folder / "out/waves.csv"), ContainsSubstring("drag_across"));
+  // A scene for recordings needs to know how strong a ripple is to be told.
+  const std::string pad = scene("recorded/skin-pad.toml");
+  const ProcessResult bare = tool({"identify", pad});
+  CHECK(bare.code == 2);
+  CHECK_THAT(bare.errors, ContainsSubstring("--traction"));
+  const ProcessResult recorded =
+      tool({"identify", pad, "--readings", scene("recorded/skin-pad.csv"), "-q"});
+  CAPTURE(recorded.errors);
+  CHECK(recorded.code == 0);
+}

@@ -119,6 +119,8 @@ with tempfile.TemporaryDirectory() as place:
         check("run", written("run", scenes / f"{name}.toml"), name)
     for name in ("sphere", "pressure-pad"):  # three tractions, and one
         check("skin_run", written("run", scenes / "skins" / f"{name}.toml"), name)
+    for name in ("sphere", "pressure-alone", "palm", "row"):  # all told, half of it, taxels anywhere, in a row
+        check("skin_identify", written("identify", scenes / "skins" / f"{name}.toml"), name)
     pad = (recorded / "skin-pad-uneven.toml", "--readings", recorded / "skin-pad-uneven.csv")
     subprocess.run([tool, "solve", *pad, "-q", "-o", place / "f.csv", "--json", place / "s"], check=True)
     check("skin_solve", (place / "s").read_text(), "a skin's recording")

@@ -161,6 +161,33 @@ TEST_CASE("long ripples are known better than short ones", "[skin][observability
   const std::vector<SkinResolution> half = skin_resolutions(blind, unit, {});
   CHECK_FALSE(resolvable_wavelength(half, SkinTraction::tangential_y, 1e12));
   CHECK(resolvable_wavelength(half, SkinTraction::normal, 1e3));
+  // Of waves along an axis the drags along and across are those along y and z, and the other way
+  // round; of an oblique one neither.
+  for (const SkinResolution& one : all) {
+    if (!std::isfinite(one.wavelength())) continue;
+    const bool along_y = one.wavenumber_z == 0.0;
+    const bool along_z = one.wavenumber_y == 0.0;
+    CHECK_THAT(one.of_wave[0], WithinRel(one.deviations[0], 1e-9));
+    if (along_y || along_z) {
+      CHECK_THAT(one.of_wave[1], WithinRel(one.deviations[along_y ? 1 : 2], 1e-9));
+      CHECK_THAT(one.of_wave[2], WithinRel(one.deviations[along_y ? 2 : 1], 1e-9));
+    }
+  }
+  using enum SkinRipple;
+  CHECK_FALSE(resolvable_wavelength(half, drag_across, WaveDirection::any, 1e12));
+  // An odd kernel vanishes on waves of two pitches, 1: the next is 8 / 7.
+  CHECK_THAT(*resolvable_wavelength(half, drag_along, WaveDirection::along_y, 1e12),
+             WithinRel(8.0 / 7.0, 1e-12));
+  CHECK(resolvable_wavelength(all, pressure, WaveDirection::any, 10.0) == fine);
+  // Readings that are all zero hide everything: one row, and nothing but the drag's shear across
+  // it.
+  const SkinArray row = {.rows = 5,
+                         .columns = 1,
+                         .pitch_y = 1.0,
+                         .pitch_z = 1.0,
+                         .depths = {1.0},
+                         .reads = {shear_xz}};
+  CHECK(observability(row, unit, {.components = 1}).finite->hidden == 5);
   // With one component, and of taxels anywhere.
   CHECK(skin_resolutions(blind, unit, {.components = 1})[0].deviations[1] ==
         std::numeric_limits<double>::infinity());

@@ -27,6 +27,9 @@ struct SurveyOptions {
   std::optional<double> relative_noise{};
 };
 
+/// @throw std::invalid_argument  an option is not > 0 and finite
+void check(const SurveyOptions& options);
+
 /// The noise that every channel is taken to have.
 struct AssumedNoise {
   enum class Kind {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/alpha.hpp"
 #include "tactile_net/lab/remark.hpp"
@@ -24,6 +25,7 @@ struct SkinAnswer {
   Verdict verdict = Verdict::ok;
   std::optional<SkinConeSolution> cone{};  ///< where the scene has constraints
   NoiseEstimate noise{};
+  DataVerdict data{};                ///< whether the readings can be true
   double degrees_of_freedom = 0.0;   ///< of the readings that the tractions use up, under
                                      ///< constraints those that these leave free
   double condition = 0.0;            ///< `SkinFamily::stacked_condition`
@@ -33,6 +35,7 @@ struct SkinAnswer {
   std::optional<ContactEllipse> ellipse{};  ///< of the strongest contact, by Hertz' law
   std::size_t contacts = 0;                 ///< that lie apart
   std::vector<double> offsets{};            ///< of each channel [its unit]; none: they are known
+  double unseen = 0.0;  ///< share of their force where no taxel sees (skin_sight.hpp)
   Remarks remarks{};
 };
 

@@ -8,12 +8,14 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/scene/skin_scene.hpp"
 #include "tactile_net/skin/cone.hpp"
+#include "tactile_net/skin/data_verdict.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/problem.hpp"
 
@@ -43,6 +45,16 @@ class SkinSceneProblem {
 
   /// Of the last alpha asked for. @pre  there are constraints
   [[nodiscard]] const SkinCone& cone(double alpha) const;
+
+  /// Whether readings can be true (skin_data_verdict.hpp).
+  [[nodiscard]] const SkinDataJudge& data_judge() const;
+  /// `unseen_cells` (skin_sight.hpp).
+  [[nodiscard]] const std::vector<bool>& unseen() const;
+  /// The same with cells to two depths beyond the outermost taxels, for what presses over the edge.
+  /// @pre  the scene states no margin
+  [[nodiscard]] const SkinSceneProblem& reaching_beyond() const;
+  /// The problem on another grid.
+  [[nodiscard]] SkinProblem on(const SkinGridOptions& grid) const;
 
   /// The same without these taxels, and with no other.
   [[nodiscard]] SkinSceneProblem without(std::span<const std::size_t> taxels) const;

@@ -22,6 +22,7 @@ struct SkinRecordingAnswer {
     ChosenAlpha alpha{};
     UncertainWrench wrench{};
     std::optional<Uncertain> friction{};  ///< drag over force
+    DataVerdict data{};                   ///< whether its readings can be true
   };
 
   /// Tractions of a frame, for a picture; the one that presses hardest of `count` neighbours.

@@ -8,6 +8,7 @@
 /// channel are not looked for.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -19,27 +20,30 @@ namespace tactile_net {
 /// Made once for a problem; const, so threads may share one.
 class SkinDataJudge {
  public:
-  /// As three `SkinCone`.
+  /// O(1): what a frame needs is made when the first one does.
   ///
   /// @param problem   that tractions are found for
   /// @param contacts  the same rows on a grid on which contacts are sought, fine enough for narrow
-  /// ones;
-  ///                  absent: that of the problem
+  ///                  ones; absent: that of the problem. A function that makes it is called at most
+  ///                  once
   /// @param limits    `inner` is not read
   /// @throw std::invalid_argument  a limit is not > 0, or a size does not fit
   SkinDataJudge(const SkinProblem& problem, DataLimits limits);
   SkinDataJudge(const SkinProblem& problem, const SkinProblem& contacts, DataLimits limits);
+  SkinDataJudge(const SkinProblem& problem, std::function<SkinProblem()> contacts,
+                DataLimits limits);
   ~SkinDataJudge();
   SkinDataJudge(SkinDataJudge&&) noexcept;
   SkinDataJudge& operator=(SkinDataJudge&&) noexcept;
 
   /// One frame: a product by K where the tractions found are nearly a contact's own; else up to
-  /// three solves by `SkinCone`, and where no contact explains the frame a few cones without a
-  /// taxel each.
+  /// three solves by `SkinCone`, and where no contact explains the frame as many for a few taxels
+  /// left out and for the sign turned round. Cones are factored once, those without a taxel kept
+  /// for the last few.
   ///
   /// @param readings   g, one per row of K, finite
   /// @param tractions  that a method found for them [Pa]
-  /// @throw std::invalid_argument  a size does not fit
+  /// @throw std::invalid_argument  a size does not fit, also of the problem that `contacts` makes
   [[nodiscard]] DataVerdict judge(std::span<const double> readings,
                                   std::span<const double> tractions) const;
 

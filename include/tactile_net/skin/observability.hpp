@@ -74,7 +74,10 @@ struct FiniteSight {
   /// Singular values of W K up to the larger of max(rows, columns) eps |W K| and the kernel's
   /// error.
   std::size_t hidden = 0;
-  double condition = 1.0;  ///< of the others: largest over smallest
+  double condition = 1.0;   ///< of the others: largest over smallest
+  double noise_gain = 0.0;  ///< 1 / smallest [Pa per unit of weighted noise]; infinite where
+                            ///< something is hidden
+  std::size_t dead = 0;     ///< of the combinations those that only dead taxels would show
   /// What the lattice without ends would hide, summed over its waves, and what of it shows in the
   /// finite array: by its ends alone.
   std::size_t hidden_waves = 0;
@@ -91,6 +94,16 @@ struct SkinObservability {
 [[nodiscard]] SkinObservability observability(const SkinArray& skin, const Material& material,
                                               const SkinProblemOptions& options);
 
+/// What a ripple of tractions is made of: p, the drag along the wave, whose field has no curl, and
+/// the drag across it, whose field is all curl. Of the mean drags along y and along z.
+enum class SkinRipple { pressure, drag_along, drag_across };
+
+inline constexpr std::array skin_ripples = {SkinRipple::pressure, SkinRipple::drag_along,
+                                            SkinRipple::drag_across};
+
+/// "pressure", "drag_along", "drag_across".
+[[nodiscard]] std::string_view name(SkinRipple ripple) noexcept;
+
 /// How well a ripple of each traction is known from one frame of the whole array.
 struct SkinResolution {
   double wavenumber_y = 0.0;  ///< [1/m]
@@ -98,6 +111,7 @@ struct SkinResolution {
   /// Standard deviation of the ripples' amplitudes p, q_y, q_z [Pa] per unit of weighted noise;
   /// infinite: not seen.
   std::array<double, 3> deviations{};
+  std::array<double, 3> of_wave{};  ///< the same of each `SkinRipple`
 
   /// [m]; infinite: the mean.
   [[nodiscard]] double wavelength() const noexcept;
@@ -105,7 +119,7 @@ struct SkinResolution {
 
 /// For the waves of a lattice without ends of as many rows and columns, half of them (the other
 /// half is the same by symmetry), the mean first, then row after row. As `resolutions` of
-/// inverse/resolution.hpp; dead taxels are not considered.
+/// inverse/resolution.hpp: away from the skin's ends, and dead taxels are not considered.
 ///
 /// @throw std::invalid_argument  as `make_problem`
 [[nodiscard]] std::vector<SkinResolution> skin_resolutions(const SkinArray& skin,
@@ -116,5 +130,12 @@ struct SkinResolution {
 /// [Pa per unit of weighted noise] in `component`; absent: none.
 [[nodiscard]] std::optional<double> resolvable_wavelength(std::span<const SkinResolution> all,
                                                           SkinTraction component, double limit);
+
+/// The same of a ripple's part, of waves that run in one direction: `any` for those of every
+/// direction. Along an axis with one taxel there is no wave.
+/// @pre  the direction is not `mean`
+[[nodiscard]] std::optional<double> resolvable_wavelength(std::span<const SkinResolution> all,
+                                                          SkinRipple ripple,
+                                                          WaveDirection direction, double limit);
 
 }  // namespace tactile_net

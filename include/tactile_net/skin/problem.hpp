@@ -9,8 +9,9 @@
 /// of them, as on lines. With differences between neighbouring cells over their distance for the
 /// gradient, none beyond the grid's ends (Neumann), l = smoothing length, A = area of a cell, P =
 /// area of a taxel; w = 1 for the normal traction, w = tangential_weight for the tangential ones.
-/// The sums are integrals, and A/P weighs them as integrals: neither alpha nor the tractions nor
-/// their bands follow the grid's spacing.
+/// The sums are integrals, and A/P weighs them so: alpha, tractions and bands of sums do not follow
+/// the grid's spacing. The deviation of a single cell does, as log(l / spacing)^(1/2): a point's
+/// value has no bound in 2-D.
 ///
 ///     const SkinArray skin{.rows = 16, .columns = 16, .pitch_y = 2e-3, .pitch_z = 2e-3,
 ///                          .depths = {3e-3}, .reads = reads};

@@ -68,6 +68,8 @@ std::vector<std::string> wrench_columns() {
     names.emplace_back(what);
     names.push_back(std::string(what) + "_deviation");
   }
+  names.emplace_back("data");
+  names.emplace_back("alpha");
   return names;
 }
 
@@ -84,6 +86,9 @@ std::vector<double> wrench_values(const lab::SkinAnswer& answer) {
                           &wrench.centre_z, &wrench.torsion})
     add(*one);
   add(answer.friction ? std::optional(answer.friction->ratio) : std::nullopt);
+  values.push_back(
+      answer.data.consistent() ? 0.0 : 1.0 + static_cast<double>(answer.data.doubts.front()));
+  values.push_back(answer.alpha.value);
   return values;
 }
 

@@ -26,6 +26,7 @@ inline constexpr DocumentKind certify{"certify"};
 inline constexpr DocumentKind simulate{"simulate"};
 inline constexpr DocumentKind solve{"solve"};
 inline constexpr DocumentKind identify{"identify"};
+inline constexpr DocumentKind skin_identify{"skin_identify"};  ///< identify, of a skin
 inline constexpr DocumentKind check{"check"};
 inline constexpr DocumentKind calibrate{"calibrate"};
 inline constexpr DocumentKind plan{"plan"};

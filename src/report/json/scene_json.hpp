@@ -8,6 +8,7 @@
 
 #include "report/json/document.hpp"
 #include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/skin_scene.hpp"
 
 namespace tactile_net::report {
 
@@ -17,6 +18,7 @@ namespace tactile_net::report {
 /// As `document`, then {"scene": file, "effects": {"simulated": [...], "absent": [...]}}, and
 /// "frame" of a scene over time.
 [[nodiscard]] Json scene_json(const DocumentKind& kind, const Scene& scene);
+[[nodiscard]] Json scene_json(const DocumentKind& kind, const SkinScene& scene);
 
 /// {"length": "m", "stress": "Pa", "force": "N/m", "stated": {"length": "mm", ...}}: those of the
 /// JSON, and those of the scene's file. @pre  the scene has units

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "report/json/data_json.hpp"
 #include "report/json/document.hpp"
 #include "report/json/scene_json.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
@@ -17,6 +18,8 @@ Json skin_units_json(const Units& units) {
   return json;
 }
 
+}  // namespace
+
 Json scene_json(const DocumentKind& kind, const SkinScene& scene) {
   Json json = document(kind);
   json["scene"] = scene.file;
@@ -27,6 +30,8 @@ Json scene_json(const DocumentKind& kind, const SkinScene& scene) {
         {"index", scene.frame}, {"of", scene.time->frames}, {"t", scene.time->time(scene.frame)}};
   return json;
 }
+
+namespace {
 
 Json list(std::span<const double> values) {
   return values.empty() ? Json(nullptr) : Json(std::vector(values.begin(), values.end()));
@@ -92,6 +97,7 @@ Json answer_json(const lab::SkinExperiment& experiment) {
                {"deviations", fields(answer.deviations, experiment.grid)},
                {"cells", answer.cells},
                {"contacts", answer.contacts},
+               {"unseen", answer.unseen},
                {"resultant", found_json(answer.wrench)},
                {"friction", friction_json(answer.friction)},
                {"ellipse", ellipse_json(answer.ellipse)},
@@ -103,6 +109,7 @@ Json answer_json(const lab::SkinExperiment& experiment) {
                 {{"stated", number_or_null(answer.noise.stated_rms)},
                  {"residual", finite_or_null(answer.noise.residual_rms)},
                  {"model", finite_or_null(answer.noise.model_rms)}}},
+               {"data", data_json(answer.data)},
                {"seconds",
                 {{"setup", finite_or_null(experiment.setup_seconds)},
                  {"frame", finite_or_null(experiment.frame_seconds)}}}};
@@ -158,8 +165,10 @@ std::string recording_json(const lab::SkinRecordingAnswer& recording, const std:
                 {"alpha", nullptr},
                 {"alpha_rule", nullptr},
                 {"resultant", nullptr},
-                {"friction", uncertain_or_null(frame.friction)}};
+                {"friction", uncertain_or_null(frame.friction)},
+                {"data", nullptr}};
     if (!frame.missing) {
+      one["data"] = doubts_json(frame.data);
       one["alpha"] = frame.alpha.value;
       one["alpha_rule"] = source(frame.alpha);
       one["resultant"] = found_json(frame.wrench);

@@ -5,9 +5,13 @@
 #include <cmath>
 #include <numbers>
 #include <ostream>
+#include <utility>
+#include <variant>
 
+#include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
+#include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
@@ -167,6 +171,26 @@ std::optional<Answer> twisted(const lab::SkinExperiment& experiment) {
                 std::abs(found->value - *exact) > 4.0 * found->deviation};
 }
 
+const SkinContact* only_body(const SkinScene& scene) {
+  return scene.contacts.size() == 1 ? std::get_if<SkinContact>(&scene.contacts.front()) : nullptr;
+}
+
+/// Whether a radius by Hertz' law means something: of one body that has such a pressure, or of what
+/// nobody knows, as in recordings.
+bool may_be_hertz(const SkinScene& scene) {
+  if (scene.contacts.empty()) return true;
+  const SkinContact* body = only_body(scene);
+  return body && (body->shape == SkinShape::sphere || body->shape == SkinShape::ellipsoid);
+}
+
+/// The scene's, the longer one first; absent: nobody knows.
+std::pair<std::optional<double>, std::optional<double>> hertz_radii(const SkinScene& scene) {
+  const SkinContact* body = only_body(scene);
+  if (!body) return {};
+  const double other = body->second_radius > 0.0 ? body->second_radius : body->radius;
+  return {std::max(body->radius, other), std::min(body->radius, other)};
+}
+
 }  // namespace
 
 namespace {
@@ -222,6 +246,10 @@ std::vector<std::string> warnings(const lab::SkinExperiment& experiment) {
   std::vector<std::string> all = in_words(experiment.frame);
   if (experiment.answer)
     for (const std::string& remark : in_words(experiment.answer->remarks)) all.push_back(remark);
+  if (experiment.answer && experiment.answer->unseen > lab::most_unseen)
+    all.push_back(percent(experiment.answer->unseen) +
+                  " of the force found lies beyond the taxels, or where they are dead: how much "
+                  "presses there is guessed from what is seen beside it; the deviations hold that");
   return all;
 }
 
@@ -264,6 +292,12 @@ std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
                     [](const auto& frame) { return frame.verdict == lab::Verdict::ok; }));
   all.push_back({std::to_string(good) + " of " + std::to_string(recording.frames.size()),
                  "frames have the verdict ok", good < recording.frames.size()});
+  const auto doubted = static_cast<std::size_t>(
+      std::count_if(recording.frames.begin(), recording.frames.end(),
+                    [](const auto& frame) { return !frame.data.consistent(); }));
+  if (doubted > 0)
+    all.push_back({std::to_string(doubted) + " of " + std::to_string(recording.frames.size()),
+                   "frames' readings cannot be those of a contact", true});
   return all;
 }
 
@@ -295,9 +329,11 @@ std::vector<std::vector<std::string>> found_cells(const lab::SkinExperiment& exp
       centre ? std::optional(centre->z) : std::nullopt, spacing);
   add("torsion about it", Dimension::moment, wrench.torsion, exact.torsion(),
       spacing * exact.force[0]);
-  if (answer.ellipse) {
-    add("radius (Hertz)", Dimension::length, answer.ellipse->radius, std::nullopt, 0.0);
-    add("second radius", Dimension::length, answer.ellipse->second_radius, std::nullopt, 0.0);
+  if (answer.ellipse && answer.contacts == 1 && may_be_hertz(scene)) {
+    const auto [longer, shorter] = hertz_radii(scene);
+    add(longer ? "radius (Hertz)" : "radius, if Hertz's", Dimension::length, answer.ellipse->radius,
+        longer, spacing);
+    add("second radius", Dimension::length, answer.ellipse->second_radius, shorter, spacing);
   }
   return rows;
 }
@@ -319,7 +355,7 @@ void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment) 
   if (components(scene) == 3)
     out << ", q_y " << percent(experiment.relative[1]) << ", q_z "
         << percent(experiment.relative[2]) << " of it";
-  out << '\n';
+  out << "; data " << data_word(answer.data) << '\n';
   if (answer.cone)
     out << "cells that slide " << answer.cone->sliding << ", stick " << answer.cone->sticking
         << ", touch nothing " << answer.cone->apart << " (" << answer.cone->iterations

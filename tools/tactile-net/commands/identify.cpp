@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <ostream>
+#include <variant>
 #include <vector>
 
 #include "commands/input.hpp"
@@ -9,9 +10,12 @@
 #include "failure.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/pages/identify_page.hpp"
+#include "tactile_net/pages/skin_survey_page.hpp"
 #include "tactile_net/report/json/identify_json.hpp"
+#include "tactile_net/report/json/skin_survey_json.hpp"
 #include "tactile_net/report/words/identify_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/skin_survey_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 
 namespace tactile_net::tool {
@@ -23,13 +27,14 @@ void check_positive(const char* option, const std::optional<double>& value) {
 }
 
 /// How strong a ripple is to be told, by what was recorded; values that are missing do not count.
-double traction_of(const IdentifyOptions& options, const Scene& scene, const Streams& streams) {
+/// @param scene  of a line or of a skin
+double traction_of(const IdentifyOptions& options, const auto& scene, const Streams& streams) {
   frames::ReadingsFile file(options.readings, scene, &streams.in,
                             {.columns = options.columns, .accept_missing = true});
   say_opening(streams.err, file.name(), file.source());
   std::vector<double> readings(file.source().columns().size());
   std::vector<double> largest(channel_count(scene.sensor));
-  const std::vector<Site> where = sites(scene.sensor);
+  const auto where = sites(scene.sensor);
   while (file.source().next(readings))
     for (std::size_t i = 0; i < readings.size(); ++i)
       if (double& most = largest[where[i].channel]; std::abs(readings[i]) > most)
@@ -51,13 +56,12 @@ void print(std::ostream& out, const Scene& scene, const lab::Survey& survey) {
   out << pages::cells_in_words(scene, survey) << '\n';
 }
 
-}  // namespace
+void print(std::ostream& out, const SkinScene& scene, const lab::SkinSurvey& survey) {
+  report::print_survey(out, scene, survey);
+}
 
-void run(const IdentifyOptions& options, const Streams& streams) {
-  check_positive("--traction", options.survey.traction);
-  check_positive("--noise", options.survey.relative_noise);
-  check_one_standard_input(options.scene, options.readings);
-  const Scene scene = read_scene(options.scene, streams.in);
+/// @param scene  of a line or of a skin
+void survey(const auto& scene, const IdentifyOptions& options, const Streams& streams) {
   lab::SurveyOptions survey_options = options.survey;
   if (!options.readings.empty()) {
     if (survey_options.traction)
@@ -70,15 +74,25 @@ void run(const IdentifyOptions& options, const Streams& streams) {
                      "nothing says how strong a load is to be told from it");
   Results results(options.results, streams);
   Progress progress(streams);
-  const lab::Survey survey = lab::identify(scene, survey_options, progress);
-  results.write({.print = [&](std::ostream& out) { print(out, scene, survey); },
-                 .json = [&] { return report::survey_json(scene, survey); },
+  const auto found = lab::identify(scene, survey_options, progress);
+  results.write({.print = [&](std::ostream& out) { print(out, scene, found); },
+                 .json = [&] { return report::survey_json(scene, found); },
                  .page =
                      [&] {
-                       return pages::survey_html(scene, survey,
+                       return pages::survey_html(scene, found,
                                                  {.by = streams.command, .files = {"result.json"}});
                      }},
                 progress);
+}
+
+}  // namespace
+
+void run(const IdentifyOptions& options, const Streams& streams) {
+  check_positive("--traction", options.survey.traction);
+  check_positive("--noise", options.survey.relative_noise);
+  check_one_standard_input(options.scene, options.readings);
+  std::visit([&](const auto& scene) { survey(scene, options, streams); },
+             read_any_scene(options.scene, streams.in));
 }
 
 }  // namespace tactile_net::tool

@@ -19,7 +19,9 @@ namespace tactile_net::report {
 [[nodiscard]] std::vector<std::string> traction_columns(const SkinGrid& grid,
                                                         std::size_t components);
 
-/// What one frame amounts to, each value with its deviation; NaN where there is none.
+/// What one frame amounts to, each value with its deviation; NaN where there is none. Then whether
+/// the readings can be true, as a line's recording has it (0, or 1 + the worst `DataDoubt`), and
+/// alpha.
 [[nodiscard]] std::vector<std::string> wrench_columns();
 [[nodiscard]] std::vector<double> wrench_values(const lab::SkinAnswer& answer);
 

@@ -1,0 +1,53 @@
+#include "tactile_net/lab/skin_data_verdict.hpp"
+
+#include <algorithm>
+
+namespace tactile_net::lab {
+namespace {
+
+/// What strains the pad by 1 [the quantity's unit].
+double largest_reading(const SkinSite& site, const Material& material) {
+  switch (traits(site.quantity).kind) {
+    case QuantityKind::strain:
+      return 1.0;
+    case QuantityKind::displacement:
+      return site.depth;
+    default:
+      return material.youngs_modulus;
+  }
+}
+
+}  // namespace
+
+DataLimits data_limits(const SkinSceneProblem& problem) {
+  const SkinScene& scene = problem.scene();
+  DataLimits limits{.noise_rms = problem.stated_noise(),
+                    .friction_limit = scene.reconstruct.friction_limit,
+                    .largest_traction = scene.material.youngs_modulus};
+  for (const SkinSite& site : sites(scene.sensor))
+    limits.largest_readings.push_back(largest_reading(site, scene.material));
+  return limits;
+}
+
+SkinDataJudge data_judge(const SkinSceneProblem& problem) {
+  constexpr std::size_t most_cells_sought = 2400;
+  const SkinScene& scene = problem.scene();
+  const SkinGrid& own = problem.grid();
+  const double depth = least_depth(scene.sensor);
+  const double spacing = std::min({0.25 * depth, own.spacing_y, own.spacing_z});
+  for (const SkinGridOptions& finer :
+       {SkinGridOptions{.spacing = spacing, .margin = 2.0 * depth},
+        SkinGridOptions{.spacing = std::min(own.spacing_y, own.spacing_z), .margin = 2.0 * depth}})
+    if (problem.stated_noise() && grid_of(scene.sensor, finer).count() <= most_cells_sought)
+      return SkinDataJudge(
+          problem.problem(), [scene, finer] { return SkinSceneProblem(scene).on(finer); },
+          data_limits(problem));
+  return SkinDataJudge(problem.problem(), data_limits(problem));
+}
+
+DataVerdict data_verdict(const SkinSceneProblem& problem, std::span<const double> readings,
+                         std::span<const double> tractions) {
+  return problem.data_judge().judge(readings, tractions);
+}
+
+}  // namespace tactile_net::lab
