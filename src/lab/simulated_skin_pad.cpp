@@ -5,27 +5,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tactile_net/sensing/effects/broken_taxels.hpp"
-#include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/skin/problem.hpp"
-#include "tactile_net/skin/signal_layout.hpp"
 
 namespace tactile_net::lab {
 namespace {
-
-/// Of the effects that scenes of skins have.
-SignalPath path_of(const SkinScene& scene) {
-  const SignalLayout layout = signal_layout(scene.sensor);
-  std::vector<std::unique_ptr<SensorEffect>> stages;
-  if (scene.noise) {
-    NoiseModel noise{.rms = {}, .seed = scene.noise->seed};
-    for (const auto& [quantity, rms] : scene.noise->rms) noise.rms.emplace(quantity, rms);
-    stages.push_back(make_effect(noise, layout));
-  }
-  if (!scene.dead_taxels.empty())
-    stages.push_back(make_effect(DeadTaxels{scene.dead_taxels}, layout));
-  return {std::move(stages), reading_count(scene.sensor)};
-}
 
 constexpr std::size_t most_entries = std::size_t{1} << 25;
 
@@ -106,7 +89,8 @@ void SkinPadModel::add_beyond(double y, double z, const std::array<double, 3>& t
 
 SimulatedSkinPad::SimulatedSkinPad(std::shared_ptr<const SkinPadModel> model)
     : model_(std::move(model)),
-      signal_([model = model_] { return path_of(model->scene()); }, 0.0) {}
+      signal_([model = model_] { return signal_path(model->scene()); },
+              model_->scene().sampling ? model_->scene().sampling->aperture : 0.0) {}
 
 void SimulatedSkinPad::read(double time, std::span<const SampledPatch> patches,
                             std::span<double> readings) {

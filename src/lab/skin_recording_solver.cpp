@@ -83,7 +83,8 @@ std::optional<SkinAnswer> SkinRecordingSolver::solve(std::span<double> readings)
     answer = p.solve_rest(readings);
   }
   if (answer)
-    p.solved.add({.alpha = answer->alpha, .verdict = answer->verdict}, incomplete);
+    p.solved.add({.alpha = answer->alpha, .verdict = answer->verdict, .data = answer->data},
+                 incomplete);
   else
     p.solved.skip();
   return answer;

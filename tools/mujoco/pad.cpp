@@ -103,7 +103,7 @@ std::variant<Pad::Line, Pad::Skin> Pad::made(const PadSettings& settings) {
     if (settings.breadth) refuse("breadth is of line arrays: a skin's contacts end where they end");
     const double edge = settings.edge.value_or(0.5 * least_depth(skin->sensor));
     const auto model = std::make_shared<const lab::SkinPadModel>(std::move(*skin));
-    const std::size_t count = tactile_net::reading_count(model->scene.sensor);
+    const std::size_t count = tactile_net::reading_count(model->scene().sensor);
     return Skin{model, edge, lab::SimulatedSkinPad(model), std::vector<double>(count)};
   }
   if (!settings.breadth)
@@ -116,9 +116,9 @@ std::variant<Pad::Line, Pad::Skin> Pad::made(const PadSettings& settings) {
 }
 
 std::size_t Pad::reading_count(const PadSettings& settings) {
-  return std::visit(
-      [](const auto& pad) { return tactile_net::reading_count(pad.model->scene.sensor); },
-      made(settings));
+  const auto pad = made(settings);
+  if (const auto* skin = std::get_if<Skin>(&pad)) return skin->recorded.size();
+  return tactile_net::reading_count(std::get<Line>(pad).model->scene.sensor);
 }
 
 Pad::Pad(const mjModel& model, int instance)
@@ -183,8 +183,9 @@ void Pad::read(Line& line, double time, std::span<double> readings) {
 }
 
 void Pad::read(Skin& skin, double time, std::span<double> readings) {
-  const SkinScene& scene = skin.model->scene;
-  skin.pad.read(time, lab::skin_loads(points_, scene.material, skin.edge), skin.recorded);
+  const SkinScene& scene = skin.model->scene();
+  skin.pad.read(time, lab::skin_patches(points_, scene.material, skin.edge, skin.model->grid()),
+                skin.recorded);
   const std::size_t taxels = is_even(scene.sensor) ? taxel_count(scene.sensor) : 1;
   const std::size_t channels = skin.recorded.size() / taxels;
   for (std::size_t i = 0; i < skin.recorded.size(); ++i)
