@@ -34,7 +34,7 @@ SkinScene with_noise(SkinScene scene, double share, std::uint64_t seed) {
   double peak = 0.0;
   for (const double reading : lab::simulate(scene).readings)
     peak = std::max(peak, std::abs(reading));
-  scene.noise = SkinNoise{.seed = seed};
+  scene.noise = NoiseModel{.rms = {}, .seed = seed};
   for (const SkinQuantity quantity : scene.sensor.reads) scene.noise->rms[quantity] = share * peak;
   return scene;
 }
