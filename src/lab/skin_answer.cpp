@@ -172,7 +172,8 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   }
   const Covariance& covariance = of_face ? *of_face : own;
   const std::span<const double> f = answer.tractions;
-  const double rim = least_depth(problem.scene().sensor);
+  // Under constraints the cells around a contact hold what noise pushes there, and nothing pulls.
+  const double rim = (face ? 0.5 : 1.0) * least_depth(problem.scene().sensor);
   answer.cells = contact_cells(grid, f, touching, rim);
   std::vector<std::size_t> summed(grid.count());
   std::iota(summed.begin(), summed.end(), std::size_t{0});

@@ -281,7 +281,8 @@ TEST_CASE("a command that does not know skins yet says so", "[cli][skin]") {
     const ProcessResult refused = tool({command, path});
     CHECK(refused.code != 0);
     CHECK_THAT(refused.errors, ContainsSubstring("[sensor] is of a skin"));
-    CHECK_THAT(refused.errors, ContainsSubstring("run, simulate, solve, identify and plan know skins"));
+    CHECK_THAT(refused.errors,
+               ContainsSubstring("run, simulate, solve, identify and plan know skins"));
   }
   CHECK_THAT(tool({"run", path, "--explain"}).errors, ContainsSubstring("--explain"));
   CHECK_THAT(tool({"solve", path, "--method", "dft", "--readings", "x.csv"}).errors,
