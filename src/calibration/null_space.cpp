@@ -69,16 +69,19 @@ std::vector<NullDirection> null_directions(const FitProblem& problem, const FitS
   const FitSystem system =
       fit_system(problem, state, readings, columns,
                  {.damping = 0.0, .common_priors = false, .weak_priors = false});
-  Eigen::VectorXd norm = columns.seen;
-  // A column that is nothing but the rounding of what is zero is zero.
+  const Eigen::VectorXd& norm = columns.seen;
+  // A column that is nothing but the rounding of what is zero is zero. Behind the gains stand
+  // offsets: that of a reading that no press uses would mix with directions that mean something.
   const double largest = norm.maxCoeff();
+  const Eigen::Index offsets =
+      norm.size() - static_cast<Eigen::Index>(problem.model().sites().size());
   Eigen::MatrixXd scaled = system.triangle;
   for (Eigen::Index c = 0; c < scaled.cols(); ++c) {
-    if (norm(c) <= 1e-12 * largest) {
-      scaled.col(c).setZero();
-      norm(c) = 1.0;
-    } else {
+    if (norm(c) > 1e-12 * largest) {
       scaled.col(c) /= norm(c);
+    } else {
+      scaled.col(c).setZero();
+      if (c >= offsets) scaled(c, c) = 1.0;
     }
   }
   const Svd svd = singular_value_decomposition(scaled);

@@ -24,14 +24,19 @@ constexpr double largest_decay = 36.0;
 /// Presses that are gone through at once: what is kept of them stays in the cache.
 constexpr std::size_t block = 32;
 
+/// Enough for presses and arrays that reach 2900 depths. A fit that has gone astray may ask for
+/// more; it is not to take the memory.
+constexpr std::size_t most_panels = 4000;
+
 /// Nodes in k for one channel: Gauss-Legendre panels of 20 points, each some 26 radians of the
 /// fastest wave.
 struct Nodes {
   Nodes(double depth, double farthest) {
     using Rule = boost::math::quadrature::gauss<double, 20>;
     const double end = largest_decay / depth;
+    const double needed = std::ceil(end * farthest / 26.0);
     const auto panels =
-        std::max<std::size_t>(5, static_cast<std::size_t>(std::ceil(end * farthest / 26.0)));
+        static_cast<std::size_t>(std::clamp(needed, 5.0, static_cast<double>(most_panels)));
     const double width = end / static_cast<double>(panels);
     for (std::size_t panel = 0; panel < panels; ++panel)
       for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)

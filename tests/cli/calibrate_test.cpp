@@ -306,6 +306,54 @@ TEST_CASE("a bad log is refused with its line and its rule", "[cli][calibrate]")
   CHECK_FALSE(std::filesystem::exists(folder / "c.toml"));
 }
 
+TEST_CASE("a dead taxel costs a calibration its own reading alone", "[cli][calibrate]") {
+  const Json whole = calibrated("rod-layer", nothing_stated);
+  const std::string index = GENERATE("0", "20", "40");
+  CAPTURE(index);
+  const Json without =
+      calibrated("rod-layer", nothing_stated + "[dead_taxels]\nindices = [" + index + "]\n");
+  for (const char* parameter : {"depth", "thickness", "poisson_ratio"}) {
+    CAPTURE(parameter);
+    const Json& one = whole["parameters"][parameter];
+    const Json& other = without["parameters"][parameter];
+    CHECK(std::abs(one["value"].get<double>() - other["value"].get<double>()) <=
+          one["sd"].get<double>());
+    CHECK(one["verdict"] == other["verdict"]);
+  }
+  CHECK(without["null_directions"].size() == whole["null_directions"].size());
+}
+
+TEST_CASE("a calibration never replaces what it reads", "[cli][calibrate]") {
+  const Folder folder;
+  const std::string log = folder.write("log.csv", read_text(log_of("rod-layer")));
+  const std::string nominal = folder.write("pad.toml", read_text(nominal_of("rod-layer")));
+  std::filesystem::create_symlink(log, folder / "link.csv");
+  using Options = std::vector<std::string>;
+  for (const Options& outputs : {Options{"-o", log}, Options{"--json", folder / "./log.csv"},
+                                 Options{"-o", nominal}, Options{"--json", folder / "link.csv"},
+                                 Options{"-o", folder / "one", "--json", folder / "one"}}) {
+    Options command{"calibrate", log, "--scene", nominal};
+    command.insert(command.end(), outputs.begin(), outputs.end());
+    CAPTURE(outputs[0], outputs[1]);
+    const ProcessResult result = tool(command);
+    CHECK(result.code == 2);
+    CHECK_THAT(result.errors,
+               ContainsSubstring(outputs.size() > 2 ? "that -o names" : "that is read"));
+  }
+  CHECK(read_text(log) == read_text(log_of("rod-layer")));
+  CHECK(read_text(nominal) == read_text(nominal_of("rod-layer")));
+}
+
+TEST_CASE("a width beyond all reason takes no memory beyond it", "[cli][calibrate]") {
+  const Folder folder;
+  const std::string log = folder.write(
+      "log.csv",
+      edited("strain-rods", 30, [](std::vector<std::string>& fields) { fields[6] = "1e9"; }));
+  const ProcessResult result = tool({"calibrate", log, "--scene", nominal_of("strain-rods")});
+  CAPTURE(result.output, result.errors);
+  CHECK(result.code == 1);
+}
+
 TEST_CASE("a log of another scene names the readings that it lacks", "[cli][calibrate]") {
   const ProcessResult result =
       tool({"calibrate", log_of("rod-layer"), "--scene", nominal_of("strain-rods")});
