@@ -188,7 +188,9 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   // Where no taxel sees, what constraints hold is not certain either.
   const SkinCovariance of_contact(problem.family(), alpha,
                                   contact_prior(prior, answer.cells.size(), grid.count(), seen));
-  const Covariance& known = of_face && seen ? covariance : of_contact;
+  // Nor where offsets are free: what they take the constraints give back, all of it to one side.
+  const bool held = seen && !problem.problem().unknown_offsets;
+  const Covariance& known = of_face && held ? covariance : of_contact;
   answer.wrench = resultant_of(grid, f, answer.cells, known, rms);
   answer.friction =
       friction_of(grid, f, answer.cells, known, rms, problem.scene().reconstruct.friction_limit);
