@@ -132,7 +132,7 @@ def _answer(core: _core.SkinExperiment, scene: Skin) -> SkinMethodResult:
             contacts=0,
         )
     tractions = found["tractions"].reshape(-1, *places)
-    wrench = dict(zip(_core.wrench_columns()[0::2], map(_known, found["wrench"][0].reshape(-1, 2))))
+    wrench = dict(zip(_core.wrench_columns()[0:14:2], map(_known, found["wrench"][0, :14].reshape(-1, 2))))
     force = wrench["normal"]
     return SkinMethodResult(
         method="tikhonov",

@@ -55,7 +55,7 @@ class SkinSolution(Solution):
         self.tractions = found["tractions"].reshape(frames, components, *places)
         self._deviation = found["deviation"].reshape(frames, components, *places)
         self.touching = found["touching"].reshape(frames, *places) != 0.0
-        self._wrench = found["wrench"]
+        self._wrench = found["wrench"]  # seven values with their deviations; then data and alpha
         self.wrench_covariance = found["covariance"].reshape(frames, 6, 6)
         """(T, 6, 6): of the first six numbers of `wrench`; 0 where one is not known."""
         self._ellipse = found["ellipse"]
@@ -128,12 +128,12 @@ class SkinSolution(Solution):
     def wrench(self) -> Floats:
         """(T, 7): normal force, forces along y and z [N], y and z of the centre of pressure [m], torsion about it [N m],
         and the drag over the normal force; nan where one is not known."""
-        return np.asarray(self._wrench[:, 0::2])
+        return np.asarray(self._wrench[:, 0:14:2])
 
     @property
     def wrench_deviation(self) -> Floats:
         """(T, 7): one standard deviation of each."""
-        return np.asarray(self._wrench[:, 1::2])
+        return np.asarray(self._wrench[:, 1:14:2])
 
     @property
     def normal_force(self) -> Floats:
