@@ -52,7 +52,7 @@ double off(const lab::SkinExperiment& experiment) {
 
 }  // namespace
 
-TEST_CASE("deviations hold what presses over the edge of a skin", "[lab][skin][edge]") {
+TEST_CASE("deviations hold what presses over the edge of a skin", "[lab][skin][edge][long]") {
   // Centred beyond the last taxels, where a grid that ends with them was 8 and 37 deviations off.
   for (const auto& [y, z] : {std::pair{8.5, 0.0}, std::pair{8.9, 8.9}}) {
     const lab::SkinExperiment found = lab::run(with_noise(skin(y, z, 3.0), 0.01, 1));
@@ -86,7 +86,7 @@ TEST_CASE("deviations hold what presses over the edge of a skin", "[lab][skin][e
   CHECK(held >= 10);
 }
 
-TEST_CASE("deviations hold what presses where taxels are dead", "[lab][skin][edge]") {
+TEST_CASE("deviations hold what presses where taxels are dead", "[lab][skin][edge][long]") {
   std::string dead;
   for (int i = 0; i < 40; ++i) dead += (i > 0 ? ", " : "") + std::to_string(i);
   for (const double y : {-1.0, 1.0}) {
@@ -98,7 +98,7 @@ TEST_CASE("deviations hold what presses where taxels are dead", "[lab][skin][edg
   }
 }
 
-TEST_CASE("what is seen is what lies near a live taxel", "[lab][skin][edge]") {
+TEST_CASE("what is seen is what lies near a live taxel", "[lab][skin][edge][long]") {
   const SkinScene scene = skin(0.0, 0.0, 2.0, "[dead_taxels]\nindices = [27]\n");
   const lab::SkinSceneProblem problem(scene);
   const std::vector<bool>& unseen = problem.unseen();
@@ -117,7 +117,7 @@ TEST_CASE("what is seen is what lies near a live taxel", "[lab][skin][edge]") {
 }
 
 TEST_CASE("a friction limit below the true one is doubted, an honest one is not",
-          "[lab][skin][data]") {
+          "[lab][skin][data][long]") {
   const auto data = [](const std::string& limit) {
     const SkinScene scene = with_noise(skin(1.0, 0.5, 3.0, limit), 0.01, 2);
     return lab::run(scene).answer->data;
@@ -130,7 +130,7 @@ TEST_CASE("a friction limit below the true one is doubted, an honest one is not"
 }
 
 TEST_CASE("a radius by Hertz' law holds the true one, and is not named where there is none",
-          "[lab][skin][edge]") {
+          "[lab][skin][edge][long]") {
   const auto said = [](const lab::SkinExperiment& experiment) {
     std::string text;
     for (const auto& row : report::found_cells(experiment))
@@ -148,7 +148,7 @@ TEST_CASE("a radius by Hertz' law holds the true one, and is not named where the
   CHECK(said(lab::run(punch)).find("radius") == std::string::npos);
 }
 
-TEST_CASE("force and centre of a skin know no units", "[lab][skin][edge]") {
+TEST_CASE("force and centre of a skin know no units", "[lab][skin][edge][long]") {
   const SkinScene one = with_noise(skin(1.0, 0.5, 3.0), 0.01, 2);
   const lab::SkinExperiment here = lab::run(one);
   for (const double metre : {1e-150, 1e150})

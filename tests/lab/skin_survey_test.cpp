@@ -37,7 +37,7 @@ bool says(const std::vector<std::string>& sentences, const std::string& text) {
 }  // namespace
 
 TEST_CASE("what determines p and the drags is told, and what nothing shows is named",
-          "[lab][skin][identify]") {
+          "[lab][skin][identify][long]") {
   const SkinScene all = skin(three);
   const lab::SkinSurvey told = lab::identify(all);
   CHECK(lab::hidden_waves(told.own) == 0);
@@ -70,7 +70,7 @@ TEST_CASE("what determines p and the drags is told, and what nothing shows is na
 }
 
 TEST_CASE("the narrowest circle that is seen causes just the noise, by the exact model",
-          "[lab][skin][identify]") {
+          "[lab][skin][identify][long]") {
   const Material pad{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
   Material layer = pad;
   layer.layer = Layer{.thickness = 2.5};
@@ -105,7 +105,7 @@ TEST_CASE("the narrowest circle that is seen causes just the noise, by the exact
     }
 }
 
-TEST_CASE("the widest hole is where taxels are missing", "[lab][skin][identify]") {
+TEST_CASE("the widest hole is where taxels are missing", "[lab][skin][identify][long]") {
   const SkinArray even{.rows = 4,
                        .columns = 4,
                        .pitch_y = 1.0,
@@ -134,7 +134,7 @@ TEST_CASE("the widest hole is where taxels are missing", "[lab][skin][identify]"
       SkinArray{.rows = 1, .columns = 1, .depths = {1.0}, .reads = {stress_x}}, {}));
 }
 
-TEST_CASE("a survey of a skin knows no units", "[lab][skin][identify]") {
+TEST_CASE("a survey of a skin knows no units", "[lab][skin][identify][long]") {
   const SkinScene one = skin(three, "depth = 1.0", "[dead_taxels]\nindices = [0]\n");
   SkinScene large = one;
   const double metre = 1e3;
@@ -162,7 +162,7 @@ TEST_CASE("a survey of a skin knows no units", "[lab][skin][identify]") {
     }
 }
 
-TEST_CASE("more noise hides more ripples, and what is asked is checked", "[lab][skin][identify]") {
+TEST_CASE("more noise hides more ripples, and what is asked is checked", "[lab][skin][identify][long]") {
   const SkinScene scene = skin(three);
   double before = 0.0;
   for (const double noise : {0.001, 0.05, 0.3}) {
