@@ -7,12 +7,13 @@
 namespace tactile_net {
 namespace {
 
-std::string no_words(const Scene&) { return {}; }
-double no_operations(const Scene&) { return 0.0; }
+std::string no_words(const SensedScene&) { return {}; }
+double no_operations(const SensedScene&) { return 0.0; }
 
 const std::array table = {
-    SceneEffect{"friction", any_friction, nullptr, no_words, no_operations},
-    SceneEffect{"layer", [](const Scene& scene) { return scene.material.layer.has_value(); },
+    SceneEffect{"friction", [](const SensedScene& scene) { return scene.drags; }, nullptr, no_words,
+                no_operations},
+    SceneEffect{"layer", [](const SensedScene& scene) { return scene.material->layer.has_value(); },
                 nullptr, no_words, no_operations}};
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 namespace tactile_net {
 
-void read_sensor_effects(Table&, const Read&, Scene&) {}
+void read_sensor_effects(Table&, const SensorOfEffects&, const std::optional<Timing>&,
+                         SensorEffects&) {}
 
 }  // namespace tactile_net

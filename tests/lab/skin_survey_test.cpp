@@ -162,7 +162,8 @@ TEST_CASE("a survey of a skin knows no units", "[lab][skin][identify][long]") {
     }
 }
 
-TEST_CASE("more noise hides more ripples, and what is asked is checked", "[lab][skin][identify][long]") {
+TEST_CASE("more noise hides more ripples, and what is asked is checked",
+          "[lab][skin][identify][long]") {
   const SkinScene scene = skin(three);
   double before = 0.0;
   for (const double noise : {0.001, 0.05, 0.3}) {
