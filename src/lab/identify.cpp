@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lab/survey_assumptions.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/lab/unseen_width.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -46,12 +47,6 @@ double largest_response(const Scene& scene, const Channel& channel) {
   return of_pad > 1e-9 * of_half_plane ? of_pad : of_half_plane;
 }
 
-double stated_rms(const Scene& scene, Quantity quantity) {
-  if (!scene.noise) return 0.0;
-  const auto stated = scene.noise->rms.find(quantity);
-  return stated == scene.noise->rms.end() ? 0.0 : stated->second;
-}
-
 /// 0 without a contact.
 double peak_traction(const Scene& scene) {
   double peak = 0.0;
@@ -60,29 +55,9 @@ double peak_traction(const Scene& scene) {
   return peak;
 }
 
-double assumed_traction(const Scene& scene, const SurveyOptions& options) {
-  if (options.traction) return *options.traction;
-  if (needs_traction(scene, options))
-    throw std::invalid_argument(
-        "the scene states its noise and has no contact: say how strong a ripple is to be told");
-  const double peak = peak_traction(scene);
-  return peak > 0.0 ? peak : 1.0;
-}
-
-AssumedNoise assumed_noise(const Scene& scene, const SurveyOptions& options, double traction) {
-  if (options.relative_noise) return {AssumedNoise::Kind::share, *options.relative_noise};
-  double share = 0.0;
-  for (const Channel& channel : channels(scene.sensor))
-    share = std::max(
-        share, stated_rms(scene, channel.quantity) / (traction * largest_response(scene, channel)));
-  if (share > 0.0) return {AssumedNoise::Kind::stated, share};
-  return {};
-}
-
-double rms(const Scene& scene, const AssumedNoise& noise, const Channel& channel, double traction) {
-  const double stated =
-      noise.kind == AssumedNoise::Kind::stated ? stated_rms(scene, channel.quantity) : 0.0;
-  return stated > 0.0 ? stated : noise.share * traction * largest_response(scene, channel);
+/// As the templates of survey_assumptions.hpp take it.
+auto response_of(const Scene& scene) {
+  return [&scene](const Channel& channel) { return largest_response(scene, channel); };
 }
 
 /// The depths at which every taxel reads: of uneven taxels the first stands for all.
@@ -108,7 +83,7 @@ SensorChoice study(const Scene& scene, const SensorArray& array, std::size_t tax
   choice.unknowns = all.size() > 1 && scene.reconstruct.tangential.value_or(true) ? 2 : 1;
   ProblemOptions options{.unknowns = choice.unknowns, .unknown_offsets = scene.reconstruct.offset};
   for (const Channel& channel : all)
-    options.channel_rms.push_back(rms(scene, noise, channel, traction));
+    options.channel_rms.push_back(assumed_rms(scene, noise, channel, traction, response_of(scene)));
   choice.resolutions = resolutions(array, scene.material, options);
   choice.normal = resolvable_wavelength(choice.resolutions, Traction::normal, traction);
   if (choice.unknowns == 2)
@@ -134,12 +109,6 @@ SensorArray reading(const SensorArray& array, const std::vector<Quantity>& reads
     for (const double depth : depths)
       taxels.push_back({taxel.y, taxel.depth * (depth / array.depths.front()), reads, taxel.width});
   return uneven_array(std::move(taxels));
-}
-
-bool same(std::vector<Quantity> a, std::vector<Quantity> b) {
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
-  return a == b;
 }
 
 /// The scene's sensors, and what else stands in their place.
@@ -256,28 +225,18 @@ void check(const SurveyOptions& options) {
 }
 
 bool needs_traction(const Scene& scene, const SurveyOptions& options) {
-  return !options.traction && !options.relative_noise && peak_traction(scene) == 0.0 &&
-         std::any_of(scene.sensor.reads.begin(), scene.sensor.reads.end(),
-                     [&](Quantity quantity) { return stated_rms(scene, quantity) > 0.0; });
+  return lacks_traction(scene, options, peak_traction);
 }
 
 double traction_behind(const Scene& scene, std::span<const double> largest) {
-  const std::vector<Channel> all = channels(scene.sensor);
-  if (largest.size() != all.size())
-    throw std::invalid_argument("there must be one largest reading for each channel");
-  double traction = 0.0;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    traction = std::max(traction, largest[i] / largest_response(scene, all[i]));
-  if (!(traction > 0.0) || !std::isfinite(traction))
-    throw std::invalid_argument("every reading is zero, or one is not finite");
-  return traction;
+  return traction_of(scene, largest, response_of(scene));
 }
 
 Survey identify(const Scene& scene, const SurveyOptions& options, Observer& observer) {
   check(options);
-  Survey result{.traction = assumed_traction(scene, options),
+  Survey result{.traction = assumed_traction(scene, options, peak_traction),
                 .taxels = compared_taxels(scene.sensor.count)};
-  result.noise = assumed_noise(scene, options, result.traction);
+  result.noise = assumed_noise(scene, options, result.traction, response_of(scene));
   Comparison comparison(scene, result, observer);
   comparison.own();
   comparison.in_place();

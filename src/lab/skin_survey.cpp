@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "lab/survey_assumptions.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
 #include "tactile_net/elasticity/space/skin_transform.hpp"
 #include "tactile_net/lab/skin_unseen_width.hpp"
@@ -56,12 +57,6 @@ double largest_response(const SkinArray& skin, const Material& material, SkinQua
   return of_pad > 1e-9 * of_half_space ? of_pad : of_half_space;
 }
 
-double stated_rms(const SkinScene& scene, SkinQuantity quantity) {
-  if (!scene.noise) return 0.0;
-  const auto stated = scene.noise->rms.find(quantity);
-  return stated == scene.noise->rms.end() ? 0.0 : stated->second;
-}
-
 /// 0 without a contact.
 double peak_traction(const SkinScene& scene) {
   if (scene.contacts.empty()) return 0.0;
@@ -72,24 +67,11 @@ double peak_traction(const SkinScene& scene) {
   return peak;
 }
 
-double assumed_traction(const SkinScene& scene, const SurveyOptions& options) {
-  if (options.traction) return *options.traction;
-  if (needs_traction(scene, options))
-    throw std::invalid_argument(
-        "the scene states its noise and has no contact: say how strong a ripple is to be told");
-  const double peak = peak_traction(scene);
-  return peak > 0.0 ? peak : 1.0;
-}
-
-AssumedNoise assumed_noise(const SkinScene& scene, const SurveyOptions& options, double traction) {
-  if (options.relative_noise) return {AssumedNoise::Kind::share, *options.relative_noise};
-  double share = 0.0;
-  for (const SkinChannel& channel : channels(scene.sensor))
-    share = std::max(share, stated_rms(scene, channel.quantity) /
-                                (traction * largest_response(scene.sensor, scene.material,
-                                                             channel.quantity, channel.depth)));
-  if (share > 0.0) return {AssumedNoise::Kind::stated, share};
-  return {};
+/// As the templates of survey_assumptions.hpp take it.
+auto response_of(const SkinScene& scene) {
+  return [&scene](const SkinChannel& channel) {
+    return largest_response(scene.sensor, scene.material, channel.quantity, channel.depth);
+  };
 }
 
 /// With singular values small enough to be decomposed at once.
@@ -120,12 +102,6 @@ SkinArray reading(const SkinArray& skin, const std::vector<SkinQuantity>& reads,
                         taxel.depth * factors[d], reads});
     }
   return uneven_skin(std::move(taxels));
-}
-
-bool same(std::vector<SkinQuantity> a, std::vector<SkinQuantity> b) {
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
-  return a == b;
 }
 
 /// The scene's sensors, and what else stands in their place.
@@ -217,16 +193,9 @@ class Comparison {
 
   [[nodiscard]] SkinProblemOptions options_of(const SkinArray& skin, std::size_t components) const {
     SkinProblemOptions options{.components = components};
-    for (const SkinChannel& channel : channels(skin)) {
-      const double stated = survey_.noise.kind == AssumedNoise::Kind::stated
-                                ? stated_rms(scene_, channel.quantity)
-                                : 0.0;
-      options.channel_rms.push_back(stated > 0.0
-                                        ? stated
-                                        : survey_.noise.share * survey_.traction *
-                                              largest_response(scene_.sensor, scene_.material,
-                                                               channel.quantity, channel.depth));
-    }
+    for (const SkinChannel& channel : channels(skin))
+      options.channel_rms.push_back(
+          assumed_rms(scene_, survey_.noise, channel, survey_.traction, response_of(scene_)));
     return options;
   }
 
@@ -339,34 +308,23 @@ bool tells_more(const SkinSensorChoice& a, const SkinSensorChoice& b) {
 }
 
 bool needs_traction(const SkinScene& scene, const SurveyOptions& options) {
-  return !options.traction && !options.relative_noise && peak_traction(scene) == 0.0 &&
-         std::any_of(scene.sensor.reads.begin(), scene.sensor.reads.end(),
-                     [&](SkinQuantity quantity) { return stated_rms(scene, quantity) > 0.0; });
+  return lacks_traction(scene, options, peak_traction);
 }
 
 double traction_behind(const SkinScene& scene, std::span<const double> largest) {
-  const std::vector<SkinChannel> all = channels(scene.sensor);
-  if (largest.size() != all.size())
-    throw std::invalid_argument("there must be one largest reading for each channel");
-  double traction = 0.0;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    traction = std::max(traction, largest[i] / largest_response(scene.sensor, scene.material,
-                                                                all[i].quantity, all[i].depth));
-  if (!(traction > 0.0) || !std::isfinite(traction))
-    throw std::invalid_argument("every reading is zero, or one is not finite");
-  return traction;
+  return traction_of(scene, largest, response_of(scene));
 }
 
 SkinSurvey identify(const SkinScene& scene, const SurveyOptions& options, Observer& observer) {
   check(options);
-  SkinSurvey result{.traction = assumed_traction(scene, options),
+  SkinSurvey result{.traction = assumed_traction(scene, options, peak_traction),
                     .rows = scene.sensor.rows,
                     .columns = scene.sensor.columns};
   if (is_even(scene.sensor) && 3 * taxel_count(scene.sensor) > most_tractions) {
     result.rows = compared_side(scene.sensor.rows);
     result.columns = compared_side(scene.sensor.columns);
   }
-  result.noise = assumed_noise(scene, options, result.traction);
+  result.noise = assumed_noise(scene, options, result.traction, response_of(scene));
   result.wave = std::max(2.0 * pi * least_depth(scene.sensor),
                          4.0 * std::max(scene.sensor.pitch_y, scene.sensor.pitch_z));
   Comparison comparison(scene, result, observer);
