@@ -3,7 +3,6 @@
 /// and which lie side by side.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <vector>
 
@@ -24,7 +23,10 @@ class SignalQuantity {
   [[nodiscard]] constexpr bool creeps() const noexcept {
     return traits(value_).kind != QuantityKind::stress;
   }
-  friend constexpr auto operator<=>(const SignalQuantity&, const SignalQuantity&) = default;
+  friend constexpr bool operator==(const SignalQuantity&, const SignalQuantity&) = default;
+  friend constexpr bool operator<(const SignalQuantity& a, const SignalQuantity& b) noexcept {
+    return a.value_ < b.value_;
+  }
 
  private:
   SkinQuantity value_;
