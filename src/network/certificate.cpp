@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "network/lag_bound.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/named.hpp"
@@ -16,17 +17,40 @@ namespace {
 
 double radians(double hertz) { return 2.0 * std::numbers::pi * hertz; }
 
-bool is_met(TheoremCondition condition, const RealizationOptions& options, double ratio,
-            bool definite) {
+/// Of converters and inverters whose op-amps have a bandwidth and capacitance at their inputs.
+double largest_divider(const OpAmp& o) {
+  return 1.0 / (2.0 * radians(*o.bandwidth) * *o.input_capacitance);
+}
+
+bool is_met(TheoremCondition condition, const NetworkCircuit& circuit, bool definite,
+            UnmetCondition& unmet) {
+  const RealizationOptions& options = circuit.options();
+  const OpAmp& o = options.opamp;
+  const double ratio = options.main_bandwidth(circuit.realization());
   switch (condition) {
     case TheoremCondition::definite:
       return definite;
     case TheoremCondition::no_input_capacitance:
     case TheoremCondition::no_inverter_input_capacitance:
-      return !options.opamp.input_capacitance;
+      return !o.input_capacitance;
     case TheoremCondition::no_second_pole:
-      return !options.opamp.second_pole;
+      return !o.second_pole;
+    case TheoremCondition::divider_fast_enough:
+      return !o.input_capacitance ||
+             (o.bandwidth && !o.second_pole && options.divider <= largest_divider(o));
+    case TheoremCondition::second_pole_beyond_bandwidth:
+      return !o.second_pole || !o.input_capacitance || *o.second_pole >= ratio * *o.bandwidth;
+    case TheoremCondition::lag_within_bound:
+      if (!o.input_capacitance && !o.second_pole) return true;
+      if (!o.bandwidth) return false;
+      unmet.lag = lag_bound(circuit);
+      return unmet.lag.number < 1.0;
+    case TheoremCondition::one_lag:
+      return !o.second_pole || !options.node_capacitance;
+    case TheoremCondition::complementary_outputs:
+      return !options.inverters;
     case TheoremCondition::main_at_most_half_of_inverters:
+      unmet.bandwidth_ratio = ratio;
       return ratio <= 0.5;
     case TheoremCondition::main_slow_enough:
       return false;
@@ -34,39 +58,59 @@ bool is_met(TheoremCondition condition, const RealizationOptions& options, doubl
   return false;
 }
 
-Theorem theorem_of(Realization realization, const RealizationOptions& options, bool definite) {
-  const RealizationTraits& one = traits(realization);
+Theorem theorem_of(const NetworkCircuit& circuit, bool definite) {
+  const RealizationTraits& one = traits(circuit.realization());
   const StabilityTheorem& said =
-      one.drives_nodes && options.inverters ? one.theorem_with_inverters : one.theorem;
+      one.drives_nodes && circuit.options().inverters ? one.theorem_with_inverters : one.theorem;
   Theorem theorem{.name = said.name, .statement = said.statement, .unmet = {}};
-  const double ratio = options.main_bandwidth(realization);
-  const auto unmet = std::find_if_not(
-      said.needs.begin(), said.needs.end(),
-      [&](TheoremCondition condition) { return is_met(condition, options, ratio, definite); });
-  if (unmet != said.needs.end())
-    theorem.unmet = {*unmet,
-                     *unmet == TheoremCondition::main_at_most_half_of_inverters ? ratio : 0.0};
+  for (const TheoremCondition condition : said.needs) {
+    UnmetCondition unmet{.condition = condition};
+    if (is_met(condition, circuit, definite, unmet)) continue;
+    theorem.unmet = unmet;
+    break;
+  }
   return theorem;
 }
 
+/// How the rows behind the outputs' are to be scaled for their coupling to be skew: amplifiers that
+/// float see their residuals through two arrays, one the other times a constant.
+double skew_scale(const Eigen::MatrixXd& s, Eigen::Index outputs) {
+  const Eigen::Index rest = s.rows() - outputs;
+  const auto from_rest = s.topRightCorner(outputs, rest);
+  const auto into_rest = s.bottomLeftCorner(rest, outputs);
+  return -from_rest.cwiseProduct(into_rest.transpose()).sum() / into_rest.squaredNorm();
+}
+
 /// Largest eps with D^-1/2 (sym S - eps B) D^-1/2 > 0 for every error within eps B: 1 over the
-/// largest eigenvalue of D^-1/2 B D^-1/2. D holds the least eigenvalue of each diagonal block of
-/// sym S, outputs and the rest, whose coupling must be skew: then sym S >= D.
+/// largest eigenvalue of D^-1/2 B D^-1/2. D holds the least eigenvalue of the outputs' diagonal
+/// block of sym S, and the diagonal of the rest's times its least eigenvalue in those units; their
+/// coupling must be skew: then sym S >= D.
 std::optional<double> margin_of(const Reduction& reduction, const Equations& equations) {
-  const auto s = as_eigen(equations.matrix);
-  const Eigen::MatrixXd symmetric = 0.5 * (s + s.transpose());
+  Eigen::MatrixXd s = as_eigen(equations.matrix);
+  const Matrix entries = reduction.sensitivity_bound();
+  Eigen::MatrixXd b = as_eigen(entries);
   const auto n = static_cast<Eigen::Index>(reduction.outputs());
   const Eigen::Index rest = s.rows() - n;
+  if (!equations.input.values.empty()) {
+    const double scale = skew_scale(s, n);
+    s.bottomRows(rest) *= scale;
+    b.bottomRows(rest) *= scale;
+  }
+  const Eigen::MatrixXd symmetric = 0.5 * (s + s.transpose());
   const auto least = [](const Eigen::MatrixXd& block) { return symmetric_eigenvalues(block)(0); };
   Eigen::VectorXd d(s.rows());
   d.head(n).setConstant(least(symmetric.topLeftCorner(n, n)));
-  if (rest > 0) d.tail(rest).setConstant(least(symmetric.bottomRightCorner(rest, rest)));
+  if (rest > 0) {
+    const Eigen::VectorXd diagonal = symmetric.diagonal().tail(rest);
+    if (!(diagonal.minCoeff() > 0.0)) return std::nullopt;
+    const Eigen::VectorXd units = diagonal.cwiseSqrt().cwiseInverse();
+    d.tail(rest) = diagonal * least(units.asDiagonal() * symmetric.bottomRightCorner(rest, rest) *
+                                    units.asDiagonal());
+  }
   // What rounding may have made of the least eigenvalue proves nothing.
   const double rounding =
       static_cast<double>(s.rows()) * std::numeric_limits<double>::epsilon() * symmetric.norm();
   if (!(d.head(n).minCoeff() > rounding) || !(d.minCoeff() > 0.0)) return std::nullopt;
-  const Matrix entries = reduction.sensitivity_bound();
-  const auto b = as_eigen(entries);
   const Eigen::VectorXd root = d.cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd bound = root.asDiagonal() * (0.5 * (b + b.transpose())) * root.asDiagonal();
   const double x = 1.0 / symmetric_eigenvalues(bound)(s.rows() - 1);
@@ -89,6 +133,13 @@ Dynamics dynamics_of(const StateSpace& system, double accuracy) {
   return dynamics;
 }
 
+/// Measured, no theorem: W C/D up to which the same capacitance at floating inputs and at passive
+/// residuals was stable, by the second pole over the bandwidth (docs/circuits.md).
+double floating_capacitance_limit(const OpAmp& o) {
+  if (!o.second_pole) return 1.9;
+  return *o.second_pole >= 2.0 * *o.bandwidth ? 0.9 : 0.46;
+}
+
 /// Where the op-amps' limits and capacitances come in.
 void add_opamp_remarks(Certificate& c, const NetworkCircuit& circuit, const Equations& equations) {
   using Kind = CircuitRemark::Kind;
@@ -101,31 +152,31 @@ void add_opamp_remarks(Certificate& c, const NetworkCircuit& circuit, const Equa
                          .value = c.largest_voltage,
                          .limit = reach,
                          .repair = 0.8 * reach / c.largest_voltage * options.scale.volts});
-  if (options.node_capacitance && realization.drives_nodes)
+  if (options.node_capacitance && realization.drives_nodes && !realization.passive_residuals)
     c.remarks.push_back({.kind = Kind::capacitance_at_outputs});
+  if (c.theorem.unmet && c.theorem.unmet->lag.number > 0.0)
+    c.remarks.push_back({.kind = Kind::summing_lag,
+                         .value = c.theorem.unmet->lag.number,
+                         .limit = c.theorem.unmet->lag.bandwidth_ratio,
+                         .repair = c.theorem.unmet->lag.siemens});
   if (!o.input_capacitance || !o.bandwidth) return;
-  if (circuit.flat().had_subcircuits()) {
-    const double limit = 1.0 / (2.0 * radians(*o.bandwidth) * *o.input_capacitance);
-    if (options.divider > limit)
-      c.remarks.push_back({.kind = Kind::divider_rings,
-                           .value = options.divider,
+  if (circuit.flat().had_subcircuits() && options.divider > largest_divider(o))
+    c.remarks.push_back({.kind = Kind::divider_rings,
+                         .value = options.divider,
+                         .limit = largest_divider(o),
+                         .repair = 0.99 * largest_divider(o)});
+  if (realization.passive_residuals && options.node_capacitance) {
+    const double least = *std::min_element(
+        equations.total.begin() + static_cast<std::ptrdiff_t>(circuit.reduction().outputs()),
+        equations.total.end());
+    const double farad = std::max(*o.input_capacitance, *options.node_capacitance);
+    const double value = radians(*o.bandwidth) * farad / least;
+    const double limit = floating_capacitance_limit(o);
+    if (value > limit)
+      c.remarks.push_back({.kind = Kind::floating_input_capacitance,
+                           .value = value,
                            .limit = limit,
-                           .repair = 0.99 * limit});
-  }
-  if (realization.takes_readings && !options.inverters) {
-    // Measured: stable while k rho^2 C W / D < 5, D the residual rows' conductance.
-    double least = std::numeric_limits<double>::infinity();
-    const Reduction& reduction = circuit.reduction();
-    for (std::size_t row = reduction.outputs(); row < reduction.rows(); ++row)
-      least = std::min(least, equations.total[row]);
-    const double k = options.main_bandwidth(c.realization);
-    const double number = k * options.residual_gain * options.residual_gain * *o.input_capacitance *
-                          radians(*o.bandwidth) / least;
-    if (number > 1.0)
-      c.remarks.push_back({.kind = Kind::summing_capacitance,
-                           .value = number,
-                           .limit = 5.0,
-                           .repair = options.scale.siemens * number});
+                           .repair = options.scale.siemens * value / limit});
   }
 }
 
@@ -204,7 +255,7 @@ Certificate certify(const NetworkCircuit& circuit, double accuracy) {
   const bool definite = c.smallest_eigenvalue > rounding || realization.takes_readings;
   c.condition = c.smallest_eigenvalue > rounding ? eigenvalues.largest / c.smallest_eigenvalue
                                                  : std::numeric_limits<double>::infinity();
-  c.theorem = theorem_of(c.realization, circuit.options(), definite);
+  c.theorem = theorem_of(circuit, definite);
   c.elements = count_elements(circuit.flat());
   for (const double ohm : resistances(circuit.flat())) {
     const double size = std::abs(ohm);

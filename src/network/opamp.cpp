@@ -86,7 +86,11 @@ std::string subcircuit_text(const AmplifierModel& model) {
       text += std::string("E1 out 0 ") + (o.second_pole ? "y" : "x") + " 0 1\n";
     }
   }
-  if (o.input_capacitance) text += "Cn n 0 " + shortest(*o.input_capacitance) + '\n';
+  if (o.input_capacitance) {
+    const std::string value = shortest(*o.input_capacitance) + '\n';
+    text += "Cn n 0 " + value;
+    if (both) text += "Cp p 0 " + value;
+  }
   if (both) text += "E2 inv 0 0 out 1\n";
   return text + ".ends " + model.name + '\n';
 }

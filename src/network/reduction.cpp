@@ -11,33 +11,43 @@ namespace tactile_net {
 /// Which node an ideal amplifier, inverter or converter holds at its voltage.
 struct Reduction::Roles {
   struct Amplifier {
-    Node summing, out, inverse;  // inverse 0: there is none
+    Node plus, minus, out, inverse;  // inverse 0: there is none
   };
   std::vector<Amplifier> amplifiers;
-  std::vector<bool> driven;  // per node; ground too
+  std::vector<bool> driven;  // per node; ground and inputs too
 };
 
-Reduction::Reduction(const Circuit& circuit) : fixed_(circuit.nodes.size()) {
+Reduction::Reduction(const Circuit& circuit)
+    : fixed_(circuit.nodes.size()), laws_(circuit.nodes.size()) {
   if (!circuit.inductors.empty() || !circuit.devices.empty())
     throw std::invalid_argument("inductors and N-shaped devices have no equations of this form");
-  const Roles roles = roles_of(circuit);
-  const std::vector<std::size_t> row_of = number_rows(circuit, roles);
-  add_parts(circuit, row_of);
+  number_rows(circuit, roles_of(circuit));
+  add_parts(circuit);
   for (const Instance& x : circuit.instances)
     if (const Subcircuit* const subcircuit = subcircuit_of(circuit, x))
-      add_subcircuit(x, subcircuit->kind, 1.0 / circuit.divider, row_of);
+      add_subcircuit(x, subcircuit->kind, 1.0 / circuit.divider);
 }
 
 Reduction::Roles Reduction::roles_of(const Circuit& circuit) {
   Roles roles{.amplifiers = {}, .driven = std::vector<bool>(circuit.nodes.size())};
   roles.driven[0] = true;
+  std::vector<std::size_t> pins_at(circuit.nodes.size());
+  for (const Instance& x : circuit.instances)
+    for (const Node pin : x.pins) ++pins_at[pin];
   for (const Instance& x : circuit.instances) {
     const Subcircuit* const subcircuit = subcircuit_of(circuit, x);
     if (subcircuit == nullptr) {
-      if (x.pins[0] != 0)
-        throw std::invalid_argument("element " + x.name + ": its '+' input is not grounded");
-      roles.amplifiers.push_back({x.pins[1], x.pins[2], x.pins.size() > 3 ? x.pins[3] : 0});
-      for (std::size_t pin = 1; pin < x.pins.size(); ++pin) roles.driven[x.pins[pin]] = true;
+      roles.amplifiers.push_back(
+          {x.pins[0], x.pins[1], x.pins[2], x.pins.size() > 3 ? x.pins[3] : 0});
+      if ((x.pins[0] != 0) != (roles.amplifiers.front().plus != 0))
+        throw std::invalid_argument(
+            "element " + x.name +
+            ": of the amplifiers one '+' input is not grounded and another is");
+      if (x.pins[0] != 0 && (pins_at[x.pins[0]] > 1 || pins_at[x.pins[1]] > 1))
+        throw std::invalid_argument("element " + x.name +
+                                    ": its '+' input is not grounded, and another amplifier is at "
+                                    "one of its inputs");
+      for (const Node pin : x.pins) roles.driven[pin] = true;
       continue;
     }
     switch (subcircuit->kind) {
@@ -53,8 +63,8 @@ Reduction::Roles Reduction::roles_of(const Circuit& circuit) {
   return roles;
 }
 
-/// Rows: outputs in their order, then the rest. Returns the row of each node's law, or none.
-std::vector<std::size_t> Reduction::number_rows(const Circuit& circuit, const Roles& roles) {
+/// Rows: outputs in their order, then the rest.
+void Reduction::number_rows(const Circuit& circuit, const Roles& roles) {
   outputs_ = circuit.outputs.size();
   std::vector<Node> unknowns(circuit.outputs);
   std::vector<bool> is_output(circuit.nodes.size());
@@ -63,30 +73,42 @@ std::vector<std::size_t> Reduction::number_rows(const Circuit& circuit, const Ro
     if (!is_output[one.out]) unknowns.push_back(one.out);
   for (Node node = 1; node < circuit.nodes.size(); ++node)
     if (!roles.driven[node] && !is_output[node]) unknowns.push_back(node);
+  for (const Roles::Amplifier& one : roles.amplifiers)
+    if (one.plus != 0) unknowns.push_back(one.plus);
   rows_ = unknowns.size();
 
-  std::vector<std::size_t> row_of(circuit.nodes.size(), none);
   amplifier_rows_.assign(rows_, false);
   for (std::size_t row = 0; row < rows_; ++row) {
     fixed_[unknowns[row]] = {row, none, 1.0, 0.0};
-    if (!roles.driven[unknowns[row]]) row_of[unknowns[row]] = row;
+    if (!roles.driven[unknowns[row]]) laws_[unknowns[row]] = {Law{row, 1.0}};
   }
   for (const Roles::Amplifier& one : roles.amplifiers) {
     const std::size_t row = fixed_[one.out].i;
     amplifier_rows_[row] = true;
-    row_of[one.summing] = row;
     if (one.inverse != 0) fixed_[one.inverse] = {row, none, -1.0, 0.0};
+    if (one.plus == 0) {
+      laws_[one.minus] = {Law{row, -1.0}};
+      continue;
+    }
+    floating_ = true;
+    const std::size_t common = fixed_[one.plus].i;
+    fixed_[one.minus] = fixed_[one.plus];
+    laws_[one.minus] = {Law{row, -0.5}, Law{common, 1.0}};
+    laws_[one.plus] = {Law{row, 0.5}, Law{common, 1.0}};
+    input_.resize(fixed_.size());
+    input_[one.plus] = {row, none, 0.5, 0.0};
+    input_[one.minus] = {row, none, -0.5, 0.0};
   }
-  return row_of;
 }
 
 /// The circuit's own sources and resistors.
-void Reduction::add_parts(const Circuit& circuit, const std::vector<std::size_t>& row_of) {
+void Reduction::add_parts(const Circuit& circuit) {
   sources_.assign(rows_, 0.0);
   for (const CurrentSource& i : circuit.sources)
-    if (row_of[i.into] != none) sources_[row_of[i.into]] += i.ampere;
+    for (const Law& law : laws_[i.into])
+      if (law.row != none) sources_[law.row] += law.factor * i.ampere;
   for (const Resistor& r : circuit.resistors) {
-    parts_.push_back({row_of[r.from], row_of[r.to], r.from, r.to});
+    parts_.push_back({r.from, r.to});
     part_resistor_.push_back(names_.size());
     names_.push_back(r.name);
     siemens_.push_back(r.siemens);
@@ -94,8 +116,7 @@ void Reduction::add_parts(const Circuit& circuit, const std::vector<std::size_t>
 }
 
 /// R1 of each is from the input or output to the '-' input, as in circuits/*.lib.
-void Reduction::add_subcircuit(const Instance& x, Subcircuit::Kind kind, double siemens,
-                               const std::vector<std::size_t>& row_of) {
+void Reduction::add_subcircuit(const Instance& x, Subcircuit::Kind kind, double siemens) {
   const std::size_t r = names_.size();
   const std::size_t count = kind == Subcircuit::Kind::floating_nic ? 3 : 2;
   for (std::size_t k = 1; k <= count; ++k) {
@@ -106,7 +127,7 @@ void Reduction::add_subcircuit(const Instance& x, Subcircuit::Kind kind, double 
   switch (kind) {
     case Subcircuit::Kind::inverter:  // out = -(g1 / g2) in
       derived_.push_back({x.pins[1], unknown(0), none, r + 1, r, true});
-      parts_.push_back({row_of[x.pins[0]], none, x.pins[0], 0});
+      parts_.push_back({x.pins[0], 0});
       part_resistor_.push_back(r);
       break;
     case Subcircuit::Kind::grounded_nic:  // out = (1 + g2 / g1) a
@@ -117,6 +138,15 @@ void Reduction::add_subcircuit(const Instance& x, Subcircuit::Kind kind, double 
       derived_.push_back({x.pins[3], unknown(1), unknown(0), r + 2, r + 1, false});
       break;
   }
+}
+
+void Reduction::at_ends(const Part& part, const auto& add) const {
+  const auto end = [&](Node here, Node there) {
+    for (const Law& law : laws_[here])
+      if (law.row != none) add(law, here, there);
+  };
+  end(part.from, part.to);
+  end(part.to, part.from);
 }
 
 std::vector<Reduction::Voltage> Reduction::voltages(std::span<const double> siemens) const {
@@ -130,33 +160,31 @@ std::vector<Reduction::Voltage> Reduction::voltages(std::span<const double> siem
 }
 
 void Reduction::assemble(std::span<const double> siemens, Equations& equations) const {
-  equations.matrix.rows = equations.matrix.columns = rows_;
-  equations.matrix.values.assign(rows_ * rows_, 0.0);
+  const auto clear = [&](Matrix& matrix, std::size_t columns) {
+    matrix.rows = rows_;
+    matrix.columns = columns;
+    matrix.values.assign(rows_ * columns, 0.0);
+  };
+  clear(equations.matrix, rows_);
+  if (floating_) clear(equations.input, outputs_);
   equations.total.assign(rows_, 0.0);
   equations.right_side = sources_;
-  for (std::size_t row = 0; row < rows_; ++row)
-    if (amplifier_rows_[row]) equations.right_side[row] = -sources_[row];
 
   const std::vector<Voltage> all = voltages(siemens);
-  const auto add = [&](std::size_t row, const Voltage& v, double conductance) {
-    if (v.i != none) equations.matrix(row, v.i) += conductance * v.a;
-    if (v.j != none) equations.matrix(row, v.j) += conductance * v.b;
+  const auto add = [](Matrix& matrix, std::size_t row, const Voltage& v, double conductance) {
+    if (v.i != none) matrix(row, v.i) += conductance * v.a;
+    if (v.j != none) matrix(row, v.j) += conductance * v.b;
   };
   for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const Part& part = parts_[p];
     const double g = siemens[part_resistor_[p]];
-    const auto end = [&](std::size_t row, Node here, Node there) {
-      if (row == none) return;
-      equations.total[row] += g;
-      if (amplifier_rows_[row]) {  // the summing node is at 0 V
-        add(row, all[there], g);
-      } else {
-        add(row, all[here], g);
-        add(row, all[there], -g);
-      }
-    };
-    end(part.from_row, part.from, part.to);
-    end(part.to_row, part.to, part.from);
+    at_ends(parts_[p], [&](const Law& law, Node here, Node there) {
+      equations.total[law.row] += g;
+      add(equations.matrix, law.row, all[here], law.factor * g);
+      add(equations.matrix, law.row, all[there], -law.factor * g);
+      if (!floating_) return;
+      add(equations.input, law.row, input_[here], law.factor * g);
+      add(equations.input, law.row, input_[there], -law.factor * g);
+    });
   }
 }
 
@@ -172,29 +200,25 @@ Matrix Reduction::sensitivity_bound() const {
   std::vector<bool> is_derived(all.size());
   for (const Derived& one : derived_) is_derived[one.node] = true;
   for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const Part& part = parts_[p];
     const double g = std::abs(siemens_[part_resistor_[p]]);
-    // A product of g and a ratio of two others has three errors.
-    const auto add = [&](std::size_t row, Node node) {
-      const Voltage& v = all[node];
-      const double errors = is_derived[node] ? 3.0 : 1.0;
-      if (v.i != none) bound(row, v.i) += errors * g * std::abs(v.a);
-      if (v.j != none) bound(row, v.j) += errors * g * std::abs(v.b);
-    };
-    const auto end = [&](std::size_t row, Node here, Node there) {
-      if (row == none) return;
+    at_ends(parts_[p], [&](const Law& law, Node here, Node there) {
+      // A product of g and a ratio of two others has three errors.
+      const auto add = [&](Node node) {
+        const Voltage& v = all[node];
+        const double errors = (is_derived[node] ? 3.0 : 1.0) * std::abs(law.factor);
+        if (v.i != none) bound(law.row, v.i) += errors * g * std::abs(v.a);
+        if (v.j != none) bound(law.row, v.j) += errors * g * std::abs(v.b);
+      };
       const Voltage& v = all[there];
-      if (!amplifier_rows_[row] && is_derived[there] && v.i == row) {
+      if (is_derived[there] && v.i == law.row && !amplifier_rows_[law.row]) {
         // A converter at its own node: v_here - v_there = -ratio (z_i - z_j), the 1 cancels.
-        bound(row, row) += 3.0 * g * std::abs(v.a - 1.0);
-        if (v.j != none) bound(row, v.j) += 3.0 * g * std::abs(v.b);
+        bound(law.row, law.row) += 3.0 * g * std::abs(v.a - 1.0);
+        if (v.j != none) bound(law.row, v.j) += 3.0 * g * std::abs(v.b);
         return;
       }
-      if (!amplifier_rows_[row]) add(row, here);
-      add(row, there);
-    };
-    end(part.from_row, part.from, part.to);
-    end(part.to_row, part.to, part.from);
+      add(here);
+      add(there);
+    });
   }
   return bound;
 }
@@ -207,18 +231,12 @@ Matrix Reduction::sensitivities(std::span<const double> unknowns) const {
   Matrix result{names_.size(), rows_, std::vector<double>(names_.size() * rows_)};
   std::vector<std::vector<std::size_t>> at_node(fixed_.size());
   for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const Part& part = parts_[p];
-    at_node[part.from].push_back(p);
-    at_node[part.to].push_back(p);
+    at_node[parts_[p].from].push_back(p);
+    at_node[parts_[p].to].push_back(p);
     const std::size_t r = part_resistor_[p];
-    const auto end = [&](std::size_t row, Node here, Node there) {
-      if (row == none) return;
-      const double drop =
-          amplifier_rows_[row] ? value(all[there]) : value(all[here]) - value(all[there]);
-      result(r, row) += siemens_[r] * drop;
-    };
-    end(part.from_row, part.from, part.to);
-    end(part.to_row, part.to, part.from);
+    at_ends(parts_[p], [&](const Law& law, Node here, Node there) {
+      result(r, law.row) += law.factor * siemens_[r] * (value(all[here]) - value(all[there]));
+    });
   }
   for (const Derived& one : derived_) {  // its voltage moves by the ratio's relative error
     const Voltage& v = all[one.node];
@@ -227,12 +245,13 @@ Matrix Reduction::sensitivities(std::span<const double> unknowns) const {
                              ? value(v)
                              : ratio * (unknowns[one.i] - (one.j != none ? unknowns[one.j] : 0.0));
     for (const std::size_t p : at_node[one.node]) {
-      const Part& part = parts_[p];
-      const std::size_t row = part.from == one.node ? part.to_row : part.from_row;
-      if (row == none) continue;
-      const double current = siemens_[part_resistor_[p]] * (amplifier_rows_[row] ? moved : -moved);
-      result(one.down, row) += current;
-      result(one.up, row) -= current;
+      const Node other = parts_[p].from == one.node ? parts_[p].to : parts_[p].from;
+      for (const Law& law : laws_[other]) {
+        if (law.row == none) continue;
+        const double current = -law.factor * siemens_[part_resistor_[p]] * moved;
+        result(one.down, law.row) += current;
+        result(one.up, law.row) -= current;
+      }
     }
   }
   return result;

@@ -15,6 +15,16 @@ Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 constexpr auto none = static_cast<std::size_t>(-1);
 
+/// Those that a capacitor stands at: the inverting one, and both of an amplifier whose outputs are
+/// complementary.
+std::vector<Node> inputs_with_capacitance(const FlatCircuit::Amplifier& x, const OpAmp& opamp) {
+  std::vector<Node> inputs;
+  if (!opamp.input_capacitance) return inputs;
+  if (x.minus != 0) inputs.push_back(x.minus);
+  if (x.inverse != 0 && x.plus != 0) inputs.push_back(x.plus);
+  return inputs;
+}
+
 /// Kirchhoff's laws of a circuit, part by part: first what holds charge (amplifiers, capacitors),
 /// then `number`, then what carries current (resistors, sources), then `system`.
 class Stamps {
@@ -30,7 +40,8 @@ class Stamps {
   void amplifier(const FlatCircuit::Amplifier& x, const OpAmp& opamp, const std::string& name) {
     if (!opamp.bandwidth)
       throw std::invalid_argument("element " + name + ": an amplifier without bandwidth");
-    if (opamp.input_capacitance) capacitance_[x.minus] += *opamp.input_capacitance;
+    for (const Node input : inputs_with_capacitance(x, opamp))
+      capacitance_[input] += *opamp.input_capacitance;
     drive(x.out, 1.0);
     if (x.inverse != 0) drive(x.inverse, -1.0);
     amplifiers_.push_back({opamp, x.plus, x.minus});
@@ -212,7 +223,7 @@ std::size_t count_states(const FlatCircuit& circuit) {
   std::size_t states = circuit.circuit().capacitors.size();
   for (const FlatCircuit::Amplifier& x : circuit.amplifiers()) {
     const OpAmp& opamp = circuit.opamp(x);
-    states += (opamp.second_pole ? 2U : 1U) + (opamp.input_capacitance && x.minus != 0 ? 1U : 0U);
+    states += (opamp.second_pole ? 2U : 1U) + inputs_with_capacitance(x, opamp).size();
   }
   return states;
 }

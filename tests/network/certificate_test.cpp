@@ -26,8 +26,8 @@ NetworkProblem indefinite() {
 
 TEST_CASE("a definite P is certified by the theorem of its realisation", "[certificate]") {
   const ArrayNetwork network = array_network(21, 1e-3);
-  for (const Realization one :
-       {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares}) {
+  for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar,
+                                Realization::least_squares, Realization::lattice}) {
     CAPTURE(name(one));
     const Certificate c = certify(one, network.problem, {.opamp = one_pole});
     CHECK(c.stability == Stability::stable);
@@ -92,7 +92,7 @@ TEST_CASE("a rule that is broken comes with the number that mends it", "[certifi
   const auto counts = remarks(Realization::least_squares, loaded);
   REQUIRE(counts.size() == 2);
   CHECK(counts[0].kind == Kind::capacitance_at_outputs);
-  CHECK(counts[1].kind == Kind::summing_capacitance);
+  CHECK(counts[1].kind == Kind::summing_lag);
   CHECK(counts[1].repair > loaded.scale.siemens);
   CHECK(remarks(Realization::lc, {.node_capacitance = 1e-12}).front().kind ==
         Kind::capacitance_at_one_frequency);
@@ -155,7 +155,7 @@ TEST_CASE("what the certificate proposes against capacitance settles", "[certifi
   CHECK(bad.stability == Stability::unstable);
   CHECK_FALSE(bad.theorem.holds());
   REQUIRE(bad.remarks.size() == 1);
-  CHECK(bad.remarks[0].kind == Kind::summing_capacitance);
+  CHECK(bad.remarks[0].kind == Kind::summing_lag);
   options.scale.siemens = bad.remarks[0].repair;
   CHECK(certify(Realization::least_squares, network.problem, options).stability ==
         Stability::stable);
@@ -172,8 +172,29 @@ TEST_CASE("conditions of theorems are checked one by one", "[certificate]") {
   with_input.input_capacitance = 1e-12;
   using enum TheoremCondition;
   CHECK_FALSE(unmet(Realization::nic, {.opamp = two_poles}));
-  CHECK(unmet(Realization::nic, {.opamp = with_input}).value().condition == no_input_capacitance);
-  CHECK(unmet(Realization::crossbar, {.opamp = two_poles}).value().condition == no_second_pole);
+  CHECK_FALSE(unmet(Realization::nic, {.opamp = with_input, .divider = 7.9e3}));
+  CHECK(unmet(Realization::nic, {.opamp = with_input, .divider = 8e3}).value().condition ==
+        divider_fast_enough);
+  CHECK_FALSE(unmet(Realization::crossbar, {.opamp = two_poles}));
+  OpAmp both = with_input;
+  both.second_pole = 1e7;
+  CHECK_FALSE(unmet(Realization::crossbar, {.opamp = both}));
+  CHECK(unmet(Realization::nic, {.opamp = both, .divider = 100.0}).value().condition ==
+        divider_fast_enough);
+  both.second_pole = 0.99e7;
+  CHECK(unmet(Realization::crossbar, {.opamp = both}).value().condition ==
+        second_pole_beyond_bandwidth);
+  CHECK(unmet(Realization::least_squares, {.opamp = two_poles}).value().condition ==
+        lag_within_bound);
+  CHECK_FALSE(unmet(Realization::lattice, {.opamp = two_poles}));
+  CHECK_FALSE(unmet(Realization::lattice, {.opamp = one_pole, .node_capacitance = 1e-9}));
+  CHECK(unmet(Realization::lattice, {.opamp = two_poles, .node_capacitance = 1e-9})
+            .value()
+            .condition == one_lag);
+  CHECK(unmet(Realization::lattice, {.opamp = with_input}).value().condition ==
+        no_input_capacitance);
+  CHECK(unmet(Realization::lattice, {.opamp = one_pole, .inverters = true}).value().condition ==
+        complementary_outputs);
   CHECK_FALSE(unmet(Realization::crossbar, {.opamp = with_input}));
   CHECK(unmet(Realization::crossbar, {.opamp = with_input, .inverters = true}).value().condition ==
         no_inverter_input_capacitance);

@@ -22,7 +22,9 @@ const std::vector<Kind> kinds = {{Realization::ideal},
                                  {Realization::crossbar},
                                  {Realization::crossbar, true},
                                  {Realization::least_squares},
-                                 {Realization::least_squares, true}};
+                                 {Realization::least_squares, true},
+                                 {Realization::lattice},
+                                 {Realization::lattice, true}};
 
 /// Solves a small dense system by elimination with row exchange.
 std::vector<double> solved(Matrix a, std::vector<double> b) {

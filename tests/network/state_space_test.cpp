@@ -96,8 +96,8 @@ TEST_CASE("a ringing pair settles as its envelope", "[state_space]") {
 
 TEST_CASE("the state space comes to rest where the equations say", "[state_space]") {
   const ArrayNetwork network = array_network(11, 1e-3);
-  for (const Realization one :
-       {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares}) {
+  for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar,
+                                Realization::least_squares, Realization::lattice}) {
     CAPTURE(name(one));
     const std::vector<double> v = steady_state(
         state_space(realize(one, network.problem, {.opamp = {.gain = 1e9, .bandwidth = 1e7}})));

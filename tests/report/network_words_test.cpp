@@ -8,7 +8,7 @@ TEST_CASE("a remark's sentence holds the number that mends the circuit", "[repor
   using Kind = CircuitRemark::Kind;
   for (const auto& [kind, key] : {std::pair(Kind::clamps, "volts = 0.125"),
                                   {Kind::divider_rings, "divider = 0.125 at most"},
-                                  {Kind::summing_capacitance, "siemens = 0.125 or more"},
+                                  {Kind::summing_lag, "siemens = 0.125 or more"},
                                   {Kind::not_for_sale, "siemens = 0.125 would"},
                                   {Kind::odd_voltage, "volts = 0.125 would"}})
     CHECK_THAT(report::in_words(CircuitRemark{.kind = kind, .value = 7.0, .repair = 0.125}),

@@ -36,8 +36,9 @@ TEST_CASE("every realisation solves P f = b, with one unknown and two, on a laye
                              Kind{21, 2, Layer{3.0, Base::bonded}});
   const double alpha = GENERATE(1e-3, 1e-5);
   const ArrayNetwork network = array_network(kind.count, alpha, kind.unknowns, kind.layer);
-  for (const Realization one : {Realization::ideal, Realization::nic, Realization::rail,
-                                Realization::crossbar, Realization::least_squares, Realization::lc})
+  for (const Realization one :
+       {Realization::ideal, Realization::nic, Realization::rail, Realization::crossbar,
+        Realization::least_squares, Realization::lattice, Realization::lc})
     for (const bool inverters : {false, true}) {
       if (inverters && !traits(one).drives_nodes) continue;
       CAPTURE(kind.count, kind.unknowns, kind.layer.has_value(), alpha, name(one), inverters);
@@ -52,8 +53,8 @@ TEST_CASE("every realisation solves P f = b, with one unknown and two, on a laye
 
 TEST_CASE("finite gain errs as one over the gain", "[spice][realization]") {
   const ArrayNetwork network = array_network(21, 1e-3);
-  for (const Realization one :
-       {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares}) {
+  for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar,
+                                Realization::least_squares, Realization::lattice}) {
     CAPTURE(name(one));
     const auto at = [&](double gain) {
       return difference(realize(one, network.problem, {.opamp = {.gain = gain}}), network);
@@ -86,8 +87,8 @@ TEST_CASE("N-shaped devices err as the square of node voltages over their own", 
 TEST_CASE("every step of the op-amp's model leaves the operating point where it belongs",
           "[spice][opamp]") {
   const ArrayNetwork network = array_network(5, 1e-3);
-  for (const Realization one :
-       {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares}) {
+  for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar,
+                                Realization::least_squares, Realization::lattice}) {
     const auto with = [&](const OpAmp& opamp) {
       return difference(realize(one, network.problem, {.opamp = opamp}), network);
     };

@@ -22,7 +22,7 @@ Written by `tactile-net-circuits .` (target `tactile_net_circuits`); no number i
 
 Read the tables so:
 
-- *agreement*: ngspice's report::answer with ideal parts (op-amps as nullors) against the direct solve, relative in the 2-norm.
+- *agreement*: ngspice's answer with ideal parts (op-amps as nullors) against the direct solve, relative in the 2-norm.
 - *slowest pole*, *settles*: with op-amps of gain 1e6 and a gain-bandwidth product of 10 MHz (10 pF at the nodes where there are
   no op-amps); to 1e-3 of the end, from rest. First what the linear state space says, then ngspice's transient.
 - *proven margin*: every error of resistors up to this leaves the network stable; whatever the bandwidths for `ideal` and for complementary
@@ -38,10 +38,12 @@ At alpha = 1e-3:
 constexpr const char* choice =
     R"(
 - To check that the network solves the problem: `ideal`.
-- With parts of 1 % and alpha of 1e-3 or more: `crossbar` with complementary outputs. The fewest amplifiers, no rule on their bandwidths.
-- With small alpha, or parts that are not exact: `least_squares`. P is never formed, so nothing that squares the condition number
-  is built from resistors. It takes the readings themselves. Its price is the capacitance rule below. At large alpha what is left of its error comes
-  from the stabiliser's own resistors, whose differences cancel.
+- To build it: `lattice`. One amplifier a traction, nothing that rings, any second pole, and parts of 1 % cost it least. P is never
+  formed, so nothing that squares the condition number is built from resistors; it takes the readings themselves. Its price is
+  four resistors an entry of K.
+- With small alpha, where its slowest directions take too long: `least_squares`, which trades amplifiers for time, with op-amps whose second
+  pole lies far above their bandwidth (the bound of T6 says how far).
+- With the fewest parts and alpha of 1e-3 or more: `crossbar` with complementary outputs. No rule on their bandwidths.
 - `nic` is the thesis' own proposal; `rail` does it with O(N) op-amps and is the most sensitive of all. `lc` and `ndr` are its
   two other ones.
 - `tactile-net certify SCENE.toml` says which, for the scene's own alpha and tolerances.
@@ -56,8 +58,9 @@ included) the library assembles `x' = A x + b` and decomposes it: poles, the gro
 **The reduced equations.** With fast converters and inverters every network is `T z' = -S z + h`: z the node voltages, or the amplifiers'
 outputs; T > 0 diagonal, the nodes' capacitances or the rows' conductances over 2 pi bandwidth. If the symmetric part of S is
 positive definite, `V = z' T z / 2` falls: `dV/dt = -z' S z < 0` about the fixed point. That is the *proven margin*: component errors
-move S by at most E eps, and sym S stays positive definite while eps times the largest eigenvalue of D^-1/2 E D^-1/2 is below 1, D the least
-eigenvalue of each diagonal block of sym S (outputs; residuals), which are coupled by a skew block.
+move S by at most E eps, and sym S stays positive definite while eps times the largest eigenvalue of D^-1/2 E D^-1/2 is below 1. D is
+the least eigenvalue of the outputs' block of sym S, and for the residuals' block its diagonal times the least eigenvalue in those units;
+the two are coupled by a skew block.
 
 **ngspice's transient**, with three precautions: sources step from zero (from its DC solution an unstable circuit stays there for a while),
 trapezoidal integration (Gear's damps what grows), first steps of 0.02/bandwidth. Where the certificate says unstable the sources begin with a kick,
@@ -96,7 +99,13 @@ S is symmetric, G T is positive definite, and the Schur complement M - B (G T)^-
 if and only if P > 0, and diag(C, G/W) >= 0 does the rest. Finite gain adds G/A to S's diagonal. Second poles make
 `M2 y'' + M1 y' + S y` of it with M2, M1 >= 0: an eigenvector y gives a quadratic with real coefficients that are not negative. Q.E.D.
 
-Not covered: capacitance c at the inverting inputs. Keep r <= 1/(2 W c) in the dividers.
+**With capacitance c at the inverting inputs.** With one pole, and one W within each converter: stable if and only if P is
+positive definite as long as the dividers' resistors keep r <= 1/(2 W c). *Proof:* let tau = r c and split a floating pair into its common (k = 1)
+and differential (k = 3) voltage; a grounded converter has k = 2. In each, the '-' input sits at m = o/(k + tau s) and o s/W = v - m, so
+the converter's admittance over G is Y(s) = 1 - (k + tau s)/(1 + k s/W + tau s^2/W), and Y(0) = 1 - k. With a = k/W, d = tau/W, on s = jw
+Re Y >= 1 - k is 0 <= (k a^2 - k d - tau a) w^2 + k d^2 w^4, which holds for tau W <= k^2/2, the least of which is 1/2. The denominator has its
+roots in the left half plane, so Y - Y(0) is positive real: in C s + P + sum G (Y - Y(0)) b b' no voltage v with Re s >= 0 has
+Re v*(...)v below v*P v > 0. Q.E.D. Capacitance together with a second pole is not covered.
 
 )";
 
@@ -110,7 +119,7 @@ to ground, the inverter's input taken off, is negative for most nodes: one groun
 errors of large conductances that almost cancel.
 
 **T2.** Op-amps of equal bandwidth: stable for any node capacitance if and only if P is positive definite. *Proof:* inverter and converter
-report::answer as q = 1/(1 + 2 s/W). The nodes' law is C s v + K v + q E v = b with K + E = P; K, what is tied to nodes and ground directly, is
+answer as q = 1/(1 + 2 s/W). The nodes' law is C s v + K v + q E v = b with K + E = P; K, what is tied to nodes and ground directly, is
 diagonally dominant, hence positive definite. Times 1/q: (2C/W) s^2 + (C + 2K/W) s + P = 0, three symmetric matrices of which the first
 two are not negative. Unequal bandwidths are not covered: an example at x/÷10 was unstable.
 
@@ -126,6 +135,10 @@ Amplifier i holds its summing node at 0 V, where the row's currents P_ij f_j mee
 **T5.** Stable if and only if P is positive definite, whatever the bandwidths W_i and the capacitances C_i at the summing nodes.
 *Proof:* D s = P v - b with D the rows' total conductance, and v' = -W s: (C/W) v'' + (D/W) v' + P v = b. All three are symmetric, the
 first two positive: a real quadratic with positive coefficients for every eigenvector.
+
+*Second poles* W2_i: without capacitance the same with 1/(W W2) in place of C/W, for any of them. With both, as long as the least W2 is
+not below the largest W: an eigenvector gives a cubic with m3 of C/(W W2), m2 of C/W + D/(W W2), m1 of D/W and m0 of P. Its first part makes
+m2 >= min W2 m3; and min W2 m1 >= the form of D >= that of P, since the rows of |P| sum to D. So m2 m1 > m3 m0: Routh. Q.E.D.
 
 )";
 
@@ -151,7 +164,7 @@ constexpr const char* least_squares_text =
 ![Two crossbars around K and its transpose](circuits/least_squares.svg)
 
 Residual amplifiers hold e = -rho (K f - g), main amplifiers K'e = rho R f with R = alpha (l^2/D^2 Q + I): the fixed point is
-(K'K + R) f = K'g. The currents are the readings; b is never computed. Conductances are K over its largest column norm, so the report::answer
+(K'K + R) f = K'g. The currents are the readings; b is never computed. Conductances are K over its largest column norm, so the answer
 does not depend on K's unit.
 
 **T6.** With complementary outputs: stable for every rho and every bandwidth. *Proof:*
@@ -159,9 +172,22 @@ does not depend on K's unit.
 dV/dt = -rho f'R f - |e|^2/rho < 0, because the coupling cancels: e'K f comes with either sign.
 
 rho buys speed at small alpha: the slowest pole grows with it, until the residual amplifiers themselves are the slowest.
-Stray capacitance c at the summing nodes can make it ring, and no theorem covers that: keep k rho^2 c W/D below 5 (k: the main
-amplifiers' bandwidth over the others', D: conductance of a residual row). `certify` checks it and proposes a larger conductance
-scale or a smaller rho.
+
+**With capacitance at the summing nodes and second poles.** Let tau be the largest C/D + 1/W2 of a row (D its total conductance), W the
+largest bandwidth, W_f the main amplifiers' largest, gamma the least feedback conductance of a residual row over its D_e, and
+theta = |D_e^-1/2 K D_f^-1/2|_2, at most 1. Stable if
+
+    4 theta^2 W_f tau < gamma (1 - W tau/4)^2.
+
+*Proof:* with z = (f, e) and X = D/W the rows are X p (1 + tau1 p)(1 + tau2 p) z + (S + J) z = h, S = diag(rho R, g_e) > 0, J skew. Let all
+lags grow from 0. New poles come in from -1/tau and S + J is regular, so a pole could only cross at p = jw. There, with m = sum X tau |z|^2,
+d = sum X |z|^2, s = z*S z and jk = z*J z: w^2 m = s and |k| = w (d - w^2 m3), where m3 <= tau m/4. Rows of rho |R| and g_e are within D, so
+w^2 m3 <= tau s/4 <= (W tau/4) d, and a crossing needs m k^2 >= s d^2 (1 - W tau/4)^2. But m <= tau d,
+k^2 <= 4 theta^2 (f*D_f f)(e*D_e e) <= 4 theta^2 W_f d (e*D_e e), and s >= gamma e*D_e e: m k^2 <= (4 theta^2 W_f tau/gamma) s d^2. Q.E.D.
+
+The loop's crossover has to lie below 1/tau, and rho = 10 puts it high: with a second pole at twice the bandwidth, as op-amps have it,
+the array of the tables is unstable (certify says so). Measured limits lie two to six times above what is proven. `certify` prints the
+number and the scale or `bandwidth_ratio` that brings it to 1; capacitance gives way to a larger scale, second poles do not.
 
 )";
 
@@ -170,6 +196,38 @@ constexpr const char* least_squares_inverters_text =
 
 **T4.** Stable if the main op-amps are slow enough. How slow is not proven: k = 0.2/rho, the default, is a rule of thumb, and not enough for some arrays with
 deep sensors at alpha = 1e-7. So the certificate never says that it holds; with a bandwidth the poles do. It also gives away what rho would gain.
+
+)";
+
+constexpr const char* lattice_text =
+    R"(## lattice
+
+![Two arrays with passive nodes between them](circuits/lattice.svg)
+
+A reading's residual is a pair of nodes u+, u- that nothing drives. Array A (conductances a_i |k_ij|, k = K over its largest column norm)
+leads to them from the columns +f_j and -f_j, array B (b_i |k_ij|) leads on to both inputs of the amplifiers, which is where the
+stabiliser's conductances meet them; signs are made by crossing the pairs. Readings are currents -+a_i g_i. With a_i = 4 b_i and b_i in proportion to
+sum_j |k_ij|, every residual u = (A f - a g)/D_u has the same weight w = a_i b_i/D_u, and the currents vanish where (K'K + R) f = K'g.
+A reading that comes as a voltage through a resistor adds that to D_u.
+
+**T7.** Amplifiers of one bandwidth W: stable for any second pole W2 without capacitance, or for any capacitances C_u at the residuals'
+nodes with one pole. Without either, no mode rings. *Proof:* an amplifier has f (p/W)(1 + p/W2) between its inputs, so that with
+H(p) = B'(D_u + p C_u)^-1 B, c = a_i/b_i and D_s the conductances at the inputs
+
+    [ (p/W)(1 + p/W2)(D_s - H(p)) + c H(p) + w R ] f = 0.
+
+D_s - H(0) > 0, because D_s is the row sum of B' and |w R| while rows of H sum to at most 1/(1 + c) of B's. So without C_u the
+three forms are symmetric and positive: every p is in the left half plane, and real where 1/W2 = 0. With C_u, an eigenvector gives
+h(p) = sum |k_i|^2/(D_u + p C_u) and F = (p/W)(d - h) + c h + r. F(jw) = 0 asks for |Im h|^2 = (Re h + r/c)(d - Re h). But each term of h lies on the
+circle through 0 and its value at p = 0, so |Im h|^2 <= Re h (h(0) - Re h), which is less, as h(0) < d and r > 0: no pole crosses, and C_u = 0 is
+stable. Q.E.D.
+
+Resistors' errors do not harm the proof's symmetry: one resistor carries both directions' currents. So the *proven margin* needs sym S alone
+(rows of residuals over c), whatever the errors; it covers the voltage that an amplifier's two inputs have in common too.
+
+Not covered: capacitance C at the amplifiers' inputs. Measured with the same C there and at the residuals: stable while W C/D stays below
+1.9 (one pole), 0.9 (second pole at twice the bandwidth), 0.46 (at the bandwidth), D the least conductance at an input or a residual.
+`certify` warns beyond, with the scale that helps, and its poles decide. Unequal bandwidths are not proven either.
 
 )";
 
@@ -203,7 +261,7 @@ constexpr const char* ending =
     R"(## The sub-circuits
 
 `circuits/*.lib`, each with its pin order in its first lines; `floating_nic`, `grounded_nic` and `inverter` need a sub-circuit
-`opamp`, which any one of `opamp_*.lib` provides; `crossbar` and `least_squares` use `amplifier`, of `amplifier_*.lib`. In KiCad: give the
+`opamp`, which any one of `opamp_*.lib` provides; `crossbar`, `least_squares` and `lattice` use `amplifier`, of `amplifier_*.lib`. In KiCad: give the
 symbol the field Sim.Library (the file) and Sim.Name, and include the op-amp's file on the sheet. A deck of `tactile-net gen` carries
 all it needs.
 
@@ -237,8 +295,8 @@ std::string page() {
          table(Realization::rail) + crossbar_text + table(Realization::crossbar) +
          crossbar_inverters_text + table(Realization::crossbar, true) + least_squares_text +
          table(Realization::least_squares) + least_squares_inverters_text +
-         table(Realization::least_squares, true) + lc_text + table(Realization::lc) + ndr_text +
-         devices() + table(Realization::ndr) + ending;
+         table(Realization::least_squares, true) + lattice_text + table(Realization::lattice) +
+         lc_text + table(Realization::lc) + ndr_text + devices() + table(Realization::ndr) + ending;
 }
 
 }  // namespace

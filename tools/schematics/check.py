@@ -156,6 +156,19 @@ def least_squares(sheet):
     return Netlist(sheet, values).voltages(labels), f + [-x for x in f] + e + [-x for x in e]
 
 
+def lattice(sheet):
+    k, r, a, b, g = [1.0, -0.4], [[0.2, -0.05], [-0.05, 0.3]], 2.0, 0.5, 1.4
+    total = (a + b) * (abs(k[0]) + abs(k[1]))
+    values = {"g_{0}": a * g, "a K_{00}": a * k[0], "a|K_{01}|": -a * k[1], "b K_{00}": b * k[0], "b|K_{01}|": -b * k[1]}
+    values |= {"R_{00}": 0.2, "|R_{01}|": 0.05, "|R_{10}|": 0.05, "R_{11}": 0.3}
+    weight = a * b / total
+    p = [[weight * k[i] * k[j] + r[i][j] for j in (0, 1)] for i in (0, 1)]
+    f = solve(p, [weight * k[i] * g for i in (0, 1)])
+    u = a * (k[0] * f[0] + k[1] * f[1] - g) / total
+    labels = [f"{sign}f_{{{i}}}" for sign in "+−" for i in (0, 1)] + ["u_{0}^{+}", "u_{0}^{−}"]
+    return Netlist(sheet, values).voltages(labels), f + [-x for x in f] + [u, -u]
+
+
 CHECKS = {
     "ideal": three_nodes,
     "nic": nic,
@@ -163,10 +176,11 @@ CHECKS = {
     "crossbar": lambda sheet: crossbar(sheet, "+"),
     "crossbar-inverters": lambda sheet: crossbar(sheet, ""),
     "least_squares": least_squares,
+    "lattice": lattice,
     "lc": three_nodes,
     "ndr": three_nodes,
 }
-OPEN = {"crossbar": 6, "crossbar-inverters": 6, "least_squares": 12}  # free ends of rows and columns
+OPEN = {"crossbar": 6, "crossbar-inverters": 6, "least_squares": 12, "lattice": 12}  # free ends of rows and columns
 
 if __name__ == "__main__":
     for name, picture in PICTURES.items():

@@ -149,10 +149,10 @@ def rail():
     return sheet
 
 
-def row(sheet, y, name, end):
+def row(sheet, y, name, end, left=30):
     """A crossbar's row, from its free end to the amplifier."""
-    sheet.wire((30, y), end)
-    sheet.name((30, y), name, -6, 5, "end")
+    sheet.wire((left, y), end)
+    sheet.name((left, y), name, -6, 5, "end")
 
 
 def column(sheet, x, top, bottom, name, y):
@@ -281,6 +281,49 @@ def least_squares():
     return sheet
 
 
+def lattice():
+    """Least squares with passive residuals
+
+    A reading's residual is a pair of nodes u+, u- that nothing drives (top): conductances A lead to
+    them from the columns +f_j, -f_j, and currents g go out of u+ and into u-. Conductances B lead on
+    from u+ and u- to both inputs of the differential amplifiers (bottom), which the stabiliser's
+    conductances reach from the columns. Signs are made by crossing the pairs.
+    """
+    sheet = Sheet(920, 920)
+    f = {"+f_{0}": 60, "−f_{0}": 150, "+f_{1}": 240, "−f_{1}": 330}
+    u = {"u_{0}^{+}": 480, "u_{0}^{−}": 570}
+    for (name, x), y, a, b in zip(u.items(), (130, 250), (0, 1), (1, 0)):
+        row(sheet, y, name, (x, y), 40)
+        sheet.wire((x, y), (x, 810))
+        low, high = (410, y), (410, y + 80)
+        sheet.current_source((low, high)[a], (low, high)[b], "g_{0}", -1)
+        sheet.ground(high)
+    crossings(sheet, f, 130, {"+f_{0}": "a K_{00}", "−f_{1}": "a|K_{01}|"})
+    crossings(sheet, f, 250, {"−f_{0}": "a K_{00}", "+f_{1}": "a|K_{01}|"})
+    # the tractions: both inputs are rows
+    for k, y, turns in ((0, 420, ((890, 880), (870, 860))), (1, 660, ((850, 840), (830, 820)))):
+        p, m, *outs = sheet.differential_amplifier((740, y + 60), "bottom")
+        row(sheet, y, f"s_{{{k}}}^{{+}}", (650, y), 40)
+        row(sheet, y + 120, f"s_{{{k}}}^{{−}}", (650, y + 120), 40)
+        sheet.wire((650, y), (650, p[1]), p)
+        sheet.wire((650, y + 120), (650, m[1]), m)
+        for sign, out, (x, level), above in zip("+−", outs, turns, (-8, 21)):
+            name = f"{sign}f_{{{k}}}"
+            sheet.wire(out, (x, out[1]), (x, level), (f[name], level))
+            column(sheet, f[name], level, 60, name, 340)
+            sheet.text((797, out[1] + above), f"${name}$", "end")
+    crossings(sheet, f, 420, {"−f_{0}": "R_{00}", "+f_{1}": "|R_{01}|"})
+    crossings(sheet, f, 540, {"+f_{0}": "R_{00}", "−f_{1}": "|R_{01}|"})
+    crossings(sheet, f, 660, {"+f_{0}": "|R_{10}|", "−f_{1}": "R_{11}"})
+    crossings(sheet, f, 780, {"−f_{0}": "|R_{10}|", "+f_{1}": "R_{11}"})
+    crossings(sheet, u, 420, {"u_{0}^{−}": "b K_{00}"})
+    crossings(sheet, u, 540, {"u_{0}^{+}": "b K_{00}"})
+    crossings(sheet, u, 660, {"u_{0}^{+}": "b|K_{01}|"})
+    crossings(sheet, u, 780, {"u_{0}^{−}": "b|K_{01}|"})
+    sheet.text((460, 908), "Resistors are labelled with their conductances;  here $K_{01}, R_{01} < 0$", "middle")
+    return sheet
+
+
 def lc():
     """The network of capacitors and inductors
 
@@ -353,6 +396,7 @@ PICTURES = {
     "crossbar": crossbar,
     "crossbar-inverters": crossbar_inverters,
     "least_squares": least_squares,
+    "lattice": lattice,
     "lc": lc,
     "ndr": ndr,
 }

@@ -29,11 +29,21 @@ enum class Stability {
 
 [[nodiscard]] std::string_view name(Stability stability) noexcept;
 
+/// How much lag the loop of `least_squares` has, and what brings it within theorem T6: stable where
+/// 4 theta^2 W_main tau < gamma (1 - W tau/4)^2, tau the largest C/D + 1/W2 of a row, W the
+/// amplifiers' largest bandwidth, W_main the main ones' [1/s].
+struct LagBound {
+  double number = 0.0;   ///< the left side over the right one; infinite: W tau is 4 or more
+  double siemens = 0.0;  ///< the least `Scale::siemens` that makes it 1; 0: second poles exceed it
+  double bandwidth_ratio = 0.0;  ///< the largest that makes it 1; 0: none is known
+};
+
 /// A condition of a theorem that a circuit does not meet.
 struct UnmetCondition {
   TheoremCondition condition = TheoremCondition::definite;
   /// main_at_most_half_of_inverters: what the circuit has, over the inverters' bandwidth.
   double bandwidth_ratio = 0.0;
+  LagBound lag{};  ///< lag_within_bound
 };
 
 /// The theorem on a realisation, and whether it speaks of this circuit.
@@ -58,9 +68,13 @@ struct CircuitRemark {
     /// Resistors of `value` [ohm] at inverting inputs ring with their capacitance; `repair`: the
     /// largest `divider` [ohm] that does not.
     divider_rings,
-    /// Capacitance at the summing nodes: k rho^2 C W/D = `value`, to be well below 5; `repair`:
-    /// `Scale::siemens`, at least.
-    summing_capacitance,
+    /// The lag of summing nodes and second poles is `value` times what is proven stable; `repair`,
+    /// `limit`: `LagBound::siemens`, `LagBound::bandwidth_ratio`.
+    summing_lag,
+    /// Capacitance at floating inputs and residuals, W C/D = `value`, beyond what was found stable,
+    /// `limit`;
+    /// `repair`: the least `Scale::siemens` that is not.
+    floating_input_capacitance,
     /// Resistors from `least` to `greatest` [ohm] cannot be bought; `repair`: the `Scale::siemens`
     /// that centres them at 100 kilo-ohm.
     not_for_sale,

@@ -16,7 +16,9 @@ struct OpAmp {
   std::optional<double> second_pole{};  ///< [Hz], > 0; needs the bandwidth
   std::optional<double> offset{};       ///< input offset voltage of every op-amp [V]
   std::optional<double> rail{};         ///< the output stays within -rail ... rail [V], > 0.6
-  std::optional<double> input_capacitance{};  ///< from the inverting input to ground [F], > 0
+  /// From the inverting input to ground, and from both where the outputs are complementary [F], >
+  /// 0.
+  std::optional<double> input_capacitance{};
 
   [[nodiscard]] bool is_nullor() const noexcept {
     return !gain && !bandwidth && !second_pole && !offset && !rail;
@@ -48,7 +50,7 @@ struct AmplifierModel {
 ///     y' = 2 pi second_pole (x - y)                                      second pole
 ///     out = y (or x, or gain (p - n + offset)), inv = -out
 ///
-/// with the input capacitance from n to ground.
+/// with the input capacitance from n to ground, and from p where the outputs are complementary.
 ///
 /// The rail is a pair of diodes at x: it converges where a tanh fails, and x does not wind up.
 ///

@@ -20,13 +20,14 @@ enum class Realization {
   rail,           ///< an inverter and a grounded converter a node
   crossbar,       ///< one amplifier a node around the array of conductances P
   least_squares,  ///< two arrays K and K': P is never formed
+  lattice,        ///< two arrays with passive nodes between them: residuals without amplifiers
   lc,             ///< capacitors and inductors at one frequency (thesis 5.2, i)
   ndr,            ///< devices of negative differential resistance (thesis 5.2, iii)
 };
 
 inline constexpr std::array realizations = {
-    Realization::ideal,         Realization::nic, Realization::rail, Realization::crossbar,
-    Realization::least_squares, Realization::lc,  Realization::ndr};
+    Realization::ideal,         Realization::nic,     Realization::rail, Realization::crossbar,
+    Realization::least_squares, Realization::lattice, Realization::lc,   Realization::ndr};
 
 [[nodiscard]] std::string_view name(Realization realization) noexcept;
 [[nodiscard]] std::optional<Realization> realization_named(std::string_view name) noexcept;
@@ -68,10 +69,17 @@ void check(const RealizationOptions& options);
 
 /// What a theorem on stability asks for beyond what it says of P.
 enum class TheoremCondition {
-  definite,                        ///< P is positive definite
-  no_input_capacitance,            ///< none at the op-amps' inverting inputs
-  no_inverter_input_capacitance,   ///< none at the inverters' inputs
-  no_second_pole,                  ///< of the op-amps
+  definite,                       ///< P is positive definite
+  no_input_capacitance,           ///< none at the op-amps' inverting inputs
+  no_inverter_input_capacitance,  ///< none at the inverters' inputs
+  no_second_pole,                 ///< of the op-amps
+  /// No capacitance at inverting inputs; or one pole, and dividers of 1/(2 W C) at most.
+  divider_fast_enough,
+  /// No second pole; or no capacitance at summing nodes; or the pole at or above the bandwidth.
+  second_pole_beyond_bandwidth,
+  lag_within_bound,                ///< of capacitance and second poles together
+  one_lag,                         ///< a second pole, or capacitance at the nodes, not both
+  complementary_outputs,           ///< inverters are not covered: never met with them
   main_at_most_half_of_inverters,  ///< bandwidth of the main op-amps over the inverters'
   main_slow_enough,                ///< how slow is enough is not proven: never met
 };
@@ -102,9 +110,11 @@ struct RealizationTraits {
   /// The network's nodes are op-amps' outputs. Such a realisation has a second form with inverters
   /// in place of complementary outputs, and its main op-amps may be slower than the others.
   bool drives_nodes = false;
-  /// Built from K and the readings, with residual amplifiers: P is never formed, and K'K + R is
-  /// definite whatever rounding makes of it.
+  /// Built from K and the readings: P is never formed, and K'K + R is definite whatever rounding
+  /// makes of it.
   bool takes_readings = false;
+  /// Residuals are nodes that nothing drives.
+  bool passive_residuals = false;
   /// What a simulator's elimination may leave in the answer for a well-conditioned P, relative.
   double rounding = 1e-10;
 

@@ -2,6 +2,7 @@
 /// A network's own equations: what is left of Kirchhoff's laws when its amplifiers are ideal.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -16,10 +17,17 @@ namespace tactile_net {
 /// T z' = -S z + h, in volts and siemens: one row per node that nothing drives (z its voltage, T
 /// its capacitance) and one per amplifier with a summing node (z its output, T the row's total
 /// conductance over 2 pi bandwidth). Inverters and converters are taken for ideal.
+///
+/// An amplifier both of whose inputs float has two rows: half the difference of the currents into
+/// its inputs (z its output), and the sum of those that leave them (z the voltage that both have).
+/// There T is `input` over 2 pi bandwidth, in the outputs' columns.
 struct Equations {
   Matrix matrix{};                   ///< S [S], square, in general not symmetric
   std::vector<double> right_side{};  ///< h [A]
   std::vector<double> total{};       ///< conductance at each row's node [S]
+  /// What a volt between an amplifier's inputs adds to each row, one column an output [S]; empty
+  /// where every '+' is grounded.
+  Matrix input{};
 };
 
 /// Makes those equations again and again for other values of the same circuit's resistors, as a
@@ -30,7 +38,8 @@ class Reduction {
   ///
   /// @throw std::invalid_argument  the circuit has parts that are no resistors, sources, capacitors
   ///                               to ground, converters, inverters, or amplifiers with '+'
-  ///                               grounded; an instance names no sub-circuit that is known
+  ///                               grounded; some inputs '+' float and others do not; an instance
+  ///                               names no sub-circuit that is known
   explicit Reduction(const Circuit& circuit);
 
   /// Unknowns: the circuit's outputs in their order, then the others.
@@ -83,23 +92,33 @@ class Reduction {
     bool inverts = false;
   };
   struct Part {
-    std::size_t from_row = none, to_row = none;  // rows of its ends, if they have one
     Node from = 0, to = 0;
   };
+  /// Where the current that leaves a node is counted, and how often.
+  struct Law {
+    std::size_t row = none;
+    double factor = 1.0;
+  };
+  using Laws = std::array<Law, 2>;
 
   struct Roles;
   [[nodiscard]] static Roles roles_of(const Circuit& circuit);
-  [[nodiscard]] std::vector<std::size_t> number_rows(const Circuit& circuit, const Roles& roles);
-  void add_parts(const Circuit& circuit, const std::vector<std::size_t>& row_of);
-  void add_subcircuit(const Instance& instance, Subcircuit::Kind kind, double siemens,
-                      const std::vector<std::size_t>& row_of);
+  void number_rows(const Circuit& circuit, const Roles& roles);
+  void add_parts(const Circuit& circuit);
+  void add_subcircuit(const Instance& instance, Subcircuit::Kind kind, double siemens);
+
+  /// Calls `add(law, here, there)` for both ends of a part and every law of theirs.
+  void at_ends(const Part& part, const auto& add) const;
 
   [[nodiscard]] std::vector<Voltage> voltages(std::span<const double> siemens) const;
 
   std::size_t rows_ = 0;
   std::size_t outputs_ = 0;
+  bool floating_ = false;  // every amplifier's '+' is a node
   std::vector<bool> amplifier_rows_;
   std::vector<Voltage> fixed_;  // of every node, ideal parts
+  std::vector<Voltage> input_;  // floating: what half a volt between the inputs makes of it
+  std::vector<Laws> laws_;      // of every node
   std::vector<Derived> derived_;
   std::vector<Part> parts_;  // of the circuit's own resistors, and inverters' inputs after them
   std::vector<std::size_t> part_resistor_;

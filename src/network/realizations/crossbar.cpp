@@ -39,7 +39,8 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
   return circuit;
 }
 
-constexpr TheoremCondition needs[] = {TheoremCondition::definite, TheoremCondition::no_second_pole};
+constexpr TheoremCondition needs[] = {TheoremCondition::definite,
+                                      TheoremCondition::second_pole_beyond_bandwidth};
 constexpr TheoremCondition needs_with_inverters[] = {
     TheoremCondition::definite, TheoremCondition::no_inverter_input_capacitance,
     TheoremCondition::no_second_pole, TheoremCondition::main_at_most_half_of_inverters};
@@ -51,10 +52,12 @@ constexpr RealizationTraits crossbar_traits{
     .name = "crossbar",
     .uses_opamps = true,
     .drives_nodes = true,
-    .theorem = {"T5",
-                "Complementary outputs: stable if and only if P is positive definite, for any "
-                "bandwidths and any capacitance at the summing nodes.",
-                needs},
+    .theorem =
+        {"T5",
+         "Complementary outputs: stable if and only if P is positive definite, for any "
+         "bandwidths, and either any second poles or any capacitance at the summing nodes; for "
+         "both where the second poles are not below the bandwidths.",
+         needs},
     .theorem_with_inverters = {"T3",
                                "Main op-amps of at most half the inverters' bandwidth: stable if P "
                                "is positive definite, for any capacitance at the summing nodes.",

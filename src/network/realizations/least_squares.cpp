@@ -67,8 +67,7 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
 }
 
 constexpr TheoremCondition needs[] = {TheoremCondition::definite,
-                                      TheoremCondition::no_input_capacitance,
-                                      TheoremCondition::no_second_pole};
+                                      TheoremCondition::lag_within_bound};
 constexpr TheoremCondition needs_with_inverters[] = {
     TheoremCondition::main_slow_enough, TheoremCondition::definite,
     TheoremCondition::no_input_capacitance, TheoremCondition::no_second_pole};
@@ -81,8 +80,11 @@ constexpr RealizationTraits least_squares_traits{
     .uses_opamps = true,
     .drives_nodes = true,
     .takes_readings = true,
-    .theorem = {"T6", "Complementary outputs: stable for every gain rho and any bandwidths.",
-                needs},
+    .theorem =
+        {"T6",
+         "Complementary outputs: stable for every gain rho and any bandwidths, and for a lag of "
+         "summing nodes and second poles within its bound.",
+         needs},
     .theorem_with_inverters =
         {"T4",
          "Main op-amps slow enough: stable. How slow is not proven; 0.2/rho of "

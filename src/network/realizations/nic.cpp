@@ -39,7 +39,7 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
 }
 
 constexpr TheoremCondition needs[] = {TheoremCondition::definite,
-                                      TheoremCondition::no_input_capacitance};
+                                      TheoremCondition::divider_fast_enough};
 
 }  // namespace
 
@@ -50,7 +50,8 @@ constexpr RealizationTraits nic_traits{
     .opamps_per_branch = true,
     .theorem = {"T1",
                 "Converters with '+' at the network's nodes: stable for any node capacitance, any "
-                "bandwidths and any second poles if and only if P is positive definite.",
+                "bandwidths and any second poles if and only if P is positive definite; with one "
+                "pole for any capacitance at inverting inputs up to 1/(2 W r) too.",
                 needs},
     .build = build};
 

@@ -72,19 +72,27 @@ struct Signed {
   Node minus = 0;  ///< -plus
 };
 
-/// Amplifier X<output> with its summing node; its inverse is a second output, or an inverter. The
-/// models "amplifier", or "opamp" and "main_opamp", must be in the circuit.
+/// The amplifier of these nodes, X and the name of its output; its inverse is a second output, or
+/// an inverter. The models "amplifier", or "opamp" and "main_opamp", must be in the circuit.
+inline void add_driver(Circuit& circuit, Node input, const Signed& one, const std::string& model,
+                       bool inverters) {
+  const std::string name = "X" + circuit.nodes[one.plus];
+  if (inverters) {
+    circuit.instances.push_back({name, {input, one.summing, one.plus}, model});
+    circuit.instances.push_back(
+        {"X" + circuit.nodes[one.minus], {one.plus, one.minus}, "inverter"});
+  } else {
+    circuit.instances.push_back({name, {input, one.summing, one.plus, one.minus}, model});
+  }
+}
+
+/// An amplifier, its '+' grounded, with its summing node.
 [[nodiscard]] inline Signed add_amplifier(Circuit& circuit, const std::string& summing,
                                           const std::string& output, const std::string& inverse,
                                           const std::string& model, bool inverters) {
   const Signed one{add_node(circuit, summing), add_node(circuit, output),
                    add_node(circuit, inverse)};
-  if (inverters) {
-    circuit.instances.push_back({"X" + output, {0, one.summing, one.plus}, model});
-    circuit.instances.push_back({"X" + inverse, {one.plus, one.minus}, "inverter"});
-  } else {
-    circuit.instances.push_back({"X" + output, {0, one.summing, one.plus, one.minus}, model});
-  }
+  add_driver(circuit, 0, one, model, inverters);
   return one;
 }
 
@@ -96,7 +104,7 @@ inline void add_signed(Circuit& circuit, std::string name, const Signed& from, N
                                siemens > 0.0 ? siemens : -siemens});
 }
 
-/// The kinds of amplifiers of `crossbar` and `least_squares`; returns the main ones' model.
+/// The kinds of amplifiers of what drives its nodes; returns the main ones' model.
 inline std::string add_models(Circuit& circuit, Realization realization,
                               const RealizationOptions& options) {
   const Outputs outputs = options.inverters ? Outputs::single : Outputs::complementary;

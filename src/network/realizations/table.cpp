@@ -6,8 +6,9 @@
 namespace tactile_net {
 namespace {
 
-constexpr std::array table = {&ideal_traits,         &nic_traits, &rail_traits, &crossbar_traits,
-                              &least_squares_traits, &lc_traits,  &ndr_traits};
+constexpr std::array table = {
+    &ideal_traits,         &nic_traits,     &rail_traits, &crossbar_traits,
+    &least_squares_traits, &lattice_traits, &lc_traits,   &ndr_traits};
 static_assert(table.size() == realizations.size(), "one row per realisation");
 
 }  // namespace

@@ -12,6 +12,7 @@ extern const RealizationTraits nic_traits;
 extern const RealizationTraits rail_traits;
 extern const RealizationTraits crossbar_traits;
 extern const RealizationTraits least_squares_traits;
+extern const RealizationTraits lattice_traits;
 extern const RealizationTraits lc_traits;
 extern const RealizationTraits ndr_traits;
 

@@ -87,6 +87,17 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
       return "capacitance at the inverters' inputs";
     case TheoremCondition::no_second_pole:
       return "a second pole";
+    case TheoremCondition::divider_fast_enough:
+      return "capacitance at inverting inputs beyond 1/(2 W r), or with a second pole";
+    case TheoremCondition::second_pole_beyond_bandwidth:
+      return "capacitance at the summing nodes and a second pole below the bandwidth";
+    case TheoremCondition::lag_within_bound:
+      return "the lag of summing nodes and second poles is " + brief(unmet.lag.number) +
+             " times what it proves stable";
+    case TheoremCondition::one_lag:
+      return "a second pole and capacitance at the residuals' nodes";
+    case TheoremCondition::complementary_outputs:
+      return "inverters in place of complementary outputs";
     case TheoremCondition::main_at_most_half_of_inverters:
       return "main op-amps of " + brief(unmet.bandwidth_ratio) + " times the inverters' bandwidth";
     case TheoremCondition::main_slow_enough:
@@ -135,10 +146,20 @@ std::string in_words(const CircuitRemark& remark) {
       return "resistors of " + brief(remark.value) +
              " ohm at inverting inputs ring with their capacitance: divider = " +
              brief(remark.repair) + " at most, 1/(2 W C)";
-    case Kind::summing_capacitance:
-      return "capacitance at the summing nodes counts (k rho^2 C W/D = " + brief(remark.value) +
-             ", to be well below " + brief(remark.limit) + "): siemens = " + brief(remark.repair) +
-             " or more, or a smaller residual_gain";
+    case Kind::summing_lag: {
+      std::string repair;
+      if (remark.repair > 0.0) repair = "siemens = " + brief(remark.repair) + " or more";
+      if (remark.limit > 0.0)
+        repair += (repair.empty() ? "" : ", or ") + ("bandwidth_ratio = " + brief(remark.least)) +
+                  " or less";
+      if (repair.empty()) repair = "faster op-amps, or realization = \"lattice\"";
+      return "the lag of summing nodes and second poles is " + brief(remark.value) +
+             " times what is proven stable: " + repair;
+    }
+    case Kind::floating_input_capacitance:
+      return "capacitance at the amplifiers' inputs and at the residuals counts (W C/D = " +
+             brief(remark.value) + ", found stable up to " + brief(remark.limit) +
+             "): siemens = " + brief(remark.repair) + " or more";
     case Kind::not_for_sale:
       return range + " cannot be bought: siemens = " + brief(remark.repair) +
              " would centre them at 100 kilo-ohm";

@@ -1,0 +1,178 @@
+// Theorems inside their conditions, on random networks; and one network outside of each.
+#include <cmath>
+#include <random>
+
+#include "tactile_net/network/certificate.hpp"
+#include "tests/catch.hpp"
+#include "tests/network/networks.hpp"
+#include "tests/network/problems.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : generator_(seed) {}
+  double uniform(double least, double greatest) {
+    return least + (greatest - least) * static_cast<double>(generator_()) / 4294967295.0;
+  }
+  /// Even in the logarithm.
+  double decades(double least, double greatest) {
+    return std::pow(10.0, uniform(std::log10(least), std::log10(greatest)));
+  }
+
+ private:
+  std::mt19937 generator_;
+};
+
+/// More readings than tractions, entries of both signs, a stabiliser that couples neighbours.
+NetworkProblem random_problem(Random& random, std::size_t rows, std::size_t columns) {
+  NetworkProblem problem;
+  problem.kernel = {rows, columns, std::vector<double>(rows * columns)};
+  for (double& value : problem.kernel.values) value = random.uniform(-1.0, 1.0);
+  const double alpha = random.decades(1e-4, 1e-1);
+  problem.stabiliser = {columns, columns, std::vector<double>(columns * columns)};
+  for (std::size_t j = 0; j < columns; ++j) {
+    problem.stabiliser(j, j) = 3.0 * alpha;
+    if (j + 1 < columns) problem.stabiliser(j, j + 1) = problem.stabiliser(j + 1, j) = -alpha;
+  }
+  problem.matrix = problem.stabiliser;
+  problem.readings.assign(rows, 1.0);
+  problem.right_side.assign(columns, 0.0);
+  for (std::size_t i = 0; i < columns; ++i)
+    for (std::size_t k = 0; k < rows; ++k) {
+      problem.right_side[i] += problem.kernel(k, i);
+      for (std::size_t j = 0; j < columns; ++j)
+        problem.matrix(i, j) += problem.kernel(k, i) * problem.kernel(k, j);
+    }
+  return problem;
+}
+
+NetworkProblem random_network(Random& random, unsigned seed) {
+  NetworkProblem problem;
+  problem.matrix = random_definite(3 + seed % 4, seed + 1, random.decades(1e-4, 1e-1));
+  problem.right_side.assign(problem.matrix.rows, 1.0);
+  return problem;
+}
+
+constexpr double hertz = 1e7;
+const double w = 2.0 * 3.14159265358979324 * hertz;
+
+OpAmp opamp(std::optional<double> second_pole, std::optional<double> capacitance) {
+  return {.gain = 1e9,
+          .bandwidth = hertz,
+          .second_pole = second_pole,
+          .input_capacitance = capacitance};
+}
+
+/// Stable, and the theorem says so; or the theorem does not speak.
+bool certified(Realization one, const NetworkProblem& problem, const RealizationOptions& options) {
+  const Certificate c = certify(one, problem, options);
+  CHECK((!c.theorem.holds() || c.stability == Stability::stable));
+  return c.theorem.holds();
+}
+
+constexpr unsigned networks = 200;
+
+}  // namespace
+
+TEST_CASE("T5: a crossbar bears second poles, and capacitance where they are not slow",
+          "[theorems][property]") {
+  Random random(1);
+  for (unsigned seed = 0; seed < networks; ++seed) {
+    CAPTURE(seed);
+    const NetworkProblem problem = random_network(random, seed);
+    CHECK(certified(Realization::crossbar, problem,
+                    {.opamp = opamp(hertz * random.decades(1e-2, 1e2), std::nullopt)}));
+    CHECK(
+        certified(Realization::crossbar, problem,
+                  {.opamp = opamp(hertz * random.decades(1.0, 1e2), random.decades(1e-13, 1e-9))}));
+  }
+  // Slow second poles and capacitance: one that is unstable.
+  RealizationOptions slow{.opamp = opamp(0.01 * hertz, 1e-10)};
+  const NetworkProblem problem = array_network(11, 1e-2).problem;
+  CHECK(certify(Realization::crossbar, problem, slow).stability == Stability::unstable);
+}
+
+TEST_CASE("T1: converters bear capacitance at their inputs up to 1/(2 W r)",
+          "[theorems][property]") {
+  Random random(2);
+  for (unsigned seed = 0; seed < networks; ++seed) {
+    CAPTURE(seed);
+    const NetworkProblem problem = random_network(random, seed);
+    const double divider = 1e4;
+    const double capacitance = random.decades(1e-3, 0.4999) / (w * divider);
+    CHECK(certified(Realization::nic, problem,
+                    {.opamp = opamp(std::nullopt, capacitance),
+                     .divider = divider,
+                     .node_capacitance = random.decades(1e-13, 1e-10)}));
+  }
+  const NetworkProblem problem = array_network(11, 1e-3).problem;
+  CHECK(certify(Realization::nic, problem,
+                {.opamp = opamp(std::nullopt, 20.0 / (w * 1e4)), .node_capacitance = 1e-11})
+            .stability == Stability::unstable);
+}
+
+TEST_CASE("T6: least squares bears the lag that its number allows", "[theorems][property]") {
+  Random random(3);
+  unsigned spoken = 0;
+  for (unsigned seed = 0; seed < networks; ++seed) {
+    CAPTURE(seed);
+    const std::size_t columns = 3 + seed % 4;
+    const NetworkProblem problem = random_problem(random, columns + seed % 3, columns);
+    RealizationOptions options{
+        .opamp = opamp(hertz * random.decades(1.0, 1e3), random.decades(1e-15, 1e-11)),
+        .residual_gain = random.decades(0.3, 30.0),
+        .bandwidth_ratio = random.decades(1e-2, 1.0)};
+    if (certified(Realization::least_squares, problem, options)) {
+      ++spoken;
+      continue;
+    }
+    // What it proposes is within the theorem.
+    const Certificate c = certify(Realization::least_squares, problem, options);
+    const auto remark = std::find_if(c.remarks.begin(), c.remarks.end(), [](const auto& one) {
+      return one.kind == CircuitRemark::Kind::summing_lag;
+    });
+    REQUIRE(remark != c.remarks.end());
+    CHECK(remark->value == c.theorem.unmet.value().lag.number);
+    if (remark->limit > 0.0) {
+      RealizationOptions slower = options;
+      slower.bandwidth_ratio = 0.999 * remark->limit;
+      CHECK(certified(Realization::least_squares, problem, slower));
+    }
+    if (remark->repair > 0.0) {
+      options.scale.siemens = 1.001 * remark->repair;
+      CHECK(certified(Realization::least_squares, problem, options));
+    }
+  }
+  CHECK(spoken > 40);
+  CHECK(spoken < 180);
+  // Op-amps as they are sold, on the array as it is: the default gain is unstable.
+  const Certificate bought = certify(Realization::least_squares, array_network(21, 1e-3).problem,
+                                     {.opamp = opamp(2.0 * hertz, std::nullopt)});
+  CHECK(bought.stability == Stability::unstable);
+  CHECK_THAT(bought.dynamics.value().slowest, WithinRel(6.0e6, 0.05));
+  CHECK(bought.theorem.unmet.value().condition == TheoremCondition::lag_within_bound);
+  // design: proven up to W tau = 0.026 here, so 0.5 / 0.026 = 19 times too much or somewhat more
+  CHECK(bought.theorem.unmet->lag.number > 19.0);
+}
+
+TEST_CASE("T7: a lattice bears any second poles, or any capacitance at its residuals",
+          "[theorems][property]") {
+  Random random(4);
+  for (unsigned seed = 0; seed < networks; ++seed) {
+    CAPTURE(seed);
+    const std::size_t columns = 3 + seed % 4;
+    const NetworkProblem problem = random_problem(random, columns + seed % 3, columns);
+    CHECK(certified(Realization::lattice, problem,
+                    {.opamp = opamp(hertz * random.decades(1e-2, 1e2), std::nullopt)}));
+    CHECK(certified(Realization::lattice, problem,
+                    {.opamp = opamp(std::nullopt, std::nullopt),
+                     .node_capacitance = random.decades(1e-14, 1e-8)}));
+  }
+  // Capacitance at the inputs is outside, and with as much at the residuals unstable.
+  CHECK(certify(Realization::lattice, array_network(21, 1e-3).problem,
+                {.opamp = opamp(hertz, 1e-9), .node_capacitance = 1e-9})
+            .stability == Stability::unstable);
+}
