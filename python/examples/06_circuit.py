@@ -11,7 +11,7 @@ from pathlib import Path
 import tactile_net as tn
 
 scene = tn.Scene.load("scenes/circuits/least-squares.toml")
-for realization in ("least_squares", "crossbar", "nic"):
+for realization in ("lattice", "least_squares", "crossbar", "nic"):
     certification = scene.certify(realization)
     margin = certification.tolerance_margin
     print(

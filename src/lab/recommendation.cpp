@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactile_net/network/certificate.hpp"
+
 namespace tactile_net::lab {
 namespace {
 
@@ -11,16 +13,25 @@ constexpr double enough = 0.95;  // of the builds
 /// Enough draws to tell 95 of 100; fewer where a trial of a large network takes its time.
 std::size_t draws(std::size_t nodes) { return nodes <= 60 ? 200 : nodes <= 130 ? 60 : 20; }
 
+/// Draws take op-amps for infinitely fast. Op-amps of one pole leave no candidate unstable that its
+/// theorem speaks of; with more of them its poles are asked.
+bool is_stable(const NetworkCircuit& circuit) {
+  const OpAmp& opamp = circuit.options().opamp;
+  return (!opamp.second_pole && !opamp.input_capacitance) ||
+         certify(circuit).stability != Stability::unstable;
+}
+
 Recommendation::Candidate tried(const NetworkCircuit& circuit, const ToleranceOptions& options) {
   return {.realization = circuit.realization(),
           .opamps = circuit.flat().amplifiers().size(),
+          .stable = is_stable(circuit),
           .tolerance = tolerate(circuit.reduction(), options)};
 }
 
 void choose(Recommendation& result) {
   const auto& all = result.candidates;
   const auto good = std::find_if(all.begin(), all.end(), [](const auto& candidate) {
-    return candidate.tolerance.yield() >= enough;
+    return candidate.stable && candidate.tolerance.yield() >= enough;
   });
   if (good != all.end()) {
     result.outcome = Recommendation::Outcome::reached;
@@ -28,7 +39,7 @@ void choose(Recommendation& result) {
     return;
   }
   const auto nearest = std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.tolerance.p95 < b.tolerance.p95;
+    return a.stable != b.stable ? a.stable : a.tolerance.p95 < b.tolerance.p95;
   });
   result.outcome = Recommendation::Outcome::none_reaches;
   result.choice = static_cast<std::size_t>(nearest - all.begin());

@@ -113,10 +113,11 @@ void append_subcircuits(std::string& deck, const Circuit& circuit) {
   deck += library;
 }
 
+/// Without `^`: a power to ngspice, an exclusive or to LTspice.
 std::string current_of(const NShapedDevice& b, const std::vector<std::string>& nodes) {
   const std::string u = "V(" + nodes[b.from] + "," + nodes[b.to] + ")/" + shortest(b.volts);
   if (b.curve == Curve::cubic)
-    return shortest(-b.siemens * b.volts) + "*(" + u + ")*(1-(" + u + ")^2)";
+    return shortest(-b.siemens * b.volts) + "*(" + u + ")*(1-(" + u + ")*(" + u + "))";
   return shortest(b.siemens * b.volts) + "*((2+" + u + ")*exp(-" + u + ")-2)";
 }
 

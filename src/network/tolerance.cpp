@@ -39,10 +39,17 @@ double preferred(int place, int series) {
   return e24[place * (24 / series)];
 }
 
-void check(const ToleranceOptions& options) {
+/// Whether anything is random.
+bool draws(const ToleranceOptions& options) { return options.relative || !options.each.empty(); }
+
+void check(const ToleranceOptions& options, std::size_t resistors) {
+  if (!options.each.empty() && options.each.size() != resistors)
+    throw std::invalid_argument("a tolerance of each resistor needs one value a resistor");
+  for (const double one : options.each)
+    if (!(one > 0.0 && one < 1.0)) throw std::invalid_argument("a tolerance must be > 0 and < 1");
   if (options.relative && !(*options.relative > 0.0 && *options.relative < 1.0))
     throw std::invalid_argument("a tolerance must be > 0 and < 1");
-  if (!options.relative && !options.series)
+  if (!draws(options) && !options.series)
     throw std::invalid_argument("a tolerance needs relative errors or a series");
   if (!(options.accuracy > 0.0)) throw std::invalid_argument("the accuracy must be > 0");
   if (options.trials == 0) throw std::invalid_argument("a tolerance needs at least one trial");
@@ -85,32 +92,27 @@ Eigen::VectorXd outputs_of(const Reduction& reduction, const Equations& equation
   return z.head(static_cast<Eigen::Index>(reduction.outputs()));
 }
 
+/// Of one resistor.
+double tolerance_of(const ToleranceOptions& options, std::size_t resistor) {
+  return options.each.empty() ? options.relative.value_or(0.0) : options.each[resistor];
+}
+
 double quantile(const std::vector<double>& ascending, double q) {
   return ascending[static_cast<std::size_t>(q * static_cast<double>(ascending.size() - 1) + 0.5)];
 }
 
 /// The first-order part of a result.
-void predict(const Reduction& reduction, const ToleranceOptions& options, const Equations& nominal,
-             ToleranceResult& result) {
-  const auto s = as_eigen(nominal.matrix);
-  const Lu lu(s);
-  const Eigen::VectorXd right = as_eigen(std::span(nominal.right_side));
-  const Eigen::VectorXd z = lu.solve(right);
-  const auto n = static_cast<Eigen::Index>(reduction.outputs());
-  // Rows of the inverse that lead to the outputs: |dv|^2 = u' (rows' rows) u.
-  const Eigen::MatrixXd rows = lu.inverse().topRows(n);
-  const Eigen::MatrixXd gram = rows.transpose() * rows;
-  const Matrix sensitivities =
-      reduction.sensitivities({z.data(), static_cast<std::size_t>(z.size())});
-  const auto u = as_eigen(sensitivities);
-  Eigen::VectorXd squares = (u * gram).cwiseProduct(u).rowwise().sum();
+void predict(const Reduction& reduction, const ToleranceOptions& options, ToleranceResult& result) {
+  const std::vector<double> sensitivities = relative_sensitivities(reduction);
+  Eigen::VectorXd squares = as_eigen(std::span(sensitivities));
   // Variance of a uniform error; of rounding too, within half a step of the series.
-  double variance = options.relative ? *options.relative * *options.relative / 3.0 : 0.0;
-  if (options.series) {
-    const double half = std::log(10.0) / (2.0 * static_cast<double>(*options.series));
-    variance += half * half / 3.0;
+  double rounding = 0.0;
+  if (options.series)
+    rounding = std::pow(std::log(10.0) / (2.0 * static_cast<double>(*options.series)), 2) / 3.0;
+  for (Eigen::Index r = 0; r < squares.size(); ++r) {
+    const double relative = tolerance_of(options, static_cast<std::size_t>(r));
+    squares(r) *= relative * relative / 3.0 + rounding;
   }
-  squares *= variance / z.head(n).squaredNorm();
   const double sum = squares.sum();
   result.predicted = std::sqrt(sum);
 
@@ -125,6 +127,25 @@ void predict(const Reduction& reduction, const ToleranceOptions& options, const 
 }
 
 }  // namespace
+
+std::vector<double> relative_sensitivities(const Reduction& reduction) {
+  const Equations nominal = reduction.equations();
+  const Lu lu(as_eigen(nominal.matrix));
+  const Eigen::VectorXd right = as_eigen(std::span(nominal.right_side));
+  const Eigen::VectorXd z = lu.solve(right);
+  const auto n = static_cast<Eigen::Index>(reduction.outputs());
+  const double size = z.head(n).squaredNorm();
+  if (!z.allFinite() || !(size > 0.0))
+    throw std::domain_error("without an answer there is nothing to err from");
+  // Rows of the inverse that lead to the outputs: |dv|^2 = u' (rows' rows) u.
+  const Eigen::MatrixXd rows = lu.inverse().topRows(n);
+  const Eigen::MatrixXd gram = rows.transpose() * rows;
+  const Matrix sensitivities =
+      reduction.sensitivities({z.data(), static_cast<std::size_t>(z.size())});
+  const auto u = as_eigen(sensitivities);
+  const Eigen::VectorXd squares = (u * gram).cwiseProduct(u).rowwise().sum() / size;
+  return {squares.begin(), squares.end()};
+}
 
 double nearest_in(Series series, double ohm) {
   if (!(ohm > 0.0) || !std::isfinite(ohm))
@@ -158,9 +179,9 @@ std::vector<double> printed(const Reduction& reduction, const ToleranceOptions& 
 
 /// One trial's errors on them.
 void spread(std::vector<double>& siemens, const ToleranceOptions& options, std::size_t trial) {
-  if (!options.relative) return;
+  if (!draws(options)) return;
   for (std::size_t r = 0; r < siemens.size(); ++r)
-    siemens[r] /= 1.0 + *options.relative * uniform(options.seed, trial, r);
+    siemens[r] /= 1.0 + tolerance_of(options, r) * uniform(options.seed, trial, r);
 }
 
 }  // namespace
@@ -197,13 +218,13 @@ Trial try_out(const Reduction& reduction, std::span<const double> siemens) {
 }
 
 ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options) {
-  check(options);
+  check(options, reduction.resistors().size());
   const Equations nominal = reduction.equations();
   const Eigen::VectorXd v = outputs_of(reduction, nominal);
   if (v.norm() == 0.0) throw std::domain_error("without a load there is no answer to err from");
   if (!v.allFinite()) throw std::domain_error("the network has no unique answer");
 
-  ToleranceResult result{.trials = options.relative ? options.trials : 1};
+  ToleranceResult result{.trials = draws(options) ? options.trials : 1};
   const std::vector<double> parts = printed(reduction, options);
   std::vector<double> siemens;
   std::vector<double>& errors = result.errors;
@@ -223,7 +244,7 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
   std::sort(errors.begin(), errors.end());
   result.median = quantile(errors, 0.5);
   result.p95 = quantile(errors, 0.95);
-  predict(reduction, options, nominal, result);
+  predict(reduction, options, result);
   return result;
 }
 

@@ -39,7 +39,8 @@ std::vector<StudyJob> circuit_jobs(const StudyInput& input, const lab::Simulator
   using Kind = Job::Kind;
   // The longest first: two run at a time.
   for (const Realization realization :
-       {Realization::least_squares, Realization::nic, Realization::crossbar, Realization::rail})
+       {Realization::least_squares, Realization::nic, Realization::crossbar, Realization::lattice,
+        Realization::rail})
     add({Kind::settling, realization}, 20.0, [&input, stop, realization](Simulator& simulator) {
       return settling(input, realization, simulator, stop);
     });

@@ -242,7 +242,7 @@ TEST_CASE("bash completes what the parser takes", "[cli]") {
   CHECK(offered({"ru"}) == Lines{"run"});
   CHECK(offered({"-q", "ru"}) == Lines{"run"});
   CHECK(offered({"run", "--rea"}) == Lines{"--realization"});
-  CHECK(offered({"run", "--realization", "l"}) == Lines{"lc", "least_squares"});
+  CHECK(offered({"run", "--realization", "l"}) == Lines{"lattice", "lc", "least_squares"});
   CHECK(offered({"run", "--realization", "=", "cr"}) ==
         Lines{"crossbar"});  // as bash takes it apart
   CHECK(offered({"plan", "--precision", "="}) == Lines{"float32", "float64"});

@@ -80,7 +80,7 @@ TEST_CASE("decks of every realisation and option pass", "[cli][spice][strangers]
       "[reconstruct]\nmethods = [\"network\"]\nalpha = 1e-3\nsmoothing_length = 1.0\n[network]\n";
   int taken = 0;
   for (const std::string realization :
-       {"ideal", "nic", "rail", "crossbar", "least_squares", "lc", "ndr"})
+       {"ideal", "nic", "rail", "crossbar", "least_squares", "lattice", "lc", "ndr"})
     for (const std::string& options :
          {std::string(), std::string("opamp = { bandwidth = 1e6 }\n"),
           std::string("opamp = { bandwidth = 1e6, second_pole = 2e6, offset = 1e-4 }\n"),

@@ -16,7 +16,7 @@ using namespace tactile_net::circuits;
 constexpr const char* introduction =
     R"(# The circuits
 
-Node voltages that solve `P f = b`: seven ways to build the network, what is proven of each, and what ngspice says of it.
+Node voltages that solve `P f = b`: eight ways to build the network, what is proven of each, and what ngspice says of it.
 Written by `tactile-net-circuits .` (target `tactile_net_circuits`); no number in a table is typed in. The array of every table:
 21 taxels, pitch 0.5, strain_x at depth 1.5, a cylinder of half width 2, E = 1, nu = 0.45, l = 1, 1 mS and 1 V per unit.
 

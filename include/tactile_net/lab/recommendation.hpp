@@ -15,6 +15,8 @@ struct Recommendation {
   struct Candidate {
     Realization realization = Realization::nic;
     std::size_t opamps = 0;
+    /// With the scene's own op-amps, second poles and capacitances included; never chosen if not.
+    bool stable = true;
     ToleranceResult tolerance{};
   };
   enum class Outcome {

@@ -27,8 +27,10 @@ enum class Series { e12 = 12, e24 = 24, e48 = 48, e96 = 96, e192 = 192 };
 
 struct ToleranceOptions {
   std::optional<double> relative{};  ///< uniform within +-relative, 0 < relative < 1
-  std::optional<Series> series{};    ///< rounded to the nearest value of the series, first
-  std::size_t trials = 1000;         ///< >= 1; one suffices where nothing is drawn
+  /// Of each resistor, as `Reduction::resistors()`, in place of `relative`; empty: all alike.
+  std::vector<double> each{};
+  std::optional<Series> series{};  ///< rounded to the nearest value of the series, first
+  std::size_t trials = 1000;       ///< >= 1; one suffices where nothing is drawn
   std::uint64_t seed = 1;
   double accuracy = 0.05;  ///< largest relative error of an answer that counts as accurate, > 0
 };
@@ -51,6 +53,12 @@ struct Trial {
 /// capacitances (equal) and the amplifiers' row conductances; a positive definite symmetric part of
 /// S proves it, for any T. Amplifiers inside converters and inverters are taken for fast.
 [[nodiscard]] Trial try_out(const Reduction& reduction, std::span<const double> siemens);
+
+/// For every resistor the square of the answer's relative change per relative change of the
+/// resistor, in 2-norms, to first order. Means over several loads are means of these.
+///
+/// @throw std::domain_error  the network has no unique answer, or it is 0
+[[nodiscard]] std::vector<double> relative_sensitivities(const Reduction& reduction);
 
 struct Contribution {
   std::string component{};

@@ -114,6 +114,7 @@ std::string certificate_json(const lab::Certification& c) {
     Json row = tolerance_json(one.tolerance);
     row["realization"] = name(one.realization);
     row["opamps"] = one.opamps;
+    row["stable_with_opamps"] = one.stable;
     candidates.push_back(row);
   }
   json["recommendation"] = {{"text", in_words(c.recommendation)}, {"candidates", candidates}};

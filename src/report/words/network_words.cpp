@@ -323,11 +323,12 @@ std::vector<std::vector<std::string>> cells(const lab::Recommendation& recommend
   std::vector<std::vector<std::string>> rows = {
       {"realisation", "op-amps", "stable", "median error", "95 of 100", "yield"}};
   for (const auto& one : recommendation.candidates)
-    rows.push_back(
-        {std::string(name(one.realization)), std::to_string(one.opamps),
-         std::to_string(one.tolerance.stable) + " of " + std::to_string(one.tolerance.trials),
-         error_in_words(one.tolerance.median), error_in_words(one.tolerance.p95),
-         percent(one.tolerance.yield())});
+    rows.push_back({std::string(name(one.realization)), std::to_string(one.opamps),
+                    one.stable ? std::to_string(one.tolerance.stable) + " of " +
+                                     std::to_string(one.tolerance.trials)
+                               : "not with its op-amps",
+                    error_in_words(one.tolerance.median), error_in_words(one.tolerance.p95),
+                    percent(one.tolerance.yield())});
   return rows;
 }
 

@@ -17,6 +17,9 @@
 namespace tactile_net::tool {
 namespace {
 
+/// A header that allows more says nothing of the answer.
+constexpr double most_that_proves = 0.1;
+
 void run_deck(const RelaxOptions& options, Simulator& simulator, const Streams& streams) {
   if (options.network.any())
     throw WrongUsage("--realization, --bandwidth", "a deck is what it is; these are for scenes");
@@ -34,6 +37,11 @@ void run_deck(const RelaxOptions& options, Simulator& simulator, const Streams& 
   if (!(answer.difference <= answer.within))
     throw CheckFailed("the deck's voltages differ from those its header expects by " +
                       brief(answer.difference) + " (allowed: " + brief(answer.within) + ")");
+  if (!options.tolerance && answer.within > most_that_proves)
+    throw CheckFailed("the deck agrees with a bound that proves nothing: its header allows " +
+                      brief(answer.within) +
+                      ", because the circuit's own parts make its answer uncertain; --tolerance "
+                      "says what to allow");
 }
 
 void run_scene(const RelaxOptions& options, Simulator& simulator, const Streams& streams) {
