@@ -22,6 +22,9 @@ std::string farad(double hertz) {
   return shortest(transconductance / (2.0 * std::numbers::pi * hertz));
 }
 
+/// Whose thermal noise is `volts` per square root of Hz at a simulator's 27 degrees: 4 k T R.
+double noise_resistor(double volts) { return volts * volts / (4.0 * 1.380649e-23 * 300.15); }
+
 std::string description(const AmplifierModel& model) {
   const OpAmp& o = model.opamp;
   const std::string kind = model.outputs == Outputs::complementary
@@ -35,7 +38,7 @@ std::string description(const AmplifierModel& model) {
     text = "* " + std::string(1, model.outputs == Outputs::complementary ? 'A' : 'O') +
            kind.substr(1) + " of finite gain" + (o.bandwidth ? ", one pole" : "") +
            (o.second_pole ? " and a second" : "") + (o.offset ? ", input offset" : "") +
-           (o.rail ? ", clamped output" : "") + ".\n";
+           (o.noise_voltage ? ", input noise" : "") + (o.rail ? ", clamped output" : "") + ".\n";
   return text +
          "* Pins: p = non-inverting input, n = inverting input, out = output (against ground)" +
          (model.outputs == Outputs::complementary ? ", inv = -out" : "") + ".\n";
@@ -49,8 +52,13 @@ void check(const OpAmp& opamp) {
   check(opamp.second_pole, "second pole");
   check(opamp.rail, "rail");
   check(opamp.input_capacitance, "input capacitance");
+  check(opamp.noise_voltage, "noise voltage");
   if (opamp.offset && !std::isfinite(*opamp.offset))
     throw std::invalid_argument("an op-amp's offset must be finite");
+  if (opamp.noise_voltage && !opamp.bandwidth)
+    throw std::invalid_argument(
+        "an op-amp's noise voltage needs its bandwidth: white noise of any "
+        "frequency has no size");
   if (opamp.second_pole && !opamp.bandwidth)
     throw std::invalid_argument("an op-amp's second pole needs its bandwidth, the first one");
   if (opamp.rail && *opamp.rail <= diode_drop)
@@ -67,8 +75,16 @@ std::string subcircuit_text(const AmplifierModel& model) {
     // 1e21 V/A: smaller gains show in the last digits of the answer.
     text += "Vn p n 0\nH1 out 0 Vn 1e21\n";
   } else {
-    const std::string input = o.offset ? "q" : "p";
-    if (o.offset) text += "Vo q p " + shortest(*o.offset) + '\n';
+    std::string input = "p";
+    if (o.offset) {
+      text += "Vo q p " + shortest(*o.offset) + '\n';
+      input = "q";
+    }
+    if (o.noise_voltage) {  // a resistor's own noise is the source
+      text +=
+          "Rn w 0 " + shortest(noise_resistor(*o.noise_voltage)) + "\nEn z " + input + " w 0 1\n";
+      input = "z";
+    }
     if (!o.bandwidth && !o.rail) {
       text += "E1 out 0 " + input + " n " + shortest(o.dc_gain()) + '\n';
     } else {

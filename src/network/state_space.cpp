@@ -1,10 +1,14 @@
 #include "tactile_net/network/state_space.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
+#include "numeric/lyapunov.hpp"
 
 namespace tactile_net {
 namespace {
@@ -85,6 +89,46 @@ class Stamps {
       into_others_(index(other_of_[i.into])) += i.ampere;
   }
 
+  [[nodiscard]] bool outputs_are_states() const {
+    return std::all_of(circuit_.outputs.begin(), circuit_.outputs.end(),
+                       [&](Node node) { return node == 0 || other_of_[node] == none; });
+  }
+
+  /// What noise drives the states with, as intensities of white noise [two-sided].
+  struct Intensity {
+    Eigen::MatrixXd thermal, amplifiers;
+  };
+
+  /// @pre `system` was called
+  [[nodiscard]] Intensity noise(const std::vector<Resistor>& resistors, double kelvin) const {
+    constexpr double boltzmann = 1.380649e-23;
+    const Eigen::Index held = of_held_.rows();
+    // The currents' covariance at nodes that nothing drives, and what they do to the states.
+    Eigen::MatrixXd currents = Eigen::MatrixXd::Zero(held + index(others_), held + index(others_));
+    const auto place = [&](Node node) -> Eigen::Index {
+      if (state_of_[node] != none) return index(state_of_[node]);
+      return other_of_[node] != none ? held + index(other_of_[node]) : -1;
+    };
+    for (const Resistor& r : resistors) {
+      const double density = 2.0 * boltzmann * kelvin * std::abs(r.siemens);
+      const Eigen::Index a = place(r.from);
+      const Eigen::Index b = place(r.to);
+      if (a >= 0) currents(a, a) += density;
+      if (b >= 0) currents(b, b) += density;
+      if (a >= 0 && b >= 0) {
+        currents(a, b) -= density;
+        currents(b, a) -= density;
+      }
+    }
+    const Eigen::MatrixXd into = by_current();
+    Eigen::VectorXd voltages = Eigen::VectorXd::Zero(index(states_));
+    for (const Amplifier& one : amplifiers_)
+      if (one.opamp.noise_voltage)
+        voltages(index(one.state)) =
+            0.5 * std::pow(radians(*one.opamp.bandwidth) * *one.opamp.noise_voltage, 2);
+    return {into * currents * into.transpose(), voltages.asDiagonal()};
+  }
+
   [[nodiscard]] StateSpace system() {
     eliminate_others();
     Eigen::MatrixXd a = Eigen::MatrixXd::Zero(index(states_), index(states_));
@@ -160,6 +204,29 @@ class Stamps {
     const Eigen::MatrixXd of_states = of_others_.leftCols(index(states_));
     e_ = -lu.solve(of_states);
     constant_ = lu.solve(into_others_);
+    const Eigen::MatrixXd currents = units.asDiagonal();
+    by_others_ = lu.solve(currents);
+  }
+
+  /// x' by a current into each node with capacitance, then into each other one.
+  [[nodiscard]] Eigen::MatrixXd by_current() const {
+    const Eigen::Index held = of_held_.rows();
+    Eigen::MatrixXd into = Eigen::MatrixXd::Zero(index(states_), held + index(others_));
+    for (Node node = 1; node < nodes(); ++node)
+      if (state_of_[node] != none) {
+        const Eigen::Index row = index(state_of_[node]);
+        into(row, row) = 1.0 / capacitance_[node];
+        into.row(row).tail(index(others_)) =
+            -of_held_.row(row).tail(index(others_)) * by_others_ / capacitance_[node];
+      }
+    for (const Amplifier& one : amplifiers_) {
+      const double w = radians(*one.opamp.bandwidth);
+      for (const auto& [node, sign] : {std::pair(one.plus, w), std::pair(one.minus, -w)})
+        if (other_of_[node] != none)
+          into.row(index(one.state)).tail(index(others_)) +=
+              sign * by_others_.row(index(other_of_[node]));
+    }
+    return into;
   }
 
   /// Kirchhoff: G_hh v_h + G_ho v_o + G_hx x = i_h - C v_h'.
@@ -214,6 +281,7 @@ class Stamps {
   Eigen::MatrixXd of_held_, of_others_;
   Eigen::VectorXd into_held_, into_others_;
   Eigen::MatrixXd e_;
+  Eigen::MatrixXd by_others_;  // voltages of other nodes by currents into them
   Eigen::VectorXd constant_;
 };
 
@@ -228,7 +296,9 @@ std::size_t count_states(const FlatCircuit& circuit) {
   return states;
 }
 
-StateSpace state_space(const FlatCircuit& circuit) {
+namespace {
+
+Stamps stamps_of(const FlatCircuit& circuit) {
   const Circuit& flat = circuit.circuit();
   if (!flat.inductors.empty()) throw std::invalid_argument("an inductor has no place here");
   Stamps stamps(circuit);
@@ -241,7 +311,29 @@ StateSpace state_space(const FlatCircuit& circuit) {
   for (const Resistor& r : flat.resistors) stamps.resistor(r.from, r.to, r.siemens);
   for (const NShapedDevice& b : flat.devices) stamps.resistor(b.from, b.to, -b.siemens);
   for (const CurrentSource& i : flat.sources) stamps.source(i);
-  return stamps.system();
+  return stamps;
+}
+
+}  // namespace
+
+StateSpace state_space(const FlatCircuit& circuit) { return stamps_of(circuit).system(); }
+
+OutputNoise output_noise(const FlatCircuit& circuit, double kelvin) {
+  if (!(kelvin >= 0.0) || !std::isfinite(kelvin))
+    throw std::invalid_argument("a temperature must be >= 0 and finite");
+  Stamps stamps = stamps_of(circuit);
+  const StateSpace system = stamps.system();
+  const Eigen::MatrixXd a = as_eigen(system.dynamics);
+  const Eigen::MatrixXd c = as_eigen(system.output);
+  if (!stamps.outputs_are_states())
+    throw std::domain_error("white noise at an output without capacitance has no size");
+  if (!(eigenvalues(a).real().maxCoeff() < 0.0))
+    throw std::domain_error("an unstable circuit's noise grows without end");
+  const Stamps::Intensity noise = stamps.noise(circuit.circuit().resistors, kelvin);
+  const auto at_outputs = [&](const Eigen::MatrixXd& intensity) {
+    return from_eigen(c * solve_lyapunov(a, intensity) * c.transpose());
+  };
+  return {at_outputs(noise.thermal), at_outputs(noise.amplifiers)};
 }
 
 }  // namespace tactile_net

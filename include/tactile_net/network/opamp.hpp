@@ -20,6 +20,9 @@ struct OpAmp {
   /// 0.
   std::optional<double> input_capacitance{};
 
+  /// White noise at the input [V per square root of Hz], > 0; absent: no noise is asked for.
+  std::optional<double> noise_voltage{};
+
   [[nodiscard]] bool is_nullor() const noexcept {
     return !gain && !bandwidth && !second_pole && !offset && !rail;
   }

@@ -34,6 +34,20 @@ struct StateSpace {
 /// @throw std::domain_error      nodes without capacitance have no unique voltage
 [[nodiscard]] StateSpace state_space(const FlatCircuit& circuit);
 
+/// The covariance of a circuit's outputs at rest [V^2], which its own noise makes.
+struct OutputNoise {
+  Matrix thermal{};     ///< of its resistors: 4 k T g each [A^2/Hz]
+  Matrix amplifiers{};  ///< of their `OpAmp::noise_voltage`
+};
+
+/// By Lyapunov's equation, exact for the linear circuit. O(states^3).
+///
+/// @param kelvin  the resistors' temperature, >= 0; the default is what simulators take
+/// @throw std::invalid_argument  as `state_space`
+/// @throw std::domain_error      as `state_space`, the circuit is unstable, or an output has
+///                               neither capacitance nor a pole: its white noise has no size
+[[nodiscard]] OutputNoise output_noise(const FlatCircuit& circuit, double kelvin = 300.15);
+
 /// Every eigenvalue of A, the one of largest real part first. O(states^3), 25 states^3 or so.
 [[nodiscard]] std::vector<std::complex<double>> poles(const StateSpace& system);
 

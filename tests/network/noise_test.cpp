@@ -1,0 +1,79 @@
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "tactile_net/network/conductances.hpp"
+#include "tactile_net/network/state_space.hpp"
+#include "tests/catch.hpp"
+#include "tests/network/problems.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+constexpr double boltzmann = 1.380649e-23;
+constexpr double kelvin = 300.15;
+constexpr double w = 2.0 * std::numbers::pi * 1e7;
+const OpAmp noisy{.gain = 1e9, .bandwidth = 1e7, .noise_voltage = 5e-9};
+
+OutputNoise noise_of(Realization one, const NetworkProblem& problem,
+                     const RealizationOptions& options) {
+  return output_noise(FlatCircuit(realize(one, problem, options)));
+}
+
+double rms(double variance) { return std::sqrt(variance); }
+
+}  // namespace
+
+TEST_CASE("a resistor across a capacitor makes k T / C, whatever the resistor", "[noise]") {
+  for (const double siemens : {1e-6, 1e-3, 1.0}) {
+    Circuit circuit = resistor_and_capacitor();
+    circuit.resistors[0].siemens = siemens;
+    const OutputNoise noise = output_noise(FlatCircuit(circuit));
+    CHECK_THAT(noise.thermal(0, 0), WithinRel(boltzmann * kelvin / 1e-9, 1e-12));
+    CHECK(noise.amplifiers(0, 0) == 0.0);
+    CHECK_THAT(output_noise(FlatCircuit(circuit), 2.0 * kelvin).thermal(0, 0),
+               WithinRel(2.0 * boltzmann * kelvin / 1e-9, 1e-12));
+  }
+}
+
+TEST_CASE("a crossbar's resistors are in equipartition: W k T P^-1", "[noise]") {
+  const NetworkProblem problem = array_network(11, 1e-3).problem;
+  const OutputNoise noise = noise_of(Realization::crossbar, problem, {.opamp = noisy});
+  for (std::size_t i = 0; i < 11; ++i) {
+    std::vector<double> unit(11);
+    unit[i] = 1.0;
+    const std::vector<double> column = solve_symmetric(problem.matrix, unit);
+    for (std::size_t j = 0; j < 11; ++j)
+      CHECK_THAT(noise.thermal(j, i),
+                 WithinAbs(w * boltzmann * kelvin / 1e-3 * column[j], 1e-6 * noise.thermal(i, i)));
+  }
+}
+
+TEST_CASE("the noise of circuits is what was designed for", "[noise]") {
+  const NetworkProblem problem = array_network(21, 1e-3).problem;
+  const auto centre = [&](Realization one, double siemens) {
+    const OutputNoise noise = noise_of(one, problem, {.scale = {siemens, 1.0}, .opamp = noisy});
+    return rms(noise.thermal(10, 10) + noise.amplifiers(10, 10));
+  };
+  CHECK_THAT(centre(Realization::crossbar, 1e-3), WithinRel(139.4e-6, 0.01));
+  CHECK_THAT(centre(Realization::least_squares, 1e-3), WithinRel(100.5e-6, 0.03));
+  // Less from more conductance, until the amplifiers' own is left.
+  CHECK(centre(Realization::lattice, 1e-3) < centre(Realization::lattice, 1e-4));
+  const OutputNoise heavy =
+      noise_of(Realization::lattice, problem, {.scale = {1e3, 1.0}, .opamp = noisy});
+  CHECK(heavy.thermal(10, 10) < 1e-4 * heavy.amplifiers(10, 10));
+}
+
+TEST_CASE("noise that has no size is refused", "[noise]") {
+  const NetworkProblem problem = array_network(5, 1e-3).problem;
+  CHECK_THROWS_AS(noise_of(Realization::nic, problem, {.opamp = noisy}), std::domain_error);
+  CHECK_NOTHROW(noise_of(Realization::nic, problem, {.opamp = noisy, .node_capacitance = 1e-11}));
+  OpAmp slow = noisy;
+  slow.second_pole = 1e6;
+  CHECK_THROWS_AS(noise_of(Realization::least_squares, problem, {.opamp = slow}),
+                  std::domain_error);
+  CHECK_THROWS_AS(output_noise(FlatCircuit(resistor_and_capacitor()), -1.0), std::invalid_argument);
+  CHECK_THROWS_AS(check(OpAmp{.noise_voltage = 5e-9}), std::invalid_argument);
+  CHECK_THROWS_AS(check(OpAmp{.bandwidth = 1e6, .noise_voltage = 0.0}), std::invalid_argument);
+}
