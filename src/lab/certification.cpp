@@ -4,7 +4,7 @@
 
 namespace tactile_net::lab {
 
-Certification certify(const Scene& scene, Observer& observer) {
+Certification certify(const Scene& scene, Observer& observer, std::optional<double> accuracy) {
   observer.step({Step::Kind::readings});
   Certification result{.circuit = simulated_circuit(scene)};
   observer.step({Step::Kind::certificate});
@@ -15,6 +15,7 @@ Certification certify(const Scene& scene, Observer& observer) {
   }
   observer.step({Step::Kind::realizations});
   result.recommendation = recommend(result.circuit);
+  if (accuracy) result.parts = parts_list(result.circuit, *accuracy);
   return result;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tactile_net/network/certificate.hpp"
+#include "lab/circuit_candidates.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -13,18 +13,10 @@ constexpr double enough = 0.95;  // of the builds
 /// Enough draws to tell 95 of 100; fewer where a trial of a large network takes its time.
 std::size_t draws(std::size_t nodes) { return nodes <= 60 ? 200 : nodes <= 130 ? 60 : 20; }
 
-/// Draws take op-amps for infinitely fast. Op-amps of one pole leave no candidate unstable that its
-/// theorem speaks of; with more of them its poles are asked.
-bool is_stable(const NetworkCircuit& circuit) {
-  const OpAmp& opamp = circuit.options().opamp;
-  return (!opamp.second_pole && !opamp.input_capacitance) ||
-         certify(circuit).stability != Stability::unstable;
-}
-
 Recommendation::Candidate tried(const NetworkCircuit& circuit, const ToleranceOptions& options) {
   return {.realization = circuit.realization(),
           .opamps = circuit.flat().amplifiers().size(),
-          .stable = is_stable(circuit),
+          .stable = is_stable_with_its_opamps(circuit),
           .tolerance = tolerate(circuit.reduction(), options)};
 }
 
@@ -54,16 +46,11 @@ Recommendation recommend(const SceneCircuit& circuit) {
                         .inverters_replaced = circuit.options().parts.inverters};
   if (!circuit.loaded()) return result;
   result.drawn.trials = std::min(result.drawn.trials, draws(circuit.nodes()));
-  RealizationOptions parts = circuit.options().parts;
-  parts.inverters = false;
   const NetworkCircuit& own = circuit.network();
-  for (const Realization one : realizations) {
-    if (!traits(one).uses_opamps || !traits(one).linear()) continue;
-    if (traits(one).opamps_per_branch && circuit.nodes() > 130) continue;  // tens of thousands
+  for (const Realization one : candidates(circuit)) {
     const bool built = one == own.realization() && !result.inverters_replaced;
-    result.candidates.push_back(
-        built ? tried(own, result.drawn)
-              : tried(NetworkCircuit(one, own.shared_problem(), parts), result.drawn));
+    result.candidates.push_back(built ? tried(own, result.drawn)
+                                      : tried(candidate(one, circuit), result.drawn));
   }
   std::stable_sort(result.candidates.begin(), result.candidates.end(),
                    [](const auto& a, const auto& b) { return a.opamps < b.opamps; });

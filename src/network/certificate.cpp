@@ -133,6 +133,24 @@ Dynamics dynamics_of(const StateSpace& system, double accuracy) {
   return dynamics;
 }
 
+/// Where an output has neither capacitance nor a pole its white noise has no size: no number then.
+std::optional<CircuitNoise> noise_of(const NetworkCircuit& circuit,
+                                     std::span<const double> answer) {
+  if (!circuit.options().opamp.noise_voltage) return std::nullopt;
+  OutputNoise noise;
+  try {
+    noise = output_noise(circuit.flat());
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  }
+  const Eigen::VectorXd thermal = as_eigen(noise.thermal).diagonal();
+  const Eigen::VectorXd all = thermal + as_eigen(noise.amplifiers).diagonal();
+  return CircuitNoise{.largest = std::sqrt(all.maxCoeff()),
+                      .total = std::sqrt(all.sum()),
+                      .relative = std::sqrt(all.sum()) / as_eigen(answer).norm(),
+                      .thermal = thermal.sum() / all.sum()};
+}
+
 /// Measured, no theorem: W C/D up to which the same capacitance at floating inputs and at passive
 /// residuals was stable, by the second pole over the bandwidth (docs/circuits.md).
 double floating_capacitance_limit(const OpAmp& o) {
@@ -225,6 +243,7 @@ void add_stability(Certificate& c, const NetworkCircuit& circuit, bool definite)
   if (states > 0 && states <= most_states) {
     c.dynamics = dynamics_of(circuit.state_space(), c.accuracy);
     c.stability = c.dynamics->slowest < 0.0 ? Stability::stable : Stability::unstable;
+    if (c.dynamics->slowest < 0.0) c.noise = noise_of(circuit, steady_state(circuit.state_space()));
   } else {
     if (states > 0) c.remarks.push_back({.kind = CircuitRemark::Kind::too_many_states});
     c.stability = c.theorem.holds() ? Stability::stable : Stability::not_modelled;

@@ -208,6 +208,8 @@ std::vector<Figure> figures_of(const lab::Certification& c) {
 Page certificate_html(const lab::Certification& c, const Made& made) {
   const Figures figures(figures_of(c));
   Page page{.missing = figures.missing(), .files = figures.data()};
+  if (c.parts && c.parts->choice)
+    page.files.emplace_back("parts.csv", order_csv(*c.parts, c.circuit));
 
   std::string html = heading(c.scene().title, c.scene().file,
                              sensor_in_words(c.scene()) + "; " + material_in_words(c.scene()));
@@ -232,6 +234,9 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   html += element("h2", "With real parts");
   if (c.tolerance) html += html_list(tolerance_in_words(c));
   if (!c.recommendation.candidates.empty()) html += html_table(cells(c.recommendation));
+  if (c.parts)
+    html += element("h3", "What to order") + html_table(cells(*c.parts)) +
+            element("p", in_words(*c.parts, c.circuit));
   html += figures.html("parts");
   html += colophon("The scene, the files, the command", scene_html(c.scene()), page.files, made);
   page.html = page_html(c.scene().file + " - tactile-net certify", html);

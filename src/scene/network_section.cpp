@@ -27,6 +27,11 @@ OpAmp read_opamp(Table table) {
       pole->problem("needs the first pole", "beside it, bandwidth = 10e6 (gain-bandwidth product)");
   }
   if (const auto offset = table.value("offset")) opamp.offset = offset->number(any_number);
+  if (const auto noise = table.value("noise_voltage")) {
+    opamp.noise_voltage = noise->number(positive);
+    if (!opamp.bandwidth)
+      noise->problem("has no size without a bandwidth that ends it", "beside it, bandwidth = 10e6");
+  }
   if (const auto rail = table.value("rail")) opamp.rail = rail->number(above_diodes);
   if (opamp.is_nullor()) opamp.gain = opamp.dc_gain();
   table.finish();

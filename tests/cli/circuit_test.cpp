@@ -187,6 +187,23 @@ TEST_CASE("certify writes a page and the numbers behind its plots", "[cli]") {
         tool({"certify", scene("circuits/least-squares.toml"), "--json", "-"}).output);
 }
 
+TEST_CASE("certify lists what to order for an accuracy", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_circuit);
+  const std::string out = folder / "out";
+  const ProcessResult result = tool({"certify", path, "--budget", "1%", "--out", out});
+  CHECK(result.code == 0);
+  CHECK_THAT(result.output, ContainsSubstring("For 1 % in 95 of 100 builds: "));
+  CHECK_THAT(read_text(out + "/parts.csv"), StartsWith("ohm,tolerance,quantity,references\n"));
+  CHECK_THAT(read_text(out + "/report.html"), ContainsSubstring("What to order"));
+  CHECK_THAT(tool({"certify", path, "--budget", "0.01", "--json", "-"}).output,
+             ContainsSubstring("\"target\": 0.01"));
+  CHECK_THAT(tool({"certify", path, "--budget", "little"}).errors,
+             ContainsSubstring("is no share, such as 0.3%"));
+  CHECK(tool({"certify", path, "--budget", "0"}).code == 2);
+  CHECK(tool({"certify", path, "--budget", "120%"}).code == 2);
+}
+
 TEST_CASE("certify draws an unstable circuit too, and fails", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_circuit + ringing_converters);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tactile_net/lab/observer.hpp"
+#include "tactile_net/lab/parts_list.hpp"
 #include "tactile_net/lab/recommendation.hpp"
 
 namespace tactile_net::lab {
@@ -13,6 +14,7 @@ struct Certification {
   SceneCircuit circuit;
   std::optional<ToleranceResult> tolerance{};  ///< where the scene gives one, for a linear circuit
   Recommendation recommendation{};
+  std::optional<PartsList> parts{};  ///< where an accuracy is asked for
 
   [[nodiscard]] const Scene& scene() const noexcept { return circuit.scene(); }
   [[nodiscard]] const Certificate& certificate() const { return circuit.certificate(); }
@@ -21,7 +23,10 @@ struct Certification {
 /// For the scene's simulated readings; without a simulator of circuits, and without solving for the
 /// tractions.
 ///
-/// @throw std::invalid_argument, std::domain_error  the scene's options make no circuit
-[[nodiscard]] Certification certify(const Scene& scene, Observer& observer = silent);
+/// @param accuracy  of a list of parts, `parts_list`; absent: none is made
+/// @throw std::invalid_argument, std::domain_error  the scene's options make no circuit, or as
+///                                                  `parts_list`
+[[nodiscard]] Certification certify(const Scene& scene, Observer& observer = silent,
+                                    std::optional<double> accuracy = {});
 
 }  // namespace tactile_net::lab

@@ -104,6 +104,14 @@ struct Dynamics {
   std::vector<double> mode{};  ///< unstable: the growing mode in the outputs, 2-norm 1
 };
 
+/// What its resistors at 300 K and its amplifiers' `noise_voltage` make of a circuit at rest.
+struct CircuitNoise {
+  double largest = 0.0;   ///< of one output, root mean square [V]
+  double total = 0.0;     ///< of all outputs, 2-norm [V]
+  double relative = 0.0;  ///< `total` over the answer's 2-norm; infinite without a load
+  double thermal = 0.0;   ///< the resistors' share of `total` squared
+};
+
 struct Certificate {
   Realization realization = Realization::ideal;
   double smallest_eigenvalue = 0.0;  ///< of P
@@ -118,7 +126,9 @@ struct Certificate {
   /// converters or inverters are taken for fast.
   bool margin_for_any_bandwidth = false;
   std::optional<Dynamics> dynamics{};  ///< absent: op-amps without bandwidth, or too many states
-  double accuracy = 1e-3;              ///< that settling is measured to
+  std::optional<CircuitNoise>
+      noise{};             ///< absent: none is asked for, or the circuit does not settle
+  double accuracy = 1e-3;  ///< that settling is measured to
   ElementCounts elements{};
   double least_ohm = 0.0;        ///< smallest resistor [ohm], in size; 0: there is none
   double greatest_ohm = 0.0;     ///< largest resistor

@@ -3,6 +3,7 @@
 #include "report/json/network_values.hpp"
 #include "report/json/scene_json.hpp"
 #include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/parts_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -31,8 +32,14 @@ Json certificate(const Certificate& c) {
                {"largest_voltage", c.largest_voltage},
                {"power", c.power},
                {"dynamics", nullptr},
+               {"noise", nullptr},
                {"warnings", Json::array()}};
   for (const CircuitRemark& remark : c.remarks) json["warnings"].push_back(in_words(remark));
+  if (c.noise)
+    json["noise"] = {{"largest_volts", c.noise->largest},
+                     {"total_volts", c.noise->total},
+                     {"relative", finite_or_null(c.noise->relative)},
+                     {"thermal_share", c.noise->thermal}};
   if (c.dynamics)
     json["dynamics"] = {{"states", c.dynamics->states},
                         {"slowest_pole", c.dynamics->slowest},
@@ -65,6 +72,29 @@ Json transient_json(const Transient& transient) {
           {"end_error", transient.end_error},
           {"simulated_seconds", transient.simulated},
           {"ngspice_seconds", transient.seconds}};
+}
+
+Json parts_json(const lab::PartsList& list, const lab::SceneCircuit& circuit) {
+  Json classes = Json::array();
+  for (const PartClass& one : list.wanted.classes)
+    classes.push_back({{"tolerance", one.tolerance}, {"price", one.price}});
+  Json candidates = Json::array();
+  for (const auto& one : list.candidates)
+    candidates.push_back({{"realization", name(one.realization)},
+                          {"opamps", one.opamps},
+                          {"stable_with_opamps", one.stable},
+                          {"met", one.list.met},
+                          {"counts", one.list.counts},
+                          {"price", one.price},
+                          {"resistors_price", one.list.price},
+                          {"resistors_price_bound", one.list.price_bound},
+                          {"p95_error", one.p95 ? finite_or_null(*one.p95) : Json(nullptr)}});
+  return {{"target", list.wanted.target},
+          {"text", in_words(list, circuit)},
+          {"opamp_price", list.opamp_price},
+          {"classes", classes},
+          {"candidates", candidates},
+          {"choice", list.choice ? Json(name(list.chosen().realization)) : Json(nullptr)}};
 }
 
 }  // namespace
@@ -118,6 +148,7 @@ std::string certificate_json(const lab::Certification& c) {
     candidates.push_back(row);
   }
   json["recommendation"] = {{"text", in_words(c.recommendation)}, {"candidates", candidates}};
+  json["parts"] = c.parts ? parts_json(*c.parts, c.circuit) : Json(nullptr);
   return text_of(json);
 }
 

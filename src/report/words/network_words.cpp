@@ -185,6 +185,12 @@ std::vector<std::string> in_words(const Certificate& c) {
   lines.push_back("P: smallest eigenvalue " + brief(c.smallest_eigenvalue) + ", condition number " +
                   brief(c.condition));
   if (c.dynamics) lines.push_back(dynamics_in_words(c));
+  if (c.noise)
+    lines.push_back("noise: " + brief(c.noise->largest) + " V rms at the noisiest output" +
+                    (std::isfinite(c.noise->relative)
+                         ? ", " + percent(c.noise->relative) + " of the answer"
+                         : "") +
+                    "; " + percent(c.noise->thermal) + " of its power is the resistors'");
   if (c.tolerance_margin)
     lines.push_back("stable for every error of components up to " + percent(*c.tolerance_margin) +
                     (c.margin_for_any_bandwidth ? ", whatever the bandwidths"

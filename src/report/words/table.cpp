@@ -159,6 +159,10 @@ void print_certificate(std::ostream& out, const lab::Certification& c) {
   out << '\n';
   if (!c.recommendation.candidates.empty()) print_cells(out, cells(c.recommendation));
   out << in_words(c.recommendation) << '\n';
+  if (!c.parts) return;
+  out << '\n';
+  print_cells(out, cells(*c.parts));
+  out << in_words(*c.parts, c.circuit) << '\n';
 }
 
 void print_deck_answer(std::ostream& out, const std::string& file,

@@ -33,6 +33,15 @@ void read(const std::string& text, std::size_t& value) {
   value = *number;
 }
 
+void read(const std::string& text, Share& value) {
+  const std::size_t sign = text.find_last_not_of("% ") + 1;
+  const std::string ending = text.substr(sign);
+  const bool percent = ending == "%" || ending == " %";
+  if ((!percent && !ending.empty()) || !read_number(text.substr(0, sign), value.value))
+    throw std::invalid_argument("'" + text + "' is no share, such as 0.3% or 0.003");
+  if (percent) value.value /= 100.0;
+}
+
 std::string standard(const std::string& value) { return value; }
 
 std::string standard(double value) { return shortest(value); }

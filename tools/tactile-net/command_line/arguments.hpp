@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "command_line/table.hpp"
+#include "commands/share.hpp"
 #include "tactile_net/numeric/text.hpp"
 
 namespace tactile_net::tool {
@@ -30,6 +31,7 @@ namespace tactile_net::tool {
 void read(const std::string& text, std::string& value);
 void read(const std::string& text, double& value);
 void read(const std::string& text, std::size_t& value);
+void read(const std::string& text, Share& value);
 
 template <class T>
 void read(const std::string& text, std::optional<T>& value) {

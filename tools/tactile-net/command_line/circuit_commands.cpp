@@ -48,12 +48,17 @@ void add_certify(AllCommands& all) {
        .pages = {"circuits.md"},
        .examples = {{"certify scenes/circuits/crossbar.toml --out out",
                      "with poles, settling and builds as plots"},
+                    {"certify scenes/circuits/board.toml --budget 0.3% --out out",
+                     "what to order for it, in out/parts.csv"},
                     {"certify scenes/nic.toml --realization crossbar --bandwidth 10e6",
                      "another circuit, of op-amps of 10 MHz"}}});
   add_scene(command, options.scene);
   add_results(command, options.results,
               "Folder for report.html, certificate.json and the plots' data (CSV)",
               "Write the certificate as JSON");
+  command.add_option("--budget", options.budget, text("SHARE"),
+                     "The cheapest resistors with which 95 of 100 builds err by at most this, such "
+                     "as 0.3%, for each realisation; with --out, parts.csv to order from");
   add_network(command, options.network);
 }
 

@@ -16,7 +16,13 @@ void run(const CertifyOptions& options, const Streams& streams) {
   apply(options.network, scene, streams.err);
   Results results(options.results, streams);
   Progress progress(streams);
-  const lab::Certification c = lab::certify(scene, progress);
+  std::optional<double> budget;
+  if (options.budget) {
+    budget = options.budget->value;
+    if (!(*budget > 0.0 && *budget < 1.0))
+      throw WrongUsage("--budget", "must be > 0 and below 1 (100 %), such as 0.3%");
+  }
+  const lab::Certification c = lab::certify(scene, progress, budget);
   results.write({.print = [&](std::ostream& out) { report::print_certificate(out, c); },
                  .json = [&] { return report::certificate_json(c); },
                  .page =
