@@ -246,12 +246,40 @@ void take_from_beyond(SkinAnswer& answer, SkinAnswer beyond) {
   answer.friction = std::move(beyond.friction);
 }
 
+/// Whether the largest reading is more than noise and beside what no taxel sees: what presses is
+/// there, or beyond.
+bool strongest_at_edge(const SkinSceneProblem& problem, std::span<const double> readings,
+                       double noise) {
+  constexpr double deviations = 4.0;  // of the largest of many honest readings
+  const SkinProblem& solved = problem.problem();
+  std::size_t strongest = 0;
+  double most = 0.0;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (const double size = std::abs(solved.weights[i] * readings[i]); size > most) {
+      most = size;
+      strongest = i;
+    }
+  if (!(most > deviations * noise)) return false;
+  const SkinSite& site = solved.sites[strongest];
+  const SkinGrid& grid = problem.grid();
+  const double reach =
+      std::max(grid.spacing_y, grid.spacing_z) + least_depth(problem.scene().sensor);
+  for (std::size_t cell = 0; cell < grid.count(); ++cell)
+    if (problem.unseen()[cell] && std::hypot(grid.y(cell / grid.columns) - site.y,
+                                             grid.z(cell % grid.columns) - site.z) <= reach)
+      return true;
+  return false;
+}
+
 /// That force's verdict which says most of it.
 void judge_force(SkinAnswer& answer, const SkinSceneProblem& problem,
                  std::span<const double> readings) {
   const bool solved =
       answer.verdict != Verdict::iteration_limit && answer.verdict != Verdict::ill_conditioned;
-  if (answer.unseen > most_guessed && solved)
+  const bool guessed =
+      answer.unseen > most_guessed || (answer.cells.empty() && answer.verdict != Verdict::ok &&
+                                       strongest_at_edge(problem, readings, answer.noise.rms()));
+  if (guessed && solved)
     answer.verdict = Verdict::cut_off;
   else if (answer.verdict == Verdict::ok &&
            answer.wrench.normal.deviation > largest_force(problem, readings))
