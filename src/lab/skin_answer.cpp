@@ -147,17 +147,29 @@ Uncertain without_smoothing(const Uncertain& radius, double variance) {
           std::hypot(radius.deviation, (radius.value - least) / std::sqrt(12.0))};
 }
 
+/// How far apart the taxels lie, in depths.
+double pitch_in_depths(const SkinArray& skin) {
+  const double y = !is_even(skin) || skin.rows > 1 ? skin.pitch_y : 0.0;
+  const double z = !is_even(skin) || skin.columns > 1 ? skin.pitch_z : 0.0;
+  return std::max(y, z) / least_depth(skin);
+}
+constexpr double far_apart = 1.75;       // what presses between them is little seen
+constexpr double too_far_apart = 2.001;  // and here no deviation holds it
+
 /// Where constraints leave a single row or column of cells, its place is what they have decided,
 /// not what the readings tell: the deviations are those of the cells beside it too, without
 /// constraints, and of a place anywhere in the width of a cell.
 void widen_centre(UncertainWrench& wrench, const SkinGrid& grid, std::span<const double> tractions,
                   std::span<const std::size_t> cells, const Covariance& free, double rms) {
   if (!wrench.centre_y || !wrench.centre_z) return;
-  const bool one_row = is_one_line(grid, cells, false);
-  const bool one_column = is_one_line(grid, cells, true);
+  std::vector<std::size_t> pressed;
+  for (const std::size_t cell : cells)
+    if (tractions[cell] != 0.0) pressed.push_back(cell);
+  const bool one_row = is_one_line(grid, pressed, false);
+  const bool one_column = is_one_line(grid, pressed, true);
   if (!one_row && !one_column) return;
   const UncertainWrench wider =
-      resultant_of(grid, tractions, with_neighbours(grid, cells), free, rms);
+      resultant_of(grid, tractions, with_neighbours(grid, pressed), free, rms);
   const auto widen = [&](std::optional<Uncertain>& centre, const std::optional<Uncertain>& of_more,
                          double spacing) {
     centre->deviation = std::hypot(std::max(centre->deviation, of_more ? of_more->deviation : 0.0),
@@ -209,6 +221,7 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   }
   if (answer.cells.empty()) {
     // What no cell is certain of may press beside the taxels that see.
+    widen_centre(answer.wrench, grid, f, summed, own, rms);
     if (is_felt(answer.wrench.normal)) answer.unseen = unseen_share(f, summed, problem.unseen());
     return;
   }
@@ -217,8 +230,10 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   // Where no taxel sees, what constraints hold is not certain either.
   const SkinCovariance of_contact(problem.family(), alpha,
                                   contact_prior(prior, answer.cells.size(), grid.count(), seen));
-  // Nor where offsets are free: what they take the constraints give back, all of it to one side.
-  const bool held = seen && !problem.problem().unknown_offsets;
+  // Nor where offsets are free: what they take the constraints give back, all of it to one side;
+  // nor between taxels that lie far apart, where they decide how much presses.
+  const bool held = seen && !problem.problem().unknown_offsets &&
+                    pitch_in_depths(problem.scene().sensor) <= far_apart;
   const Covariance& known = of_face && held ? covariance : of_contact;
   answer.wrench = resultant_of(grid, f, answer.cells, known, rms);
   widen_centre(answer.wrench, grid, f, answer.cells, of_contact, rms);
@@ -284,6 +299,8 @@ void judge_force(SkinAnswer& answer, const SkinSceneProblem& problem,
   else if (answer.verdict == Verdict::ok &&
            answer.wrench.normal.deviation > largest_force(problem, readings))
     answer.verdict = Verdict::undetermined;
+  else if (answer.verdict == Verdict::ok && pitch_in_depths(problem.scene().sensor) > too_far_apart)
+    answer.verdict = Verdict::coarse;
 }
 
 /// Every reading is taken for what it says.

@@ -45,7 +45,7 @@ constexpr Named<Verdict> sentences[] = {
     {Verdict::undetermined,
      "the readings do not fix the force: it may be off by more than such readings could come from"},
     {Verdict::coarse,
-     "the taxels lie two depths apart or more: what presses between them is a guess"},
+     "the taxels lie more than two depths apart: what presses between them is a guess"},
 };
 
 }  // namespace
