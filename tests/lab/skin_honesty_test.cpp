@@ -128,8 +128,10 @@ TEST_CASE("the place of a contact of one row of cells is not certain", "[lab][sk
   scene.reconstruct.alpha = 2.32e-6;
   const lab::SkinAnswer answer = lab::solve(lab::SkinSceneProblem(scene), readings);
   std::vector<std::size_t> pressed;
-  for (std::size_t cell = 0; cell < grid.count(); ++cell)
+  for (const std::size_t cell : answer.cells)
     if (answer.tractions[cell] != 0.0) pressed.push_back(cell);
+  REQUIRE_FALSE(pressed.empty());
+  CAPTURE(pressed);
   REQUIRE(is_one_line(grid, pressed, true));
   REQUIRE(answer.wrench.centre_z);
   CHECK(answer.wrench.centre_z->deviation >= grid.spacing_z / std::sqrt(12.0));
