@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tactile_net/frames/csv.hpp"
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::frames {
@@ -16,10 +17,9 @@ std::vector<double> frame_at(FrameSource& source, const std::string& file, std::
   std::size_t frames = 0;
   while (source.next(frame))
     if (frames++ == number) return frame;
-  throw InputError(
-      {{.file = file,
-        .message = "has no frame " + std::to_string(number),
-        .hint = "it has " + std::to_string(frames) + " frames; the first is frame 0"}});
+  throw InputError({{.file = file,
+                     .message = "has no frame " + std::to_string(number),
+                     .hint = "it has " + counted(frames, "frame") + "; the first is frame 0"}});
 }
 
 /// The columns of tractions that a header names; of the normal ones at least the first.

@@ -11,6 +11,7 @@
 #include "frames/npy_header.hpp"
 #include "frames/npy_numbers.hpp"
 #include "numeric/finite.hpp"
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
@@ -186,7 +187,7 @@ void NpyFrames::read_block() {
 void NpyFrames::check_end() {
   if (fortran_) in_.seekg(static_cast<std::streamoff>(header_ + frames_ * columns_ * width_));
   if (in_.peek() != std::istream::traits_type::eof())
-    fail("goes on after the " + std::to_string(frames_) + " frames of its header", "");
+    fail("goes on after the " + counted(frames_, "frame") + " of its header", "");
 }
 
 bool NpyFrames::next(std::span<double> values) {

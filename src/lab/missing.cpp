@@ -30,6 +30,10 @@ std::optional<Missing> missing_named(std::string_view text) noexcept {
   return named_in<policies>(text);
 }
 
+bool can_leave_out(const SceneProblem& problem, Method method) {
+  return traits(method).has_bands && !problem.is_large();
+}
+
 struct IncompleteFrames::Pattern {
   Pattern(SceneProblem given, Method method)
       : problem(std::move(given)), solver(make_solver(problem, method)) {}

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/lab/data_verdict.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/scene/clipped_taxels.hpp"
 #include "tactile_net/sensing/resampled.hpp"
 
 namespace tactile_net::lab {
@@ -213,6 +215,33 @@ MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer
   return result;
 }
 
+/// The frame's taxels at the end of their range, and whether an answer can do without them.
+remark::Clipped clipped_in(const SceneProblem& problem, std::span<const double> readings) {
+  const Scene& scene = problem.scene();
+  const ClippedTaxels found = clipped_taxels(scene, SignalLayout(scene.sensor).readings, readings);
+  ProblemOptions rest = problem.options();
+  rest.dead_taxels.insert(rest.dead_taxels.end(), found.taxels.begin(), found.taxels.end());
+  return {.taxels = found.taxels,
+          .range_known = found.range_known,
+          .left_out = found.range_known && !found.taxels.empty() && !problem.is_large() &&
+                      is_measured(scene.sensor, rest)};
+}
+
+SceneFrame without(const SceneFrame& frame, std::span<const std::size_t> taxels) {
+  std::vector<std::size_t> dead = frame.problem().options().dead_taxels;
+  dead.insert(dead.end(), taxels.begin(), taxels.end());
+  std::sort(dead.begin(), dead.end());
+  return {frame.problem().without(dead), frame.readings()};
+}
+
+/// Of any method: what clipped taxels do not tell weighs more than how well it has answered.
+void note_clipped(MethodResult& result, remark::Clipped clipped) {
+  if (clipped.taxels.empty() || !result.has_answer()) return;
+  clipped.left_out = clipped.left_out && traits(result.method).has_bands;
+  result.verdict = Verdict::clipped;
+  result.remarks.emplace_back(std::move(clipped));
+}
+
 /// The method whose answer is followed over the scene's time, if there is one.
 std::optional<Method> followed(const std::vector<MethodResult>& results) {
   for (const MethodResult& result : results)
@@ -251,15 +280,20 @@ Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& optio
       sampled_force(experiment.frame.truth.normal, problem.surface().spacing);
   const SceneFrame frame(problem, experiment.frame.readings);
   const Run run{options, frame.problem(), frame, experiment};
+  const remark::Clipped clipped = clipped_in(problem, experiment.frame.readings);
+  const SceneFrame rest = clipped.left_out ? without(frame, clipped.taxels) : frame;
+  const Run of_rest{options, rest.problem(), rest, experiment};
   if (experiment.work.does(Computation::rule_comparison)) {
     observer.step({Step::Kind::rules});
     experiment.sweep = run.frame.sweep();
   }
   for (const Method method : scene.reconstruct.methods) {
     observer.step({.kind = Step::Kind::method, .method = method});
-    experiment.results.push_back(traits(method).solves_frames
+    experiment.results.push_back(traits(method).has_bands ? reconstruct(method, of_rest)
+                                 : traits(method).solves_frames
                                      ? reconstruct(method, run)
                                      : by_network(simulator, run, observer));
+    note_clipped(experiment.results.back(), clipped);
   }
   if (experiment.work.does(Computation::time_course))
     if (const auto method = followed(experiment.results))

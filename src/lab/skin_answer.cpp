@@ -10,6 +10,7 @@
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/lab/skin_data_verdict.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
+#include "tactile_net/scene/clipped_taxels.hpp"
 #include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net::lab {
@@ -110,6 +111,10 @@ bool is_certain(const Uncertain& force) {
   constexpr double deviations = 6.0;
   return force.value > deviations * force.deviation;
 }
+bool is_felt(const Uncertain& force) {
+  constexpr double deviations = 2.0;
+  return force.value > deviations * force.deviation;
+}
 
 /// Makes deviations small enough for the highest pressure to be certain.
 void scale_to_peak(std::vector<double>& deviations, std::span<const double> pressure) {
@@ -140,6 +145,38 @@ Uncertain without_smoothing(const Uncertain& radius, double variance) {
   const double least = std::sqrt(std::max(radius.value * radius.value - hertz * variance, 0.0));
   return {0.5 * (radius.value + least),
           std::hypot(radius.deviation, (radius.value - least) / std::sqrt(12.0))};
+}
+
+/// How far apart the taxels lie, in depths.
+double pitch_in_depths(const SkinArray& skin) {
+  const double y = !is_even(skin) || skin.rows > 1 ? skin.pitch_y : 0.0;
+  const double z = !is_even(skin) || skin.columns > 1 ? skin.pitch_z : 0.0;
+  return std::max(y, z) / least_depth(skin);
+}
+constexpr double far_apart = 1.75;       // what presses between them is little seen
+constexpr double too_far_apart = 2.001;  // and here no deviation holds it
+
+/// Where constraints leave a single row or column of cells, its place is what they have decided,
+/// not what the readings tell: the deviations are those of the cells beside it too, without
+/// constraints, and of a place anywhere in the width of a cell.
+void widen_centre(UncertainWrench& wrench, const SkinGrid& grid, std::span<const double> tractions,
+                  std::span<const std::size_t> cells, const Covariance& free, double rms) {
+  if (!wrench.centre_y || !wrench.centre_z) return;
+  std::vector<std::size_t> pressed;
+  for (const std::size_t cell : cells)
+    if (tractions[cell] != 0.0) pressed.push_back(cell);
+  const bool one_row = is_one_line(grid, pressed, false);
+  const bool one_column = is_one_line(grid, pressed, true);
+  if (!one_row && !one_column) return;
+  const UncertainWrench wider =
+      resultant_of(grid, tractions, with_neighbours(grid, pressed), free, rms);
+  const auto widen = [&](std::optional<Uncertain>& centre, const std::optional<Uncertain>& of_more,
+                         double spacing) {
+    centre->deviation = std::hypot(std::max(centre->deviation, of_more ? of_more->deviation : 0.0),
+                                   spacing / std::sqrt(12.0));
+  };
+  if (one_row) widen(wrench.centre_y, wider.centre_y, grid.spacing_y);
+  if (one_column) widen(wrench.centre_z, wider.centre_z, grid.spacing_z);
 }
 
 /// Bands, the cells that touch, and what the tractions amount to. Under constraints the contacts
@@ -182,16 +219,24 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
     scale_to_peak(touching, f.first(grid.count()));
     answer.cells = contact_cells(grid, f, touching, rim);
   }
-  if (answer.cells.empty()) return;
+  if (answer.cells.empty()) {
+    // What no cell is certain of may press beside the taxels that see.
+    widen_centre(answer.wrench, grid, f, summed, own, rms);
+    if (is_felt(answer.wrench.normal)) answer.unseen = unseen_share(f, summed, problem.unseen());
+    return;
+  }
   answer.unseen = unseen_share(f, answer.cells, problem.unseen());
   const bool seen = answer.unseen <= most_unseen;
   // Where no taxel sees, what constraints hold is not certain either.
   const SkinCovariance of_contact(problem.family(), alpha,
                                   contact_prior(prior, answer.cells.size(), grid.count(), seen));
-  // Nor where offsets are free: what they take the constraints give back, all of it to one side.
-  const bool held = seen && !problem.problem().unknown_offsets;
+  // Nor where offsets are free: what they take the constraints give back, all of it to one side;
+  // nor between taxels that lie far apart, where they decide how much presses.
+  const bool held = seen && !problem.problem().unknown_offsets &&
+                    pitch_in_depths(problem.scene().sensor) <= far_apart;
   const Covariance& known = of_face && held ? covariance : of_contact;
   answer.wrench = resultant_of(grid, f, answer.cells, known, rms);
+  widen_centre(answer.wrench, grid, f, answer.cells, of_contact, rms);
   answer.friction =
       friction_of(grid, f, answer.cells, known, rms, problem.scene().reconstruct.friction_limit);
   const auto apart = separate_contacts(grid, f, answer.cells);
@@ -216,16 +261,51 @@ void take_from_beyond(SkinAnswer& answer, SkinAnswer beyond) {
   answer.friction = std::move(beyond.friction);
 }
 
-}  // namespace
-
-std::span<const double> component(std::span<const double> values, const SkinGrid& grid,
-                                  SkinTraction which) {
-  const std::size_t first = static_cast<std::size_t>(which) * grid.count();
-  return first < values.size() ? values.subspan(first, grid.count()) : std::span<const double>{};
+/// Whether the largest reading is more than noise and beside what no taxel sees: what presses is
+/// there, or beyond.
+bool strongest_at_edge(const SkinSceneProblem& problem, std::span<const double> readings,
+                       double noise) {
+  constexpr double deviations = 4.0;  // of the largest of many honest readings
+  const SkinProblem& solved = problem.problem();
+  std::size_t strongest = 0;
+  double most = 0.0;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (const double size = std::abs(solved.weights[i] * readings[i]); size > most) {
+      most = size;
+      strongest = i;
+    }
+  if (!(most > deviations * noise)) return false;
+  const SkinSite& site = solved.sites[strongest];
+  const SkinGrid& grid = problem.grid();
+  const double reach =
+      std::max(grid.spacing_y, grid.spacing_z) + least_depth(problem.scene().sensor);
+  for (std::size_t cell = 0; cell < grid.count(); ++cell)
+    if (problem.unseen()[cell] && std::hypot(grid.y(cell / grid.columns) - site.y,
+                                             grid.z(cell % grid.columns) - site.z) <= reach)
+      return true;
+  return false;
 }
 
-SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
-                 const SkinAlphaChooser& choose) {
+/// That force's verdict which says most of it.
+void judge_force(SkinAnswer& answer, const SkinSceneProblem& problem,
+                 std::span<const double> readings) {
+  const bool solved =
+      answer.verdict != Verdict::iteration_limit && answer.verdict != Verdict::ill_conditioned;
+  const bool guessed =
+      answer.unseen > most_guessed || (answer.cells.empty() && answer.verdict != Verdict::ok &&
+                                       strongest_at_edge(problem, readings, answer.noise.rms()));
+  if (guessed && solved)
+    answer.verdict = Verdict::cut_off;
+  else if (answer.verdict == Verdict::ok &&
+           answer.wrench.normal.deviation > largest_force(problem, readings))
+    answer.verdict = Verdict::undetermined;
+  else if (answer.verdict == Verdict::ok && pitch_in_depths(problem.scene().sensor) > too_far_apart)
+    answer.verdict = Verdict::coarse;
+}
+
+/// Every reading is taken for what it says.
+SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double> readings,
+                         const SkinAlphaChooser& choose) {
   const FilterFrame frame = problem.family().analyse(readings);
   SkinAnswer answer{.alpha = alpha_of(problem, frame, choose)};
   answer.verdict = verdict_of(answer.alpha.verdict);
@@ -255,9 +335,43 @@ SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readin
   if (!answer.data.consistent()) answer.remarks.emplace_back(remark::DataDoubted{answer.data});
   add_bands(answer, problem, frame, face, readings);
   if (answer.unseen > most_unseen && !problem.scene().reconstruct.grid.margin)
-    take_from_beyond(answer, solve(problem.reaching_beyond(), readings));
-  if (answer.unseen > most_guessed && answer.verdict == Verdict::ok)
-    answer.verdict = Verdict::cut_off;
+    take_from_beyond(answer, solve_as_read(problem.reaching_beyond(), readings, {}));
+  judge_force(answer, problem, readings);
+  return answer;
+}
+
+std::vector<SignalReading> signal_readings(const SkinProblem& problem) {
+  std::vector<SignalReading> all;
+  for (const SkinSite& site : problem.sites)
+    all.push_back({site.quantity, site.taxel, site.channel});
+  return all;
+}
+
+}  // namespace
+
+std::span<const double> component(std::span<const double> values, const SkinGrid& grid,
+                                  SkinTraction which) {
+  const std::size_t first = static_cast<std::size_t>(which) * grid.count();
+  return first < values.size() ? values.subspan(first, grid.count()) : std::span<const double>{};
+}
+
+SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
+                 const SkinAlphaChooser& choose) {
+  const SkinScene& scene = problem.scene();
+  if (readings.size() != problem.problem().sites.size())
+    return solve_as_read(problem, readings, choose);  // which refuses them
+  const ClippedTaxels clipped = clipped_taxels(scene, signal_readings(problem.problem()), readings);
+  if (clipped.taxels.empty()) return solve_as_read(problem, readings, choose);
+  std::vector<std::size_t> dead = scene.dead_taxels;
+  dead.insert(dead.end(), clipped.taxels.begin(), clipped.taxels.end());
+  std::sort(dead.begin(), dead.end());
+  const bool left_out =
+      clipped.range_known && is_measured(scene.sensor, dead, scene.reconstruct.offset);
+  SkinAnswer answer = left_out ? solve_as_read(problem.left_with(dead), readings, {})
+                               : solve_as_read(problem, readings, choose);
+  answer.verdict = Verdict::clipped;
+  answer.remarks.emplace_back(remark::Clipped{
+      .taxels = clipped.taxels, .range_known = clipped.range_known, .left_out = left_out});
   return answer;
 }
 

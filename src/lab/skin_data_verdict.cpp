@@ -1,6 +1,7 @@
 #include "tactile_net/lab/skin_data_verdict.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tactile_net::lab {
 namespace {
@@ -27,6 +28,17 @@ DataLimits data_limits(const SkinSceneProblem& problem) {
   for (const SkinSite& site : sites(scene.sensor))
     limits.largest_readings.push_back(largest_reading(site, scene.material));
   return limits;
+}
+
+double largest_force(const SkinSceneProblem& problem, std::span<const double> readings) {
+  const SkinProblem& solved = problem.problem();
+  const DataLimits limits = data_limits(problem);
+  double strain = 0.0;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (solved.weights[i] > 0.0)
+      strain = std::max(strain, std::abs(readings[i]) / limits.largest_readings[i]);
+  return strain * problem.scene().material.youngs_modulus * solved.grid.area() *
+         static_cast<double>(solved.grid.count());
 }
 
 SkinDataJudge data_judge(const SkinSceneProblem& problem) {

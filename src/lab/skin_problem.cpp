@@ -1,6 +1,7 @@
 #include "tactile_net/lab/skin_problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,14 @@
 namespace tactile_net::lab {
 namespace {
 
+/// With what a converter's steps add to it; 0: it is not stated.
+double known_noise(const SkinScene& scene, SkinQuantity quantity) {
+  const auto stated = scene.noise->rms.find(quantity);
+  const double rms = stated == scene.noise->rms.end() ? 0.0 : stated->second;
+  if (!(rms > 0.0) || !scene.quantization) return rms;
+  return std::hypot(rms, step(*scene.quantization, quantity) / std::sqrt(12.0));
+}
+
 SkinProblemOptions options_of(const SkinScene& scene) {
   SkinProblemOptions options{.components = components(scene),
                              .smoothing_length = scene.reconstruct.smoothing_length,
@@ -18,7 +27,7 @@ SkinProblemOptions options_of(const SkinScene& scene) {
                              .unknown_offsets = scene.reconstruct.offset};
   if (scene.noise && scene.noise->weights_rows)
     for (const SkinChannel& channel : channels(scene.sensor))
-      options.channel_rms.push_back(scene.noise->rms.at(channel.quantity));
+      options.channel_rms.push_back(known_noise(scene, channel.quantity));
   return options;
 }
 
@@ -42,6 +51,7 @@ struct SkinSceneProblem::Parts {
   std::optional<SkinDataJudge> data_judge{};
   std::optional<std::vector<bool>> unseen{};
   std::optional<SkinSceneProblem> beyond{};
+  std::optional<std::pair<std::vector<std::size_t>, SkinSceneProblem>> rest{};
 };
 
 SkinSceneProblem::SkinSceneProblem(SkinScene scene)
@@ -67,13 +77,14 @@ const AlphaTables& SkinSceneProblem::alpha_tables(const FilterFrame& frame) cons
 }
 
 std::optional<double> SkinSceneProblem::stated_noise() const {
-  const auto& noise = parts_->scene.noise;
-  if (!noise) return std::nullopt;
-  if (noise->weights_rows) return 1.0;
-  const auto& reads = parts_->scene.sensor.reads;
-  const auto stated = reads.empty() ? noise->rms.end() : noise->rms.find(reads.front());
-  const double rms = stated != noise->rms.end() ? stated->second : 0.0;
-  return rms > 0.0 ? std::optional(rms) : std::nullopt;
+  const SkinScene& scene = parts_->scene;
+  if (!scene.noise) return std::nullopt;
+  if (scene.noise->weights_rows) return 1.0;
+  double squares = 0.0;
+  const std::vector<SkinChannel> all = channels(scene.sensor);
+  for (const SkinChannel& channel : all)
+    squares += std::pow(known_noise(scene, channel.quantity), 2) / static_cast<double>(all.size());
+  return squares > 0.0 ? std::optional(std::sqrt(squares)) : std::nullopt;
 }
 
 const std::optional<Constraints>& SkinSceneProblem::constraints() const noexcept {
@@ -133,6 +144,12 @@ SkinSceneProblem SkinSceneProblem::without(std::span<const std::size_t> taxels) 
   rest.parts_->problem = problem();
   leave_out(*rest.parts_->problem, dead);
   return rest;
+}
+
+const SkinSceneProblem& SkinSceneProblem::left_with(const std::vector<std::size_t>& taxels) const {
+  auto& made = parts_->rest;
+  if (!made || made->first != taxels) made.emplace(taxels, without(taxels));
+  return made->second;
 }
 
 }  // namespace tactile_net::lab

@@ -26,7 +26,10 @@ constexpr Named<Verdict> verdicts[] = {{Verdict::ok, "ok"},
                                        {Verdict::unconstrained, "unconstrained"},
                                        {Verdict::oversmoothed, "oversmoothed"},
                                        {Verdict::ill_conditioned, "ill_conditioned"},
-                                       {Verdict::inaccurate, "inaccurate"}};
+                                       {Verdict::inaccurate, "inaccurate"},
+                                       {Verdict::clipped, "clipped"},
+                                       {Verdict::undetermined, "undetermined"},
+                                       {Verdict::coarse, "coarse"}};
 constexpr Named<Condition::Kind> kinds[] = {{Condition::Kind::exact, "exact"},
                                             {Condition::Kind::bound, "bound"},
                                             {Condition::Kind::noise_gain, "noise_gain"}};

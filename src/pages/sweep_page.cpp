@@ -8,6 +8,7 @@
 
 #include "pages/parts.hpp"
 #include "tactile_net/drawing/html.hpp"
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/sweep_words.hpp"
 
@@ -39,7 +40,6 @@ constexpr Quantity quantities[] = {
 };
 
 constexpr std::size_t most_curves = 8;
-constexpr std::size_t most_values = 40;  // of an axis; beyond, there are points alone
 
 /// A repeat's number says nothing; text has no place on an axis.
 bool can_be_drawn(const Table& table, std::size_t axis) {
@@ -75,7 +75,8 @@ std::vector<Bundle> bundles(const Table& table, std::size_t axis) {
     for (const Bundle& bundle : by_method) {
       const std::string before = by_method.size() > 1 ? bundle.label + ", " : "";
       for (Part& part : sweep::by_value(bundle.rows, other))
-        finer.push_back({before + table.axes[other] + " = " + part.value, std::move(part.rows)});
+        finer.push_back(
+            {before + report::value_in_words(table, other, part.value), std::move(part.rows)});
     }
     if (finer.size() <= by_method.size() || finer.size() >= fewest) continue;
     fewest = finer.size();
@@ -97,7 +98,7 @@ Curve points(const Rows& rows, std::size_t axis, const Quantity& quantity) {
 
 Plot plot_over(const Table& table, std::size_t axis, const Quantity& quantity) {
   Plot plot{.title = table.axes[axis],
-            .x_label = table.axes[axis],
+            .x_label = report::axis_in_words(table, axis),
             .y_label = std::string(quantity.label),
             .x = {},
             .curves = {},
@@ -108,7 +109,7 @@ Plot plot_over(const Table& table, std::size_t axis, const Quantity& quantity) {
     if (!row.method.empty()) all.push_back(&row);
   const std::vector<Part> parts = sweep::by_value(all, axis);
   plot.logarithmic_x = spans_decades(parts);
-  if (parts.size() > most_values) {
+  if (parts.size() > sweep::most_listed_values) {
     for (const std::string& method : sweep::methods(table)) {
       Curve curve = points(sweep::of_method(table, method), axis, quantity);
       curve.label = method;
@@ -175,15 +176,16 @@ std::vector<report::Answer> answers(const Table& table) {
       best = &row;
   }
   std::vector<report::Answer> all = {
-      {std::to_string(table.points),
-       "points, " + std::to_string(table.rows.size()) + " rows: one for each point and method"},
+      {counted(table.points, "point"),
+       counted(table.rows.size(), "row") + ": one for each point and method"},
       {percent(static_cast<double>(trusted) / rows), "of the rows have the verdict ok",
        2 * trusted < table.rows.size()}};
-  if (failed > 0) all.push_back({std::to_string(failed), "rows have no answer", true});
+  if (failed > 0)
+    all.push_back({counted(failed, "row"), failed == 1 ? "has no answer" : "have no answer", true});
   if (best != nullptr) {
     std::string where = "is the smallest error: " + best->method;
     for (std::size_t i = 0; i < table.axes.size(); ++i)
-      where += ", " + table.axes[i] + " = " + best->values[i];
+      where += ", " + report::value_in_words(table, i, best->values[i]);
     all.push_back({percent(*best->error), where});
   }
   return all;
@@ -196,8 +198,7 @@ Page sweep_page(const Table& table, const Made& made) {
   Page page{.missing = figures.missing(), .files = figures.data()};
   page.files.insert(page.files.end(), figures.pictures().begin(), figures.pictures().end());
 
-  std::string html =
-      heading("", table.title, "a scene at " + std::to_string(table.points) + " points");
+  std::string html = heading("", table.title, "a scene at " + counted(table.points, "point"));
   html += answer_box(answers(table));
   if (!figures.missing().empty()) html += element("p", figures.missing(), "quiet");
   html += "<h2>How far from the truth</h2>\n" + figures.html("error");
@@ -207,11 +208,10 @@ Page sweep_page(const Table& table, const Made& made) {
   html += "<h2>Axis by axis</h2>\n";
   for (std::size_t axis = 0; axis < table.axes.size(); ++axis)
     for (const std::string& method : sweep::methods(table)) {
-      if (table.axes[axis] == sweep::repeat_key) continue;
-      const auto cells = report::value_cells(table, method, axis);
-      if (cells.size() < 2 || cells.size() > most_values + 1) continue;
+      const auto parts = sweep::by_value(sweep::of_method(table, method), axis);
+      if (!sweep::can_be_listed(table, axis, parts)) continue;
       html += "<details>" + element("summary", table.axes[axis] + ", " + method) +
-              drawing::html_table(cells) + "</details>\n";
+              drawing::html_table(report::value_cells(table, method, axis)) + "</details>\n";
     }
   if (const auto failures = report::failures_in_words(table); !failures.empty())
     html += "<h2>Without an answer</h2>\n" + drawing::html_list(failures);

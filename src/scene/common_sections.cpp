@@ -62,7 +62,7 @@ Material read_material(Table table, std::span<const double> depths, const Units&
 Timing read_time(Table table) {
   Timing timing;
   if (const auto rate = table.required("rate", "frames per second: rate = 100.0"))
-    timing.rate = rate->number(positive).value_or(timing.rate);
+    timing.rate = rate->number(positive, in_hertz).value_or(timing.rate);
   const auto duration = table.required(
       "duration", "seconds from the first frame to the last: duration = 1.0", {"frames"});
   const auto frames = table.value("frames");
@@ -71,7 +71,8 @@ Timing read_time(Table table) {
   } else if (frames) {
     timing.frames = static_cast<std::size_t>(frames->integer(1, most_frames).value_or(1));
   } else if (duration) {
-    const double last = duration->number(not_negative).value_or(0.0) * timing.rate + 1e-9;
+    const double last =
+        duration->number(not_negative, in_seconds).value_or(0.0) * timing.rate + 1e-9;
     if (last < static_cast<double>(most_frames))
       timing.frames = static_cast<std::size_t>(last) + 1;
     else

@@ -56,7 +56,7 @@ std::vector<KnotValues> read_knots(const Value& trajectory) {
   for (Table& table : *tables) {
     KnotValues knot;
     if (const auto t = table.required("t", "when, in seconds from the first frame: t = 0.5")) {
-      knot.time = t->number(not_negative).value_or(0.0);
+      knot.time = t->number(not_negative, in_seconds).value_or(0.0);
       if (!knots.empty() && knot.time <= knots.back().time)
         t->misfit("must be later than the knot before",
                   "a jump is two knots a moment apart: t = 1.0, then t = 1.001");

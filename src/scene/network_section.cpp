@@ -20,19 +20,20 @@ OpAmp read_opamp(Table table) {
   OpAmp opamp;
   if (const auto gain = table.value("gain")) opamp.gain = gain->number(positive);
   if (const auto bandwidth = table.value("bandwidth"))
-    opamp.bandwidth = bandwidth->number(positive);
+    opamp.bandwidth = bandwidth->number(positive, in_hertz);
   if (const auto pole = table.value("second_pole")) {
-    opamp.second_pole = pole->number(positive);
+    opamp.second_pole = pole->number(positive, in_hertz);
     if (!opamp.bandwidth)
       pole->problem("needs the first pole", "beside it, bandwidth = 10e6 (gain-bandwidth product)");
   }
-  if (const auto offset = table.value("offset")) opamp.offset = offset->number(any_number);
+  if (const auto offset = table.value("offset"))
+    opamp.offset = offset->number(any_number, in_volts);
   if (const auto noise = table.value("noise_voltage")) {
     opamp.noise_voltage = noise->number(positive);
     if (!opamp.bandwidth)
       noise->problem("has no size without a bandwidth that ends it", "beside it, bandwidth = 10e6");
   }
-  if (const auto rail = table.value("rail")) opamp.rail = rail->number(above_diodes);
+  if (const auto rail = table.value("rail")) opamp.rail = rail->number(above_diodes, in_volts);
   if (opamp.is_nullor()) opamp.gain = opamp.dc_gain();
   table.finish();
   return opamp;
@@ -117,11 +118,11 @@ NetworkOptions read_network(Table table, const Units& units, const Scene& scene)
   // Per unit of P and of a traction.
   number("siemens", parts.scale.siemens, inverse(alpha_unit(units, scene)));
   options.one_volt = !table.value("volts");
-  number("volts", parts.scale.volts, inverse(units.stress));
+  number("volts", parts.scale.volts, {"", units.stress.divisor, units.stress.multiplier});
   number("residual_gain", parts.residual_gain);
   number("divider", parts.divider);
-  number("frequency", parts.frequency);
-  number("device_volts", parts.device_volts);
+  number("frequency", parts.frequency, in_hertz);
+  number("device_volts", parts.device_volts, in_volts);
   if (const auto ratio = table.value("bandwidth_ratio"))
     parts.bandwidth_ratio = ratio->number(positive);
   if (const auto inverters = table.value("inverters"))

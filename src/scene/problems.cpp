@@ -41,6 +41,11 @@ void Problems::add_unknown(Place place, std::string message, std::string hint, U
   unknown_.push_back(std::move(key));
 }
 
+void Problems::note_unit(std::string_view path, std::string_view unit) {
+  const bool known = !units_.empty() && units_.back().first == path && units_.back().second == unit;
+  if (!known) units_.emplace_back(path, unit);  // once for all numbers of a list
+}
+
 std::string_view Problems::line(std::size_t number) const {
   if (number == 0 || number > line_starts_.size()) return {};
   const std::string_view rest = text_.substr(line_starts_[number - 1]);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tactile_net/scene/diagnostic.hpp"
@@ -47,6 +48,14 @@ class Problems {
   void add_unknown(Place place, std::string message, std::string hint, UnknownKey key);
   [[nodiscard]] const std::vector<UnknownKey>& unknown_keys() const noexcept { return unknown_; }
 
+  /// The unit that a number stands in, for who asks what a key is measured in.
+  void note_unit(std::string_view path, std::string_view unit);
+  /// As they were noted: paths, units; "" for what has none.
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string_view>>& units()
+      const noexcept {
+    return units_;
+  }
+
   /// What the file says from `from` up to `to`, if that is one line; a long text is cut.
   [[nodiscard]] std::string written(Place from, Place to) const;
 
@@ -64,6 +73,7 @@ class Problems {
   std::vector<std::size_t> line_starts_;
   std::vector<Diagnostic> diagnostics_;
   std::vector<UnknownKey> unknown_{};
+  std::vector<std::pair<std::string, std::string_view>> units_{};
   std::size_t left_off_ = 0;
 };
 

@@ -1,8 +1,10 @@
 #include "tactile_net/scene/scene_template.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "scene/document.hpp"
@@ -56,6 +58,24 @@ void set(toml::table& scene, const Setting& setting) {
   }
 }
 
+bool is_si(std::string_view unit) {
+  constexpr std::array dimensions{Dimension::length, Dimension::stress, Dimension::force,
+                                  Dimension::point_force};
+  return std::any_of(dimensions.begin(), dimensions.end(),
+                     [unit](Dimension one) { return si_unit(one) == unit; });
+}
+
+/// The unit of the numbers at and below a path; "" where they have several.
+std::string unit_at(const Problems& problems, std::string_view path, bool stated) {
+  std::optional<std::string_view> found;
+  for (const auto& [at, unit] : problems.units()) {
+    if (at != path && !(at.starts_with(path) && at[path.size()] == '.')) continue;
+    if (found && *found != unit) return {};
+    found = unit;
+  }
+  return found && (stated || !is_si(*found)) ? std::string(*found) : std::string();
+}
+
 /// A path as messages have it: lists of tables are called by their name alone.
 std::string without_indices(std::string_view key) {
   std::vector<std::string> names;
@@ -106,6 +126,19 @@ AnyScene SceneTemplate::with(std::span<const Setting> settings) const {
   AnyScene scene = scene_of(*this, settings, problems);
   problems.throw_if_any();
   return scene;
+}
+
+SceneTemplate::NumberUnits SceneTemplate::units(std::span<const Setting> settings) const {
+  Problems problems{file_.string(), without_byte_order_mark(text_)};
+  const AnyScene scene = scene_of(*this, settings, problems);
+  NumberUnits units;
+  const bool stated = std::visit([](const auto& one) { return one.units.has_value(); }, scene);
+  if (stated)
+    units.force = si_unit(std::holds_alternative<SkinScene>(scene) ? Dimension::point_force
+                                                                   : Dimension::force);
+  for (const Setting& setting : settings)
+    units.settings.push_back(unit_at(problems, without_indices(setting.key), stated));
+  return units;
 }
 
 std::vector<std::string> SceneTemplate::files() const {

@@ -36,7 +36,7 @@ class Reader : private EffectValues {
                 one.required("fraction", "the share of the modulus that relaxes: fraction = 0.3"))
           term.fraction = fraction->number(share).value_or(0.0);
         if (const auto time = one.required("time", "its relaxation time, seconds: time = 0.1"))
-          term.time = time->number(positive).value_or(1.0);
+          term.time = time->number(positive, in_seconds).value_or(1.0);
         one.finish();
         all += term.fraction;
         result.terms.push_back(term);
@@ -126,7 +126,7 @@ class Reader : private EffectValues {
         "change", "from the temperature of calibration, in kelvin: change = 10.0", {"trajectory"});
     if (change && trajectory)
       trajectory->problem("and temperature.change exclude each other", "keep one of the two");
-    if (change) result.change = {{0.0}, {change->number(any_number).value_or(0.0)}};
+    if (change) result.change = {{0.0}, {change->number(any_number, in_kelvin).value_or(0.0)}};
     if (trajectory) result.change = read_trajectory(*trajectory, sensor_.timed);
     table.finish();
     return result;
@@ -139,10 +139,10 @@ class Reader : private EffectValues {
         "cutoff", "the frequency of half the power, hertz: cutoff = 100.0", {"time_constant"});
     if (cutoff && constant)
       constant->problem("and low_pass.cutoff exclude each other", "keep one of the two");
-    if (constant) result.time_constant = constant->number(not_negative).value_or(0.0);
+    if (constant) result.time_constant = constant->number(not_negative, in_seconds).value_or(0.0);
     if (cutoff)
       result.time_constant =
-          1.0 / (2.0 * std::numbers::pi * cutoff->number(positive).value_or(1.0));
+          1.0 / (2.0 * std::numbers::pi * cutoff->number(positive, in_hertz).value_or(1.0));
     table.finish();
     return result;
   }
@@ -151,7 +151,7 @@ class Reader : private EffectValues {
     Sampling result;
     if (const auto aperture =
             table.required("aperture", "the length of the window, seconds: aperture = 1e-3")) {
-      result.aperture = aperture->number(not_negative).value_or(0.0);
+      result.aperture = aperture->number(not_negative, in_seconds).value_or(0.0);
       if (time && result.aperture > (1.0 + 1e-9) / time->rate)
         aperture->misfit("must be at most the time from frame to frame, 1 / time.rate",
                          "windows do not overlap");

@@ -128,7 +128,7 @@ SkinContactTrajectory read_knots(const Value& trajectory, const std::vector<Need
     SkinContactKnot knot{.contact = knots.empty() ? contact : knots.back().contact};
     const auto t = table.required("t", "when, in seconds from the first frame: t = 0.5");
     if (t) {
-      knot.time = t->number(not_negative).value_or(0.0);
+      knot.time = t->number(not_negative, in_seconds).value_or(0.0);
       if (!knots.empty() && knot.time <= knots.back().time)
         t->misfit("must be later than the knot before",
                   "a jump is two knots a moment apart: t = 1.0, then t = 1.001");

@@ -13,6 +13,7 @@
 #include "scene/sections.hpp"
 #include "scene/table.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/scene/bounded_text.hpp"
 
 namespace tactile_net {
@@ -24,6 +25,12 @@ constexpr Named<DrawKind> draw_kinds[] = {{DrawKind::random, "random"}, {DrawKin
 constexpr FileKind study_file{
     "study", "the smallest study is scene = \"pad.toml\" and one [[axis]] with key and values"};
 constexpr auto count_limit = static_cast<std::int64_t>(most_points);
+
+std::vector<std::string> named_by_default() {
+  std::vector<std::string> names;
+  for (const Kept kept : kept_by_default()) names.emplace_back(name(kept));
+  return names;
+}
 
 /// An axis, and where it stands.
 struct ReadAxis {
@@ -106,6 +113,27 @@ void read_draw(Table table, StudyFile& study) {
   if (const auto count = table.required("count", "how many: count = 64"))
     study.draws = static_cast<std::size_t>(count->integer(1, count_limit).value_or(1));
   table.finish();
+}
+
+/// In the order of columns, whatever the file's.
+std::vector<Kept> read_keep(const Value& value) {
+  const auto list = value.list("names");
+  if (!list) return {};
+  if (list->empty())
+    value.problem("must name something",
+                  "without keep, rows have " + join(named_by_default(), ", "));
+  std::vector<Kept> keep;
+  const std::vector<std::string_view> names = kept_names();
+  for (const Value& one : *list) {
+    const auto index = one.one_of("column", names);
+    if (!index) continue;
+    const auto kept = static_cast<Kept>(*index);
+    if (std::find(keep.begin(), keep.end(), kept) != keep.end())
+      one.problem("names " + in_quotes(names[*index]) + " twice", "remove one");
+    keep.push_back(kept);
+  }
+  std::sort(keep.begin(), keep.end());
+  return keep;
 }
 
 std::size_t size_of(const StudyAxis& axis) {
@@ -195,6 +223,7 @@ StudyFile read_study(const std::filesystem::path& path, const StudyOptions& opti
     study.seed = static_cast<std::uint64_t>(seed->integer(0, INT64_MAX).value_or(1));
   if (const auto repeats = root.value("repeats"))
     study.repeats = static_cast<std::size_t>(repeats->integer(1, count_limit).value_or(1));
+  if (const auto keep = root.value("keep")) study.keep = read_keep(*keep);
   if (const auto draw = table_of(root.value("draw"))) read_draw(*draw, study);
 
   std::vector<ReadAxis> axes;

@@ -16,11 +16,11 @@ PiecewiseLinear read_trajectory(const Value& trajectory, bool timed) {
   for (Table& knot : knots.value_or(std::vector<Table>{})) {
     const auto t = knot.required("t", "when, in seconds from the first frame: t = 0.5");
     const auto change = knot.required("change", "in kelvin: change = 10.0");
-    const double time = t ? t->number(not_negative).value_or(0.0) : 0.0;
+    const double time = t ? t->number(not_negative, in_seconds).value_or(0.0) : 0.0;
     if (t && !result.times.empty() && time <= result.times.back())
       t->misfit("must be later than the knot before");
     result.times.push_back(time);
-    result.values.push_back(change ? change->number(any_number).value_or(0.0) : 0.0);
+    result.values.push_back(change ? change->number(any_number, in_kelvin).value_or(0.0) : 0.0);
     knot.finish();
   }
   return result;

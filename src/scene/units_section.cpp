@@ -61,8 +61,8 @@ Unit alpha_unit(const Units& units, const Scene& scene) noexcept {
   const auto& reads = scene.sensor.reads;
   const bool weighted = scene.noise && scene.noise->weights_rows;
   if (!weighted && std::none_of(reads.begin(), reads.end(), is_strain)) return {};
-  const auto [name, multiplier, divisor] = inverse(units.stress);
-  return {name, multiplier * multiplier, divisor * divisor};
+  const Unit one = inverse(units.stress);
+  return {"", one.multiplier * one.multiplier, one.divisor * one.divisor};
 }
 
 }  // namespace tactile_net

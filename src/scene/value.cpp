@@ -72,6 +72,7 @@ void Value::misfit(std::string_view message, std::string hint) const {
 }
 
 std::optional<double> Value::number(const Rule& rule, const Unit& unit) const {
+  problems_->note_unit(path_, unit.name);
   std::optional<double> number;
   if (const auto* whole = node_->as_integer()) number = static_cast<double>(whole->get());
   if (const auto* real = node_->as_floating_point()) number = real->get();
@@ -89,7 +90,8 @@ std::optional<double> Value::number(const Rule& rule, const Unit& unit) const {
   }
   number = unit.to_si(*number);
   if (!std::isfinite(*number) || !rule.holds(*number)) {
-    misfit("is beyond what a double holds in SI, and is in " + std::string{unit.name});
+    misfit("is beyond what a double holds in SI" +
+           (unit.name.empty() ? "" : ", and is in " + std::string{unit.name}));
     return std::nullopt;
   }
   return number;

@@ -28,6 +28,12 @@ struct Rule {
   bool (*holds)(double number) noexcept;
 };
 
+// Of numbers that are measured in these whatever [units] states.
+inline constexpr Unit in_hertz{"Hz"};
+inline constexpr Unit in_kelvin{"K"};
+inline constexpr Unit in_seconds{"s"};
+inline constexpr Unit in_volts{"V"};
+
 inline constexpr Rule any_number{"", [](double) noexcept { return true; }};
 inline constexpr Rule positive{"must be > 0", [](double x) noexcept { return x > 0.0; }};
 inline constexpr Rule not_negative{"must be >= 0", [](double x) noexcept { return x >= 0.0; }};

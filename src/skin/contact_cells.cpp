@@ -60,6 +60,24 @@ std::vector<std::size_t> contact_cells(const SkinGrid& grid, std::span<const dou
   return cells;
 }
 
+bool is_one_line(const SkinGrid& grid, std::span<const std::size_t> cells, bool along_y) {
+  const auto line = [&](std::size_t cell) {
+    return along_y ? cell % grid.columns : cell / grid.columns;
+  };
+  return std::all_of(cells.begin(), cells.end(),
+                     [&](std::size_t cell) { return line(cell) == line(cells.front()); });
+}
+
+std::vector<std::size_t> with_neighbours(const SkinGrid& grid, std::span<const std::size_t> cells) {
+  std::vector<bool> taken(grid.count());
+  for (const std::size_t cell : cells)
+    around(grid, cell, [&](std::size_t next) { taken[next] = true; });
+  std::vector<std::size_t> all;
+  for (std::size_t cell = 0; cell < taken.size(); ++cell)
+    if (taken[cell]) all.push_back(cell);
+  return all;
+}
+
 std::vector<std::vector<std::size_t>> separate_contacts(const SkinGrid& grid,
                                                         std::span<const double> tractions,
                                                         std::span<const std::size_t> cells) {

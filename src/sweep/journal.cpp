@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view mark = "tactile-net sweep 1";
+constexpr std::string_view mark = "tactile-net sweep 2";
 constexpr std::string_view extension = ".journal";
 
 [[noreturn]] void refuse(const fs::path& file, std::size_t line, std::string message,
@@ -50,12 +50,17 @@ std::optional<JournalHead> take_head(std::string_view& text) {
   const auto second = next_line(text);
   if (!first || !second) return std::nullopt;
   const std::vector<std::string> said = fields(*first);
-  if (said.size() != 5 || said[0] != mark) return std::nullopt;
+  if (said.size() < 6 || said[0] != mark) return std::nullopt;
   const auto points = whole_number(said[3]);
   const std::vector<std::string> names = fields(*second);
   const auto seed = std::find(names.begin(), names.end(), "seed");
   if (!points || names.front() != "index" || seed == names.end()) return std::nullopt;
-  return JournalHead{said[1], said[2], *points, said[4], {names.begin() + 1, seed}};
+  JournalHead head{said[1], said[2], *points, said[4], {names.begin() + 1, seed}};
+  for (auto column = seed; column != names.end(); ++column)
+    if (const auto kept = kept_named(*column)) head.keep.push_back(*kept);
+  head.units = {{said.begin() + 6, said.end()}, said[5]};
+  if (head.units.axes.size() != head.axes.size()) return std::nullopt;
+  return head;
 }
 
 /// The same; nothing where its writer has just begun, or was stopped before it had.
@@ -96,25 +101,32 @@ JournalHead head_of(const Study& study) {
                    study.hash(),
                    study.points(),
                    study.title().empty() ? study.file() : study.title(),
-                   {}};
+                   {},
+                   study.keep(),
+                   study.units()};
   for (const Axis& axis : study.axes()) head.axes.push_back(axis.key);
   return head;
 }
 
 std::string text(const JournalHead& head) {
-  return std::string(mark) + ',' + head.version + ',' + head.hash + ',' +
-         std::to_string(head.points) + ',' + csv_quoted(head.title) + '\n' + header(head.axes) +
-         '\n';
+  std::string text = std::string(mark) + ',' + head.version + ',' + head.hash + ',' +
+                     std::to_string(head.points) + ',' + csv_quoted(head.title) + ',' +
+                     head.units.force;
+  for (const std::string& unit : head.units.axes) text += ',' + unit;
+  return text + '\n' + header(head.axes, head.keep) + '\n';
 }
 
-std::string lines(const std::vector<Row>& rows) {
+std::string lines(const std::vector<Row>& rows, const std::vector<Kept>& keep) {
   std::string text;
   for (std::size_t i = 0; i < rows.size(); ++i)
-    text += std::to_string(i + 1) + '/' + std::to_string(rows.size()) + ',' + csv(rows[i]) + '\n';
+    text +=
+        std::to_string(i + 1) + '/' + std::to_string(rows.size()) + ',' + csv(rows[i], keep) + '\n';
   return text;
 }
 
-std::string death_line(const Row& row) { return "0/0," + csv(row) + '\n'; }
+std::string death_line(const Row& row, const std::vector<Kept>& keep) {
+  return "0/0," + csv(row, keep) + '\n';
+}
 
 std::vector<fs::path> journals_in(const fs::path& folder) {
   std::error_code error;
@@ -168,7 +180,7 @@ void Rows::add(const fs::path& journal) {
   while (const auto text = next_line(rest)) {
     ++number;
     const auto line = line_in(*text);
-    if (!line || line->index >= head_.points || !row_in(line->row, head_.axes.size()))
+    if (!line || line->index >= head_.points || !row_in(line->row, head_.axes.size(), head_.keep))
       refuse(journal, number, "is no row of this sweep",
              "delete the line: its point is done again");
     if (line->parts == 0) {

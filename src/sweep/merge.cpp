@@ -9,9 +9,12 @@
 namespace tactile_net::sweep {
 
 MissingPoints::MissingPoints(std::size_t missing, std::size_t points, std::size_t first)
-    : std::runtime_error(std::to_string(missing) + " of " + std::to_string(points) +
-                         " points are missing, " + std::to_string(first) +
-                         " first: the same sweep again does what is missing") {}
+    : std::runtime_error(
+          (missing == 1
+               ? "point " + std::to_string(first) + " of " + std::to_string(points) + " is missing"
+               : std::to_string(missing) + " of " + std::to_string(points) +
+                     " points are missing, " + std::to_string(first) + " first") +
+          ": the same sweep again does what is missing") {}
 
 Table table(const Rows& rows) {
   const JournalHead& head = rows.head();
@@ -20,11 +23,16 @@ Table table(const Rows& rows) {
     while (rows.has(first)) ++first;
     throw MissingPoints(head.points - rows.done(), head.points, first);
   }
-  Table table{.title = head.title, .axes = head.axes, .points = head.points};
-  table.csv = header(head.axes) + '\n';
+  Table table{.title = head.title,
+              .study = head.hash,
+              .axes = head.axes,
+              .units = head.units,
+              .keep = head.keep,
+              .points = head.points};
+  table.csv = header(head.axes, head.keep) + '\n';
   for (const auto& [index, lines] : rows.points())
     for (const std::string& line : lines) {
-      table.rows.push_back(*row_in(line, head.axes.size()));
+      table.rows.push_back(*row_in(line, head.axes.size(), head.keep));
       (table.csv += line) += '\n';
     }
   table.sha256 = sha256_text(table.csv);

@@ -8,6 +8,7 @@
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/sensing/resultant.hpp"
 #include "tactile_net/sweep/row.hpp"
 #include "tactile_net/system/printable.hpp"
 
@@ -49,8 +50,16 @@ double mean_error(const lab::SkinExperiment& experiment) {
   return sum / static_cast<double>(found.size());
 }
 
-Row row_of(const Point& point, const lab::MethodResult& result) {
+/// One after the other.
+std::vector<double> both(std::vector<double> normal, const std::vector<double>& tangential) {
+  normal.insert(normal.end(), tangential.begin(), tangential.end());
+  return normal;
+}
+
+Row row_of(const Point& point, const lab::Experiment& experiment, const lab::MethodResult& result) {
   Row row = row_at(point);
+  row.readings = raw_numbers(experiment.scene, experiment.frame.readings);
+  row.truth = both(experiment.frame.truth.normal, experiment.frame.truth.tangential);
   row.method = name(result.method);
   row.verdict = lab::name(result.verdict);
   row.failure = one_line(without_paths(result.refusal));
@@ -60,6 +69,11 @@ Row row_of(const Point& point, const lab::MethodResult& result) {
   row.mean_error = result.normal.mean_abs;
   if (!result.tangential.traction.empty()) row.error_tangential = result.tangential.relative_l2;
   row.force = result.force;
+  const Resultant sum =
+      resultant_of(result.normal.traction, result.tangential.traction, surface(experiment.scene));
+  if (!result.tangential.traction.empty()) row.tangential_force = sum.tangential;
+  row.centre_y = sum.centre();
+  row.tractions = both(result.normal.traction, result.tangential.traction);
   if (result.condition) row.condition = result.condition->value;
   row.error_bound = result.error_bound;
   return row;
@@ -70,6 +84,8 @@ Row row_of(const Point& point, const lab::SkinExperiment& experiment) {
   Row row = row_at(point);
   row.method = name(Method::tikhonov);
   row.failure = one_line(without_paths(experiment.refusal));
+  row.readings = raw_numbers(experiment.scene, experiment.frame.readings);
+  row.truth = experiment.frame.truth;
   if (!experiment.answer) return row;
   const lab::SkinAnswer& answer = *experiment.answer;
   row.verdict = lab::name(answer.verdict);
@@ -78,6 +94,12 @@ Row row_of(const Point& point, const lab::SkinExperiment& experiment) {
   row.error_tangential = std::hypot(experiment.relative[1], experiment.relative[2]);
   row.mean_error = mean_error(experiment);
   row.force = answer.wrench.normal.value;
+  const UncertainWrench& wrench = answer.wrench;
+  if (wrench.tangential_y && wrench.tangential_z)
+    row.tangential_force = std::hypot(wrench.tangential_y->value, wrench.tangential_z->value);
+  if (wrench.centre_y) row.centre_y = wrench.centre_y->value;
+  if (wrench.centre_z) row.centre_z = wrench.centre_z->value;
+  row.tractions = answer.tractions;
   row.condition = answer.condition;
   return row;
 }
@@ -123,7 +145,7 @@ std::vector<Row> solve(const Study& study, std::size_t index, Simulator& simulat
     Tidy tidy(simulator);
     const lab::Experiment experiment = lab::run(std::get<Scene>(scene), tidy);
     for (const lab::MethodResult& result : experiment.results)
-      rows.push_back(row_of(point, result));
+      rows.push_back(row_of(point, experiment, result));
     return rows;
   } catch (const InputError& error) {
     return {failed_row(point, messages(error))};

@@ -79,6 +79,11 @@ std::string hash_of(const StudyFile& file, const std::vector<Axis>& axes) {
     text += axis.key + (axis.drawn ? " drawn\n" : "\n");
     for (const AxisValue& value : axis.values) text += ' ' + value.toml + '\n';
   }
+  if (file.keep != kept_by_default()) {
+    text += "keep";
+    for (const Kept kept : file.keep) (text += ' ') += name(kept);
+    text += '\n';
+  }
   std::vector<std::string> files = file.scene.files();
   for (const Axis& axis : axes)
     if (std::find(file_keys.begin(), file_keys.end(), axis.key) != file_keys.end())
@@ -86,6 +91,19 @@ std::string hash_of(const StudyFile& file, const std::vector<Axis>& axes) {
   for (const std::string& name : files)
     text += "file " + name + ' ' + file_hash(file.scene, name) + '\n';
   return sha256_text(text);
+}
+
+/// @param point  of the study: a unit is the same at all of them, unless it is an axis itself
+SweepUnits units_of(const StudyFile& file, const std::vector<Axis>& axes, const Point& point) {
+  std::vector<Setting> settings;
+  for (std::size_t i = 0; i < file.axes.size(); ++i)
+    settings.push_back({axes[i].key, point.values[i].toml});
+  auto found = file.scene.units(settings);
+  found.settings.resize(axes.size());  // a repeat has none
+  const bool vary = std::any_of(axes.begin(), axes.end(),
+                                [](const Axis& axis) { return axis.key.starts_with("units."); });
+  if (vary) std::fill(found.settings.begin(), found.settings.end(), "");
+  return {std::move(found.settings), std::move(found.force)};
 }
 
 /// A seed of the scene, and the key that sets it.
@@ -117,6 +135,7 @@ Study::Study(StudyFile file) : file_(std::move(file)), axes_(axes_of(file_)) {
   for (const Axis& axis : axes_)
     if (!axis.drawn) points_ *= axis.values.size();
   points_ *= std::max<std::size_t>(1, file_.draws);
+  units_ = units_of(file_, axes_, point(0));
   hash_ = hash_of(file_, axes_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "tactile_net/numeric/number_text.hpp"
 
@@ -66,6 +67,17 @@ std::vector<Part> by_value(std::span<const Row* const> rows, std::size_t axis) {
     std::stable_sort(parts.begin(), parts.end(),
                      [](const Part& a, const Part& b) { return *a.number < *b.number; });
   return parts;
+}
+
+bool can_be_listed(const Table& table, std::size_t axis, const std::vector<Part>& parts) {
+  return table.axes[axis] != repeat_key && !parts.empty() && parts.size() <= most_listed_values;
+}
+
+std::size_t failed_points(const Table& table) {
+  std::set<std::size_t> answered;
+  for (const Row& row : table.rows)
+    if (row.verdict != "failed") answered.insert(row.index);
+  return table.points - answered.size();
 }
 
 std::vector<std::pair<std::string, std::size_t>> failures(const Table& table) {

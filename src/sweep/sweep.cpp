@@ -153,9 +153,10 @@ class Supervisor {
     const Descriptor file(open_journal(journal, study_));
     const int error =
         file.open()
-            ? append(file.get(), death_line(failed_row(
-                                     study_.point(index),
-                                     "its worker died, " + std::to_string(most_deaths) + " times")))
+            ? append(file.get(), death_line(failed_row(study_.point(index),
+                                                       "its worker died, " +
+                                                           std::to_string(most_deaths) + " times"),
+                                            study_.keep()))
             : errno;
     if (error != 0) fail_to_write(journal, error);
     ++progress_.done;

@@ -57,7 +57,7 @@ void serve(const Study& study, const std::filesystem::path& journal,
     for (std::size_t i = 0; i < static_cast<std::size_t>(got) / sizeof points[0]; ++i) {
       Report report{points[i], no_file};
       if (report.error == 0)
-        report.error = append(file, lines(solve(study, points[i], *simulator)));
+        report.error = append(file, lines(solve(study, points[i], *simulator), study.keep()));
       if (!send(report) || report.error != 0) return;
     }
   }

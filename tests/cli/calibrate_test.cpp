@@ -338,7 +338,7 @@ TEST_CASE("a calibration never replaces what it reads", "[cli][calibrate]") {
     const ProcessResult result = tool(command);
     CHECK(result.code == 2);
     CHECK_THAT(result.errors,
-               ContainsSubstring(outputs.size() > 2 ? "that -o names" : "that is read"));
+               ContainsSubstring(outputs.size() > 2 ? "need one each" : "that is read"));
   }
   CHECK(read_text(log) == read_text(log_of("rod-layer")));
   CHECK(read_text(nominal) == read_text(nominal_of("rod-layer")));

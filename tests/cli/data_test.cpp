@@ -55,7 +55,7 @@ TEST_CASE("solve says of every frame whether its readings can be true", "[cli]")
   const ProcessResult unit = solve(frames([](double g, std::size_t) { return 1e9 * g; }));
   CHECK(unit.code == 0);
   CHECK(number(unit) == "1");
-  CHECK_THAT(unit.errors, ContainsSubstring("1 of 1 frames have readings to be doubted"));
+  CHECK_THAT(unit.errors, ContainsSubstring("1 of 1 frame has readings to be doubted"));
 
   CHECK(number(solve(frames([](double g, std::size_t) { return -g; }))) == "2");
   CHECK(number(solve(frames([](double g, std::size_t) { return g - 3.0; }))) == "4");

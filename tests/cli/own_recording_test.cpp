@@ -140,7 +140,7 @@ TEST_CASE("a frame of which nothing is left has no estimate", "[cli][missing]") 
       tool({"solve", path, "--readings", "-", "--missing", "estimate"},
            head() + row(0) + row(1, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}) + row(2, {1}));
   CHECK(result.code == 0);
-  CHECK_THAT(result.errors, ContainsSubstring("1 of 3 frames miss readings, and their rows") &&
+  CHECK_THAT(result.errors, ContainsSubstring("1 of 3 frames misses readings, and its row") &&
                                 ContainsSubstring("solved from the other taxels: frame 2"));
   CHECK(fields(result.output)[1] ==
         std::vector<std::string>{"1", "", "", "", "", "", "", "", "", "", "", ""});
@@ -194,7 +194,7 @@ TEST_CASE("NaN in a .npy is missing as in CSV, and an empty row is one of NaN", 
       solved({"--missing", "skip"}, path, "stress_x_0,stress_x_1,stress_x_2\n1,2,3\n4,NaN,6\n");
   const ProcessResult again =
       tool({"solve", path, "--readings", folder / "f.npy", "--missing", "skip"});
-  CHECK_THAT(again.errors, ContainsSubstring("1 of 2 frames miss readings"));
+  CHECK_THAT(again.errors, ContainsSubstring("1 of 2 frames misses readings"));
   CHECK(tool({"solve", path, "--readings", file, "--missing", "skip"}).output == csv);
 }
 

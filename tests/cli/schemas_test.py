@@ -173,6 +173,14 @@ with tempfile.TemporaryDirectory() as place:
                      'youngs_modulus = 1.0\npoisson_ratio = 0.3\n[[contact]]\nshape = "cylinder"\n'
                      'half_width = 1.0\nforce = 1.0\n[reconstruct]\nalpha = 1e-3\n')
     check("tradeoff", written("tradeoff", small), "tradeoff")
+    study = place / "study.toml"
+    study.write_text('scene = "small.toml"\nrepeats = 2\nkeep = ["error", "tractions"]\n'
+                     '[[axis]]\nkey = "sensor.depth"\nvalues = [1, 2]\n'
+                     '[[axis]]\nkey = "material.poisson_ratio"\nvalues = [0.3, 0.7]\n')
+    check("sweep", written("sweep", study, "-q", "-o", place / "swept"), "half of a study fails")
+    small.write_text("[units]\n" + small.read_text())
+    check("sweep", written("sweep", study, "-q", "-o", place / "units"), "in SI")
+    check("sweep", written("merge", place / "units", "-q"), "merged")
 
 kinds = {name.removesuffix(".json") for name in schemas.keys() - shared}
 if kinds != seen:

@@ -214,7 +214,7 @@ TEST_CASE("a bad .npy is refused in words", "[cli]") {
       {npy("{'descr': '<f8', 'fortran_order': False}", {1}), "has the shape"},
       {npy(shape("(1, 2)"), {1, 2}), "has 2 columns, the scene reads 3"},
       {npy(shape("(2, 3)"), {1, 2, 3, 4}), "ends within frame 1 of 2"},
-      {npy(shape("(1, 3)"), {1, 2, 3, 4}), "goes on after the 1 frames"},
+      {npy(shape("(1, 3)"), {1, 2, 3, 4}), "goes on after the 1 frame of its header"},
       {npy(shape("(2, 3)"), {1, 2, 3, 4, nan, 6}), "frame 1: column 1 (stress_x_1) is not finite"},
       {npy(shape("(1, 3)"), {}).substr(0, 30), "header that is cut off"},
   }));

@@ -128,7 +128,7 @@ TEST_CASE("simulate and run of a skin go through its effects", "[cli][skin]") {
       tool({"simulate", path, "-o", folder / "g.csv", "--json", folder / "s"});
   CAPTURE(simulated.errors);
   REQUIRE(simulated.code == 0);
-  CHECK_THAT(simulated.errors, ContainsSubstring("saturation cuts readings off in 1 of 1 frames"));
+  CHECK_THAT(simulated.errors, ContainsSubstring("saturation cuts readings off in 1 of 1 frame"));
   const std::string csv = read_text(folder / "g.csv");
   const std::vector<double> readings = numbers(csv.substr(csv.find('\n') + 1));
   CHECK(*std::max_element(readings.begin(), readings.end()) == 1.0);
@@ -165,7 +165,7 @@ TEST_CASE("solve of a skin: what --missing says becomes of frames", "[cli][skin]
   const ProcessResult skipped = solve("skip");
   CAPTURE(skipped.errors);
   REQUIRE(skipped.code == 0);
-  CHECK_THAT(skipped.errors, ContainsSubstring("1 of 3 frames miss readings, and their rows are "
+  CHECK_THAT(skipped.errors, ContainsSubstring("1 of 3 frames misses readings, and its row is "
                                                "empty: frame 1"));
   Json json = Json::parse(read_text(folder / "s"));
   CHECK(json["frames"][1]["verdict"] == "failed");

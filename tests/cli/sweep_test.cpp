@@ -3,7 +3,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "tactile_net/numeric/sha256.hpp"
@@ -11,6 +13,7 @@
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
+using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 namespace {
@@ -81,6 +84,108 @@ TEST_CASE("sweep writes rows, their hash and a page", "[cli][sweep]") {
   const ProcessResult again = sweep.run();
   CHECK(again.code == 0);
   CHECK(again.output == result.output);
+}
+
+TEST_CASE("a sweep's JSON is what its rows come to, in the folder and where it is asked for",
+          "[cli][sweep]") {
+  const Sweep sweep;
+  const ProcessResult first = sweep.run({"--json", "-"});
+  CAPTURE(first.errors);
+  REQUIRE(first.code == 0);
+  const Json json = Json::parse(first.output);
+  CHECK(first.output == read_text(sweep.out + "/result.json"));
+  CHECK(json["kind"] == "sweep");
+  CHECK(json["title"] == "Depths");
+  CHECK(json["points"] == 20);
+  CHECK(json["points_failed"] == 0);
+  CHECK(json["points_resumed"] == 0);
+  CHECK(json["results"]["rows"] == 40);
+  CHECK(json["results"]["sha256"] == sha256_text(sweep.csv()));
+  CHECK(json["axes"].size() == 2);
+  CHECK(json["axes"][0]["key"] == "sensor.depth");
+  CHECK(json["axes"][0]["unit"].is_null());  // the scene states none
+  REQUIRE(json["methods"].size() == 2);
+  for (const Json& method : json["methods"]) {
+    CHECK(method["rows"] == 20);
+    REQUIRE(method["axes"].size() == 1);  // a repeat's number says nothing
+    const Json& values = method["axes"][0]["values"];
+    REQUIRE(values.size() == 5);
+    CHECK(values[0]["value"] == "0.5");
+    double largest = 0.0;
+    for (const Json& value : values) {
+      CHECK(value["rows"] == 4);
+      largest = std::max(largest, value["largest_error"].get<double>());
+    }
+    CHECK(largest == method["largest_error"]);
+  }
+
+  const ProcessResult again = sweep.run({"--json", sweep.folder / "again.json"});
+  CHECK(again.code == 0);
+  CHECK_THAT(again.output, ContainsSubstring("SHA-256"));
+  CHECK(Json::parse(read_text(sweep.folder / "again.json"))["points_resumed"] == 20);
+  const ProcessResult merged =
+      tool({"merge", sweep.out, "--out", sweep.folder / "m", "--json", "-"});
+  CHECK(Json::parse(merged.output)["points_resumed"].is_null());
+  CHECK(Json::parse(merged.output)["methods"] == json["methods"]);
+  const ProcessResult part = sweep.run({"--shard", "1/2", "--json", "-"}, "part");
+  CHECK(part.code == 2);
+  CHECK_THAT(part.errors, ContainsSubstring("it is for merge"));
+  CHECK_FALSE(fs::exists(sweep.folder / "part"));
+}
+
+TEST_CASE("the units that a scene states stand on a sweep's axes", "[cli][sweep]") {
+  const Sweep sweep;
+  (void)sweep.folder.write("pad.toml", "[units]\nlength = \"mm\"\nstress = \"kPa\"\n" + pad);
+  (void)sweep.folder.write("study.toml",
+                           study + "[[axis]]\nkey = \"noise.rms\"\nvalues = [0.01, 0.1]\n");
+  const ProcessResult result = sweep.run({"--json", "-"});
+  REQUIRE(result.code == 0);
+  const Json json = Json::parse(result.output);
+  CHECK(json["axes"][0]["unit"] == "mm");
+  CHECK(json["axes"][1]["unit"] == "kPa");
+  CHECK(json["axes"][2]["unit"].is_null());
+  CHECK(json["units"]["force"] == "N/m");
+  const std::string page = read_text(sweep.out + "/report.html");
+  CHECK_THAT(page, ContainsSubstring("sensor.depth [mm]") && ContainsSubstring("noise.rms [kPa]") &&
+                       ContainsSubstring("noise.rms = 0.01 kPa"));
+  CHECK(sweep.csv().starts_with("index,sensor.depth,noise.rms,repeat,"));  // keys, bare
+}
+
+TEST_CASE("rows have what a study keeps, and its page draws what there is", "[cli][sweep]") {
+  const Sweep sweep;
+  (void)sweep.folder.write("study.toml", "keep = [\"readings\", \"force\"]\n" + study);
+  REQUIRE(sweep.run().code == 0);
+  const std::string csv = sweep.csv();
+  CHECK(
+      csv.starts_with("index,sensor.depth,repeat,seed,method,verdict,force,failure,version,"
+                      "instructions,readings\n"));
+  const std::string last = csv.substr(csv.rfind(','));
+  CHECK(std::count(last.begin(), last.end(), ' ') == 40);  // 41 taxels
+  CHECK_FALSE(fs::exists(sweep.out + "/error-1.csv"));
+}
+
+TEST_CASE("a sweep without a single answer is written, and has failed", "[cli][sweep]") {
+  const Sweep sweep;
+  (void)sweep.folder.write("study.toml",
+                           "scene = \"pad.toml\"\n"
+                           "[[axis]]\nkey = \"sensor.depth\"\nvalues = [-1.0, -2.0]\n");
+  const std::string why =
+      "no point has an answer; the first, sensor.depth = -1: sensor.depth must be > 0";
+  for (int i = 0; i < 2; ++i) {
+    const ProcessResult result = sweep.run();
+    CHECK(result.code == 1);
+    CHECK_THAT(result.errors, ContainsSubstring(why));
+    CHECK_THAT(result.output, ContainsSubstring("2 rows: sensor.depth must be > 0"));
+  }
+  CHECK(sweep.csv().find("sensor.depth must be > 0") != std::string::npos);
+  const ProcessResult merged = tool({"merge", sweep.out, "--json", "-"});
+  CHECK(merged.code == 1);
+  CHECK_THAT(merged.errors, ContainsSubstring(why));
+  CHECK(Json::parse(merged.output)["points_failed"] == 2);
+  (void)sweep.folder.write("study.toml",
+                           "scene = \"pad.toml\"\n"
+                           "[[axis]]\nkey = \"sensor.depth\"\nvalues = [-1.0, 1.0]\n");
+  CHECK(sweep.run({}, "half").code == 0);
 }
 
 TEST_CASE("shards are merged when all are there, from one folder or from several", "[cli][sweep]") {

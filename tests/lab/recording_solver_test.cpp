@@ -1,7 +1,9 @@
 #include "tactile_net/lab/recording_solver.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <variant>
 #include <vector>
 
 #include "tactile_net/lab/simulated_frame.hpp"
@@ -101,6 +103,43 @@ TEST_CASE("whoever observes a simulation hears every frame, and may end it", "[l
   Steps some(3);
   CHECK_THROWS(simulate(pressed(), some));
   CHECK(some.frames.size() == 3);
+}
+
+TEST_CASE("taxels at the end of a line's range are left out, as if dead",
+          "[lab][recording][clipped]") {
+  Scene scene = pressed();
+  std::vector<double> readings = frame_of(scene);
+  const double limit = 0.7 * *std::max_element(readings.begin(), readings.end());
+  std::vector<std::size_t> beyond;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (readings[i] >= limit) beyond.push_back(i);
+  REQUIRE(beyond.size() >= 5);
+  for (double& reading : readings) reading = std::min(reading, limit);
+
+  // Nobody states the range: they are named, and taken for what they say.
+  const std::vector<double> clipped = readings;
+  RecordingSolver guessing(SceneProblem(scene), Method::tikhonov);
+  std::vector<double> found(guessing.tractions());
+  auto result = guessing.solve(readings, found);
+  REQUIRE(result);
+  CHECK(result->verdict == Verdict::clipped);
+  CHECK(readings == clipped);
+  REQUIRE(std::holds_alternative<remark::Clipped>(result->remarks.back()));
+  CHECK(std::get<remark::Clipped>(result->remarks.back()).taxels == beyond);
+  CHECK_FALSE(std::get<remark::Clipped>(result->remarks.back()).left_out);
+
+  scene.saturation = Saturation{.range = {{Quantity::stress_x, {-limit, limit}}}};
+  RecordingSolver knowing(SceneProblem(scene), Method::tikhonov);
+  result = knowing.solve(readings, found);
+  REQUIRE(result);
+  CHECK(result->verdict == Verdict::clipped);
+  CHECK(std::get<remark::Clipped>(result->remarks.back()).left_out);
+  CHECK(knowing.solved().estimated.count() == 0);
+  scene.dead_taxels = beyond;
+  const auto without = make_solver(scene, Method::tikhonov);
+  std::vector<double> expected(without->tractions());
+  REQUIRE(without->solve(readings, expected).status == FrameStatus::ok);
+  CHECK(found == expected);
 }
 
 }  // namespace tactile_net::lab

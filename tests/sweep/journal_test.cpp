@@ -35,8 +35,8 @@ struct Journals {
   StudyFolder folder;
   sweep::Study study = folder.study(two_points);
   std::string head = sweep::text(sweep::head_of(study));
-  std::string first = sweep::lines(rows_of(study, 0));
-  std::string second = sweep::lines(rows_of(study, 1));
+  std::string first = sweep::lines(rows_of(study, 0), study.keep());
+  std::string second = sweep::lines(rows_of(study, 1), study.keep());
 
   [[nodiscard]] sweep::Rows read(const std::string& name) const {
     sweep::Rows rows(sweep::head_of(study));
@@ -95,20 +95,20 @@ TEST_CASE("points that no journal has are counted, and the first is named", "[sw
   const Journals journals;
   journals.folder.write("a.journal", journals.head + journals.second);
   CHECK_THROWS_AS(journals.merged(), sweep::MissingPoints);
-  CHECK_THROWS_WITH(journals.merged(), StartsWith("1 of 2 points are missing, 0 first"));
+  CHECK_THROWS_WITH(journals.merged(), StartsWith("point 0 of 2 is missing"));
 }
 
 TEST_CASE("half of a point's methods are not the point", "[sweep]") {
   const Journals journals;
   const std::string half = journals.second.substr(0, journals.second.find('\n') + 1);
   journals.folder.write("a.journal", journals.head + journals.first + half);
-  CHECK_THROWS_WITH(journals.merged(), StartsWith("1 of 2 points are missing, 1 first"));
+  CHECK_THROWS_WITH(journals.merged(), StartsWith("point 1 of 2 is missing"));
 }
 
 TEST_CASE("an answer counts more than a worker's death, in any order", "[sweep]") {
   const Journals journals;
-  const std::string death =
-      sweep::death_line(sweep::failed_row(journals.study.point(1), "its worker died"));
+  const std::string death = sweep::death_line(
+      sweep::failed_row(journals.study.point(1), "its worker died"), journals.study.keep());
   journals.folder.write("a.journal", journals.head + journals.first + death);
   CHECK(journals.merged().rows.back().failure == "its worker died");
   journals.folder.write("b.journal", journals.head + journals.second);
@@ -140,9 +140,9 @@ TEST_CASE("journals of other studies, other versions and others' files are refus
              ContainsSubstring("a.journal:3: error: is no row of this sweep"));
   CHECK_THAT(refusal(journals.head + std::string(40, '\0') + '\n'),
              ContainsSubstring("is no row of this sweep"));
-  CHECK_THAT(
-      refusal(journals.head + journals.first + sweep::lines(rows_of(journals.study, 0, 0.6))),
-      ContainsSubstring("has another answer to point 0"));
+  CHECK_THAT(refusal(journals.head + journals.first +
+                     sweep::lines(rows_of(journals.study, 0, 0.6), kept_by_default())),
+             ContainsSubstring("has another answer to point 0"));
   CHECK(refusal(journals.head + journals.first).empty());
 }
 

@@ -87,9 +87,10 @@ std::string by_hand(const sweep::Study& study) {
   const auto simulator = lab::make_simulator();
   std::vector<std::string> axes;
   for (const sweep::Axis& axis : study.axes()) axes.push_back(axis.key);
-  std::string csv = sweep::header(axes) + '\n';
+  std::string csv = sweep::header(axes, study.keep()) + '\n';
   for (std::size_t i = 0; i < study.points(); ++i)
-    for (const sweep::Row& row : sweep::solve(study, i, *simulator)) csv += sweep::csv(row) + '\n';
+    for (const sweep::Row& row : sweep::solve(study, i, *simulator))
+      csv += sweep::csv(row, study.keep()) + '\n';
   return csv;
 }
 
@@ -231,7 +232,7 @@ TEST_CASE("a point that its workers die of is a row that says so, and the others
   const sweep::Table table = merged(folder / "out");
   REQUIRE(table.rows.size() == 6);
   for (const sweep::Row& row : table.rows) {
-    CAPTURE(sweep::csv(row));
+    CAPTURE(sweep::csv(row, table.keep));
     CHECK(row.failure == (row.index % 3 == 1 ? "its worker died, 3 times" : ""));
   }
   CHECK(swept(study, folder / "out", options).earlier == 6);
@@ -247,8 +248,8 @@ TEST_CASE("a simulator that fails is the same row every time, and leaves nothing
   lab::SimulatorChoice choice;
   choice.ngspice.program = "true";
   const auto simulator = lab::make_simulator(choice);
-  const std::string row = sweep::csv(sweep::solve(study, 0, *simulator).at(0));
-  CHECK(row == sweep::csv(sweep::solve(study, 0, *simulator).at(0)));
+  const std::string row = sweep::csv(sweep::solve(study, 0, *simulator).at(0), study.keep());
+  CHECK(row == sweep::csv(sweep::solve(study, 0, *simulator).at(0), study.keep()));
   CHECK(fs::is_empty(folder / "tmp"));
   ::unsetenv("TMPDIR");
   CHECK_THAT(row, ContainsSubstring("network,0.001,failed,,,,,,,"));

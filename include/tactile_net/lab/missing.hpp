@@ -27,6 +27,10 @@ enum class Missing {
 [[nodiscard]] std::string_view name(Missing missing) noexcept;
 [[nodiscard]] std::optional<Missing> missing_named(std::string_view name) noexcept;
 
+/// Whether frames can be solved without some taxels: a method that knows dead ones, of an array
+/// that has a matrix.
+[[nodiscard]] bool can_leave_out(const SceneProblem& problem, Method method);
+
 /// Solves each frame from the taxels whose readings are all there: a taxel that misses one is dead
 /// in that frame, with all its channels, and the answer is that of the scene with these taxels
 /// under [dead_taxels] too. What a pattern of missing taxels needs is made once and kept, in

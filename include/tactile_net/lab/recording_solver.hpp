@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "tactile_net/lab/finding.hpp"
 #include "tactile_net/lab/method.hpp"
@@ -20,6 +21,7 @@
 #include "tactile_net/lab/repeating_taxels.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
 #include "tactile_net/lab/summary.hpp"
+#include "tactile_net/sensing/effects/signal_layout.hpp"
 
 namespace tactile_net::lab {
 
@@ -41,9 +43,11 @@ class RecordingSolver {
   /// What holds before any frame.
   [[nodiscard]] Remarks remarks() const { return solver_->remarks(); }
 
-  /// The next frame, with the verdict of its readings.
+  /// The next frame, with the verdict of its readings. Taxels at the end of a range that the scene
+  /// states are left out, by methods that can (clipped_taxels.hpp).
   ///
-  /// @param readings   channels x count; where values may be missing NaN is one, and 0 afterwards
+  /// @param readings   channels x count; where values may be missing NaN is one; 0 afterwards of
+  ///                   taxels that are left out
   /// @param tractions  `tractions()` values [Pa]; untouched unless there is an answer
   /// @return  absent: values are missing, and the frame has no answer. A status that is not ok: the
   ///          frame is bad, and does not count
@@ -60,9 +64,10 @@ class RecordingSolver {
 
  private:
   SceneProblem problem_;
+  std::vector<SignalReading> sites_;
   Missing missing_;
   std::unique_ptr<FrameSolver> solver_;
-  std::unique_ptr<IncompleteFrames> incomplete_;  // where missing values are estimated
+  std::unique_ptr<IncompleteFrames> incomplete_;  // where taxels may be left out
   RepeatingTaxels repeating_;
   DataMemory memory_{};  // of `problem_`
   SolvedFrames solved_{};

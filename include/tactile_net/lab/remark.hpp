@@ -59,6 +59,11 @@ struct ModelError {
   double times = 0.0;  ///< the noise stated
   bool held = false;   ///< by the bands, as if it were noise
 };
+struct Clipped {
+  std::vector<std::size_t> taxels{};  ///< that read the end of their range, rising
+  bool range_known = false;           ///< the scene states it
+  bool left_out = false;              ///< the answer is that of the others
+};
 struct DataDoubted {
   DataVerdict data{};  ///< not consistent
 };
@@ -80,7 +85,7 @@ using Remark =
                  remark::CutOff, remark::NotOneContact, remark::DragInNoise, remark::NullMode,
                  remark::NotConverged, remark::IterationLimit, remark::NoBands, remark::Unexplained,
                  remark::Rounding, remark::EstimatedWeight, remark::OffsetsFound,
-                 remark::ModelError, remark::DataDoubted, remark::Hidden,
+                 remark::ModelError, remark::Clipped, remark::DataDoubted, remark::Hidden,
                  remark::ConstraintsIgnored, remark::VoltagesUnresolved>;
 
 using Remarks = std::vector<Remark>;

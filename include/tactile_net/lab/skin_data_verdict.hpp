@@ -16,6 +16,11 @@ namespace tactile_net::lab {
 /// Young's modulus, no strain above 1, no displacement beyond the taxel's depth.
 [[nodiscard]] DataLimits data_limits(const SkinSceneProblem& problem);
 
+/// The force of a pad that the frame's largest strain presses all over [N]: no deviation of a force
+/// that the readings fix is as large.
+[[nodiscard]] double largest_force(const SkinSceneProblem& problem,
+                                   std::span<const double> readings);
+
 /// Contacts are sought on a grid of a quarter of the least depth, to two depths beyond the
 /// outermost taxels; where that would have very many cells, or the noise is not known, on the
 /// tractions' own.

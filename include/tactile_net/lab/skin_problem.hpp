@@ -58,6 +58,8 @@ class SkinSceneProblem {
 
   /// The same without these taxels, and with no other.
   [[nodiscard]] SkinSceneProblem without(std::span<const std::size_t> taxels) const;
+  /// That, of the last taxels asked for.
+  [[nodiscard]] const SkinSceneProblem& left_with(const std::vector<std::size_t>& taxels) const;
 
  private:
   struct Parts;

@@ -36,6 +36,10 @@ enum class Verdict {
   oversmoothed,     ///< more than half of the readings' size is left unexplained
   ill_conditioned,  ///< rounding alone may have moved it by more than 1e-3
   inaccurate,       ///< the circuit is more than 1 % off the direct solve, though explained
+  // What the readings lack.
+  clipped,  ///< taxels read the end of their range: what they would read beyond it is not known
+  undetermined,  ///< the force's deviation is larger than any force such readings could come from
+  coarse,        ///< the taxels lie too far apart for their depth
 };
 
 /// The spelling in JSON and tables: "ok", "rules_disagree".

@@ -44,6 +44,17 @@ class SceneTemplate {
   /// What the text itself names of `file_keys`, as it names it.
   [[nodiscard]] std::vector<std::string> files() const;
 
+  /// What numbers are measured in.
+  struct NumberUnits {
+    /// Of the settings' keys, as the scene states it: "mm"; "" where it states none, or there is
+    /// none, or the key holds more than one.
+    std::vector<std::string> settings{};
+    /// SI's of a load, "N/m" or on a skin "N", where the scene has [units]: answers are in SI
+    /// then. Else "".
+    std::string force{};
+  };
+  [[nodiscard]] NumberUnits units(std::span<const Setting> settings) const;
+
   /// Why no scene has that key.
   struct Objection {
     std::string message{};

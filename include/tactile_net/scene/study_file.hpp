@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tactile_net/scene/diagnostic.hpp"
+#include "tactile_net/scene/kept.hpp"
 #include "tactile_net/scene/scene_template.hpp"
 
 namespace tactile_net {
@@ -63,6 +64,7 @@ struct StudyFile {
   DrawKind draw = DrawKind::sobol;
   std::size_t draws = 0;  ///< how many; 0: no axis is drawn
   std::vector<StudyAxis> axes{};
+  std::vector<Kept> keep = kept_by_default();  ///< in the order of `Kept`, none twice
 };
 
 struct StudyOptions {

@@ -39,6 +39,14 @@ namespace tactile_net {
 [[nodiscard]] std::vector<std::vector<std::size_t>> separate_contacts(
     const SkinGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells);
 
+/// Whether cells lie in a single row, or a single column.
+[[nodiscard]] bool is_one_line(const SkinGrid& grid, std::span<const std::size_t> cells,
+                               bool along_y);
+
+/// Cells and those that touch them, by an edge or a corner, in rising order.
+[[nodiscard]] std::vector<std::size_t> with_neighbours(const SkinGrid& grid,
+                                                       std::span<const std::size_t> cells);
+
 struct UncertainWrench {
   Uncertain normal{};                       ///< F_x [N]
   std::optional<Uncertain> tangential_y{};  ///< F_y [N]; absent with one component

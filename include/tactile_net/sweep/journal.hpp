@@ -27,6 +27,8 @@ struct JournalHead {
   std::size_t points = 0;
   std::string title{};  ///< of the study, or its file
   std::vector<std::string> axes{};
+  std::vector<Kept> keep{};
+  SweepUnits units{};
 
   bool operator==(const JournalHead&) const = default;
 };
@@ -37,10 +39,10 @@ struct JournalHead {
 [[nodiscard]] std::string text(const JournalHead& head);
 
 /// The lines of one point, with their ends.
-[[nodiscard]] std::string lines(const std::vector<Row>& rows);
+[[nodiscard]] std::string lines(const std::vector<Row>& rows, const std::vector<Kept>& keep);
 
 /// The line that stands for a point whose workers died: any answer counts more.
-[[nodiscard]] std::string death_line(const Row& row);
+[[nodiscard]] std::string death_line(const Row& row, const std::vector<Kept>& keep);
 
 /// The journals in a folder and in the folders in it, by name.
 /// @throw InputError  there is no such folder

@@ -16,7 +16,10 @@ namespace tactile_net::sweep {
 
 struct Table {
   std::string title{};  ///< of the study
+  std::string study{};  ///< `Study::hash`
   std::vector<std::string> axes{};
+  SweepUnits units{};
+  std::vector<Kept> keep{};
   std::size_t points = 0;
   std::vector<Row> rows{};  ///< by index, and of a point in the order of the scene's methods
   std::string csv{};        ///< the same: a header, and a line for each

@@ -26,22 +26,31 @@ struct Row {
   std::optional<double> error{};             ///< |f_v - truth|_2 / |truth|_2
   std::optional<double> error_tangential{};  ///< the same of f_t
   std::optional<double> mean_error{};        ///< mean |f_v - truth| [Pa]
-  std::optional<double> force{};             ///< [N/m]
+  std::optional<double> force{};             ///< [N/m]; of skins into them [N]
+  std::optional<double> tangential_force{};  ///< [N/m]; of skins the length of their drag [N]
+  std::optional<double> centre_y{};          ///< of the normal tractions [m]
+  std::optional<double> centre_z{};          ///< the same, of skins
   std::optional<double> condition{};
   std::optional<double> error_bound{};  ///< of rounding, over the answer's 2-norm
+  std::vector<double> readings{};       ///< as a recording has them
+  std::vector<double> truth{};          ///< [Pa], component after component
+  std::vector<double> tractions{};      ///< the same, of those that were found
   std::string failure{};                ///< why there is no answer, on one line
   std::string version{};                ///< of the library
   std::string instructions{};           ///< the machine's: bits are equal on one set alone
 };
 
 /// "index", the axes' keys, "seed", "method", ... in the order of `csv`.
-[[nodiscard]] std::string header(const std::vector<std::string>& axes);
+[[nodiscard]] std::string header(const std::vector<std::string>& axes,
+                                 const std::vector<Kept>& keep);
 
-/// A row as CSV (RFC 4180), without its line's end.
-[[nodiscard]] std::string csv(const Row& row);
+/// What of a row is kept as CSV (RFC 4180), without its line's end. Lists are one field, with
+/// blanks between their numbers.
+[[nodiscard]] std::string csv(const Row& row, const std::vector<Kept>& keep);
 
 /// The same read back. Nothing: it is no row with so many axes.
-[[nodiscard]] std::optional<Row> row_in(std::string_view line, std::size_t axes);
+[[nodiscard]] std::optional<Row> row_in(std::string_view line, std::size_t axes,
+                                        const std::vector<Kept>& keep);
 
 /// The fields of a line of CSV.
 [[nodiscard]] std::vector<std::string> fields(std::string_view line);

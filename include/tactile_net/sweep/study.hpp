@@ -32,6 +32,15 @@ struct Point {
   std::uint64_t seed = 0;
 };
 
+/// What a sweep's numbers are measured in.
+struct SweepUnits {
+  std::vector<std::string> axes{};  ///< one for each, as `SceneTemplate::NumberUnits`
+  /// Of forces, "N/m" or of skins "N": all answers are in SI. "": the scene states no units.
+  std::string force{};
+
+  bool operator==(const SweepUnits&) const = default;
+};
+
 /// Ranges are written out, rounded to twelve digits, and draws are made. The axes of the file vary
 /// from the last to the first, then all that are drawn together, fastest of all the repeats.
 class Study {
@@ -48,19 +57,26 @@ class Study {
   /// @pre  index < points()
   [[nodiscard]] Point point(std::size_t index) const;
 
+  /// What its rows have beside the columns that all have.
+  [[nodiscard]] const std::vector<Kept>& keep() const noexcept { return file_.keep; }
+
+  /// Units of the axes' values and of the answers.
+  [[nodiscard]] const SweepUnits& units() const noexcept { return units_; }
+
   /// The scene at a point. Its seeds, of noise and of all else that is drawn, are the point's; one
   /// that is an axis keeps the axis' value.
   /// @throw InputError  the reader refuses it
   [[nodiscard]] AnyScene scene(const Point& point) const;
 
-  /// SHA-256 of all that its answers depend on: the base scene with the files that it names, and
-  /// those of axes, the axes, the seed.
+  /// SHA-256 of all that its rows depend on: the base scene with the files that it names, and
+  /// those of axes, the axes, the seed, and what is kept.
   [[nodiscard]] const std::string& hash() const noexcept { return hash_; }
 
  private:
   StudyFile file_;
   std::vector<Axis> axes_;
   std::size_t points_ = 1;
+  SweepUnits units_;
   std::string hash_;
 };
 

@@ -41,6 +41,18 @@ struct Part {
 };
 [[nodiscard]] std::vector<Part> by_value(std::span<const Row* const> rows, std::size_t axis);
 
+/// An axis with more values than these is drawn as points, and listed nowhere.
+inline constexpr std::size_t most_listed_values = 40;
+
+/// Whether what one axis does can be told value by value: not of a repeat, whose number says
+/// nothing.
+/// @param parts  by the axis' values
+[[nodiscard]] bool can_be_listed(const Table& table, std::size_t axis,
+                                 const std::vector<Part>& parts);
+
+/// Points of which no row has an answer.
+[[nodiscard]] std::size_t failed_points(const Table& table);
+
 /// Why points or methods have no answer, each reason once, with how many rows have it; the most
 /// frequent first.
 [[nodiscard]] std::vector<std::pair<std::string, std::size_t>> failures(const Table& table);

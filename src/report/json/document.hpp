@@ -31,6 +31,7 @@ inline constexpr DocumentKind check{"check"};
 inline constexpr DocumentKind calibrate{"calibrate"};
 inline constexpr DocumentKind plan{"plan"};
 inline constexpr DocumentKind tradeoff{"tradeoff"};
+inline constexpr DocumentKind sweep{"sweep"};  ///< merge too
 inline constexpr DocumentKind grasp{"grasp"};
 inline constexpr DocumentKind space_grasp{"space_grasp"};  ///< grasp, of a hand in space
 }  // namespace kind

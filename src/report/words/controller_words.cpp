@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::report {
@@ -14,7 +15,8 @@ std::string in_words(const lab::PlanAlpha& alpha) {
     case lab::PlanAlpha::Source::contact:
       return rule + ", on the scene's own contact";
     case lab::PlanAlpha::Source::recording:
-      return rule + ", the median of " + std::to_string(alpha.frames) + " frames";
+      return rule + (alpha.frames == 1 ? ", on one frame"
+                                       : ", the median of " + counted(alpha.frames, "frame"));
   }
   return {};
 }

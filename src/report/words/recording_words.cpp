@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/data_words.hpp"
@@ -96,10 +97,10 @@ Answer trust(const RecordingOverview& overview) {
     if (most == nullptr || entry.second > most->second) most = &entry;
   }
   if (most == nullptr)
-    return {"all " + std::to_string(overview.frames) + " frames",
+    return {overview.frames == 1 ? "the one frame" : "all " + counted(overview.frames, "frame"),
             overview.findings.empty() ? "nothing speaks against them"
                                       : "nothing speaks against a single one; but see below"};
-  return {std::to_string(distrusted) + " of " + std::to_string(overview.frames) + " frames",
+  return {std::to_string(distrusted) + " of " + counted(overview.frames, "frame"),
           "not to be trusted, most of them because " + std::string(in_words(most->first)), true};
 }
 
@@ -214,10 +215,10 @@ std::vector<std::string> distrusted_in_words(const RecordingOverview& overview) 
   std::vector<std::string> sentences;
   for (const auto& [verdict, frames] : overview.verdicts)
     if (verdict != Verdict::ok)
-      sentences.push_back(std::to_string(frames) + " frames " + std::string(name(verdict)) + ": " +
+      sentences.push_back(counted(frames, "frame") + ' ' + std::string(name(verdict)) + ": " +
                           std::string(in_words(verdict)));
   for (const auto& [doubt, frames] : overview.doubts)
-    sentences.push_back(std::to_string(frames) + " frames " + std::string(name(doubt)) + ": " +
+    sentences.push_back(counted(frames, "frame") + ' ' + std::string(name(doubt)) + ": " +
                         std::string(in_words(doubt)));
   return sentences;
 }

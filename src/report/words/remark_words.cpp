@@ -1,5 +1,7 @@
 #include "tactile_net/report/words/remark_words.hpp"
 
+#include <algorithm>
+
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/mode_words.hpp"
@@ -73,6 +75,22 @@ std::string say(const remark::ModelError& r) {
   return "the residual is larger than the noise stated explains: the model is off by about " +
          brief(r.times) + " times the noise, which the bands " +
          (r.held ? "hold as if it were noise" : "do not hold");
+}
+std::string say(const remark::Clipped& r) {
+  std::string taxels;
+  constexpr std::size_t most = 12;
+  for (std::size_t i = 0; i < std::min(r.taxels.size(), most); ++i)
+    taxels += (i == 0 ? "" : ", ") + std::to_string(r.taxels[i]);
+  if (r.taxels.size() > most) taxels += " and " + std::to_string(r.taxels.size() - most) + " more";
+  const std::string which = (r.taxels.size() == 1 ? "taxel " : "taxels ") + taxels;
+  if (r.left_out)
+    return which +
+           " read the end of the range and are left out, as if dead: what presses there is "
+           "guessed from the others, and may be more";
+  if (r.range_known) return which + " read the end of the range: the force found is too small";
+  return which +
+         " hold one largest value, as at the end of a range: the force found is too small; "
+         "state the range under [saturation], and they are left out";
 }
 std::string say(const remark::DataDoubted& r) { return in_words(r.data); }
 std::string say(const remark::Hidden& r) {

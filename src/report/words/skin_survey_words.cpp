@@ -5,6 +5,7 @@
 #include <ostream>
 #include <utility>
 
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/identify_words.hpp"
@@ -33,10 +34,6 @@ std::string listed(std::vector<std::string> parts) {
   const std::string last = std::move(parts.back());
   parts.pop_back();
   return join(parts, ", ") + " and " + last;
-}
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 std::string waves(WaveDirection direction) {

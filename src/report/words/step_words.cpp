@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::report {
@@ -38,7 +39,7 @@ std::string in_words(const lab::Step& step) {
 }
 
 std::string frames_in_words(std::size_t done, std::optional<double> share, double seconds) {
-  std::string text = std::to_string(done) + " frames";
+  std::string text = counted(done, "frame");
   if (!share) return text + " ...";
   text += ", " + fixed(100.0 * *share, 0) + " %";
   // The first moments tell little of the rest.

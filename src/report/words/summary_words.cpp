@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <map>
 
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 
 namespace tactile_net::report {
 namespace {
 
 std::string of(std::size_t count, std::size_t frames) {
-  return std::to_string(count) + " of " + std::to_string(frames) + " frames";
+  return std::to_string(count) + " of " + counted(frames, "frame");
 }
 
 }  // namespace
@@ -35,26 +36,33 @@ std::vector<std::string> in_words(const lab::SolvedFrames& solved) {
   for (const auto& [verdict, frames] : solved.distrusted)
     verdicts.emplace(lab::name(verdict), &frames);
   for (const auto& [verdict, frames] : verdicts)
-    sentences.push_back(of(frames->count(), solved.frames) + " have the verdict " + verdict + ": " +
-                        in_words(*frames));
+    sentences.push_back(of(frames->count(), solved.frames) +
+                        (frames->count() == 1 ? " has the verdict " : " have the verdict ") +
+                        verdict + ": " + in_words(*frames));
   for (const auto& [doubt, frames] : solved.doubted)
-    sentences.push_back(of(frames.count(), solved.frames) + " have readings to be doubted, " +
-                        std::string(name(doubt)) + ": " + std::string(in_words(doubt)) + ": " +
-                        in_words(frames));
+    sentences.push_back(
+        of(frames.count(), solved.frames) +
+        (frames.count() == 1 ? " has readings to be doubted, " : " have readings to be doubted, ") +
+        std::string(name(doubt)) + ": " + std::string(in_words(doubt)) + ": " + in_words(frames));
   if (!solved.bad_taxels.empty()) {
     std::string taxels;
     for (const auto& [taxel, frames] : solved.bad_taxels)
-      taxels += (taxels.empty() ? "" : ", ") + std::to_string(taxel) + " in " +
-                std::to_string(frames) + (frames == 1 ? " frame" : " frames");
+      taxels +=
+          (taxels.empty() ? "" : ", ") + std::to_string(taxel) + " in " + counted(frames, "frame");
     sentences.push_back("taxels that contradict the others: " + taxels);
   }
   if (solved.skipped.count() > 0)
     sentences.push_back(of(solved.skipped.count(), solved.frames) +
-                        " miss readings, and their rows are empty: " + in_words(solved.skipped));
+                        (solved.skipped.count() == 1
+                             ? " misses readings, and its row is empty: "
+                             : " miss readings, and their rows are empty: ") +
+                        in_words(solved.skipped));
   if (solved.estimated.count() > 0)
-    sentences.push_back(
-        of(solved.estimated.count(), solved.frames) +
-        " miss readings, and are solved from the other taxels: " + in_words(solved.estimated));
+    sentences.push_back(of(solved.estimated.count(), solved.frames) +
+                        (solved.estimated.count() == 1
+                             ? " misses readings, and is solved from the other taxels: "
+                             : " miss readings, and are solved from the other taxels: ") +
+                        in_words(solved.estimated));
   return sentences;
 }
 

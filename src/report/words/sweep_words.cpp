@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -33,8 +35,7 @@ std::string time_left(double seconds) {
 }
 
 std::string in_words(const sweep::Progress& progress) {
-  std::string text =
-      std::to_string(progress.done) + " of " + std::to_string(progress.points) + " points";
+  std::string text = std::to_string(progress.done) + " of " + counted(progress.points, "point");
   if (progress.points > 0)
     text += ", " +
             fixed(100.0 * static_cast<double>(progress.done) / static_cast<double>(progress.points),
@@ -43,6 +44,16 @@ std::string in_words(const sweep::Progress& progress) {
   if (progress.seconds_left && !progress.complete())
     text += ", about " + time_left(*progress.seconds_left) + " left";
   return text;
+}
+
+std::string axis_in_words(const sweep::Table& table, std::size_t axis) {
+  const std::string& unit = table.units.axes[axis];
+  return table.axes[axis] + (unit.empty() ? "" : " [" + unit + "]");
+}
+
+std::string value_in_words(const sweep::Table& table, std::size_t axis, const std::string& value) {
+  const std::string& unit = table.units.axes[axis];
+  return table.axes[axis] + " = " + value + (unit.empty() ? "" : " " + unit);
 }
 
 std::vector<std::vector<std::string>> method_cells(const sweep::Table& table) {
@@ -60,7 +71,7 @@ std::vector<std::vector<std::string>> method_cells(const sweep::Table& table) {
 
 std::vector<std::vector<std::string>> value_cells(const sweep::Table& table,
                                                   const std::string& method, std::size_t axis) {
-  std::vector<std::vector<std::string>> cells = {headings(table.axes[axis])};
+  std::vector<std::vector<std::string>> cells = {headings(axis_in_words(table, axis))};
   for (const sweep::Part& part : sweep::by_value(sweep::of_method(table, method), axis)) {
     cells.push_back({part.value});
     add_cells(cells.back(), sweep::group(part.rows));
@@ -73,10 +84,18 @@ std::vector<std::string> failures_in_words(const sweep::Table& table) {
   const auto all = sweep::failures(table);
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < all.size() && i < most; ++i)
-    texts.push_back(std::to_string(all[i].second) + (all[i].second == 1 ? " row: " : " rows: ") +
-                    all[i].first);
-  if (all.size() > most) texts.push_back(std::to_string(all.size() - most) + " more reasons");
+    texts.push_back(counted(all[i].second, "row") + ": " + all[i].first);
+  if (all.size() > most) texts.push_back(counted(all.size() - most, "more reason"));
   return texts;
+}
+
+std::string nothing_found_in_words(const sweep::Table& table) {
+  if (table.rows.empty() || sweep::failed_points(table) < table.points) return {};
+  const sweep::Row& first = table.rows.front();
+  std::vector<std::string> values;
+  for (std::size_t axis = 0; axis < table.axes.size(); ++axis)
+    values.push_back(value_in_words(table, axis, first.values[axis]));
+  return "no point has an answer; the first, " + join(values, ", ") + ": " + first.failure;
 }
 
 }  // namespace tactile_net::report

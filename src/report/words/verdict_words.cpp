@@ -23,7 +23,10 @@ constexpr Named<Verdict> sentences[] = {
     {Verdict::noise_amplified, "dft makes the readings' noise more than 10 000 times as large"},
     {Verdict::sign_change,
      "a wavelength that the sensors cannot see lies between those of the dft"},
-    {Verdict::cut_off, "the load reaches over the ends of the array, which dft takes for a ring"},
+    {Verdict::cut_off,
+     "the load reaches beyond the taxels, or where they are dead: what presses there is a guess, "
+     "and "
+     "dft takes the array for a ring"},
     {Verdict::not_one_contact, "the readings are not those of a single contact that drags"},
     {Verdict::drag_in_noise, "the noise could hide the drag"},
     {Verdict::no_contact, "nothing presses"},
@@ -35,6 +38,14 @@ constexpr Named<Verdict> sentences[] = {
     {Verdict::oversmoothed, "more than half of the readings is left unexplained"},
     {Verdict::ill_conditioned, "rounding alone may have changed it"},
     {Verdict::inaccurate, "the circuit is more than 1 % off"},
+    {Verdict::clipped,
+     "taxels read the end of their range, and what they would read beyond it is not known: more "
+     "may "
+     "press than is found"},
+    {Verdict::undetermined,
+     "the readings do not fix the force: it may be off by more than such readings could come from"},
+    {Verdict::coarse,
+     "the taxels lie more than two depths apart: what presses between them is a guess"},
 };
 
 }  // namespace

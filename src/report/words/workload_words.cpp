@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/table.hpp"
@@ -15,11 +16,6 @@ namespace {
 
 using lab::Workload;
 using Reason = Workload::Reason;
-
-/// "1 frame", "5 frames".
-std::string count_of(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
-}
 
 /// "81 x 81".
 std::string size_of(const Workload::Cost& cost) {
@@ -92,19 +88,19 @@ std::string cost_in_words(const Workload::Task& task) {
   using enum Workload::Cost::Kind;
   switch (cost.kind) {
     case kernel_values:
-      return "some hundred kernel values for each of " + count_of(cost.count, "reading") +
+      return "some hundred kernel values for each of " + counted(cost.count, "reading") +
              " and contact";
     case direct_sum:
-      return size_of(cost) + " sum for " + count_of(cost.count, "kernel") + ", " +
+      return size_of(cost) + " sum for " + counted(cost.count, "kernel") + ", " +
              about(cost.operations);
     case fft:
-      return "FFT for " + count_of(cost.count, "kernel") + ", " + about(cost.operations);
+      return "FFT for " + counted(cost.count, "kernel") + ", " + about(cost.operations);
     case moments:
-      return "the readings at " + count_of(cost.count, "moment");
+      return "the readings at " + counted(cost.count, "moment");
     case random_draws:
       return "no reading is computed";
     case unknowns:
-      return count_of(cost.count, "unknown") + " instead of " + std::to_string(cost.rows);
+      return counted(cost.count, "unknown") + " instead of " + std::to_string(cost.rows);
     case kernel_integrals:
       return "integrals at " + count + " distances for each kernel";
     case frame_fft:
@@ -122,14 +118,14 @@ std::string cost_in_words(const Workload::Task& task) {
     case singular_values:
       return "SVD of " + size_of(cost);
     case circuit:
-      return "P, " + count_of(cost.rows, "node") + ", " + std::string(name(*cost.realization)) +
+      return "P, " + counted(cost.rows, "node") + ", " + std::string(name(*cost.realization)) +
              ", up to " + count + " branches; one operating point in ngspice";
     case certificate:
       return "theorem, margin, poles";
     case transient:
       return "a transient in ngspice";
     case draws:
-      return count_of(cost.count, "draw");
+      return counted(cost.count, "draw");
     case every_frame:
       return "every frame simulated and solved, at most 400 solved";
     case drawing:

@@ -10,6 +10,10 @@
 namespace tactile_net {
 namespace {
 
+double step_of(const Converter& converter) {
+  return (converter.high - converter.low) / (std::ldexp(1.0, converter.bits) - 1.0);
+}
+
 class Levels final : public SensorEffect {
  public:
   Levels(std::vector<SignalChannel> channels, std::vector<Converter> converters)
@@ -25,7 +29,7 @@ class Levels final : public SensorEffect {
     for (std::size_t c = 0; c < channels_.size(); ++c) {
       const auto own = readings.subspan(channels_[c].first, channels_[c].count);
       const auto& [bits, low, high] = converters_[c];
-      const double step = (high - low) / (std::ldexp(1.0, bits) - 1);
+      const double step = step_of(converters_[c]);
       limited_ += static_cast<std::size_t>(
           std::count_if(own.begin(), own.end(),
                         [lowest = low - 0.5 * step, highest = high + 0.5 * step](double reading) {
@@ -55,6 +59,11 @@ void quantize(std::span<double> readings, const Converter& converter) noexcept {
     const double level = std::round((reading - low) / (high - low) * steps);
     reading = std::lerp(low, high, std::clamp(level, 0.0, steps) / steps);
   }
+}
+
+double step(const Quantization& quantization, SignalQuantity quantity) {
+  const auto& [low, high] = quantization.range.at(quantity);
+  return step_of({quantization.bits, low, high});
 }
 
 std::unique_ptr<SensorEffect> make_effect(const Quantization& quantization,

@@ -15,6 +15,12 @@ Value file(std::string name, std::vector<std::string> endings) {
   return {.kind = Value::Kind::file, .name = std::move(name), .endings = std::move(endings)};
 }
 
+Value output_file(std::vector<std::string> endings) {
+  Value value = file("FILE", std::move(endings));
+  value.is_output = true;
+  return value;
+}
+
 Value folder() { return {.kind = Value::Kind::folder, .name = "FOLDER"}; }
 
 Value choice(std::vector<std::string> choices) {

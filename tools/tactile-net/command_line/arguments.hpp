@@ -2,7 +2,7 @@
 /// How a command says which arguments it takes, and where their values go.
 ///
 ///     Arguments arguments(command);
-///     arguments.add_option("-o,--output", options.output, file("FILE"), "Deck");
+///     arguments.add_option("-o,--output", options.output, output_file({"cir"}), "Deck");
 ///     arguments.add_choice("--precision", options.precision, all_precisions, "Of the plan");
 #pragma once
 
@@ -24,6 +24,7 @@ namespace tactile_net::tool {
 [[nodiscard]] Value text(std::string name);
 [[nodiscard]] Value number();
 [[nodiscard]] Value file(std::string name = "FILE", std::vector<std::string> endings = {});
+[[nodiscard]] Value output_file(std::vector<std::string> endings);
 [[nodiscard]] Value folder();
 [[nodiscard]] Value choice(std::vector<std::string> choices);
 

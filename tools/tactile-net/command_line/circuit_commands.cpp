@@ -14,7 +14,7 @@ void add_gen(AllCommands& all) {
                      "another one, on standard "
                      "output"}}});
   add_scene(command, options.scene);
-  command.add_option("-o,--output", options.output, file("FILE", {"cir"}),
+  command.add_option("-o,--output", options.output, output_file({"cir"}),
                      "Deck (default: standard output)");
   add_network(command, options.network);
 }

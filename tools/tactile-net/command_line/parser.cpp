@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "command_line/apart.hpp"
 #include "failure.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/scene/nearest.hpp"
@@ -23,11 +24,12 @@ std::string suggestion(std::string_view typed, const std::vector<std::string>& n
   return near.empty() ? "" : "; did you mean '" + before + near + "'?";
 }
 
-void set(const Argument& argument, const std::string& value) {
+void set(const Argument& argument, const std::string& value, std::vector<Given>& given) {
   const std::vector<std::string>& choices = argument.value.choices;
   if (!choices.empty() && std::find(choices.begin(), choices.end(), value) == choices.end())
     throw WrongUsage(argument.name(), "'" + value + "' is none of " + join(choices, ", ") +
                                           suggestion(value, choices));
+  given.push_back({&argument, value});
   try {
     argument.set(value);
   } catch (const std::invalid_argument& error) {
@@ -35,24 +37,24 @@ void set(const Argument& argument, const std::string& value) {
   }
 }
 
-void add(CLI::App& app, const Argument& argument) {
+void add(CLI::App& app, const Argument& argument, std::vector<Given>& given) {
   const std::string names = join(argument.names, ",");
   if (argument.is_flag()) {
-    app.add_flag_function(names, [&argument](std::int64_t) { set(argument, ""); });
+    app.add_flag_function(names, [&](std::int64_t) { set(argument, "", given); });
     return;
   }
   if (argument.many) {
-    app.add_option_function<std::vector<std::string>>(
-           names,
-           [&argument](const std::vector<std::string>& values) {
-             for (const std::string& value : values) set(argument, value);
-           })
+    app.add_option_function<std::vector<std::string>>(names,
+                                                      [&](const std::vector<std::string>& values) {
+                                                        for (const std::string& value : values)
+                                                          set(argument, value, given);
+                                                      })
         ->type_name(argument.value.shown())
         ->required(argument.required);
     return;
   }
   app.add_option_function<std::string>(
-         names, [&argument](const std::string& value) { set(argument, value); })
+         names, [&](const std::string& value) { set(argument, value, given); })
       ->type_name(argument.value.shown())
       ->required(argument.required);
 }
@@ -108,12 +110,13 @@ Parsed parse(const CommandLine& line, std::span<const std::string> arguments) {
   app.set_help_flag(join(line.help.names, ","));
   app.set_version_flag(join(line.release.names, ","), line.version);
   app.require_subcommand(1);
-  add(app, line.quiet);
+  std::vector<Given> given;
+  add(app, line.quiet, given);
   std::map<const CLI::App*, const CommandTable*> commands;
   for (const CommandTable& command : line.commands) {
     CLI::App* const sub = app.add_subcommand(command.name);
-    for (const Argument& argument : command.arguments) add(*sub, argument);
-    add(*sub, line.quiet);
+    for (const Argument& argument : command.arguments) add(*sub, argument, given);
+    add(*sub, line.quiet, given);
     commands.emplace(sub, &command);
   }
 
@@ -138,6 +141,7 @@ Parsed parse(const CommandLine& line, std::span<const std::string> arguments) {
       check_options(line, line.find(*first), arguments.subspan(of_command + 1));
     throw WrongUsage(error.what());
   }
+  require_apart(given);
   named()->chosen();
   return {.command = named()};
 }

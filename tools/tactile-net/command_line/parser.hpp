@@ -21,7 +21,7 @@ struct Parsed {
 ///
 /// @param arguments  without the program's name
 /// @throw WrongUsage  a command or an option that there is not, with the one that was meant; too
-///                    many arguments, or not enough; a value that is none
+///                    many arguments, or not enough; a value that is none; as `require_apart`
 [[nodiscard]] Parsed parse(const CommandLine& line, std::span<const std::string> arguments);
 
 }  // namespace tactile_net::tool

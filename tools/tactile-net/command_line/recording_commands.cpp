@@ -22,7 +22,7 @@ void add_init(AllCommands& all) {
       .add_option("--from-csv", options.recording, file("FILE", {"csv", "npy"}),
                   "Recorded readings, CSV or .npy")
       .required = true;
-  command.add_option("-o,--output", options.output, file("FILE", {"toml"}),
+  command.add_option("-o,--output", options.output, output_file({"toml"}),
                      "Scene file (default: standard output)");
   command.add_flag("--force", options.force, "Replace a scene that is there");
   command.add_option("--quantity", options.quantities, text("LIST"),
@@ -90,7 +90,7 @@ void add_calibrate(AllCommands& all) {
       .add_option("--scene", options.scene, file("SCENE", {"toml"}),
                   "Scene file (TOML) with what is stated of the pad; - reads standard input")
       .required = true;
-  command.add_option("-o,--output", options.output, file("FILE", {"toml"}),
+  command.add_option("-o,--output", options.output, output_file({"toml"}),
                      "Scene file again with what was found, comments kept (- = standard output)");
   command.add_option("--out", options.results.folder, folder(),
                      "Folder for report.html and result.json");
@@ -131,13 +131,13 @@ void add_solve(AllCommands& all) {
   for (const lab::MethodTraits& traits : lab::methods())
     if (traits.solves_frames) methods.push_back(traits.method);
   command.add_choice("--method", options.method, methods, "How to solve a frame");
-  command.add_option("-o,--output", options.output, file("FILE", {"csv", "npy"}),
+  command.add_option("-o,--output", options.output, output_file({"csv", "npy"}),
                      "CSV or .npy file for the tractions [unit of E] (default: CSV on standard "
                      "output)");
   add_folder(command, options.results.folder, options.results.force,
              "Folder for report.html, the page of the recording; result.json, shown.csv "
              "(the frames in its pictures) and, without -o, tractions.csv");
-  command.add_option("--uncertainty", options.uncertainty, file("FILE", {"csv"}),
+  command.add_option("--uncertainty", options.uncertainty, output_file({"csv"}),
                      "CSV file for each frame's forces, centre and angle with their standard "
                      "deviations, the deviation of every traction, alpha and the verdict");
   add_columns(command, options.columns);
@@ -166,7 +166,7 @@ void add_plan(AllCommands& all) {
             "alpha from recorded frames, and a failure where a frame takes longer"},
            {"plan scenes/skins/sphere.toml -o skin.plan", "of a skin"}}});
   add_scene(command, options.scene, "Scene file (TOML): sensor, material, alpha");
-  command.add_option("-o,--output", options.output, file("FILE", {"plan"}),
+  command.add_option("-o,--output", options.output, output_file({"plan"}),
                      "Plan file, to be read by load_plan (default: only say what it would be)");
   command.add_option("--accuracy", options.accuracy, number(),
                      "Largest error, relative to the tractions, of the planned against the dense "

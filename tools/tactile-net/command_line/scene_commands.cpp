@@ -38,10 +38,10 @@ void add_simulate(AllCommands& all) {
                      "every frame of a scene over time, and what truly pressed"},
                     {"simulate scenes/fingertip.toml", "one frame, on standard output"}}});
   add_scene(command, options.scene);
-  command.add_option("-o,--output", options.output, file("FILE", {"csv", "npy"}),
+  command.add_option("-o,--output", options.output, output_file({"csv", "npy"}),
                      "CSV or .npy file for the readings (default: CSV on standard output)");
   command.add_option(
-      "--truth", options.truth, file("FILE", {"csv", "npy"}),
+      "--truth", options.truth, output_file({"csv", "npy"}),
       "CSV or .npy file for the contacts' tractions, where solve finds them [unit of E]");
   add_json(command, options.json, "Write a summary as JSON");
 }

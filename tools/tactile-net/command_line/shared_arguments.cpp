@@ -38,8 +38,7 @@ void add_columns(Arguments& command, std::string& columns) {
 }
 
 void add_json(Arguments& command, std::string& json, const std::string& description) {
-  command.add_option("--json", json, file("FILE", {"json"}),
-                     description + " (- = standard output)");
+  command.add_option("--json", json, output_file({"json"}), description + " (- = standard output)");
 }
 
 void add_folder(Arguments& command, std::string& folder_name, bool& force,

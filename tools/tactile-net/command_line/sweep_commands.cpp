@@ -19,11 +19,13 @@ void add_sweep(AllCommands& all) {
       .required = true;
   command
       .add_option("-o,--out", options.folder, folder(),
-                  "Folder for the journals, results.csv, report.html and the plots' data (CSV); "
+                  "Folder for the journals, results.csv, result.json, report.html and the plots' "
+                  "data (CSV); "
                   "what is done there is not done again")
       .required = true;
   command.add_flag("--force", options.force,
                    "Let --out replace files that tactile-net has not written there");
+  add_json(command, options.json, "Write what was found as JSON, as result.json of --out is");
   command.add_option("--jobs", options.jobs, number(),
                      "How many points at once (default: one for each processor)");
   command.add_option("--shard", options.shard, text("K/N"),
@@ -46,11 +48,13 @@ void add_merge(AllCommands& all) {
        .examples = {{"merge out", "the shards that share a folder"},
                     {"merge here there --out all", "folders of machines that share none"}}});
   command.add_list("FOLDER", options.folders, folder(), "What sweep --out named, one or several");
-  command.add_option("-o,--out", options.folder, folder(),
-                     "Folder for results.csv, report.html and the plots' data (default: the first "
-                     "FOLDER)");
+  command.add_option(
+      "-o,--out", options.folder, folder(),
+      "Folder for results.csv, result.json, report.html and the plots' data (default: "
+      "the first FOLDER)");
   command.add_flag("--force", options.force,
                    "Let --out replace files that tactile-net has not written there");
+  add_json(command, options.json, "Write what was found as JSON, as result.json of --out is");
 }
 
 }  // namespace tactile_net::tool

@@ -17,6 +17,7 @@ struct Value {
   std::string name{};                  ///< "FILE"
   std::vector<std::string> endings{};  ///< of files: "toml"; empty: any
   std::vector<std::string> choices{};
+  bool is_output = false;  ///< a file that the command writes, and must not read
 
   /// "FILE", "{float64,float32}"; empty for a flag.
   [[nodiscard]] std::string shown() const;

@@ -50,31 +50,6 @@ void print(std::ostream& out, const lab::SceneCalibration& found, const std::str
   report::print_calibration(out, found);
 }
 
-/// An output that is an input would lose it, however the two are spelled.
-void require_apart(const CalibrateOptions& options) {
-  struct Output {
-    const char* option;
-    const std::string& path;
-  };
-  const Output outputs[] = {{"-o", options.output}, {"--json", options.results.json}};
-  for (const auto& [option, path] : outputs) {
-    if (path.empty() || path == "-") continue;
-    for (const std::string& input : {options.log, options.scene}) {
-      std::error_code none;  // of what is not there: then they are not the same
-      if (std::filesystem::equivalent(path, input, none))
-        throw WrongUsage(option, "is the file that is read, " + printable(input) +
-                                     ", and would replace it: name another");
-    }
-  }
-  const auto plain = [](const std::string& path) {
-    return std::filesystem::absolute(path).lexically_normal();
-  };
-  if (!options.output.empty() && !options.results.json.empty() &&
-      plain(options.output) == plain(options.results.json))
-    throw WrongUsage("--json",
-                     "is the file that -o names: the scene and the document need one each");
-}
-
 /// Why a fit is not to be written; empty: it may.
 std::string failure_of(const lab::SceneCalibration& found) {
   if (found.fit.verdict == FitVerdict::poor_fit) return "the fit is poor";
@@ -85,7 +60,6 @@ std::string failure_of(const lab::SceneCalibration& found) {
 }  // namespace
 
 void run(const CalibrateOptions& options, const Streams& streams) {
-  require_apart(options);
   const InputText text = input_text(options.scene, streams.in);
   const Scene scene = parse_scene(text.text, text.name);
   CalibrationOptions how = parse_calibration_options(text.text, text.name);

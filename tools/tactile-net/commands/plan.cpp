@@ -15,6 +15,7 @@
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/lab/planned_controller.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/plan_file.hpp"
 #include "tactile_net/report/json/controller_json.hpp"
@@ -70,9 +71,9 @@ lab::PlanAlpha alpha_of(const Problem& problem, const PlanOptions& options,
     const auto alpha = lab::plan_alpha(problem, next, progress);
     if (!any) throw InputError({{.file = options.readings, .message = "holds no whole frame"}});
     if (left_out > 0)
-      streams.err << file.name() << ": note: " << left_out
-                  << (left_out == 1 ? " frame misses" : " frames miss")
-                  << " readings and is left out of the choice of alpha\n";
+      streams.err << file.name() << ": note: " << counted(left_out, "frame")
+                  << (left_out == 1 ? " misses readings and is" : " miss readings and are")
+                  << " left out of the choice of alpha\n";
     if (file.calibration() != nullptr) calibration = *file.calibration();
     return *alpha;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/excerpt.hpp"
+#include "tactile_net/numeric/counted.hpp"
 
 namespace tactile_net::tool {
 
@@ -13,8 +14,9 @@ void say_opening(std::ostream& err, const std::string& name, const frames::Frame
     err << name << ": note: " << printable(note) << '\n';
   const auto ignored = source.ignored();
   if (!ignored.empty())
-    err << name << ": note: " << ignored.size() << " columns are not read by this scene, '"
-        << printable(ignored.front()) << "' first\n";
+    err << name << ": note: " << counted(ignored.size(), "column")
+        << (ignored.size() == 1 ? " is" : " are") << " not read by this scene, '"
+        << printable(ignored.front()) << (ignored.size() == 1 ? "'\n" : "' first\n");
 }
 
 void say_closing(std::ostream& err, const std::string& name, const frames::FrameSource& source) {

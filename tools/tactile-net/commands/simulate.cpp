@@ -14,6 +14,7 @@
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/lab/summary.hpp"
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/csv/skin_csv.hpp"
 #include "tactile_net/report/json/simulate_json.hpp"
@@ -80,7 +81,7 @@ void run(const SkinScene& scene, const SimulateOptions& options, const Streams& 
     output.add(time, raw_numbers(scene, recording.readings()));
     if (truth) truth->add(time, recording.truth());
     recorded.add(recording);
-    if (progress.due()) progress.say(std::to_string(recorded.frames) + " frames ...");
+    if (progress.due()) progress.say(counted(recorded.frames, "frame") + " ...");
   }
   progress.clear();
   output.commit();
@@ -105,7 +106,7 @@ void run(const Scene& scene, const SimulateOptions& options, const Streams& stre
     sink->add(time, raw_numbers(scene, recording.readings()));
     if (truth) truth->add(time, recording.truth());
     recorded.add(recording);
-    if (progress.due()) progress.say(std::to_string(recorded.frames) + " frames ...");
+    if (progress.due()) progress.say(counted(recorded.frames, "frame") + " ...");
   }
   progress.clear();
   sink->finish();

@@ -1,15 +1,20 @@
 #include "commands/sweep.hpp"
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <ostream>
 #include <set>
+#include <utility>
 
 #include "commands/results.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/folder_lock.hpp"
 #include "tactile_net/frames/output_file.hpp"
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/pages/sweep_page.hpp"
 #include "tactile_net/report/folder.hpp"
+#include "tactile_net/report/json/sweep_json.hpp"
 #include "tactile_net/report/words/sweep_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/sweep/slurm.hpp"
@@ -35,19 +40,21 @@ class Watcher final : public sweep::Observer {
 };
 
 /// Into a folder that holds journals, or is empty, or has results already.
-void write_results(const sweep::Table& table, const fs::path& folder, frames::Existing existing,
-                   const Streams& streams) {
-  drawing::Page page = pages::sweep_page(table, {.by = streams.command, .files = {"results.csv"}});
+void write_results(const sweep::Table& table, const std::string& json, const fs::path& folder,
+                   frames::Existing existing, const Streams& streams) {
+  drawing::Page page =
+      pages::sweep_page(table, {.by = streams.command, .files = {"results.csv", "result.json"}});
   page.files.emplace_back("results.csv", table.csv);
+  page.files.emplace_back("result.json", json);
   page.files.emplace_back("report.html", page.html);
-  std::set<std::string> written;
+  std::vector<std::string> names;
+  for (const auto& [name, content] : page.files) names.push_back(name);
   for (const auto& [name, content] : page.files) frames::check_replaceable(folder / name, existing);
   for (const auto& [name, content] : page.files) {
     frames::write_file(folder / name, content);
-    written.insert(name);
   }
   say_missing(streams.err, page.missing);
-  say_others(streams.err, folder, frames::other_results(folder, written));
+  say_others(streams.err, folder, frames::other_results(folder, {names.begin(), names.end()}));
 }
 
 void print(const sweep::Table& table, const fs::path& folder, const Streams& streams) {
@@ -59,10 +66,46 @@ void print(const sweep::Table& table, const fs::path& folder, const Streams& str
   say_report(out, folder);
 }
 
+/// What both commands end with, once all points are there.
+class Ending {
+ public:
+  /// Before anything is computed. @throw CannotCreate  also where a report is somebody's own
+  Ending(fs::path folder, bool force, const std::string& json, const Streams& streams)
+      : folder_(std::move(folder)),
+        existing_(report::existing_in(folder_, force)),
+        tables_(json != "-"),
+        file_(output_if(json, streams)),
+        streams_(streams) {}
+
+  /// @throw CheckFailed  no point has an answer; that is written too
+  void write(const sweep::Table& table, std::optional<std::size_t> resumed = {}) const {
+    const std::string json = report::sweep_json(table, resumed);
+    Progress progress(streams_);
+    progress.say("drawing the report ...");
+    write_results(table, json, folder_, existing_, streams_);
+    progress.clear();
+    if (tables_) print(table, folder_, streams_);
+    tool::write(file_.get(), json);
+    if (const std::string nothing = report::nothing_found_in_words(table); !nothing.empty())
+      throw CheckFailed(nothing);
+  }
+
+ private:
+  fs::path folder_;
+  frames::Existing existing_;
+  bool tables_;
+  std::unique_ptr<frames::OutputFile> file_;
+  Streams streams_;
+};
+
 }  // namespace
 
 void run(const SweepOptions& options, const Streams& streams) {
   const sweep::Shard shard = sweep::shard_in(options.shard);
+  if (!options.json.empty() && (options.slurm || shard.count > 1))
+    throw WrongUsage("--json",
+                     "tells of a sweep as a whole, which a part does not know: it is "
+                     "for merge");
   const sweep::Study study(read_study(options.study, {options.allow_outside}));
   if (options.slurm) {
     streams.out << sweep::slurm_script({.study = fs::absolute(options.study).string(),
@@ -73,37 +116,34 @@ void run(const SweepOptions& options, const Streams& streams) {
   }
   if (options.jobs && *options.jobs == 0) throw WrongUsage("--jobs", "must be at least 1");
   const fs::path folder = options.folder;
-  const auto existing = report::existing_in(folder, options.force);
+  const Ending ending(folder, options.force, options.json, streams);
   Watcher watcher(streams);
   const sweep::Progress progress = sweep::sweep(
       study, folder,
       {.jobs = options.jobs.value_or(0), .shard = shard, .simulator = options.simulator}, watcher);
   watcher.line().clear();
   if (progress.deaths > 0)
-    streams.err << "note: " << progress.deaths
-                << " workers died; their points were done again, one at a time\n";
+    streams.err << "note: " << counted(progress.deaths, "worker")
+                << " died; the points that were begun are done again, one at a time\n";
   if (!progress.complete())
     throw CheckFailed("stopped at " + report::in_words(progress) +
                       "; the same command goes on from here");
   if (shard.count > 1) {
-    streams.out << "shard " << options.shard << ": " << progress.points
-                << " points are done; when all shards are: tactile-net merge " << folder.string()
-                << '\n';
+    streams.out << "shard " << options.shard << ": " << counted(progress.points, "point")
+                << (progress.points == 1 ? " is" : " are")
+                << " done; when all shards are: tactile-net merge " << folder.string() << '\n';
     return;
   }
   const std::vector<fs::path> folders = {folder};
   const sweep::Table table = sweep::merge(folders);
   const frames::FolderLock lock(folder);
-  watcher.line().say("drawing the report ...");
-  write_results(table, folder, existing, streams);
-  watcher.line().clear();
-  print(table, folder, streams);
+  ending.write(table, progress.earlier);
 }
 
 void run(const MergeOptions& options, const Streams& streams) {
   const std::vector<fs::path> folders(options.folders.begin(), options.folders.end());
   const fs::path folder = options.folder.empty() ? folders.front() : fs::path(options.folder);
-  const auto existing = report::existing_in(folder, options.force);
+  const Ending ending(folder, options.force, options.json, streams);
   const sweep::Table table = sweep::merge(folders);
   const frames::FolderLock lock(folder);
   std::error_code error;
@@ -111,8 +151,7 @@ void run(const MergeOptions& options, const Streams& streams) {
   if (error || !fs::is_directory(folder, error))
     throw frames::CannotCreate(folder.string() +
                                ": error: cannot be created as a folder: " + error.message());
-  write_results(table, folder, existing, streams);
-  print(table, folder, streams);
+  ending.write(table);
 }
 
 }  // namespace tactile_net::tool

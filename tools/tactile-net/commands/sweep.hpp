@@ -16,6 +16,7 @@ struct SweepOptions {
   std::string study{};
   std::string folder{};
   bool force = false;
+  std::string json{};
   std::optional<std::size_t> jobs{};
   std::string shard = "1/1";
   bool allow_outside = false;
@@ -28,12 +29,14 @@ struct MergeOptions {
   std::vector<std::string> folders{};
   std::string folder{};  ///< of the results; empty: the first of `folders`
   bool force = false;
+  std::string json{};
 };
 
-/// @throw CheckFailed  stopped before the end
+/// @throw CheckFailed  stopped before the end, or no point has an answer
 void run(const SweepOptions& options, const Streams& streams);
 
 /// @throw std::runtime_error  points are missing
+/// @throw CheckFailed         no point has an answer
 void run(const MergeOptions& options, const Streams& streams);
 
 }  // namespace tactile_net::tool

@@ -16,6 +16,13 @@ namespace tactile_net::report {
 /// "1.2 s", "40 s", "12 min", "3 h": of what is left.
 [[nodiscard]] std::string time_left(double seconds);
 
+/// "sensor.depth [mm]"; without a unit the key alone.
+[[nodiscard]] std::string axis_in_words(const sweep::Table& table, std::size_t axis);
+
+/// "sensor.depth = 1.5 mm"
+[[nodiscard]] std::string value_in_words(const sweep::Table& table, std::size_t axis,
+                                         const std::string& value);
+
 /// A row for each method, below a header: how many rows, and what of them.
 [[nodiscard]] std::vector<std::vector<std::string>> method_cells(const sweep::Table& table);
 
@@ -26,5 +33,9 @@ namespace tactile_net::report {
 
 /// "3 rows: sensor.depth must be > 0", the most frequent first, ten at most.
 [[nodiscard]] std::vector<std::string> failures_in_words(const sweep::Table& table);
+
+/// "no point has an answer; the first, sensor.depth = -1 mm: sensor.depth must be > 0". Empty: one
+/// has.
+[[nodiscard]] std::string nothing_found_in_words(const sweep::Table& table);
 
 }  // namespace tactile_net::report

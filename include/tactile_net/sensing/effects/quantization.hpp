@@ -25,6 +25,9 @@ struct Quantization {
   PerQuantity<Range> range{};  ///< of every quantity that is read [unit of the reading]
 };
 
+/// Between two levels [unit of the reading]. @pre  there is a range of it
+[[nodiscard]] double step(const Quantization& quantization, SignalQuantity quantity);
+
 /// Each frame says how many of its readings lay beyond the levels.
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Quantization& quantization,
                                                         const SignalLayout& sensor);

@@ -1,0 +1,79 @@
+// No command replaces what it reads, however the file is named.
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// A scene that is complete for every command, frames of it, and a study of it.
+struct Inputs {
+  Folder folder;
+  std::string pad =
+      folder.write("pad.toml", small_scene +
+                                   "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\n"
+                                   "force = 1.0\n");
+  std::string frames =
+      folder.write("frames.csv", "stress_x_0,stress_x_1,stress_x_2\n0.1,0.5,0.1\n0.2,0.6,0.2\n");
+  std::string study = folder.write(
+      "study.toml", "scene = \"pad.toml\"\n[[axis]]\nkey = \"sensor.depth\"\nvalues = [1.0]\n");
+  std::string link = folder / "link";
+
+  Inputs() { fs::create_symlink("frames.csv", link); }
+};
+
+}  // namespace
+
+TEST_CASE("no command replaces a file that it reads", "[cli]") {
+  const Inputs in;
+  const std::string out = in.folder / "out";
+  const Words solve = {"solve", in.pad, "--readings", in.frames};
+  const std::pair<Words, Words> wrong[] = {
+      {solve, {"-o", in.frames}},
+      {solve, {"-o", in.folder / "./frames.csv"}},
+      {solve, {"-o", in.link}},
+      {solve, {"-o", in.pad}},
+      {solve, {"--out", out, "--json", in.frames}},
+      {solve, {"-o", out, "--uncertainty", in.frames}},
+      {{"solve", in.pad, "--readings", in.link}, {"-o", in.frames}},
+      {{"simulate", in.pad}, {"-o", in.pad}},
+      {{"simulate", in.pad, "-o", out}, {"--truth", in.pad}},
+      {{"simulate", in.pad, "-o", out}, {"--json", in.pad}},
+      {{"check", in.pad, "--readings", in.frames}, {"--json", in.frames}},
+      {{"check", in.pad, "--readings", in.frames}, {"--json", in.pad}},
+      {{"sweep", in.study, "--out", out}, {"--json", in.study}},
+      {{"plan", in.pad, "--readings", in.frames}, {"-o", in.frames}},
+      {{"plan", in.pad}, {"--json", in.pad}},
+      {{"identify", in.pad}, {"--json", in.pad}},
+      {{"gen", in.pad}, {"-o", in.pad}},
+      {{"run", in.pad}, {"--json", in.pad}},
+  };
+  const Words names = {in.pad, in.frames, in.study};
+  Words before;
+  for (const std::string& name : names) before.push_back(read_text(name));
+  for (const auto& [command, output] : wrong) {
+    Words words = command;
+    words.insert(words.end(), output.begin(), output.end());
+    CAPTURE(command[0], output.back());
+    const ProcessResult result = tool(words);
+    CHECK(result.code == 2);
+    CHECK_THAT(result.errors,
+               ContainsSubstring("is the file that is read") && ContainsSubstring("name another"));
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) CHECK(read_text(names[i]) == before[i]);
+  CHECK_FALSE(fs::exists(out));
+}
+
+TEST_CASE("two outputs need a file each; devices and standard output may be named twice", "[cli]") {
+  const Inputs in;
+  const ProcessResult same = tool({"solve", in.pad, "--readings", in.frames, "-o", in.folder / "a",
+                                   "--json", in.folder / "b/../a"});
+  CHECK(same.code == 2);
+  CHECK_THAT(same.errors, ContainsSubstring("they need one each"));
+  CHECK_FALSE(fs::exists(in.folder / "a"));
+  CHECK(tool({"solve", in.pad, "--readings", in.frames, "-o", "/dev/null", "--json", "/dev/null"})
+            .code == 0);
+}
