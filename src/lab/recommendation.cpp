@@ -47,7 +47,7 @@ Recommendation recommend(const SceneCircuit& circuit) {
   parts.inverters = false;
   const NetworkCircuit& own = circuit.network();
   for (const Realization one : realizations) {
-    if (!traits(one).uses_opamps || !traits(one).linear()) continue;
+    if (!traits(one).uses_opamps || !traits(one).linear() || !circuit.fits(one)) continue;
     if (traits(one).opamps_per_branch && circuit.nodes() > 130) continue;  // tens of thousands
     const bool built = one == own.realization() && !result.inverters_replaced;
     result.candidates.push_back(

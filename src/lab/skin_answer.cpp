@@ -226,6 +226,13 @@ std::span<const double> component(std::span<const double> values, const SkinGrid
 
 SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
                  const SkinAlphaChooser& choose) {
+  if (problem.estimates_weight()) {
+    const double weight = problem.likeliest_weight(readings);
+    SkinAnswer answer = solve(problem.weighed(weight), readings, choose);
+    answer.alpha.tangential_weight = weight;
+    answer.remarks.emplace_back(remark::EstimatedWeight{weight});
+    return answer;
+  }
   const FilterFrame frame = problem.family().analyse(readings);
   SkinAnswer answer{.alpha = alpha_of(problem, frame, choose)};
   answer.verdict = verdict_of(answer.alpha.verdict);

@@ -14,7 +14,7 @@ struct Certification {
   std::optional<ToleranceResult> tolerance{};  ///< where the scene gives one, for a linear circuit
   Recommendation recommendation{};
 
-  [[nodiscard]] const Scene& scene() const noexcept { return circuit.scene(); }
+  [[nodiscard]] const AnyScene& scene() const noexcept { return circuit.scene(); }
   [[nodiscard]] const Certificate& certificate() const { return circuit.certificate(); }
 };
 
@@ -22,6 +22,6 @@ struct Certification {
 /// tractions.
 ///
 /// @throw std::invalid_argument, std::domain_error  the scene's options make no circuit
-[[nodiscard]] Certification certify(const Scene& scene, Observer& observer = silent);
+[[nodiscard]] Certification certify(const AnyScene& scene, Observer& observer = silent);
 
 }  // namespace tactile_net::lab
