@@ -4,14 +4,15 @@
 
 namespace tactile_net::lab {
 
-Certification certify(const Scene& scene, Observer& observer, std::optional<double> accuracy) {
+Certification certify(const AnyScene& scene, Observer& observer, std::optional<double> accuracy) {
   observer.step({Step::Kind::readings});
   Certification result{.circuit = simulated_circuit(scene)};
   observer.step({Step::Kind::certificate});
   (void)result.certificate();
-  if (result.circuit.loaded() && calls_for_tolerance(scene.network)) {
+  const NetworkOptions& options = result.circuit.options();
+  if (result.circuit.loaded() && calls_for_tolerance(options)) {
     observer.step({Step::Kind::draws});
-    result.tolerance = tolerate(result.circuit.network().reduction(), *scene.network.tolerance);
+    result.tolerance = tolerate(result.circuit.network().reduction(), *options.tolerance);
   }
   observer.step({Step::Kind::realizations});
   result.recommendation = recommend(result.circuit);

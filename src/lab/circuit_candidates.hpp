@@ -14,7 +14,7 @@ namespace tactile_net::lab {
 [[nodiscard]] inline std::vector<Realization> candidates(const SceneCircuit& circuit) {
   std::vector<Realization> result;
   for (const Realization one : realizations)
-    if (traits(one).uses_opamps && traits(one).linear() &&
+    if (traits(one).uses_opamps && traits(one).linear() && circuit.fits(one) &&
         (!traits(one).opamps_per_branch || circuit.nodes() <= 130))
       result.push_back(one);
   return result;

@@ -2,11 +2,11 @@
 
 namespace tactile_net::lab {
 
-void give_bandwidth(Scene& scene, double hertz) {
-  OpAmp& opamp = scene.network.parts.opamp;
+void give_bandwidth(NetworkOptions& network, double hertz) {
+  OpAmp& opamp = network.parts.opamp;
   opamp.gain = opamp.dc_gain();
   opamp.bandwidth = hertz;
-  if (!scene.network.settling_accuracy) scene.network.settling_accuracy = 1e-3;
+  if (!network.settling_accuracy) network.settling_accuracy = 1e-3;
 }
 
 }  // namespace tactile_net::lab

@@ -1,5 +1,6 @@
 /// @file
-/// What each pattern of missing taxels needs, made once and kept, the latest ones first. Private.
+/// What each pattern of missing taxels needs, or each weight, made once and kept, the latest ones
+/// first. Private.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +13,16 @@
 
 namespace tactile_net::lab {
 
-template <typename Pattern>
+template <typename Pattern, typename Key = std::vector<std::size_t>>
 class PatternCache {
  public:
   /// @param bytes_of_one  what a pattern takes, about
-  explicit PatternCache(std::size_t bytes_of_one)
-      : most_kept_(std::max<std::size_t>(most_bytes / bytes_of_one, 1)) {}
+  /// @param bytes         of all patterns
+  explicit PatternCache(std::size_t bytes_of_one, std::size_t bytes = most_bytes)
+      : most_kept_(std::max<std::size_t>(bytes / bytes_of_one, 1)) {}
 
   /// Of these taxels; `make` gives it where it is not kept.
-  Pattern& operator()(const std::vector<std::size_t>& taxels, const auto& make) {
+  Pattern& operator()(const Key& taxels, const auto& make) {
     auto known = patterns_.find(taxels);
     if (known == patterns_.end()) {
       if (patterns_.size() >= most_kept_)
@@ -36,7 +38,7 @@ class PatternCache {
   [[nodiscard]] std::size_t kept() const noexcept { return patterns_.size(); }
   [[nodiscard]] std::size_t most_kept() const noexcept { return most_kept_; }
 
-  static constexpr std::size_t most_bytes = std::size_t{64} << 20;  // of all patterns
+  static constexpr std::size_t most_bytes = std::size_t{64} << 20;
 
  private:
   struct Kept {
@@ -45,7 +47,7 @@ class PatternCache {
   };
   std::size_t most_kept_;
   std::size_t uses_ = 0;
-  std::map<std::vector<std::size_t>, Kept> patterns_{};  // by the dead taxels
+  std::map<Key, Kept> patterns_{};  // by the dead taxels
 };
 
 /// The taxels that are dead, and those of readings that are not there.

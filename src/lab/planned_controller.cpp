@@ -105,24 +105,27 @@ std::optional<PlanAlpha> plan_alpha(const SkinSceneProblem& problem, const NextF
   const SkinScene& scene = problem.scene();
   if (scene.reconstruct.alpha) return PlanAlpha{.value = *scene.reconstruct.alpha};
   check_memory(scene, available_memory());
-  const auto choose = [&](std::span<const double> readings) {
-    const FilterFrame frame = problem.family().analyse(readings);
-    const AlphaChoice choice = choose_alone(frame, problem.alpha_tables(frame),
-                                            problem.alpha_rule(), problem.stated_noise());
-    return ChosenAlpha{.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
-  };
+  const auto choose = [&](std::span<const double> readings) { return problem.alpha(readings); };
   if (next) return median_alpha(reading_count(scene.sensor), next, observer, choose);
   if (scene.contacts.empty()) return std::nullopt;
   return of_contact(choose(simulate(scene, observer).readings));
 }
 
-PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,
-                                  PlannerOptions options) {
-  const Scene& scene = problem.scene();
+namespace {
+
+void refuse_estimated_weight(const auto& problem) {
   if (problem.estimates_weight())
     throw std::invalid_argument(
         "a plan is one matrix for all frames, and here each has a tangential_weight of its own: "
         "state it");
+}
+
+}  // namespace
+
+PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,
+                                  PlannerOptions options) {
+  const Scene& scene = problem.scene();
+  refuse_estimated_weight(problem);
   options.traction_limit = scene.material.youngs_modulus;
   options.noise_rms = problem.stated_noise().value_or(0.0);
   if (!options.friction_coefficient)
@@ -151,6 +154,7 @@ void check_memory(const SkinScene& scene, double memory) {
 PlannedController plan_controller(const SkinSceneProblem& problem, const PlanAlpha& alpha,
                                   PlannerOptions options) {
   const SkinScene& scene = problem.scene();
+  refuse_estimated_weight(problem);
   check_memory(scene, available_memory());
   options.traction_limit = scene.material.youngs_modulus;
   options.noise_rms = problem.stated_noise().value_or(0.0);

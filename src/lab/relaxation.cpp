@@ -16,10 +16,11 @@ void find_operating_point(const SceneCircuit& scene_circuit, Simulator& simulato
                           Relaxation& result) {
   const Circuit& circuit = scene_circuit.network().circuit();
   std::ostringstream deck;
-  write_deck(deck, circuit, {.title = scene_circuit.scene().file + ", operating point"},
-             Answer::raw_file, scene_circuit.analysis());
+  write_deck(deck, circuit, {.title = scene_circuit.file() + ", operating point"}, Answer::raw_file,
+             scene_circuit.analysis());
   const OperatingPoint point = operating_point(simulator, deck.str(), output_names(circuit));
   result.ngspice_seconds = point.seconds;
+  result.names = output_names(circuit);
   result.voltages = point.voltages;
   for (const double voltage : result.voltages)
     result.tractions.push_back(voltage / scene_circuit.options().parts.scale.volts);

@@ -191,12 +191,12 @@ MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer
     const Relaxation relaxation = relax(circuit, simulator, observer);
     result.frame_seconds = relaxation.ngspice_seconds;
     result.condition = relaxation.condition;
-    const Surface& surface = run.problem.surface();
+    const Surface& own = run.problem.surface();
+    const Scene& scene = run.problem.scene();
     measure(result,
-            run.problem.scene().network.spacing
-                ? resampled(relaxation.tractions, circuit.surface(), surface)
-                : relaxation.tractions,
-            surface, experiment.frame.truth);
+            scene.network.spacing ? resampled(relaxation.tractions, surface(of_circuit(scene)), own)
+                                  : relaxation.tractions,
+            own, experiment.frame.truth);
     experiment.relaxation = relaxation;
     if (!relaxation.disagreement())
       result.verdict = !relaxation.resolved()         ? Verdict::ill_conditioned

@@ -7,8 +7,9 @@
 #include <stdexcept>
 #include <variant>
 
-#include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/skin_network.hpp"
+#include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/network/operating_voltages.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 
@@ -70,11 +71,15 @@ std::optional<double> predicted_difference(const SceneCircuit& circuit) {
   return difference_at_rest(circuit, circuit.network().flat());
 }
 
-/// The same readings, of tractions as far apart as the nodes.
-SceneFrame frame_of_circuit(const SceneFrame& frame) {
-  const Scene& scene = frame.problem().scene();
-  if (!scene.network.spacing) return frame;
-  return {SceneProblem(of_circuit(scene)), frame.readings()};
+const NetworkOptions& network_of(const AnyScene& any) {
+  return std::visit([](const auto& scene) -> const NetworkOptions& { return scene.network; }, any);
+}
+
+const std::shared_ptr<const CircuitSource>& checked(
+    const std::shared_ptr<const CircuitSource>& source) {
+  if (const auto why = source->refusal(network_of(source->scene()).realization))
+    throw std::invalid_argument(*why);
+  return source;
 }
 
 }  // namespace
@@ -82,19 +87,27 @@ SceneFrame frame_of_circuit(const SceneFrame& frame) {
 SceneCircuit::SceneCircuit(const SceneFrame& frame) : SceneCircuit(frame, frame.alpha()) {}
 
 SceneCircuit::SceneCircuit(const SceneFrame& frame, const ChosenAlpha& alpha)
-    : frame_(frame_of_circuit(frame)),
+    : SceneCircuit(circuit_source(frame), alpha) {}
+
+SceneCircuit::SceneCircuit(const std::shared_ptr<const CircuitSource>& source,
+                           const ChosenAlpha& alpha)
+    : source_(checked(source)),
       alpha_(alpha),
       options_(scaled()),
       network_(options().realization,
-               std::make_shared<const NetworkProblem>(
-                   network_problem(frame_.problem().problem(), alpha.value, frame.readings())),
+               std::make_shared<const NetworkProblem>(source_->problem(alpha.value)),
                options().parts) {}
 
+const std::string& SceneCircuit::file() const noexcept {
+  return std::visit([](const auto& one) -> const std::string& { return one.file; }, scene());
+}
+
 NetworkOptions SceneCircuit::scaled() const {
-  NetworkOptions options = scene().network;
+  NetworkOptions options = network_of(scene());
   if (!options.one_volt) return options;
-  double one_volt = 0.1 * scene().material.youngs_modulus;
-  if (!scene().contacts.empty()) {
+  double one_volt =
+      0.1 * std::visit([](const auto& one) { return one.material.youngs_modulus; }, scene());
+  if (std::visit([](const auto& one) { return !one.contacts.empty(); }, scene())) {
     one_volt = 0.0;
     for (const double f : direct()) one_volt = std::max(one_volt, std::abs(f));
   }
@@ -109,8 +122,7 @@ bool SceneCircuit::loaded() const noexcept {
 }
 
 const std::vector<double>& SceneCircuit::direct() const {
-  return direct_.get(
-      [&] { return tikhonov_solve(frame_.problem().problem(), alpha_.value, frame_.readings()); });
+  return direct_.get([&] { return source_->direct(alpha_.value); });
 }
 
 Condition SceneCircuit::condition() const {
@@ -160,12 +172,42 @@ ToleranceOptions SceneCircuit::tolerance() const {
   return options().tolerance.value_or(ToleranceOptions{.relative = 0.01});
 }
 
-SceneCircuit simulated_circuit(const Scene& scene) {
-  if (scene.contacts.empty() && !scene.reconstruct.alpha)
-    throw std::invalid_argument(
-        "the scene has no contact, so alpha and with it every part would be chosen on noise: give "
-        "alpha a number in [reconstruct], or the scene a contact");
+namespace {
+
+SceneCircuit circuit_of(const Scene& scene) {
   return SceneCircuit(SceneFrame(SceneProblem(scene), simulate(scene).readings));
+}
+
+SceneCircuit circuit_of(const SkinScene& scene) {
+  // Before anything is made of what is too large.
+  if (const auto why =
+          too_large(scene.network.realization, components(scene) * grid(of_circuit(scene)).count(),
+                    reading_count(scene.sensor)))
+    throw std::invalid_argument(*why);
+  std::vector<double> readings = simulate(scene).readings;
+  SkinSceneProblem problem(scene);
+  std::optional<double> weight;
+  if (problem.estimates_weight()) {
+    weight = problem.likeliest_weight(readings);
+    problem = problem.weighed(*weight);
+  }
+  ChosenAlpha alpha = problem.alpha(readings);
+  alpha.tangential_weight = weight;
+  return SceneCircuit(circuit_source(problem, std::move(readings)), alpha);
+}
+
+}  // namespace
+
+SceneCircuit simulated_circuit(const AnyScene& scene) {
+  return std::visit(
+      [](const auto& one) {
+        if (one.contacts.empty() && !one.reconstruct.alpha)
+          throw std::invalid_argument(
+              "the scene has no contact, so alpha and with it every part would be chosen on noise: "
+              "give alpha a number in [reconstruct], or the scene a contact");
+        return circuit_of(one);
+      },
+      scene);
 }
 
 }  // namespace tactile_net::lab

@@ -306,6 +306,13 @@ void judge_force(SkinAnswer& answer, const SkinSceneProblem& problem,
 /// Every reading is taken for what it says.
 SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double> readings,
                          const SkinAlphaChooser& choose) {
+  if (problem.estimates_weight()) {
+    const double weight = problem.likeliest_weight(readings);
+    SkinAnswer answer = solve_as_read(problem.weighed(weight), readings, choose);
+    answer.alpha.tangential_weight = weight;
+    answer.remarks.emplace_back(remark::EstimatedWeight{weight});
+    return answer;
+  }
   const FilterFrame frame = problem.family().analyse(readings);
   SkinAnswer answer{.alpha = alpha_of(problem, frame, choose)};
   answer.verdict = verdict_of(answer.alpha.verdict);

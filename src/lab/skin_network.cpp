@@ -1,16 +1,28 @@
 #include "tactile_net/lab/skin_network.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <string_view>
+#include <vector>
 
 #include "network/rounding.hpp"
 #include "tactile_net/skin/stabiliser.hpp"
 
 namespace tactile_net::lab {
+namespace {
+
+std::vector<std::string> node_names(const SkinProblem& problem) {
+  constexpr std::array<std::string_view, 3> letters = {"p_", "qy_", "qz_"};
+  std::vector<std::string> names;
+  for (std::size_t component = 0; component < problem.components; ++component)
+    for (std::size_t row = 0; row < problem.grid.rows; ++row)
+      for (std::size_t column = 0; column < problem.grid.columns; ++column)
+        names.push_back(std::string(letters[component]) + std::to_string(row) + "_" +
+                        std::to_string(column));
+  return names;
+}
+
+}  // namespace
 
 NetworkProblem network_problem(const SkinProblem& problem, double alpha,
                                std::span<const double> readings) {
@@ -18,46 +30,31 @@ NetworkProblem network_problem(const SkinProblem& problem, double alpha,
                         .right_side = normal_right_side(problem, readings),
                         .kernel = problem.kernel,
                         .stabiliser = stabiliser_matrix(problem, alpha),
-                        .readings = weighted(problem, readings)};
+                        .readings = weighted(problem, readings),
+                        .names = node_names(problem)};
   drop_rounding(result.matrix, 0.0);
   const auto entries = static_cast<double>(problem.kernel.values.size());
   drop_rounding(result.kernel, problem.kernel_error / std::sqrt(entries));
   return result;
 }
 
-void check_size(Realization realization, const SkinProblem& problem) {
-  const std::size_t nodes = problem.kernel.columns;
-  const std::string counted = "a skin of " + std::to_string(nodes) + " tractions makes ";
-  constexpr std::string_view coarser = "; a coarser reconstruct.spacing has fewer";
+std::optional<std::string> too_large(Realization realization, std::size_t tractions,
+                                     std::size_t readings) {
+  const std::string counted = "a skin of " + std::to_string(tractions) + " tractions makes ";
+  constexpr std::string_view coarser =
+      "; a coarser spacing under [network], or a smaller margin under [reconstruct], has fewer";
   if (traits(realization).takes_readings) {
-    const std::size_t amplifiers = nodes + problem.kernel.rows;
-    if (amplifiers > most_amplifiers)
-      throw std::invalid_argument(counted + std::to_string(amplifiers) + " amplifiers, more than " +
-                                  std::to_string(most_amplifiers) + std::string(coarser));
-    return;
+    const std::size_t amplifiers = tractions + readings;
+    if (amplifiers <= most_amplifiers) return std::nullopt;
+    return counted + std::to_string(amplifiers) + " amplifiers, more than " +
+           std::to_string(most_amplifiers) + std::string(coarser);
   }
-  const std::size_t branches = nodes * (nodes - 1) / 2;
-  if (branches > most_branches)
-    throw std::invalid_argument(counted + std::to_string(branches) + " branches of P, more than " +
-                                std::to_string(most_branches) +
-                                ": the realization least_squares takes two arrays of " +
-                                std::to_string(problem.kernel.rows) + " x " +
-                                std::to_string(nodes) + " and no P" + std::string(coarser));
-}
-
-Circuit named_by_cells(Circuit circuit, const SkinGrid& grid) {
-  constexpr std::array<std::string_view, 3> components = {"p_", "qy_", "qz_"};
-  const std::size_t cells = grid.count();
-  if (circuit.outputs.size() != cells && circuit.outputs.size() != 3 * cells)
-    throw std::invalid_argument("the circuit needs an output for each cell, or three");
-  for (std::size_t i = 0; i < circuit.outputs.size(); ++i) {
-    std::string name(components[i / cells]);
-    name += std::to_string(i % cells / grid.columns);
-    name += '_';
-    name += std::to_string(i % cells % grid.columns);
-    circuit.nodes[circuit.outputs[i]] = std::move(name);
-  }
-  return circuit;
+  const std::size_t branches = tractions * (tractions - 1) / 2;
+  if (branches <= most_branches) return std::nullopt;
+  return counted + std::to_string(branches) + " branches of P, more than " +
+         std::to_string(most_branches) + ": the realization least_squares takes two arrays of " +
+         std::to_string(readings) + " x " + std::to_string(tractions) + " and no P" +
+         std::string(coarser);
 }
 
 }  // namespace tactile_net::lab

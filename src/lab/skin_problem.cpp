@@ -5,8 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "lab/pattern_cache.hpp"
+#include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/lab/skin_data_verdict.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
+#include "tactile_net/skin/tangential_weight.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -18,10 +21,13 @@ double known_noise(const SkinScene& scene, SkinQuantity quantity) {
   if (!(rms > 0.0) || !scene.quantization) return rms;
   return std::hypot(rms, step(*scene.quantization, quantity) / std::sqrt(12.0));
 }
+/// Of all weights of a scene.
+constexpr std::size_t most_bytes_of_weights = std::size_t{512} << 20;
 
 SkinProblemOptions options_of(const SkinScene& scene) {
   SkinProblemOptions options{.components = components(scene),
                              .smoothing_length = scene.reconstruct.smoothing_length,
+                             .tangential_weight = scene.reconstruct.tangential_weight.value_or(1.0),
                              .dead_taxels = scene.dead_taxels,
                              .grid = scene.reconstruct.grid,
                              .unknown_offsets = scene.reconstruct.offset};
@@ -52,6 +58,7 @@ struct SkinSceneProblem::Parts {
   std::optional<std::vector<bool>> unseen{};
   std::optional<SkinSceneProblem> beyond{};
   std::optional<std::pair<std::vector<std::size_t>, SkinSceneProblem>> rest{};
+  std::optional<PatternCache<SkinSceneProblem, double>> weighed{};  // by tangential weight
 };
 
 SkinSceneProblem::SkinSceneProblem(SkinScene scene)
@@ -96,6 +103,46 @@ AlphaRule SkinSceneProblem::alpha_rule() const {
   // Cells are finer than taxels: what the rules without a noise see of little of it is no noise,
   // but loads that no cell can hold, and all but aicc then choose no smoothing at all.
   return stated_noise() ? AlphaRule::evidence : AlphaRule::aicc;
+}
+
+ChosenAlpha SkinSceneProblem::alpha(std::span<const double> readings) const {
+  if (const auto& given = parts_->scene.reconstruct.alpha) return {.value = *given};
+  const FilterFrame frame = family().analyse(readings);
+  const AlphaChoice choice = choose_alone(frame, alpha_tables(frame), alpha_rule(), stated_noise());
+  return {.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
+}
+
+bool SkinSceneProblem::estimates_weight() const {
+  return !parts_->scene.reconstruct.tangential_weight && components(parts_->scene) == 3;
+}
+
+SkinSceneProblem SkinSceneProblem::weighed(double tangential_weight) const {
+  if (!parts_->weighed) parts_->weighed.emplace(bytes(), most_bytes_of_weights);
+  return (*parts_->weighed)(tangential_weight, [&] {
+    SkinScene scene = parts_->scene;
+    scene.reconstruct.tangential_weight = tangential_weight;
+    auto made = std::make_unique<SkinSceneProblem>(std::move(scene));
+    made->parts_->problem = problem();  // kernels take longest, of layers above all
+    made->parts_->problem->tangential_weight = tangential_weight;
+    return made;
+  });
+}
+
+double SkinSceneProblem::likeliest_weight(std::span<const double> readings) const {
+  return likeliest_tangential_weight([&](double weight) {
+    const SkinSceneProblem one = weighed(weight);
+    const FilterFrame frame = one.family().analyse(readings);
+    return surprise(frame, one.alpha_tables(frame), stated_noise(), scene().reconstruct.alpha) +
+           surprise_of_weight(weight);
+  });
+}
+
+std::size_t SkinSceneProblem::bytes() const {
+  constexpr std::size_t matrices = 4;             // K twice, and its decomposition
+  constexpr std::size_t numbers_of_rules = 1000;  // AlphaTables, per traction or reading
+  const std::size_t rows = problem().kernel.rows;
+  const std::size_t columns = problem().kernel.columns;
+  return sizeof(double) * (matrices * rows * columns + numbers_of_rules * std::min(rows, columns));
 }
 
 const SkinCone& SkinSceneProblem::cone(double alpha) const {

@@ -10,25 +10,18 @@
 #include "tactile_net/inverse/shared_alpha.hpp"
 
 namespace tactile_net::lab {
-namespace {
-
-/// What a pattern takes, about: K twice, its decomposition, and the rules' tables.
-std::size_t bytes_of_pattern(const SkinSceneProblem& problem) {
-  constexpr std::size_t matrices = 4;
-  constexpr std::size_t numbers_of_rules = 1000;  // AlphaTables, per traction or reading
-  const std::size_t rows = problem.problem().kernel.rows;
-  const std::size_t columns = problem.problem().kernel.columns;
-  return sizeof(double) * (matrices * rows * columns + numbers_of_rules * std::min(rows, columns));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 struct SkinRecordingSolver::Parts {
   Parts(SkinSceneProblem given, RecordingSolverOptions asked)
-      : problem(std::move(given)), options(asked), patterns(bytes_of_pattern(problem)) {
+      : problem(std::move(given)), options(asked), patterns(problem.bytes()) {
     if (options.share_alpha && problem.scene().reconstruct.alpha)
       throw std::invalid_argument(
           "frames share an alpha that a rule chooses, and this scene gives one");
+    if (options.share_alpha && problem.estimates_weight())
+      throw std::invalid_argument(
+          "frames share an alpha of one functional, and here each has a tangential_weight of its "
+          "own: state it");
     if (options.share_alpha == std::size_t{0})
       throw std::invalid_argument("an alpha is shared by at least one frame");
   }

@@ -5,11 +5,13 @@
 #include <limits>
 
 #include "pages/parts.hpp"
+#include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/skin_words.hpp"
 
 namespace tactile_net::pages {
 namespace {
@@ -178,20 +180,43 @@ Figure resistors_figure(const FlatCircuit& circuit) {
           std::move(plot)};
 }
 
-/// The pad with the tractions that the circuit's voltages stand for.
-Figure pad_of_circuit(const lab::Certification& c) {
-  const std::size_t count = c.circuit.surface().count;
-  std::span<const double> tractions;
-  if (c.circuit.loaded()) tractions = c.circuit.direct();
-  return pad_figure(c.scene(),
-                    {tractions.first(std::min(count, tractions.size())),
-                     tractions.subspan(std::min(count, tractions.size()))},
-                    "the tractions that the circuit's voltages stand for", "pad",
+constexpr std::string_view voltages = "the tractions that the circuit's voltages stand for";
+
+/// The pad with these tractions, none where nothing loads it.
+Figure pad_of(const Scene& scene, std::span<const double> tractions) {
+  const std::size_t count = std::min(surface(scene).count, tractions.size());
+  return pad_figure(scene, {tractions.first(count), tractions.subspan(count)}, voltages, "pad",
                     "certificate.json");
 }
 
+Figure pad_of(const SkinScene& scene, std::span<const double> tractions) {
+  const SkinGrid cells = grid(scene);
+  const std::vector<double> shown = tractions.empty()
+                                        ? std::vector<double>(cells.count())
+                                        : std::vector(tractions.begin(), tractions.end());
+  Scales scales;
+  take(scales, shown, cells);
+  const bool loaded = scales.pressure > 0.0;
+  if (!loaded) scales.pressure = 1.0;
+  return {.name = "pad",
+          .section = "pad",
+          .caption = loaded ? "Seen from outside: " + std::string(voltages) +
+                                  ", colours the pressure of each cell, arrows its drag, dots the "
+                                  "taxels. A node is named after its cell: p_3_5 of row 3 and "
+                                  "column 5, from 0, qy_3_5 and qz_3_5 its drags."
+                            : "The cells that the circuit's nodes stand for; nothing presses.",
+          .plot = {},
+          .picture = maps({traction_map(scene, cells, shown, {}, scales, "")}) +
+                     traction_bar(scene, scales),
+          .data = "certificate.json",
+          .type = "skin"};
+}
+
 std::vector<Figure> figures_of(const lab::Certification& c) {
-  std::vector<Figure> figures = {pad_of_circuit(c)};
+  std::span<const double> tractions;
+  if (c.circuit.loaded()) tractions = c.circuit.direct();
+  std::vector<Figure> figures = {
+      std::visit([&](const auto& scene) { return pad_of(scene, tractions); }, c.scene())};
   if (c.certificate().dynamics) {
     figures.push_back(poles_figure(*c.certificate().dynamics));
     const bool moves = c.certificate().dynamics->settling_seconds.value_or(1.0) > 0.0 &&
@@ -211,8 +236,12 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   if (c.parts && c.parts->choice)
     page.files.emplace_back("parts.csv", order_csv(*c.parts, c.circuit));
 
-  std::string html = heading(c.scene().title, c.scene().file,
-                             sensor_in_words(c.scene()) + "; " + material_in_words(c.scene()));
+  std::string html = std::visit(
+      [](const auto& scene) {
+        return heading(scene.title, scene.file,
+                       sensor_in_words(scene) + "; " + material_in_words(scene));
+      },
+      c.scene());
   html += answer_box(answers(c));
   html += element("p", in_words(c.recommendation));
   for (const CircuitRemark& remark : c.certificate().remarks)
@@ -238,8 +267,10 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
     html += element("h3", "What to order") + html_table(cells(*c.parts)) +
             element("p", in_words(*c.parts, c.circuit));
   html += figures.html("parts");
-  html += colophon("The scene, the files, the command", scene_html(c.scene()), page.files, made);
-  page.html = page_html(c.scene().file + " - tactile-net certify", html);
+  html += colophon("The scene, the files, the command",
+                   std::visit([](const auto& scene) { return scene_html(scene); }, c.scene()),
+                   page.files, made);
+  page.html = page_html(c.circuit.file() + " - tactile-net certify", html);
   return page;
 }
 

@@ -69,6 +69,16 @@ std::string traction_map(const SkinScene& scene, const SkinGrid& cells_of, const
   return map_picture(scene.units, grid, title, "Map of the tractions, " + title, svg);
 }
 
+std::string traction_bar(const SkinScene& scene, const Scales& scales) {
+  const auto& units = scene.units;
+  return colour_bar(MapColours::signed_values,
+                    report::axis_unit(units, Dimension::stress, scales.pressure), scales.pressure,
+                    scales.negative,
+                    scales.drag > least_drag * scales.pressure
+                        ? "drag of " + report::in_unit(units, Dimension::stress, scales.drag)
+                        : "");
+}
+
 std::string scene_html(const SkinScene& scene) {
   return element("p", "Sensor: " + report::sensor_in_words(scene) +
                           ". Material: " + report::material_in_words(scene) +
@@ -122,7 +132,6 @@ Scales scales_of(const lab::SkinExperiment& experiment) {
 std::string tractions_figure(const lab::SkinExperiment& experiment) {
   const Scales scales = scales_of(experiment);
   if (!(scales.pressure > 0.0)) return {};
-  const auto& units = experiment.scene.units;
   const bool arrows = scales.drag > least_drag * scales.pressure;
   std::vector<std::string> pictures;
   if (experiment.has_truth())
@@ -132,13 +141,7 @@ std::string tractions_figure(const lab::SkinExperiment& experiment) {
                                   experiment.answer->cells, scales,
                                   experiment.has_truth() ? "What was found" : ""));
   return figure_html(
-      "tractions",
-      maps(pictures) +
-          colour_bar(
-              MapColours::signed_values,
-              report::axis_unit(units, Dimension::stress, scales.pressure), scales.pressure,
-              scales.negative,
-              arrows ? "drag of " + report::in_unit(units, Dimension::stress, scales.drag) : ""),
+      "tractions", maps(pictures) + traction_bar(experiment.scene, scales),
       std::string("Seen from outside: colours are the pressure, mean of each cell") +
           (arrows ? ", arrows the drag" : "") +
           ", dots the taxels; the line runs around the cells that touch, over which forces are "

@@ -32,6 +32,9 @@ void take(Scales& scales, const std::vector<double>& values, const SkinGrid& gri
                                        const std::vector<std::size_t>& cells, const Scales& scales,
                                        const std::string& title);
 
+/// The bar below such maps: colours and the longest arrow.
+[[nodiscard]] std::string traction_bar(const SkinScene& scene, const Scales& scales);
+
 /// Side by side where the window is wide.
 [[nodiscard]] std::string maps(const std::vector<std::string>& pictures);
 

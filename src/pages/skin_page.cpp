@@ -106,13 +106,7 @@ std::string frames_figure(const lab::SkinRecordingAnswer& recording) {
       "frames",
       "<div class=\"maps\"><div>" + html + "<input type=\"range\" id=\"frame\" min=\"0\" max=\"" +
           last + "\" value=\"" + std::to_string(first) + "\" aria-label=\"Frame\">" +
-          colour_bar(MapColours::signed_values,
-                     report::axis_unit(units, Dimension::stress, scales.pressure), scales.pressure,
-                     scales.negative,
-                     scales.drag > least_drag * scales.pressure
-                         ? "drag of " + report::in_unit(units, Dimension::stress, scales.drag)
-                         : "") +
-          "</div><div>" + course_pictures(recording) +
+          traction_bar(recording.scene, scales) + "</div><div>" + course_pictures(recording) +
           "</div></div><script>{const r=document.getElementById('frame'),"
           "f=document.querySelectorAll('.frame');r.oninput=()=>f.forEach((e,i)=>"
           "{e.hidden=i!=r.value})}</script>",

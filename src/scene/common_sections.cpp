@@ -152,4 +152,12 @@ void read_alpha(const Value& value, const Unit& unit, bool noise_known,
                  "under [noise], rms = 1e-4, or one for each quantity; or alpha = \"rgcv\"");
 }
 
+bool read_tangential_weight(const Value& value, std::optional<double>& weight) {
+  constexpr std::string_view ways[] = {"evidence"};
+  const bool estimated = value.is_text();
+  weight = estimated ? std::nullopt : value.number(positive);
+  return estimated ? value.one_of("way to estimate a weight", ways).has_value()
+                   : weight.has_value();
+}
+
 }  // namespace tactile_net

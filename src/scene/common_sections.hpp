@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -104,6 +105,18 @@ template <typename Quantity, std::size_t size>
 /// @param noise_known  a rule may ask for it
 void read_alpha(const Value& value, const Unit& unit, bool noise_known,
                 std::optional<double>& alpha, std::optional<AlphaRule>& rule);
+
+/// A number, or "evidence": `weight` is then absent. @return  it was understood
+[[nodiscard]] bool read_tangential_weight(const Value& value, std::optional<double>& weight);
+
+/// What is wrong with the distance of the tractions that a circuit's nodes stand for.
+using SpacingCheck = std::function<void(const Value& value, double spacing)>;
+
+/// The table [network], if there is one; the noise is known by then.
+///
+/// @param alpha  the unit of alpha and of the matrix P
+[[nodiscard]] NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
+                                          const SpacingCheck& check_spacing);
 
 /// The knots of a temperature that changes.
 ///

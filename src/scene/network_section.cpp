@@ -1,11 +1,7 @@
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
 
-#include "scene/sections.hpp"
-#include "tactile_net/numeric/number_text.hpp"
+#include "scene/common_sections.hpp"
 
 namespace tactile_net {
 
@@ -69,54 +65,30 @@ void read_parasitic(Table table, RealizationOptions& parts) {
   table.finish();
 }
 
-/// What a circuit's spacing must not be, once it is a length.
-void check_spacing(const Value& value, double spacing, const Unit& length, Scene scene) {
-  if (scene.reconstruct.surface.basis == SurfaceBasis::taxels) {
-    value.problem("is of a grid, and the tractions lie at the taxels",
-                  "under [reconstruct], surface = \"grid\"; or remove it");
-    return;
-  }
-  const SensorArray& array = scene.sensor;
-  if (array.count < 2 || !(array.pitch > 0.0) || array.depths.empty()) return;
-  try {
-    const double own = surface(scene).spacing;
-    if (spacing < own * (1.0 - 1e-9)) {
-      value.problem("is finer than the surface, whose tractions lie " +
-                        shortest(length.from_si(own)) + " apart",
-                    "as far apart at least; or a finer spacing under [reconstruct]");
-      return;
-    }
-    scene.network.spacing = spacing;
-    scene = of_circuit(std::move(scene));
-    if (const std::size_t nodes = unknowns(scene) * surface(scene).count;
-        nodes > most_circuit_nodes)
-      value.problem("makes a circuit of " + std::to_string(nodes) + " nodes, more than " +
-                        std::to_string(most_circuit_nodes),
-                    "a quarter of the depth resolves all that the pad lets through");
-  } catch (const std::invalid_argument&) {  // no array, no surface: said where they stand
-  }
-}
-
 }  // namespace
 
-NetworkOptions read_network(Table table, const Units& units, const Scene& scene) {
+NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
+                            const SpacingCheck& check_spacing) {
   constexpr std::array curves = {Curve::cubic, Curve::tunnel_diode};
   constexpr std::array<std::string_view, 2> curve_names = {"cubic", "tunnel_diode"};
-  NetworkOptions options;
+  NetworkOptions options{.one_volt = true};
+  const auto given = table_of(root.value("network"));
+  if (!given) return options;
+  Table table = *given;
   RealizationOptions& parts = options.parts;
   if (const auto realization = table.value("realization"))
     if (const auto index = realization->one_of("realization", names_of(realizations)))
       options.realization = realizations[*index];
   if (const auto spacing = table.value("spacing")) {
     options.spacing = spacing->number(positive, units.length);
-    if (options.spacing) check_spacing(*spacing, *options.spacing, units.length, scene);
+    if (options.spacing) check_spacing(*spacing, *options.spacing);
   }
   const auto number = [&](std::string_view key, double& target, const Unit& unit = {}) {
     if (const auto value = table.value(key))
       target = value->number(positive, unit).value_or(target);
   };
   // Per unit of P and of a traction.
-  number("siemens", parts.scale.siemens, inverse(alpha_unit(units, scene)));
+  number("siemens", parts.scale.siemens, inverse(alpha));
   options.one_volt = !table.value("volts");
   number("volts", parts.scale.volts, {"", units.stress.divisor, units.stress.multiplier});
   number("residual_gain", parts.residual_gain);

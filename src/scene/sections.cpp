@@ -5,9 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 
@@ -89,16 +92,10 @@ void read_constraints(Table& table, const Scene& scene, const Read& read,
       limit->problem("bounds the tangential traction, which one quantity at one depth cannot tell",
                      std::string{two_quantities});
   }
-  if (const auto weight = table.value("tangential_weight")) {
-    constexpr std::string_view ways[] = {"evidence"};
-    const bool estimated = weight->is_text();
-    options.tangential_weight = estimated ? std::nullopt : weight->number(positive);
-    const bool valid = estimated ? weight->one_of("way to estimate a weight", ways).has_value()
-                                 : options.tangential_weight.has_value();
-    if (valid && known && one_channel)
+  if (const auto weight = table.value("tangential_weight"))
+    if (read_tangential_weight(*weight, options.tangential_weight) && known && one_channel)
       weight->problem("weighs the tangential traction, which one quantity at one depth cannot tell",
                       std::string{two_quantities});
-  }
   if (const auto active = table.value("alpha_on_active_set")) {
     options.alpha_on_active_set = active->boolean().value_or(false);
     if (options.alpha_on_active_set && !options.nonnegative && !options.friction_limit)
@@ -230,6 +227,34 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
   return options;
 }
 
+/// What a circuit's spacing must not be, once it is a length.
+void check_circuit_spacing(const Value& value, double spacing, const Unit& length, Scene scene) {
+  if (scene.reconstruct.surface.basis == SurfaceBasis::taxels) {
+    value.problem("is of a grid, and the tractions lie at the taxels",
+                  "under [reconstruct], surface = \"grid\"; or remove it");
+    return;
+  }
+  const SensorArray& array = scene.sensor;
+  if (array.count < 2 || !(array.pitch > 0.0) || array.depths.empty()) return;
+  try {
+    const double own = surface(scene).spacing;
+    if (spacing < own * (1.0 - 1e-9)) {
+      value.problem("is finer than the surface, whose tractions lie " +
+                        shortest(length.from_si(own)) + " apart",
+                    "as far apart at least; or a finer spacing under [reconstruct]");
+      return;
+    }
+    scene.network.spacing = spacing;
+    scene = of_circuit(std::move(scene));
+    if (const std::size_t nodes = unknowns(scene) * surface(scene).count;
+        nodes > most_circuit_nodes)
+      value.problem("makes a circuit of " + std::to_string(nodes) + " nodes, more than " +
+                        std::to_string(most_circuit_nodes),
+                    "a quarter of the depth resolves all that the pad lets through");
+  } catch (const std::invalid_argument&) {  // no array, no surface: said where they stand
+  }
+}
+
 SensorOfEffects effects_sensor(const Read& read, const SensorArray& array) {
   return {.units = read.units,
           .on_offer = {quantities.begin(), quantities.end()},
@@ -272,9 +297,10 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
   scene.reconstruct.surface.basis = default_basis(scene, false);
   if (const auto table = table_of(root.value("reconstruct")))
     scene.reconstruct = read_reconstruct(*table, scene, read);
-  scene.network.one_volt = true;
-  if (const auto table = table_of(root.value("network")))
-    scene.network = read_network(*table, read.units, scene);
+  scene.network = read_network(root, read.units, alpha_unit(read.units, scene),
+                               [&](const Value& value, double spacing) {
+                                 check_circuit_spacing(value, spacing, read.units.length, scene);
+                               });
   root.finish();
   scene = at_frame(std::move(scene), scene.time ? scene.time->frames - 1 : 0);
 }

@@ -42,7 +42,4 @@ void read_calibration(const std::optional<Table>& table, const std::filesystem::
 /// The table [calibrate]: how well what the scene states is known.
 [[nodiscard]] CalibrationOptions read_calibrate(Table table, const Units& units, bool has_layer);
 
-/// The table [network]; the noise is known by then.
-[[nodiscard]] NetworkOptions read_network(Table table, const Units& units, const Scene& scene);
-
 }  // namespace tactile_net

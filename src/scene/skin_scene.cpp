@@ -26,6 +26,11 @@ std::size_t components(const SkinScene& scene) {
 
 SkinGrid grid(const SkinScene& scene) { return grid_of(scene.sensor, scene.reconstruct.grid); }
 
+SkinScene of_circuit(SkinScene scene) {
+  if (scene.network.spacing) scene.reconstruct.grid.spacing = scene.network.spacing;
+  return scene;
+}
+
 SignalPath signal_path(const SkinScene& scene) {
   return signal_path(scene, signal_layout(scene.sensor));
 }

@@ -22,13 +22,11 @@ struct Absent {
   std::string_view why;
 };
 constexpr Absent absent_tables[] = {
-    {"network", "is a circuit, and those of skins are not generated yet"},
     {"calibration", "is of line arrays: a skin's recording holds readings"}};
 constexpr Absent absent_keys[] = {
     {"surface", "has one kind for skins, a grid of cells"},
     {"contact_friction", "is of the method \"dft\", which is for line arrays"},
     {"noise_gain_limit", "is of the method \"dft\", which is for line arrays"},
-    {"tangential_weight", "is 1 for skins"},
     {"alpha_on_active_set", "is for line arrays"}};
 
 /// Complete enough to be asked for more.
@@ -164,6 +162,9 @@ void read_reconstruct(Table table, const std::optional<Value>& depths, const Rea
     if (one_channel)
       limit->problem("bounds the drags, which one quantity at one depth cannot tell", three);
   }
+  if (const auto weight = table.value("tangential_weight"))
+    if (read_tangential_weight(*weight, options.tangential_weight) && one_channel)
+      weight->problem("weighs the drags, which one quantity at one depth cannot tell", three);
   if (const auto tangential = table.value("tangential")) {
     options.tangential = tangential->boolean();
     if (options.tangential == true && one_channel)
@@ -180,6 +181,21 @@ void read_reconstruct(Table table, const std::optional<Value>& depths, const Rea
   for (const Absent& absent : absent_keys) table.not_here(absent.key, absent.why, "remove it");
   read_grid(table, depths, read, scene);
   table.finish();
+}
+
+/// What a circuit's spacing must not be, once it is a length.
+void check_circuit_spacing(const Value& value, double spacing, const Unit& length,
+                           const SkinScene& scene) {
+  if (!is_whole(scene)) return;
+  try {
+    const SkinGrid own = grid(scene);
+    const double cells = std::min(own.spacing_y, own.spacing_z);
+    if (spacing < cells * (1.0 - 1e-9))
+      value.problem(
+          "is finer than the cells, which lie " + shortest(length.from_si(cells)) + " apart",
+          "as far apart at least; or a finer spacing under [reconstruct]");
+  } catch (const std::invalid_argument&) {  // no grid: said where it stands
+  }
 }
 
 /// By which cells are sized where nobody says it: the depths, or the file that has them.
@@ -281,6 +297,10 @@ void read_skin_sections(Table& root, const std::filesystem::path& folder, SkinSc
     read_reconstruct(*table, depths, read, scene);
   else
     check_grid(depths, read.units, scene);
+  scene.network = read_network(root, read.units, alpha_unit(read.units, scene),
+                               [&](const Value& value, double spacing) {
+                                 check_circuit_spacing(value, spacing, read.units.length, scene);
+                               });
   for (const Absent& absent : absent_tables) root.not_here(absent.key, absent.why, "remove it");
   check_reads(read, scene);
   root.finish();

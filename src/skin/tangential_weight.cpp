@@ -10,9 +10,7 @@
 
 namespace tactile_net {
 
-double likeliest_tangential_weight(SkinProblem problem, std::span<const double> readings,
-                                   std::optional<double> noise_rms) {
-  if (problem.components == 1) return 1.0;
+double likeliest_tangential_weight(const std::function<double(double weight)>& surprise) {
   std::vector<double> weights(tangential_weights.begin(), tangential_weights.end());
   std::sort(weights.begin(), weights.end());
   const auto last = std::ssize(weights) - 1;
@@ -20,14 +18,7 @@ double likeliest_tangential_weight(SkinProblem problem, std::span<const double> 
   std::map<std::ptrdiff_t, double> known;
   const auto value = [&](std::ptrdiff_t at) {
     const auto [entry, is_new] = known.try_emplace(at);
-    if (is_new) {
-      const double weight = problem.tangential_weight = weights[static_cast<std::size_t>(at)];
-      const SkinFamily family(problem);
-      const FilterFrame frame = family.analyse(readings);
-      entry->second =
-          surprise(frame, AlphaTables(family.singular_values(), frame.rows), noise_rms) +
-          surprise_of_weight(weight);
-    }
+    if (is_new) entry->second = surprise(weights[static_cast<std::size_t>(at)]);
     return entry->second;
   };
 
@@ -36,6 +27,18 @@ double likeliest_tangential_weight(SkinProblem problem, std::span<const double> 
     for (const std::ptrdiff_t way : {step, -step})
       while (best + way >= 0 && best + way <= last && value(best + way) < value(best)) best += way;
   return weights[static_cast<std::size_t>(best)];
+}
+
+double likeliest_tangential_weight(SkinProblem problem, std::span<const double> readings,
+                                   std::optional<double> noise_rms) {
+  if (problem.components == 1) return 1.0;
+  return likeliest_tangential_weight([&](double weight) {
+    problem.tangential_weight = weight;
+    const SkinFamily family(problem);
+    const FilterFrame frame = family.analyse(readings);
+    return surprise(frame, AlphaTables(family.singular_values(), frame.rows), noise_rms) +
+           surprise_of_weight(weight);
+  });
 }
 
 }  // namespace tactile_net

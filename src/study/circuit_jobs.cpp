@@ -14,7 +14,7 @@ Scene with_circuit(const StudyInput& input, Realization realization,
   scene.network.tolerance.reset();
   scene.network.spacing.reset();  // its answer stands beside the scene's own
   scene.network.realization = realization;
-  if (bandwidth) lab::give_bandwidth(scene, *bandwidth);
+  if (bandwidth) lab::give_bandwidth(scene.network, *bandwidth);
   scene.network.settling_accuracy.reset();
   return scene;
 }

@@ -126,9 +126,9 @@ with tempfile.TemporaryDirectory() as place:
     check("skin_solve", (place / "s").read_text(), "a skin's recording")
     for name in ("fingertip", "two-strains", "dragged-two-depths"):
         check("identify", written("identify", scenes / f"{name}.toml"), name)
-    for name in ("nic", "circuits/crossbar", "circuits/least-squares"):
+    for name in ("nic", "circuits/crossbar", "circuits/least-squares", "skins/circuit"):
         check("certify", written("certify", scenes / f"{name}.toml"), name)
-    for name in ("nic", "circuits/rail"):
+    for name in ("nic", "circuits/rail", "skins/circuit"):
         check("relax", written("relax", scenes / f"{name}.toml"), name)
     subprocess.run([tool, "gen", scenes / "nic.toml", "-o", place / "nic.cir"], check=True)
     check("deck", written("relax", place / "nic.cir"), "a deck")

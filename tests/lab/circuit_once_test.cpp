@@ -23,7 +23,7 @@ Scene certified(Realization realization) {
   Scene scene = read_scene(SCENES "/circuits/rail.toml");
   scene.network.realization = realization;
   scene.network.tolerance = ToleranceOptions{.relative = 0.01, .trials = 20};
-  lab::give_bandwidth(scene, 1e6);
+  lab::give_bandwidth(scene.network, 1e6);
   return scene;
 }
 

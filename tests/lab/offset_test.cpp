@@ -167,8 +167,9 @@ TEST_CASE("a circuit's nodes may lie further apart than the surface's values",
   scene.network.spacing = 4.0 * own;
   const SceneProblem coarse_nodes(scene);
   const SceneCircuit circuit{SceneFrame(coarse_nodes, readings)};
-  CHECK_THAT(circuit.surface().spacing, WithinRel(4.0 * own, 1e-12));
-  CHECK(circuit.nodes() == circuit.surface().count);
+  const Surface nodes = surface(std::get<Scene>(circuit.scene()));
+  CHECK_THAT(nodes.spacing, WithinRel(4.0 * own, 1e-12));
+  CHECK(circuit.nodes() == nodes.count);
   CHECK(circuit.nodes() < problem.surface().count / 3);
 
   // The minimiser on that grid, asked for directly.

@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/lab/relaxation.hpp"
+#include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
+#include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/network/certificate.hpp"
 #include "tactile_net/network/deck.hpp"
@@ -85,10 +88,10 @@ TEST_CASE("ngspice relaxes a skin of 4 x 4 x 3 to its direct solution", "[lab][s
   const Realization realization = GENERATE(Realization::least_squares, Realization::crossbar,
                                            Realization::ideal, Realization::rail);
   CAPTURE(name(realization));
-  CHECK_NOTHROW(lab::check_size(realization, small.problem.problem()));
+  CHECK_FALSE(lab::too_large(realization, direct.size(), 48));
   const NetworkCircuit circuit = small.circuit(realization);
   CHECK(l2_difference(operating_voltages(circuit.flat()), direct) < 1e-3);  // of gains of 1e6
-  const Circuit named = lab::named_by_cells(circuit.circuit(), small.problem.grid());
+  const Circuit& named = circuit.circuit();
   CHECK(output_names(named).front() == "p_0_0");
   CHECK(output_names(named)[17] == "qy_0_1");
   CHECK(output_names(named).back() == "qz_3_3");
@@ -117,18 +120,57 @@ TEST_CASE("the circuit of a skin has the certificate of any", "[lab][skin_networ
   CHECK(result.trials == 20);
 }
 
+TEST_CASE("what ngspice makes of a skin's scene is the digital answer, as far as its parts explain",
+          "[lab][skin_network]") {
+  AnyScene scene = read_any_scene(SCENES "/skins/circuit.toml");
+  const bool pressure_alone = GENERATE(false, true);
+  auto& skin = std::get<SkinScene>(scene);
+  if (pressure_alone) {
+    skin.sensor.rows = skin.sensor.columns = 8;
+    skin.sensor.reads = {SkinQuantity::stress_x};
+  }
+  const lab::SceneCircuit circuit = lab::simulated_circuit(scene);
+  REQUIRE(circuit.nodes() == (pressure_alone ? 64 : 48));
+  Ngspice ngspice;
+  const lab::Relaxation relaxation = lab::relax(circuit, ngspice);
+  CAPTURE(relaxation.difference, relaxation.explained.limit);
+  CHECK_FALSE(relaxation.disagreement());
+  CHECK(relaxation.difference < relaxation.explained.total());
+  CHECK(relaxation.difference < 1e-2);
+  CHECK(relaxation.names.back() == (pressure_alone ? "p_7_7" : "qz_3_3"));
+  REQUIRE(relaxation.transient);
+  CHECK(relaxation.transient->end == TransientEnd::settles);
+  // The answer is that of the library: this scene states alpha, and has no constraints.
+  const lab::SkinExperiment run = lab::run(skin);
+  REQUIRE(run.answer);
+  CHECK(l2_difference(circuit.direct(), run.answer->tractions) < 1e-12);
+}
+
+TEST_CASE("a circuit of a skin has the scene's alpha and weight, and cells of its own",
+          "[lab][skin_network]") {
+  const auto of = [](const std::string& more) {
+    Small small(more);
+    return lab::simulated_circuit(small.problem.scene());
+  };
+  const lab::SceneCircuit weighed = of("tangential_weight = \"evidence\"\nspacing = 1.0\n");
+  REQUIRE(weighed.alpha().tangential_weight);
+  CHECK(weighed.alpha().value == alpha);
+  const lab::SceneCircuit coarse =
+      of("spacing = 0.5\nmargin = 1.0\n[network]\nspacing = 1.0\n"
+         "realization = \"least_squares\"\n");
+  CHECK(coarse.nodes() == 3 * 6 * 6);
+  CHECK(coarse.fits(Realization::ideal));
+  CHECK_THROWS_WITH(of("friction_limit = 0.5\nspacing = 1.0\n"),
+                    ContainsSubstring("holds no constraints"));
+  CHECK_THROWS_WITH(of("spacing = 0.25\n"), ContainsSubstring("branches of P"));
+}
+
 TEST_CASE("a skin too large for a circuit is refused with the count and what takes fewer",
           "[lab][skin_network]") {
-  const Small fine("spacing = 0.6\n");  // 9 x 9 cells
-  const SkinProblem& problem = fine.problem.problem();
-  REQUIRE(problem.kernel.columns > 201);
-  CHECK_THROWS_WITH(
-      lab::check_size(Realization::ideal, problem),
-      ContainsSubstring(std::to_string(problem.kernel.columns * (problem.kernel.columns - 1) / 2) +
-                        " branches of P, more than 20000") &&
-          ContainsSubstring("least_squares takes two arrays of 48 x"));
-  CHECK_NOTHROW(lab::check_size(Realization::least_squares, problem));
-  const Small finer("spacing = 0.25\n");
-  CHECK_THROWS_WITH(lab::check_size(Realization::least_squares, finer.problem.problem()),
-                    ContainsSubstring("amplifiers, more than 1024"));
+  const auto why = lab::too_large(Realization::ideal, 243, 48);
+  CHECK_THAT(why.value_or(""), ContainsSubstring("29403 branches of P, more than 20000") &&
+                                   ContainsSubstring("least_squares takes two arrays of 48 x 243"));
+  CHECK_FALSE(lab::too_large(Realization::least_squares, 243, 48));
+  CHECK_THAT(lab::too_large(Realization::least_squares, 1000, 48).value_or(""),
+             ContainsSubstring("1048 amplifiers, more than 1024"));
 }

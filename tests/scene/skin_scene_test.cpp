@@ -225,8 +225,15 @@ TEST_CASE("what is wrong with a skin's scene is said at its place", "[scene]") {
       {"spacing = 1.0\nmargin", "spacing = 0.1\nmargin", "43:11", "unknown tractions, more than"},
       {"margin = 2.0", "margin = 2.0\nnonnegative = false", "45:15", "which friction_limit does"},
       {"margin = 2.0", "margin = 2.0\noffset = 1", "45:10", "must be true or false"},
+      {"margin = 2.0", "margin = 2.0\ntangential_weight = 0", "45:21", "must be > 0 (got 0)"},
+      {"margin = 2.0", "margin = 2.0\ntangential_weight = \"evidense\"", "45:21",
+       "unknown way to estimate a weight"},
       {"margin = 2.0", "margin = 2.0\nsurface = \"grid\"", "45:11", "has one kind for skins"},
-      {"[dead_taxels]", "[network]\n[dead_taxels]", "35:1", "is a circuit"},
+      {"[dead_taxels]", "[calibration]\n[dead_taxels]", "35:1", "is of line arrays"},
+      {"[dead_taxels]", "[network]\nrealization = \"mesh\"\n[dead_taxels]", "36:15",
+       "unknown realization"},
+      {"[dead_taxels]", "[network]\nspacing = 0.1\n[dead_taxels]", "36:11",
+       "is finer than the cells, which lie 0.75 apart"},
   });
 }
 

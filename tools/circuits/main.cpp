@@ -47,6 +47,7 @@ constexpr const char* choice =
 - `nic` is the thesis' own proposal; `rail` does it with O(N) op-amps and is the most sensitive of all. `lc` and `ndr` are its
   two other ones.
 - `tactile-net certify SCENE.toml` says which, for the scene's own alpha and tolerances.
+- Circuits of small skins, by the same commands: [skins.md](skins.md#as-a-circuit).
 
 ## How stability is known
 

@@ -16,7 +16,7 @@ struct Certification {
   Recommendation recommendation{};
   std::optional<PartsList> parts{};  ///< where an accuracy is asked for
 
-  [[nodiscard]] const Scene& scene() const noexcept { return circuit.scene(); }
+  [[nodiscard]] const AnyScene& scene() const noexcept { return circuit.scene(); }
   [[nodiscard]] const Certificate& certificate() const { return circuit.certificate(); }
 };
 
@@ -26,7 +26,7 @@ struct Certification {
 /// @param accuracy  of a list of parts, `parts_list`; absent: none is made
 /// @throw std::invalid_argument, std::domain_error  the scene's options make no circuit, or as
 ///                                                  `parts_list`
-[[nodiscard]] Certification certify(const Scene& scene, Observer& observer = silent,
+[[nodiscard]] Certification certify(const AnyScene& scene, Observer& observer = silent,
                                     std::optional<double> accuracy = {});
 
 }  // namespace tactile_net::lab

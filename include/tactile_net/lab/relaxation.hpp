@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "tactile_net/lab/observer.hpp"
@@ -58,6 +59,7 @@ struct Relaxation {
   Realization realization = Realization::ideal;
   std::size_t nodes = 0;
   ElementCounts elements{};
+  std::vector<std::string> names{};  ///< of the nodes
   std::vector<double> voltages{};    ///< [V]
   std::vector<double> tractions{};   ///< voltages / volts [Pa]
   double difference = 0.0;           ///< |v - f|_2 / |f|_2

@@ -2,11 +2,12 @@
 /// A scene's circuit for one frame of readings, and all that several results need of it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "tactile_net/lab/circuit_source.hpp"
 #include "tactile_net/lab/condition.hpp"
-#include "tactile_net/lab/scene_problem.hpp"
 #include "tactile_net/network/certificate.hpp"
 #include "tactile_net/network/deck.hpp"
 #include "tactile_net/network/network_circuit.hpp"
@@ -42,15 +43,20 @@ class SceneCircuit {
   /// @throw std::invalid_argument, std::domain_error  the scene's options make no circuit
   explicit SceneCircuit(const SceneFrame& frame);
   SceneCircuit(const SceneFrame& frame, const ChosenAlpha& alpha);
+  /// @throw std::invalid_argument  the source refuses the realisation
+  SceneCircuit(const std::shared_ptr<const CircuitSource>& source, const ChosenAlpha& alpha);
 
-  /// With the surface that the nodes stand for.
-  [[nodiscard]] const Scene& scene() const noexcept { return frame_.problem().scene(); }
+  /// `CircuitSource::scene`
+  [[nodiscard]] const AnyScene& scene() const noexcept { return source_->scene(); }
+  [[nodiscard]] const std::string& file() const noexcept;
   /// The scene's, with the scale that holds for this circuit. Where the scene states no `volts`
   /// the largest of the answer's voltages is 1 V; without a contact, whose answer would be noise,
   /// 1 V stands for the traction that strains the pad by 10 %.
   [[nodiscard]] const NetworkOptions& options() const noexcept { return options_; }
-  /// What the nodes stand for.
-  [[nodiscard]] const Surface& surface() const { return frame_.problem().surface(); }
+  /// Whether another realisation is one of the same problem: `CircuitSource::refusal`.
+  [[nodiscard]] bool fits(Realization realization) const {
+    return !source_->refusal(realization).has_value();
+  }
   [[nodiscard]] const ChosenAlpha& alpha() const noexcept { return alpha_; }
 
   /// The circuit, with its flat form, reduction, state space and P's eigenvalues.
@@ -91,7 +97,7 @@ class SceneCircuit {
   /// The scene's options with a scale that suits the answer.
   [[nodiscard]] NetworkOptions scaled() const;
 
-  SceneFrame frame_;
+  std::shared_ptr<const CircuitSource> source_;
   ChosenAlpha alpha_;
   Once<std::vector<double>> direct_;
   NetworkOptions options_;  // after what its scale follows from
@@ -104,7 +110,8 @@ class SceneCircuit {
 /// The circuit for the scene's own frame, as it is simulated.
 ///
 /// @throw std::invalid_argument  there is no contact and a rule would choose alpha on noise: what
-///                               such a circuit is made of would be noise too
-[[nodiscard]] SceneCircuit simulated_circuit(const Scene& scene);
+///                               such a circuit is made of would be noise too; or of a skin as
+///                               `circuit_source` and `too_large`
+[[nodiscard]] SceneCircuit simulated_circuit(const AnyScene& scene);
 
 }  // namespace tactile_net::lab

@@ -4,15 +4,18 @@
 ///
 ///     const lab::SkinSceneProblem problem(skin);
 ///     const lab::SkinAnswer answer = lab::solve(problem, readings);
-///     lab::check_size(Realization::least_squares, problem.problem());
 ///     const NetworkCircuit circuit(Realization::least_squares,
 ///         std::make_shared<const NetworkProblem>(
 ///             lab::network_problem(problem.problem(), answer.alpha.value, readings)), {});
 ///     certify(circuit).stability;                        // network/certificate.hpp
-///     const Circuit deck = lab::named_by_cells(circuit.circuit(), problem.grid());
+///
+/// Of a whole scene: `SceneCircuit` (scene_circuit.hpp).
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/skin/problem.hpp"
@@ -20,8 +23,9 @@
 namespace tactile_net::lab {
 
 /// P f = b of a skin, with K, the stabiliser and the readings: node i stands for traction i, the
-/// normal ones of all cells, then tangential_y, then tangential_z. Constraints are not among it:
-/// circuits are linear.
+/// normal ones of all cells, then tangential_y, then tangential_z, and is named after it: "p_3_5"
+/// of row 3 and column 5, from 0, "qy_3_5" and "qz_3_5". Constraints are not among it: circuits are
+/// linear.
 ///
 /// @throw std::invalid_argument  alpha is not > 0 and finite, or readings have the wrong size
 [[nodiscard]] NetworkProblem network_problem(const SkinProblem& problem, double alpha,
@@ -33,16 +37,9 @@ inline constexpr std::size_t most_branches = 20000;
 /// Nodes and residuals together, of the one that has two arrays and no P.
 inline constexpr std::size_t most_amplifiers = 1024;
 
-/// Whether a skin is small enough for a realisation.
-///
-/// @throw std::invalid_argument  it is not; the text says how many parts it would have, how many
-///                               there may be, and what takes fewer
-void check_size(Realization realization, const SkinProblem& problem);
-
-/// The same circuit, each output named after its cell: "p_3_5" of row 3 and column 5, from 0, then
-/// "qy_3_5" and "qz_3_5".
-///
-/// @throw std::invalid_argument  it has not one output for each cell of the grid, or three
-[[nodiscard]] Circuit named_by_cells(Circuit circuit, const SkinGrid& grid);
+/// Why a skin of so many tractions and readings is too large for a realisation: how many parts it
+/// would have, how many there may be, and what takes fewer. Absent: it is small enough.
+[[nodiscard]] std::optional<std::string> too_large(Realization realization, std::size_t tractions,
+                                                   std::size_t readings);
 
 }  // namespace tactile_net::lab

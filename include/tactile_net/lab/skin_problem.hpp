@@ -13,6 +13,7 @@
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/lab/alpha.hpp"
 #include "tactile_net/scene/skin_scene.hpp"
 #include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/data_verdict.hpp"
@@ -42,6 +43,20 @@ class SkinSceneProblem {
 
   /// The scene's rule for alpha; else evidence where the noise is stated, and aicc where it is not.
   [[nodiscard]] AlphaRule alpha_rule() const;
+
+  /// Of one frame, constraints aside: the scene's, or by that rule.
+  [[nodiscard]] ChosenAlpha alpha(std::span<const double> readings) const;
+
+  /// Whether each frame has a tangential weight of its own. Until a frame is there it is 1.
+  [[nodiscard]] bool estimates_weight() const;
+  /// The same with this weight stated. Those of some weights are kept, as far as memory goes.
+  [[nodiscard]] SkinSceneProblem weighed(double tangential_weight) const;
+  /// The weight under which these readings are likeliest, with the scene's alpha where it gives
+  /// one.
+  [[nodiscard]] double likeliest_weight(std::span<const double> readings) const;
+
+  /// What the problem and what is made of it take in memory, about.
+  [[nodiscard]] std::size_t bytes() const;
 
   /// Of the last alpha asked for. @pre  there are constraints
   [[nodiscard]] const SkinCone& cone(double alpha) const;

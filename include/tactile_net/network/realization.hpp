@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct NetworkProblem {
   Matrix kernel{};                   ///< K: weighted, with the pitch
   Matrix stabiliser{};               ///< R = alpha (l^2/D^2 Q + I)
   std::vector<double> readings{};    ///< g, weighted
+  std::vector<std::string> names{};  ///< of the nodes; none: n0, n1, ...
 };
 
 /// @throw std::invalid_argument  alpha is not > 0 and finite, readings have the wrong size
@@ -138,9 +140,10 @@ struct RealizationTraits {
 /// frequency.
 [[nodiscard]] bool takes_time(Realization realization, const RealizationOptions& options) noexcept;
 
-/// Builds the circuit. Its nodes are n0, n1, ..., one per row of P, and are its outputs; sources
-/// are I0, I1, ...; parts are named after the entry of P or K that they stand for. How each
-/// realisation does it stands at the head of its file in src/network/realizations.
+/// Builds the circuit. Its nodes are n0, n1, ..., or as the problem names them, one per row of P,
+/// and are its outputs; sources are I0, I1, ...; parts are named after the entry of P or K that
+/// they stand for. How each realisation does it stands at the head of its file in
+/// src/network/realizations.
 ///
 /// @throw std::invalid_argument  sizes differ, a value is not finite, P is not symmetric, K is zero
 ///                               where it is used, or an option is out of range

@@ -26,10 +26,13 @@ struct SkinReconstructOptions {
   std::optional<double> alpha{};             ///< absent: a rule chooses it
   std::optional<AlphaRule> alpha_rule{};     ///< absent: by readings and noise
   std::optional<double> smoothing_length{};  ///< l [m]; absent: the mean depth of the taxels
-  SkinGridOptions grid{};                    ///< where the tractions lie
-  std::optional<bool> tangential{};          ///< solve for the drags too; absent: see `components`
-  bool nonnegative = false;                  ///< p >= 0
-  std::optional<double> friction_limit{};    ///< |q| <= limit p; implies p >= 0
+  /// How much heavier the tangential tractions' stabiliser is, > 0; absent: as each frame's
+  /// readings have it (skin/tangential_weight.hpp).
+  std::optional<double> tangential_weight = 1.0;
+  SkinGridOptions grid{};                  ///< where the tractions lie
+  std::optional<bool> tangential{};        ///< solve for the drags too; absent: see `components`
+  bool nonnegative = false;                ///< p >= 0
+  std::optional<double> friction_limit{};  ///< |q| <= limit p; implies p >= 0
   bool offset = false;  ///< each channel's readings have a constant that is not known
 };
 
@@ -48,6 +51,7 @@ struct SkinScene : SensorEffects {
   std::vector<SkinContactTrajectory> trajectories{};  ///< one per contact, empty where it stands
   ForwardModel forward = ForwardModel::exact;
   SkinReconstructOptions reconstruct{};
+  NetworkOptions network{};
 };
 
 /// How many tractions of a cell a scene solves for: 3, normal and two tangential, if the skin has
@@ -58,6 +62,9 @@ struct SkinScene : SensorEffects {
 
 /// Where those tractions lie. @throw std::invalid_argument  as `grid_of`
 [[nodiscard]] SkinGrid grid(const SkinScene& scene);
+
+/// The same scene, its cells as large as what the circuit's nodes stand for.
+[[nodiscard]] SkinScene of_circuit(SkinScene scene);
 
 /// Tractions that a skin is solved for, at most: their matrices are dense.
 inline constexpr std::size_t most_skin_tractions = 8192;

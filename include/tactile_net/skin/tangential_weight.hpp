@@ -3,6 +3,7 @@
 /// one's: as inverse/tangential_weight.hpp, of which it asks the readings.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -10,8 +11,15 @@
 
 namespace tactile_net {
 
-/// The one of `tangential_weights` under which a frame is likeliest; 1 with one component, or where
-/// nothing was read. Some six `SkinFamily` from 1 upwards or downwards, as long as that helps.
+/// The one of `tangential_weights` that surprises least, from 1 upwards or downwards as long as
+/// that helps: some six are looked at.
+///
+/// @param surprise  under a weight: `surprise` of the frame + `surprise_of_weight`
+[[nodiscard]] double likeliest_tangential_weight(
+    const std::function<double(double weight)>& surprise);
+
+/// The same of a frame, each weight with a `SkinFamily` of its own; 1 with one component, or where
+/// nothing was read.
 ///
 /// @param noise_rms  of one weighted reading, > 0; absent: not known
 /// @throw std::invalid_argument  readings have the wrong size or are not finite; noise_rms is not >

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "network/realizations/traits.hpp"
 
@@ -43,7 +44,13 @@ bool takes_time(Realization realization, const RealizationOptions& options) noex
 
 Circuit realize(Realization realization, const NetworkProblem& problem,
                 const RealizationOptions& options) {
-  return traits(realization).build(problem, options);
+  Circuit circuit = traits(realization).build(problem, options);
+  if (problem.names.empty()) return circuit;
+  if (problem.names.size() != circuit.outputs.size())
+    throw std::invalid_argument("a circuit's nodes need a name each, or none");
+  for (std::size_t i = 0; i < problem.names.size(); ++i)
+    circuit.nodes[circuit.outputs[i]] = problem.names[i];
+  return circuit;
 }
 
 }  // namespace tactile_net

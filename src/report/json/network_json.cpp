@@ -103,6 +103,7 @@ Json network_json(const lab::Relaxation& relaxation) {
   Json json = {{"realization", name(relaxation.realization)},
                {"nodes", relaxation.nodes},
                {"elements", elements_of(relaxation.elements)},
+               {"names", relaxation.names},
                {"voltages", relaxation.voltages},
                {"difference_to_direct", relaxation.difference},
                {"difference_limit", relaxation.explained.limit},
@@ -129,14 +130,22 @@ Json network_json(const lab::Relaxation& relaxation) {
   return json;
 }
 
-std::string relaxation_json(const Scene& scene, const lab::Relaxation& relaxation) {
-  Json json = scene_json(kind::relax, scene);
+namespace {
+
+Json any_scene_json(const DocumentKind& kind, const AnyScene& any) {
+  return std::visit([&](const auto& scene) { return scene_json(kind, scene); }, any);
+}
+
+}  // namespace
+
+std::string relaxation_json(const AnyScene& scene, const lab::Relaxation& relaxation) {
+  Json json = any_scene_json(kind::relax, scene);
   json["network"] = network_json(relaxation);
   return text_of(json);
 }
 
 std::string certificate_json(const lab::Certification& c) {
-  Json json = scene_json(kind::certify, c.scene());
+  Json json = any_scene_json(kind::certify, c.scene());
   json["certificate"] = certificate(c.certificate());
   json["tolerance"] = c.tolerance ? tolerance_json(*c.tolerance) : Json(nullptr);
   Json candidates = Json::array();

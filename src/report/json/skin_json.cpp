@@ -80,6 +80,13 @@ Json ellipse_json(const std::optional<ContactEllipse>& ellipse) {
           {"angle", uncertain_json(ellipse->angle)}};
 }
 
+/// Null with one component, which nothing weighs.
+Json weight_json(const SkinScene& scene, const lab::ChosenAlpha& alpha) {
+  if (components(scene) == 1) return nullptr;
+  return number_or_null(alpha.tangential_weight ? alpha.tangential_weight
+                                                : scene.reconstruct.tangential_weight);
+}
+
 Json grid_json(const SkinGrid& grid) {
   Json y = Json::array();
   Json z = Json::array();
@@ -92,6 +99,7 @@ Json answer_json(const lab::SkinExperiment& experiment) {
   const lab::SkinAnswer& answer = *experiment.answer;
   Json json = {{"alpha", answer.alpha.value},
                {"alpha_rule", source(answer.alpha)},
+               {"tangential_weight", weight_json(experiment.scene, answer.alpha)},
                {"verdict", name(answer.verdict)},
                {"tractions", fields(answer.tractions, experiment.grid)},
                {"deviations", fields(answer.deviations, experiment.grid)},
@@ -164,6 +172,7 @@ std::string recording_json(const lab::SkinRecordingAnswer& recording, const std:
                 {"verdict", name(frame.verdict)},
                 {"alpha", nullptr},
                 {"alpha_rule", nullptr},
+                {"tangential_weight", nullptr},
                 {"resultant", nullptr},
                 {"friction", uncertain_or_null(frame.friction)},
                 {"data", nullptr}};
@@ -171,6 +180,7 @@ std::string recording_json(const lab::SkinRecordingAnswer& recording, const std:
       one["data"] = doubts_json(frame.data);
       one["alpha"] = frame.alpha.value;
       one["alpha_rule"] = source(frame.alpha);
+      one["tangential_weight"] = weight_json(recording.scene, frame.alpha);
       one["resultant"] = found_json(frame.wrench);
     }
     json["frames"].push_back(std::move(one));

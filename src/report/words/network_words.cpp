@@ -67,7 +67,7 @@ std::string transient_in_words(const lab::Relaxation& relaxation) {
         overlap += t.mode[i] * dynamics->mode[i];
         if (std::abs(t.mode[i]) > std::abs(t.mode[largest])) largest = i;
       }
-      text += "; the growing mode is largest at n" + std::to_string(largest) +
+      text += "; the growing mode is largest at " + relaxation.names[largest] +
               ", overlap with the certificate's " + brief(std::abs(overlap));
     }
     return text + "; " + simulated;

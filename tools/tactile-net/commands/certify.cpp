@@ -12,8 +12,7 @@ namespace tactile_net::tool {
 
 void run(const CertifyOptions& options, const Streams& streams) {
   decks::refuse_deck(options.scene);
-  Scene scene = read_scene(options.scene, streams.in);
-  apply(options.network, scene, streams.err);
+  const AnyScene scene = read_circuit_scene(options.scene, options.network, streams);
   Results results(options.results, streams);
   Progress progress(streams);
   std::optional<double> budget;

@@ -11,8 +11,7 @@ namespace tactile_net::tool {
 
 void run(const GenOptions& options, const Streams& streams) {
   decks::refuse_deck(options.scene);
-  Scene scene = read_scene(options.scene, streams.in);
-  apply(options.network, scene, streams.err);
+  const AnyScene scene = read_circuit_scene(options.scene, options.network, streams);
   frames::OutputFile output(options.output, &streams.out);
   output.stream() << report::deck_text(lab::simulated_circuit(scene), Answer::printed);
   output.commit();

@@ -1,21 +1,31 @@
 #include "commands/network_options.hpp"
 
 #include <ostream>
+#include <variant>
 
+#include "commands/input.hpp"
 #include "failure.hpp"
 #include "tactile_net/lab/circuit_options.hpp"
 
 namespace tactile_net::tool {
 
-void apply(const NetworkOptions& network, Scene& scene, std::ostream& err) {
-  if (network.realization) scene.network.realization = *network.realization;
+void apply(const NetworkOptions& network, tactile_net::NetworkOptions& of_scene,
+           std::ostream& err) {
+  if (network.realization) of_scene.realization = *network.realization;
   if (!network.bandwidth) return;
   if (!(*network.bandwidth >= 1e-3 && *network.bandwidth <= 1e15))
     throw WrongUsage("--bandwidth", "must be from 1e-3 to 1e15 Hz");
-  const Realization realization = scene.network.realization;
-  if (!has_amplifiers(realization))
-    err << "note: " << name(realization) << " has no op-amps: --bandwidth changes nothing\n";
-  lab::give_bandwidth(scene, *network.bandwidth);
+  if (!has_amplifiers(of_scene.realization))
+    err << "note: " << name(of_scene.realization)
+        << " has no op-amps: --bandwidth changes nothing\n";
+  lab::give_bandwidth(of_scene, *network.bandwidth);
+}
+
+AnyScene read_circuit_scene(const std::string& path, const NetworkOptions& network,
+                            const Streams& streams) {
+  AnyScene any = read_any_scene(path, streams.in);
+  std::visit([&](auto& scene) { apply(network, scene.network, streams.err); }, any);
+  return any;
 }
 
 }  // namespace tactile_net::tool

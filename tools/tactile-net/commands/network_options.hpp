@@ -4,8 +4,10 @@
 
 #include <iosfwd>
 #include <optional>
+#include <string>
 
-#include "tactile_net/scene/scene.hpp"
+#include "streams.hpp"
+#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::tool {
 
@@ -18,6 +20,11 @@ struct NetworkOptions {
 
 /// @param err  told if the bandwidth changes nothing
 /// @throw WrongUsage  the bandwidth is out of range
-void apply(const NetworkOptions& network, Scene& scene, std::ostream& err);
+void apply(const NetworkOptions& network, tactile_net::NetworkOptions& of_scene, std::ostream& err);
+
+/// A scene of a line or a skin, its circuit as the command line says.
+/// @throw InputError, WrongUsage
+[[nodiscard]] AnyScene read_circuit_scene(const std::string& path, const NetworkOptions& network,
+                                          const Streams& streams);
 
 }  // namespace tactile_net::tool

@@ -48,8 +48,7 @@ void run_scene(const RelaxOptions& options, Simulator& simulator, const Streams&
   if (options.tolerance)
     throw WrongUsage("--tolerance",
                      "is for decks; a scene's circuit is judged by what its parts explain");
-  Scene scene = read_scene(options.scene, streams.in);
-  apply(options.network, scene, streams.err);
+  const AnyScene scene = read_circuit_scene(options.scene, options.network, streams);
   Results results({.json = options.json}, streams);
   Progress progress(streams);
   const lab::Relaxation relaxation = lab::relax(lab::simulated_circuit(scene), simulator, progress);

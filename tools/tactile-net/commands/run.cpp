@@ -25,7 +25,7 @@ namespace {
 /// As the options say; who names a circuit wants to see it.
 Scene scene_of(Scene scene, const RunOptions& options, const Streams& streams) {
   if (options.frame) scene = at_frame(std::move(scene), *options.frame);
-  apply(options.network, scene, streams.err);
+  apply(options.network, scene.network, streams.err);
   auto& methods = scene.reconstruct.methods;
   if (options.network.any() &&
       std::find(methods.begin(), methods.end(), Method::network) == methods.end())

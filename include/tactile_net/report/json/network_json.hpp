@@ -12,7 +12,7 @@
 namespace tactile_net::report {
 
 /// The document of `experiment_json` with the network alone.
-[[nodiscard]] std::string relaxation_json(const Scene& scene, const lab::Relaxation& relaxation);
+[[nodiscard]] std::string relaxation_json(const AnyScene& scene, const lab::Relaxation& relaxation);
 
 [[nodiscard]] std::string certificate_json(const lab::Certification& certification);
 

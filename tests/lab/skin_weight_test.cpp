@@ -1,0 +1,170 @@
+// How much heavier the drags of a skin are smoothed, from a scene's text to its answer.
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tactile_net/frames/open.hpp"
+#include "tactile_net/inverse/tangential_weight.hpp"
+#include "tactile_net/lab/planned_controller.hpp"
+#include "tactile_net/lab/skin_recording_solver.hpp"
+#include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+const std::string estimated = "tangential_weight = \"evidence\"\n";
+
+SkinScene skin(const std::string& reconstruct, double friction = 0.3, std::uint64_t seed = 1) {
+  return std::get<SkinScene>(parse_any_scene(
+      "[sensor]\nrows = 6\ncolumns = 6\npitch = 1.0\ndepth = 1.0\n"
+      "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
+      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+      "[[contact]]\nshape = \"sphere\"\nplace = [0.3, -0.2]\nradius = 1.5\nforce = 1.0\n"
+      "direction = 30.0\nfriction = " +
+          std::to_string(friction) + "\n[noise]\nrms = 2e-3\nseed = " + std::to_string(seed) +
+          "\n[reconstruct]\ntangential = true\n" + reconstruct,
+      "skin.toml"));
+}
+
+SkinScene weighed(SkinScene scene, std::optional<double> weight) {
+  scene.reconstruct.tangential_weight = weight;
+  return scene;
+}
+
+/// What pressed the finite-element pad in one frame, over the cells of a grid.
+std::vector<double> truth_of_pad(std::size_t wanted, const SkinGrid& grid) {
+  constexpr double step = 0.25e-3;
+  SampledPatch patch{.rows = 65, .columns = 65, .spacing_y = step, .spacing_z = step};
+  const std::size_t count = patch.rows * patch.columns;
+  patch.normal.resize(count);
+  patch.tangential_y.resize(count);
+  patch.tangential_z.resize(count);
+  std::ifstream file(std::string(SCENES) + "/skins/pad/truth.csv");
+  std::string line;
+  std::getline(file, line);
+  while (std::getline(file, line)) {
+    std::istringstream fields(line);
+    std::vector<double> values;
+    for (std::string field; std::getline(fields, field, ',');) values.push_back(std::stod(field));
+    if (values.at(0) != static_cast<double>(wanted)) continue;
+    const auto index = [&](double place) { return std::lround(place / step) + 32; };
+    const auto i = static_cast<std::size_t>(index(values.at(1)) * 65 + index(values.at(2)));
+    patch.normal.at(i) = values.at(3);
+    patch.tangential_y.at(i) = values.at(4);
+    patch.tangential_z.at(i) = values.at(5);
+  }
+  return cell_means(std::vector<SkinLoad>{patch}, grid);
+}
+
+}  // namespace
+
+TEST_CASE("a stated weight of 1 is none, the same bits", "[lab][skin][weights]") {
+  const SkinExperiment plain = run(skin(""));
+  const SkinExperiment one = run(skin("tangential_weight = 1\n"));
+  REQUIRE(plain.answer);
+  CHECK(one.answer->tractions == plain.answer->tractions);
+  CHECK_FALSE(one.answer->alpha.tangential_weight.has_value());
+}
+
+TEST_CASE("a skin's estimated weight is the answer that stating it gives", "[lab][skin][weights]") {
+  const std::string rest = GENERATE("", "alpha = 1e-3\n", "friction_limit = 0.8\n",
+                                    "offset = true\nnonnegative = true\n");
+  CAPTURE(rest);
+  const SkinExperiment found = run(skin(rest + estimated));
+  REQUIRE(found.answer);
+  REQUIRE(found.answer->alpha.tangential_weight);
+  const double weight = *found.answer->alpha.tangential_weight;
+  CHECK(weight > 1.0);
+  const SkinExperiment stated = run(weighed(found.scene, weight));
+  CHECK(stated.answer->tractions == found.answer->tractions);
+  CHECK(stated.answer->alpha.value == found.answer->alpha.value);
+  CHECK(stated.answer->wrench.normal.deviation == found.answer->wrench.normal.deviation);
+  CHECK(found.answer->remarks.size() == stated.answer->remarks.size() + 1);
+}
+
+TEST_CASE("of a skin's weights the least surprising one is taken", "[lab][skin][weights]") {
+  const SkinSceneProblem problem(skin(estimated));
+  const std::vector<double> readings = simulate(problem.scene()).readings;
+  REQUIRE(problem.estimates_weight());
+  const double best = problem.likeliest_weight(readings);
+  const auto surprise_at = [&](double weight) {
+    const SkinSceneProblem one = problem.weighed(weight);
+    const FilterFrame frame = one.family().analyse(readings);
+    return surprise(frame, one.alpha_tables(frame), problem.stated_noise()) +
+           surprise_of_weight(weight);
+  };
+  for (const double weight : tangential_weights) {
+    CAPTURE(weight, best);
+    CHECK(surprise_at(weight) >= surprise_at(best));
+  }
+}
+
+TEST_CASE("a weight of its own makes no seed worse, and presses lose their drag",
+          "[lab][skin][weights]") {
+  const double friction = GENERATE(0.0, 0.3);
+  double drag[2] = {};
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const SkinScene scene = skin("friction_limit = 0.8\n", friction, seed);
+    double error[2] = {};
+    for (const std::size_t own : {0U, 1U}) {
+      const SkinExperiment found = run(own == 0 ? scene : weighed(scene, std::nullopt));
+      REQUIRE(found.answer);
+      std::vector<double> truth = found.frame.truth;
+      truth.resize(found.answer->tractions.size());
+      error[own] = relative_l2_error(found.answer->tractions, truth);
+      drag[own] += std::hypot(found.answer->wrench.tangential_y->value,
+                              found.answer->wrench.tangential_z->value);
+    }
+    CAPTURE(friction, seed, error[0], error[1]);
+    CHECK(error[1] < error[0]);
+  }
+  if (friction == 0.0) CHECK(drag[1] < 0.5 * drag[0]);
+}
+
+TEST_CASE("the finite-element pad is found better with a weight of its own",
+          "[lab][skin][weights][long]") {
+  const std::string pad = std::string(SCENES) + "/recorded/skin-pad";
+  const SkinScene scene = std::get<SkinScene>(read_any_scene(pad + ".toml"));
+  SkinRecordingSolver one(SkinSceneProblem{scene});
+  SkinRecordingSolver own(SkinSceneProblem{weighed(scene, std::nullopt)});
+  frames::ReadingsFile file(pad + ".csv", scene);
+  std::vector<double> readings(file.source().columns().size());
+  for (std::size_t frame = 0; file.source().next(readings); ++frame) {
+    const std::vector<double> truth = truth_of_pad(frame, one.problem().grid());
+    const auto plain = one.solve(readings);
+    const auto better = own.solve(readings);
+    REQUIRE((plain && better));
+    const double before = relative_l2_error(plain->tractions, truth);
+    const double after = relative_l2_error(better->tractions, truth);
+    CAPTURE(frame, before, after, *better->alpha.tangential_weight);
+    CHECK(after < before);
+    CHECK(std::abs(better->wrench.normal.value / plain->wrench.normal.value - 1.0) < 0.02);
+  }
+  REQUIRE(own.solved().least_weight);
+  CHECK(*own.solved().least_weight < *own.solved().largest_weight);
+}
+
+TEST_CASE("frames with a weight each have no plan, and share no alpha", "[lab][skin][weights]") {
+  const SkinSceneProblem problem(skin(estimated));
+  CHECK_THROWS_WITH(plan_controller(problem, {.value = 1e-3}, {}),
+                    ContainsSubstring("tangential_weight") && ContainsSubstring("state it"));
+  CHECK_THROWS_WITH(SkinRecordingSolver(problem, {.share_alpha = 5}),
+                    ContainsSubstring("tangential_weight") && ContainsSubstring("state it"));
+  CHECK_NOTHROW(
+      plan_controller(SkinSceneProblem(skin("tangential_weight = 2\n")), {.value = 1e-3}, {}));
+}
+
+TEST_CASE("with pressure alone nothing is weighed", "[lab][skin][weights]") {
+  SkinScene scene = weighed(skin(""), std::nullopt);
+  scene.reconstruct.tangential = false;
+  CHECK_FALSE(SkinSceneProblem(scene).estimates_weight());
+}
+
+}  // namespace tactile_net::lab
