@@ -18,6 +18,9 @@ double dot(std::span<const double> a, std::span<const double> b) noexcept {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
+/// From this share of the square of what even pressure reads on down tiles are larger.
+constexpr double small_alpha = 1e-7;
+
 /// y = x + factor y
 void turn(std::span<double> y, double factor, std::span<const double> x) noexcept {
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = x[i] + factor * y[i];
@@ -38,7 +41,12 @@ struct LargeSkinTikhonov::Parts {
         f(system->tractions()),
         gradient(system->tractions()),
         preconditioned(system->tractions()),
-        direction(system->tractions()) {}
+        direction(system->tractions()) {
+    std::fill_n(f.begin(), system->problem.grid.count(), 1.0);
+    system->weighted_readings(f, std::span(image).first(system->readings()));
+    for (std::size_t i = 0; i < system->readings(); ++i)
+      largest = std::max(largest, std::abs(image[i]));
+  }
 
   /// The least eigenvalue of alpha L'L, at least: that of a constant traction.
   [[nodiscard]] double least_eigenvalue() const noexcept {
@@ -93,6 +101,7 @@ struct LargeSkinTikhonov::Parts {
   }
 
   std::shared_ptr<LargeSkinSystem> system;
+  double largest = 0.0;  // that even pressure of 1 Pa reads, weighted
   double alpha = 0.0;
   std::unique_ptr<SkinTiles> tiles{};
   SkinConvergence convergence{};
@@ -112,7 +121,9 @@ LargeSkinTikhonov::LargeSkinTikhonov(const SkinArray& skin, const Material& mate
 void LargeSkinTikhonov::use_alpha(double alpha) {
   check_alpha(alpha);
   if (alpha == parts_->alpha) return;
-  parts_->tiles = std::make_unique<SkinTiles>(*parts_->system, alpha, SkinTiles::Size{});
+  const bool is_small = std::sqrt(alpha / small_alpha) < parts_->largest;
+  parts_->tiles = std::make_unique<SkinTiles>(*parts_->system, alpha,
+                                              SkinTiles::Size{.cells = is_small ? 24U : 16U});
   parts_->alpha = alpha;
 }
 
@@ -153,6 +164,15 @@ FrameStatus LargeSkinTikhonov::solve(std::span<const double> readings, std::span
   if (!all_finite(p.f)) return FrameStatus::too_large;
   std::copy(p.f.begin(), p.f.end(), tractions.begin());
   return FrameStatus::ok;
+}
+
+std::vector<double> LargeSkinTikhonov::normal_right_side(std::span<const double> readings) {
+  LargeSkinSystem& system = *parts_->system;
+  std::vector<double> weighted(readings.begin(), readings.end());
+  for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i] *= system.problem.weights[i];
+  std::vector<double> sums(system.tractions());
+  system.weighted_sums(weighted, sums);
+  return sums;
 }
 
 std::vector<double> LargeSkinTikhonov::solve_normal(std::span<const double> right,

@@ -3,8 +3,9 @@
 ///
 /// The minimiser of skin/problem.hpp without its matrix, boundaries and dead taxels included:
 /// conjugate gradients on the stacked matrix [W K; sqrt(alpha) L] (CGLS: P is never formed), each
-/// product O(cells log cells), preconditioned by overlapping tiles of 16 x 16 cells: 15 to 40 steps
-/// where a circulant inverse takes hundreds (docs/internals/skin.md). Taxels lie on the lattice of
+/// product O(cells log cells), preconditioned by overlapping tiles of 16 x 16 cells, or for
+/// very small alphas of 24 x 24: some 30 steps where a circulant inverse takes hundreds
+/// (docs/internals/skin.md). Taxels lie on the lattice of
 /// the cells, and offsets are known.
 #pragma once
 
@@ -37,7 +38,7 @@ struct SkinConvergence {
 class LargeSkinTikhonov {
  public:
   /// Transforms the kernels and factors the tiles. O(cells log cells), and one decomposition of
-  /// 768 unknowns for each kind of tile: four of a square skin.
+  /// 768 or 1728 unknowns for each kind of tile: four of a skin whose tiles fit.
   ///
   /// @param alpha  > 0
   /// @throw std::invalid_argument  as `make_problem`, but for the kernel's size; alpha is not > 0
@@ -67,6 +68,10 @@ class LargeSkinTikhonov {
   /// @return            `too_large` if any weighted reading or traction would not be finite
   FrameStatus solve(std::span<const double> readings, std::span<double> tractions,
                     double tolerance = 1e-8, std::size_t step_limit = 500);
+
+  /// b = (WK)' W g: `solve_normal` of it is what `solve` finds.
+  /// @pre  there is one value per reading
+  [[nodiscard]] std::vector<double> normal_right_side(std::span<const double> readings);
 
   /// P^-1 times `right`, until |P x - right| <= residual |right|, or 500 steps.
   /// @pre  right has one value per traction
