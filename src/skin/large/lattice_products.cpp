@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace tactile_net {
+namespace {
+
+/// Columns that are taken out of the rows at a time: a column alone would touch a page for each
+/// row.
+constexpr std::size_t block = 8;
+
+}  // namespace
 
 std::vector<LatticeKernel> lattice_kernels(const SkinArray& skin, const Material& material,
                                            const SkinGrid& grid, std::size_t components) {
@@ -30,6 +37,8 @@ LatticeProducts::LatticeProducts(const SkinArray& skin, const SkinGrid& grid,
   out_ = std::vector<ComplexFft>(most, column);
   rows_in_ = std::vector<std::vector<Complex>>(most, std::vector<Complex>(grid.rows * bins()));
   rows_out_ = rows_in_;
+  block_in_ = std::vector<std::vector<Complex>>(most, std::vector<Complex>(block * grid.rows));
+  block_out_ = block_in_;
   const std::vector<SkinChannel> all = channels(skin);
   for (std::size_t c = 0; c < channels_; ++c)
     for (std::size_t u = 0; u < components_; ++u)
@@ -111,13 +120,34 @@ void add_product(std::span<const double> response, std::span<const std::complex<
 
 }  // namespace
 
-void LatticeProducts::multiply_columns(std::size_t k, const Places& from, const Places& to,
-                                       std::size_t inputs, std::size_t outputs,
-                                       bool transposed) noexcept {
+void LatticeProducts::gather(std::size_t first, std::size_t some, std::size_t inputs,
+                             std::size_t rows) noexcept {
+  for (std::size_t i = 0; i < inputs; ++i)
+    for (std::size_t m = 0; m < rows; ++m) {
+      const Complex* from = rows_in_[i].data() + m * bins() + first;
+      Complex* to = block_in_[i].data() + m;
+      for (std::size_t j = 0; j < some; ++j) to[j * rows] = from[j];
+    }
+}
+
+void LatticeProducts::scatter(std::size_t first, std::size_t some, std::size_t outputs,
+                              std::size_t rows) noexcept {
+  for (std::size_t o = 0; o < outputs; ++o)
+    for (std::size_t m = 0; m < rows; ++m) {
+      const Complex* from = block_out_[o].data() + m;
+      Complex* to = rows_out_[o].data() + m * bins() + first;
+      for (std::size_t j = 0; j < some; ++j) to[j] = from[j * rows];
+    }
+}
+
+void LatticeProducts::multiply_column(std::size_t k, std::size_t in_block, const Places& from,
+                                      const Places& to, std::size_t inputs, std::size_t outputs,
+                                      bool transposed) noexcept {
   for (std::size_t i = 0; i < inputs; ++i) {
     const auto column = in_[i].values();
     std::fill(column.begin(), column.end(), Complex{});
-    for (std::size_t m = 0; m < from.rows; ++m) column[from.row(m)] = rows_in_[i][m * bins() + k];
+    const Complex* value = block_in_[i].data() + in_block * from.rows;
+    for (std::size_t m = 0; m < from.rows; ++m) column[from.row(m)] = value[m];
     in_[i].forward();
   }
   for (std::size_t o = 0; o < outputs; ++o) {
@@ -130,7 +160,8 @@ void LatticeProducts::multiply_columns(std::size_t k, const Places& from, const 
                   in_[i].values(), turn, column);
     }
     out_[o].backward();
-    for (std::size_t m = 0; m < to.rows; ++m) rows_out_[o][m * bins() + k] = column[to.row(m)];
+    Complex* value = block_out_[o].data() + in_block * to.rows;
+    for (std::size_t m = 0; m < to.rows; ++m) value[m] = column[to.row(m)];
   }
 }
 
@@ -140,8 +171,13 @@ void LatticeProducts::multiply(std::span<const double> from, const Places& from_
   for (std::size_t i = 0; i < inputs; ++i)
     transform_rows(from.subspan(i * from_places.count(), from_places.count()), from_places,
                    rows_in_[i]);
-  for (std::size_t k = 0; k < bins(); ++k)
-    multiply_columns(k, from_places, to_places, inputs, outputs, transposed);
+  for (std::size_t first = 0; first < bins(); first += block) {
+    const std::size_t some = std::min(block, bins() - first);
+    gather(first, some, inputs, from_places.rows);
+    for (std::size_t j = 0; j < some; ++j)
+      multiply_column(first + j, j, from_places, to_places, inputs, outputs, transposed);
+    scatter(first, some, outputs, to_places.rows);
+  }
   for (std::size_t o = 0; o < outputs; ++o)
     transform_back(rows_out_[o], to_places, to.subspan(o * to_places.count(), to_places.count()));
 }

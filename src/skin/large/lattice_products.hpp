@@ -60,9 +60,13 @@ class LatticeProducts {
                       std::vector<Complex>& rows) noexcept;
   void transform_back(const std::vector<Complex>& rows, const Places& places,
                       std::span<double> to) noexcept;
-  /// Columns [first, first + some) of what came in, to those of what goes out.
-  void multiply_columns(std::size_t first, const Places& from, const Places& to, std::size_t inputs,
-                        std::size_t outputs, bool transposed) noexcept;
+  /// Columns [first, first + some) of the rows that came in, one after the other in `block_in_`.
+  void gather(std::size_t first, std::size_t some, std::size_t inputs, std::size_t rows) noexcept;
+  /// From `block_out_` to the rows that go out.
+  void scatter(std::size_t first, std::size_t some, std::size_t outputs, std::size_t rows) noexcept;
+  /// Column k, number `in_block` of its block.
+  void multiply_column(std::size_t k, std::size_t in_block, const Places& from, const Places& to,
+                       std::size_t inputs, std::size_t outputs, bool transposed) noexcept;
   void multiply(std::span<const double> from, const Places& from_places, std::size_t inputs,
                 std::span<double> to, const Places& to_places, std::size_t outputs,
                 bool transposed) noexcept;
@@ -73,7 +77,8 @@ class LatticeProducts {
   RealFft along_row_, back_along_row_;
   std::vector<ComplexFft> in_, out_;  // a column each, of each input and output
   std::vector<std::vector<Complex>> rows_in_, rows_out_;
-  std::vector<Response> responses_;  // channels x components
+  std::vector<std::vector<Complex>> block_in_, block_out_;  // some columns at a time
+  std::vector<Response> responses_;                         // channels x components
 };
 
 }  // namespace tactile_net
