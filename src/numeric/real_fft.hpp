@@ -1,6 +1,6 @@
 /// @file
-/// Real transforms with their buffers, by the FFT that the build chose (TACTILE_NET_FFT): a source
-/// file each, `real_fft_fftw.cpp` and `real_fft_eigen.cpp`. Private.
+/// Transforms, real and complex, with their buffers, by the FFT that the build chose
+/// (TACTILE_NET_FFT): a source file each, `real_fft_fftw.cpp` and `real_fft_eigen.cpp`. Private.
 #pragma once
 
 #include <algorithm>
@@ -55,6 +55,30 @@ class RealFft {
   std::unique_ptr<Transform> transform_;
   std::span<double> samples_;
   std::span<std::complex<double>> bins_;
+};
+
+/// A pair of complex transforms of one size, in place. Copies as those of `RealFft`.
+class ComplexFft {
+ public:
+  explicit ComplexFft(std::size_t size);
+  ComplexFft(const ComplexFft& other);
+  ComplexFft(ComplexFft&&) noexcept;
+  ComplexFft& operator=(ComplexFft&&) noexcept;
+  ComplexFft& operator=(const ComplexFft&) = delete;
+  ~ComplexFft();
+
+  [[nodiscard]] std::span<std::complex<double>> values() noexcept { return values_; }
+
+  void forward() noexcept;
+  /// The other way, times the size.
+  void backward() noexcept;
+
+ private:
+  struct Transform;
+  explicit ComplexFft(std::unique_ptr<Transform> transform);
+
+  std::unique_ptr<Transform> transform_;
+  std::span<std::complex<double>> values_;
 };
 
 /// a b, written out: operator* of std::complex tests for NaN, and this is the inner loop.

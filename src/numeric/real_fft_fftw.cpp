@@ -96,6 +96,54 @@ void RealFft::backward() noexcept {
                        transform_->samples.get());
 }
 
+/// Copies share the plans.
+struct ComplexFft::Transform {
+  explicit Transform(std::size_t count)
+      : size(count), values(allocate<std::complex<double>>(count)) {}
+
+  [[nodiscard]] fftw_complex* data() const noexcept {
+    return reinterpret_cast<fftw_complex*>(values.get());
+  }
+
+  std::size_t size;
+  std::unique_ptr<std::complex<double>[], Free> values;
+  Plan forward, backward;
+};
+
+ComplexFft::ComplexFft(std::unique_ptr<Transform> transform)
+    : transform_(std::move(transform)), values_(transform_->values.get(), transform_->size) {}
+
+ComplexFft::ComplexFft(std::size_t size) : ComplexFft(std::make_unique<Transform>(size)) {
+  const std::lock_guard lock(planner);
+  Transform& own = *transform_;
+  const auto plan = [&](int sign) {
+    fftw_plan made =
+        fftw_plan_dft_1d(static_cast<int>(size), own.data(), own.data(), sign, FFTW_ESTIMATE);
+    if (made == nullptr) throw std::bad_alloc();
+    return Plan(made, Destroy{});
+  };
+  own.forward = plan(FFTW_FORWARD);
+  own.backward = plan(FFTW_BACKWARD);
+}
+
+ComplexFft::ComplexFft(const ComplexFft& other)
+    : ComplexFft(std::make_unique<Transform>(other.transform_->size)) {
+  transform_->forward = other.transform_->forward;
+  transform_->backward = other.transform_->backward;
+}
+
+ComplexFft::ComplexFft(ComplexFft&&) noexcept = default;
+ComplexFft& ComplexFft::operator=(ComplexFft&&) noexcept = default;
+ComplexFft::~ComplexFft() = default;
+
+void ComplexFft::forward() noexcept {
+  fftw_execute_dft(transform_->forward.get(), transform_->data(), transform_->data());
+}
+
+void ComplexFft::backward() noexcept {
+  fftw_execute_dft(transform_->backward.get(), transform_->data(), transform_->data());
+}
+
 double RealFft::error(std::size_t size) noexcept {
   return std::log2(static_cast<double>(size) + 2.0) * std::numeric_limits<double>::epsilon();
 }

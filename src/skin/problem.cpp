@@ -14,6 +14,7 @@
 #include "numeric/eigen.hpp"
 #include "skin/cell_kernel.hpp"
 #include "skin/coordinates.hpp"
+#include "skin/problem_parts.hpp"
 
 namespace tactile_net {
 namespace {
@@ -122,8 +123,8 @@ void check(const SkinArray& skin, const Material& material, const SkinProblemOpt
       check_quantity(channel.quantity, skin_tractions[u], material);
 }
 
-SkinProblem make_problem(const SkinArray& skin, const Material& material,
-                         const SkinProblemOptions& options) {
+SkinProblem problem_without_kernel(const SkinArray& skin, const Material& material,
+                                   const SkinProblemOptions& options) {
   check(skin, material, options);
   SkinProblem problem{.sites = sites(skin),
                       .taxels = taxel_count(skin),
@@ -144,7 +145,12 @@ SkinProblem make_problem(const SkinArray& skin, const Material& material,
           options.unknown_offsets
               ? "unknown offsets take one reading a channel: two living taxels are needed"
               : "every taxel is dead: nothing is measured");
+  return problem;
+}
 
+SkinProblem make_problem(const SkinArray& skin, const Material& material,
+                         const SkinProblemOptions& options) {
+  SkinProblem problem = problem_without_kernel(skin, material, options);
   const std::size_t rows = problem.sites.size();
   const std::size_t columns = problem.components * problem.grid.count();
   require(columns <= most_kernel_entries / rows,

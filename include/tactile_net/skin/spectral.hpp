@@ -12,9 +12,8 @@
 
 namespace tactile_net {
 
-/// K times one vector of tractions after another. A row of cells is followed by as many empty
-/// places as it has cells, but one: read as one line, the two-dimensional convolution is a linear
-/// one, of twice as many rows, in which nothing meets what it should not.
+/// K times one vector of tractions after another: a two-dimensional convolution, on a plane of
+/// twice as many rows and columns, in which nothing meets what it should not.
 ///
 /// Transforms a reading: one for each component, one back for each channel. One object per thread;
 /// the constructor plans.

@@ -1,0 +1,54 @@
+/// @file
+/// What the rules for alpha ask of a large skin (target tactile_net::spectral).
+///
+/// Rules ask for sums F = u' phi(A A') u, A = W K L^-1, with u the frame, and for traces of such
+/// functions. A run of Golub and Kahan's bidiagonalisation from u gives nodes and weights that
+/// stand for the spectrum of A A' as u sees it, for every alpha at once (Gauss quadrature; Golub
+/// and Meurant, Matrices, Moments and Quadrature, 2010). Traces are means over probes of random
+/// signs (Hutchinson 1990), always the same: equal input, equal bytes.
+///
+/// The frame's sums are exact to 1e-3; a trace has the deviation of its probes. Against all
+/// singular values alpha differs by a few percent (docs/internals/skin.md), which moves tractions
+/// by less than their bands.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tactile_net/inverse/filter_frame.hpp"
+#include "tactile_net/skin/large/tikhonov.hpp"
+
+namespace tactile_net {
+
+class LargeSkinFamily {
+ public:
+  /// Runs the probes: for each up to 300 products with K and its transposed.
+  ///
+  /// @param probes  >= 1
+  explicit LargeSkinFamily(const LargeSkinTikhonov& solver, std::size_t probes = 4);
+  ~LargeSkinFamily();
+  LargeSkinFamily(LargeSkinFamily&&) noexcept;
+  LargeSkinFamily& operator=(LargeSkinFamily&&) noexcept;
+
+  /// The frame for the rules for alpha, with `shares` and `powers`: nodes of the probes, then of
+  /// the frame. One run.
+  /// @throw std::invalid_argument  readings have the wrong size or are not finite
+  [[nodiscard]] FilterFrame analyse(std::span<const double> readings) const;
+
+  /// tr H, by the probes.
+  [[nodiscard]] double degrees_of_freedom(double alpha) const noexcept;
+  /// How far the probes' values of tr H spread, as the standard deviation of their mean; 0 of one.
+  [[nodiscard]] double degrees_deviation(double alpha) const noexcept;
+
+  /// As `SkinFamily`'s: at most this, with the largest node for the largest singular value.
+  [[nodiscard]] double condition(double alpha) const noexcept;
+  [[nodiscard]] double stacked_condition(double alpha) const noexcept;
+
+ private:
+  struct Parts;
+  std::unique_ptr<const Parts> parts_;
+};
+
+}  // namespace tactile_net

@@ -1,0 +1,96 @@
+/// @file
+/// The tractions of a large skin, by FFT and conjugate gradients (target tactile_net::spectral).
+///
+/// The minimiser of skin/problem.hpp without its matrix, boundaries and dead taxels included:
+/// conjugate gradients on the stacked matrix [W K; sqrt(alpha) L] (CGLS: P is never formed), each
+/// product O(cells log cells), preconditioned by overlapping tiles of 16 x 16 cells, or for
+/// very small alphas of 24 x 24: some 30 steps where a circulant inverse takes hundreds
+/// (docs/internals/skin.md). Taxels lie on the lattice of
+/// the cells, and offsets are known.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/realtime/frame_status.hpp"
+#include "tactile_net/skin/array.hpp"
+#include "tactile_net/skin/problem.hpp"
+
+namespace tactile_net {
+
+struct LargeSkinSystem;
+
+/// What one frame's iteration came to.
+struct SkinConvergence {
+  std::size_t steps = 0;
+  double residual = 0.0;  ///< |P f - b| / |b|
+  double bound = 0.0;  ///< of |error|_2 / |f|_2, proven: |P f - b| / (least eigenvalue |f|), that
+                       ///< of alpha L'L for P's
+  /// Estimate of |error|_2 / |f|_2 of the iterate four steps back (Hestenes and Stiefel 1952,
+  /// section 6); the answer returned is better.
+  double estimate = 0.0;
+  bool converged = true;  ///< `estimate` or `bound` reached the tolerance
+};
+
+class LargeSkinTikhonov {
+ public:
+  /// Transforms the kernels and factors the tiles. O(cells log cells), and one decomposition of
+  /// 768 or 1728 unknowns for each kind of tile: four of a skin whose tiles fit.
+  ///
+  /// @param alpha  > 0
+  /// @throw std::invalid_argument  as `make_problem`, but for the kernel's size; alpha is not > 0
+  ///                               and finite, or so small that a double cannot tell the tractions
+  ///                               apart; offsets are unknown; the taxels do not lie on the cells'
+  ///                               lattice
+  LargeSkinTikhonov(const SkinArray& skin, const Material& material,
+                    const SkinProblemOptions& options, double alpha);
+  ~LargeSkinTikhonov();
+  LargeSkinTikhonov(LargeSkinTikhonov&&) noexcept;
+  LargeSkinTikhonov& operator=(LargeSkinTikhonov&&) noexcept;
+
+  /// Takes another alpha for the frames to come: the tiles are factored anew.
+  /// @throw std::invalid_argument  as the constructor
+  void use_alpha(double alpha);
+  [[nodiscard]] double alpha() const noexcept;
+
+  /// All but the kernel, which is empty.
+  [[nodiscard]] const SkinProblem& problem() const noexcept;
+
+  /// One frame. Uses buffers of its own: one object per thread.
+  ///
+  /// @param readings    one value per reading
+  /// @param tractions   f [Pa], components x cells; untouched unless the status is `ok`
+  /// @param tolerance   wanted |error|_2 / |f|_2 against the exact minimiser, > 0
+  /// @param step_limit  after which the best so far is returned, with `converged` false
+  /// @return            `too_large` if any weighted reading or traction would not be finite
+  FrameStatus solve(std::span<const double> readings, std::span<double> tractions,
+                    double tolerance = 1e-8, std::size_t step_limit = 500);
+
+  /// b = (WK)' W g: `solve_normal` of it is what `solve` finds.
+  /// @pre  there is one value per reading
+  [[nodiscard]] std::vector<double> normal_right_side(std::span<const double> readings);
+
+  /// P^-1 times `right`, until |P x - right| <= residual |right|, or 500 steps.
+  /// @pre  right has one value per traction
+  [[nodiscard]] std::vector<double> solve_normal(std::span<const double> right,
+                                                 double residual = 1e-8);
+
+  /// [W K; sqrt(alpha) L] times tractions: the readings' part, then what smooths, of which the
+  /// squares count. @pre  there is one value per traction
+  [[nodiscard]] std::vector<double> stacked_product(std::span<const double> tractions);
+
+  /// Of the last `solve` or `solve_normal`.
+  [[nodiscard]] const SkinConvergence& convergence() const noexcept;
+
+  /// Shared with families: the products, whose buffers are one thread's.
+  [[nodiscard]] std::shared_ptr<LargeSkinSystem> system() const noexcept;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace tactile_net

@@ -1,0 +1,21 @@
+#include "numeric/cholesky.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace tactile_net {
+
+struct Cholesky::Factors : Eigen::LLT<Eigen::MatrixXd> {
+  using LLT::LLT;
+};
+
+Cholesky::Cholesky(const Eigen::MatrixXd& symmetric)
+    : factors_(std::make_unique<const Factors>(symmetric)) {}
+Cholesky::Cholesky(Cholesky&&) noexcept = default;
+Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
+Cholesky::~Cholesky() = default;
+
+bool Cholesky::is_positive_definite() const noexcept { return factors_->info() == Eigen::Success; }
+
+void Cholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> x) const { factors_->solveInPlace(x); }
+
+}  // namespace tactile_net

@@ -1,0 +1,203 @@
+#include "tactile_net/skin/large/family.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "inverse/checks.hpp"
+#include "inverse/weighting.hpp"
+#include "numeric/decompositions.hpp"
+#include "skin/coordinates.hpp"
+#include "skin/large/system.hpp"
+
+namespace tactile_net {
+namespace {
+
+using Eigen::Index;
+
+constexpr Index most_steps = 300;
+constexpr Index look_every = 20;  // steps, at whether the nodes will do
+
+std::span<double> numbers(Eigen::VectorXd& all) noexcept {
+  return {all.data(), static_cast<std::size_t>(all.size())};
+}
+std::span<const double> numbers(const Eigen::VectorXd& all) noexcept {
+  return {all.data(), static_cast<std::size_t>(all.size())};
+}
+
+/// The spectrum of A A' as a vector of length 1 sees it.
+struct Nodes {
+  Eigen::VectorXd gamma;
+  Eigen::VectorXd weights;  // their sum is 1
+};
+
+/// Of the lower bidiagonal matrix of a run.
+Nodes nodes_of(std::span<const double> diagonal, std::span<const double> below) {
+  const auto n = std::ssize(diagonal);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+  for (Index i = 0; i < n; ++i) {
+    matrix(i, i) = diagonal[static_cast<std::size_t>(i)];
+    if (i > 0) matrix(i, i - 1) = below[static_cast<std::size_t>(i) - 1];
+  }
+  const Svd svd = singular_value_decomposition(matrix);
+  return {svd.values, svd.u.row(0).transpose().cwiseAbs2()};
+}
+
+/// u'(1 + A A'/alpha)^-1 u for alphas from the largest gamma's square down.
+Eigen::VectorXd fits(const Nodes& nodes, double largest) {
+  constexpr Index decades = 8;
+  Eigen::VectorXd all(decades);
+  for (Index i = 0; i < decades; ++i) {
+    const double alpha = std::pow(10.0, -static_cast<double>(i));
+    all(i) =
+        (nodes.weights.array() * alpha / ((nodes.gamma / largest).array().square() + alpha)).sum();
+  }
+  return all;
+}
+
+/// Random signs at the rows that count: bit after bit of SplitMix64 (Steele, Lea and Flood 2014).
+Eigen::VectorXd signs(std::span<const double> weights, std::uint64_t probe) {
+  std::uint64_t state = probe << 40;
+  Eigen::VectorXd all(std::ssize(weights));
+  for (Index i = 0; i < all.size(); ++i) {
+    state += 0x9e3779b97f4a7c15;
+    std::uint64_t mixed = state;
+    mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9;
+    mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111eb;
+    const double sign = ((mixed ^ (mixed >> 31)) & 1) == 0 ? -1.0 : 1.0;
+    all(i) = weights[static_cast<std::size_t>(i)] == 0.0 ? 0.0 : sign;
+  }
+  return all;
+}
+
+}  // namespace
+
+struct LargeSkinFamily::Parts {
+  explicit Parts(std::shared_ptr<LargeSkinSystem> made)
+      : system(std::move(made)),
+        waves(system->problem, stabiliser_spectrum(system->problem).cwiseSqrt()),
+        rows(static_cast<double>(Weighting(system->problem).rows())) {
+    const Eigen::VectorXd spectrum = stabiliser_spectrum(system->problem);
+    stabiliser_condition = std::sqrt(spectrum.maxCoeff() / spectrum.minCoeff());
+  }
+
+  /// A' u.
+  [[nodiscard]] Eigen::VectorXd sums(const Eigen::VectorXd& u) const {
+    Eigen::VectorXd of_tractions(static_cast<Index>(system->tractions()));
+    system->weighted_sums(numbers(u), numbers(of_tractions));
+    return waves.sums(of_tractions);
+  }
+  /// A v.
+  [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& v) const {
+    const Eigen::VectorXd tractions = waves.tractions(v);
+    Eigen::VectorXd read(static_cast<Index>(system->readings()));
+    system->weighted_readings(numbers(tractions), numbers(read));
+    return read;
+  }
+
+  /// @param u  not 0
+  [[nodiscard]] Nodes run(Eigen::VectorXd u) const {
+    u.normalize();
+    Eigen::VectorXd v = sums(u);
+    std::vector<double> diagonal{v.norm()}, below;
+    if (!(diagonal.front() > 0.0)) return {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)};
+    v /= diagonal.front();
+    double largest = diagonal.front();
+    Eigen::VectorXd before;
+    const double nothing = 1e-13 * diagonal.front();
+    for (Index step = 1; step < most_steps; ++step) {
+      u = readings(v) - diagonal.back() * u;
+      const double next = u.norm();
+      if (!(next > nothing)) break;
+      u /= next;
+      v = sums(u) - next * v;
+      const double own = v.norm();
+      if (!(own > nothing)) break;
+      v /= own;
+      below.push_back(next);
+      diagonal.push_back(own);
+      if (step % look_every != 0) continue;
+      const Nodes nodes = nodes_of(diagonal, below);
+      largest = nodes.gamma(0);
+      const Eigen::VectorXd now = fits(nodes, largest);
+      const bool still =
+          before.size() > 0 && ((now - before).array().abs() <= 1e-3 * now.array()).all();
+      if (still) return nodes;
+      before = now;
+    }
+    return nodes_of(diagonal, below);
+  }
+
+  [[nodiscard]] double degrees(const Nodes& nodes, double alpha) const {
+    const Eigen::ArrayXd squares = nodes.gamma.array().square();
+    return rows * (nodes.weights.array() * squares / (squares + alpha)).sum();
+  }
+
+  std::shared_ptr<LargeSkinSystem> system;  // its buffers are used, not its meaning changed
+  CosineCoordinates waves;
+  double rows;
+  double stabiliser_condition = 1.0;
+  std::vector<Nodes> probes{};
+};
+
+LargeSkinFamily::LargeSkinFamily(const LargeSkinTikhonov& solver, std::size_t probes) {
+  auto parts = std::make_unique<Parts>(solver.system());
+  for (std::size_t probe = 1; probe <= probes; ++probe)
+    parts->probes.push_back(parts->run(signs(solver.problem().weights, probe)));
+  parts_ = std::move(parts);
+}
+LargeSkinFamily::~LargeSkinFamily() = default;
+LargeSkinFamily::LargeSkinFamily(LargeSkinFamily&&) noexcept = default;
+LargeSkinFamily& LargeSkinFamily::operator=(LargeSkinFamily&&) noexcept = default;
+
+FilterFrame LargeSkinFamily::analyse(std::span<const double> readings) const {
+  const Parts& parts = *parts_;
+  check_readings(readings, parts.system->readings());
+  FilterFrame frame{.rows = static_cast<std::size_t>(parts.rows)};
+  const auto add = [&](const Nodes& nodes, double share, double power) {
+    for (Index i = 0; i < nodes.gamma.size(); ++i) {
+      frame.gamma.push_back(nodes.gamma(i));
+      frame.shares.push_back(share * nodes.weights(i));
+      frame.powers.push_back(power * nodes.weights(i));
+      frame.beta.push_back(std::sqrt(frame.powers.back()));
+    }
+  };
+  for (const Nodes& nodes : parts.probes)
+    add(nodes, parts.rows / static_cast<double>(parts.probes.size()), 0.0);
+  Eigen::VectorXd g =
+      as_eigen(std::span(parts.system->problem.weights)).cwiseProduct(as_eigen(readings));
+  frame.scale = g.cwiseAbs().maxCoeff();
+  if (!(frame.scale > 0.0)) return frame;
+  g = g / frame.scale;
+  add(parts.run(g), 0.0, g.squaredNorm());
+  return frame;
+}
+
+double LargeSkinFamily::degrees_of_freedom(double alpha) const noexcept {
+  double sum = 0.0;
+  for (const Nodes& nodes : parts_->probes) sum += parts_->degrees(nodes, alpha);
+  return sum / static_cast<double>(parts_->probes.size());
+}
+
+double LargeSkinFamily::degrees_deviation(double alpha) const noexcept {
+  const auto count = static_cast<double>(parts_->probes.size());
+  if (count < 2.0) return 0.0;
+  const double mean = degrees_of_freedom(alpha);
+  double square = 0.0;
+  for (const Nodes& nodes : parts_->probes)
+    square += std::pow(parts_->degrees(nodes, alpha) - mean, 2);
+  return std::sqrt(square / (count - 1.0) / count);
+}
+
+double LargeSkinFamily::condition(double alpha) const noexcept {
+  double largest = 0.0;
+  for (const Nodes& nodes : parts_->probes) largest = std::max(largest, nodes.gamma(0));
+  return std::hypot(largest, std::sqrt(alpha)) / std::sqrt(alpha);
+}
+
+double LargeSkinFamily::stacked_condition(double alpha) const noexcept {
+  return parts_->stabiliser_condition * condition(alpha);
+}
+
+}  // namespace tactile_net

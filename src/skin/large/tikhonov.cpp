@@ -1,0 +1,192 @@
+#include "tactile_net/skin/large/tikhonov.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "inverse/checks.hpp"
+#include "numeric/finite.hpp"
+#include "skin/large/system.hpp"
+#include "skin/large/tiles.hpp"
+
+namespace tactile_net {
+namespace {
+
+double dot(std::span<const double> a, std::span<const double> b) noexcept {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+/// From this share of the square of what even pressure reads on down tiles are larger.
+constexpr double small_alpha = 1e-7;
+
+/// y = x + factor y
+void turn(std::span<double> y, double factor, std::span<const double> x) noexcept {
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x[i] + factor * y[i];
+}
+
+/// y += factor x
+void add(std::span<double> y, double factor, std::span<const double> x) noexcept {
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] += factor * x[i];
+}
+
+}  // namespace
+
+struct LargeSkinTikhonov::Parts {
+  explicit Parts(std::shared_ptr<LargeSkinSystem> made)
+      : system(std::move(made)),
+        residual(system->rows()),
+        image(system->rows()),
+        f(system->tractions()),
+        gradient(system->tractions()),
+        preconditioned(system->tractions()),
+        direction(system->tractions()) {
+    std::fill_n(f.begin(), system->problem.grid.count(), 1.0);
+    system->weighted_readings(f, std::span(image).first(system->readings()));
+    for (std::size_t i = 0; i < system->readings(); ++i)
+      largest = std::max(largest, std::abs(image[i]));
+  }
+
+  /// The least eigenvalue of alpha L'L, at least: that of a constant traction.
+  [[nodiscard]] double least_eigenvalue() const noexcept {
+    double least = system->size_of(alpha, 0);
+    if (system->problem.components > 1) least = std::min(least, system->size_of(alpha, 1));
+    return least * least;
+  }
+
+  /// From f = 0 and its residual, in which the stacked right side is. Where only P x = right is
+  /// known, `residual` has no right side and `gradient` is given.
+  ///
+  /// @param done  whether `convergence` will do
+  template <typename Done>
+  void iterate(std::size_t step_limit, bool has_rows, Done&& done) {
+    std::fill(f.begin(), f.end(), 0.0);
+    tiles->apply(gradient, preconditioned);
+    direction = preconditioned;
+    const double right = std::sqrt(dot(gradient, gradient));
+    const double least = least_eigenvalue();
+    double power = dot(gradient, preconditioned);
+    std::array<double, 4> gains{};
+    convergence = {.steps = 0, .residual = 1.0, .converged = !(power > 0.0)};
+    while (convergence.steps < step_limit && power > 0.0) {
+      system->apply(alpha, direction, image);
+      const double step = power / dot(image, image);
+      if (!std::isfinite(step)) break;
+      add(f, step, direction);
+      if (has_rows) {
+        add(residual, -step, image);
+        system->apply_transposed(alpha, residual, gradient);
+      } else {
+        system->apply_transposed(alpha, image, preconditioned);  // P times the direction
+        add(gradient, -step, preconditioned);
+      }
+      ++convergence.steps;
+      const double size = std::sqrt(dot(f, f));
+      const double left = std::sqrt(dot(gradient, gradient));
+      // What the last steps took off the error in the norm of P: a step later than that, the error
+      // was about as large.
+      gains[convergence.steps % gains.size()] = step * power;
+      const double gained = std::accumulate(gains.begin(), gains.end(), 0.0);
+      convergence.residual = left / right;
+      convergence.bound = left / (least * size);
+      convergence.estimate =
+          convergence.steps < gains.size() ? convergence.bound : std::sqrt(gained / least) / size;
+      if ((convergence.converged = done(convergence))) break;
+      tiles->apply(gradient, preconditioned);
+      const double next = dot(gradient, preconditioned);
+      turn(direction, next / power, preconditioned);
+      power = next;
+    }
+  }
+
+  std::shared_ptr<LargeSkinSystem> system;
+  double largest = 0.0;  // that even pressure of 1 Pa reads, weighted
+  double alpha = 0.0;
+  std::unique_ptr<SkinTiles> tiles{};
+  SkinConvergence convergence{};
+  std::vector<double> residual, image, f, gradient, preconditioned, direction;
+};
+
+LargeSkinTikhonov::~LargeSkinTikhonov() = default;
+LargeSkinTikhonov::LargeSkinTikhonov(LargeSkinTikhonov&&) noexcept = default;
+LargeSkinTikhonov& LargeSkinTikhonov::operator=(LargeSkinTikhonov&&) noexcept = default;
+
+LargeSkinTikhonov::LargeSkinTikhonov(const SkinArray& skin, const Material& material,
+                                     const SkinProblemOptions& options, double alpha)
+    : parts_(std::make_unique<Parts>(std::make_shared<LargeSkinSystem>(skin, material, options))) {
+  use_alpha(alpha);
+}
+
+void LargeSkinTikhonov::use_alpha(double alpha) {
+  check_alpha(alpha);
+  if (alpha == parts_->alpha) return;
+  const bool is_small = std::sqrt(alpha / small_alpha) < parts_->largest;
+  parts_->tiles = std::make_unique<SkinTiles>(*parts_->system, alpha,
+                                              SkinTiles::Size{.cells = is_small ? 24U : 16U});
+  parts_->alpha = alpha;
+}
+
+double LargeSkinTikhonov::alpha() const noexcept { return parts_->alpha; }
+const SkinProblem& LargeSkinTikhonov::problem() const noexcept { return parts_->system->problem; }
+const SkinConvergence& LargeSkinTikhonov::convergence() const noexcept {
+  return parts_->convergence;
+}
+std::shared_ptr<LargeSkinSystem> LargeSkinTikhonov::system() const noexcept {
+  return parts_->system;
+}
+
+FrameStatus LargeSkinTikhonov::solve(std::span<const double> readings, std::span<double> tractions,
+                                     double tolerance, std::size_t step_limit) {
+  Parts& p = *parts_;
+  const LargeSkinSystem& system = *p.system;
+  if (readings.size() != system.readings() || tractions.size() != p.f.size())
+    return FrameStatus::wrong_size;
+  if (!all_finite(readings)) return FrameStatus::not_finite;
+  p.convergence = {};
+  double scale = 0.0;
+  std::fill(p.residual.begin(), p.residual.end(), 0.0);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    p.residual[i] = system.problem.weights[i] * readings[i];
+    scale = std::max(scale, std::abs(p.residual[i]));
+  }
+  if (!std::isfinite(scale)) return FrameStatus::too_large;
+  if (scale == 0.0) {
+    std::fill(tractions.begin(), tractions.end(), 0.0);
+    return FrameStatus::ok;
+  }
+  for (std::size_t i = 0; i < readings.size(); ++i) p.residual[i] /= scale;
+  p.system->apply_transposed(p.alpha, p.residual, p.gradient);
+  p.iterate(step_limit, true, [&](const SkinConvergence& c) {
+    return c.bound <= tolerance || c.estimate <= tolerance;
+  });
+  for (double& traction : p.f) traction *= scale;
+  if (!all_finite(p.f)) return FrameStatus::too_large;
+  std::copy(p.f.begin(), p.f.end(), tractions.begin());
+  return FrameStatus::ok;
+}
+
+std::vector<double> LargeSkinTikhonov::normal_right_side(std::span<const double> readings) {
+  LargeSkinSystem& system = *parts_->system;
+  std::vector<double> weighted(readings.begin(), readings.end());
+  for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i] *= system.problem.weights[i];
+  std::vector<double> sums(system.tractions());
+  system.weighted_sums(weighted, sums);
+  return sums;
+}
+
+std::vector<double> LargeSkinTikhonov::solve_normal(std::span<const double> right,
+                                                    double residual) {
+  Parts& p = *parts_;
+  std::copy(right.begin(), right.end(), p.gradient.begin());
+  p.iterate(500, false, [&](const SkinConvergence& c) { return c.residual <= residual; });
+  return p.f;
+}
+
+std::vector<double> LargeSkinTikhonov::stacked_product(std::span<const double> tractions) {
+  std::vector<double> result(parts_->system->rows());
+  parts_->system->apply(parts_->alpha, tractions, result);
+  return result;
+}
+
+}  // namespace tactile_net

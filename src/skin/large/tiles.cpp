@@ -1,0 +1,239 @@
+#include "skin/large/tiles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "numeric/eigen.hpp"
+
+namespace tactile_net {
+namespace {
+
+using Eigen::Index;
+
+/// Tiles solved at once.
+constexpr std::size_t batch = 64;
+
+}  // namespace
+
+SkinTiles::SkinTiles(const LargeSkinSystem& system, double alpha, const Size& size)
+    : system_(system), alpha_(alpha), reach_(size.reach) {
+  const SkinGrid& grid = system.problem.grid;
+  const auto side = [&](std::size_t cells, std::size_t stride) {
+    return std::min(std::max(size.cells, 2 * stride), cells);
+  };
+  const auto step = [&](std::size_t stride) {
+    return std::max(size.cells / 2 / stride, std::size_t{1}) * stride;
+  };
+  rows_ = side(grid.rows, grid.stride_rows);
+  columns_ = side(grid.columns, grid.stride_columns);
+  for (const SkinChannel& channel : channels(system.skin)) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < channel.count; ++i)
+      most = std::max(most, system.problem.weights[channel.first + i]);
+    channel_weights_.push_back(most);
+  }
+  std::vector<bool> dead(system.problem.taxels);
+  for (std::size_t i = 0; i < system.problem.sites.size(); ++i)
+    if (system.problem.weights[i] == 0.0) dead[system.problem.sites[i].taxel] = true;
+
+  for (const std::size_t row : starts(grid.rows, rows_, step(grid.stride_rows)))
+    for (const std::size_t column : starts(grid.columns, columns_, step(grid.stride_columns))) {
+      const Line y =
+          line(row, rows_, grid.rows, grid.margin_rows, grid.stride_rows, system.skin.rows);
+      const Line z = line(column, columns_, grid.columns, grid.margin_columns, grid.stride_columns,
+                          system.skin.columns);
+      tiles_.push_back({.row = row,
+                        .column = column,
+                        .mirrored_y = y.mirrored,
+                        .mirrored_z = z.mirrored,
+                        .dead = {},
+                        .kind = kind_of(y, z)});
+      account_for_dead(tiles_.back(), dead);
+    }
+  std::stable_sort(tiles_.begin(), tiles_.end(),
+                   [](const Tile& a, const Tile& b) { return a.kind < b.kind; });
+  values_.resize(static_cast<Index>(system.problem.components * rows_ * columns_),
+                 static_cast<Index>(std::min(batch, tiles_.size())));
+}
+
+/// From both ends alike, so that tiles mirror each other; in the middle they overlap by more.
+std::vector<std::size_t> SkinTiles::starts(std::size_t cells, std::size_t side, std::size_t step) {
+  const std::size_t count = (cells - side + step - 1) / step + 1;
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < count; ++i)
+    all.push_back(2 * i < count ? i * step : cells - side - (count - 1 - i) * step);
+  return all;
+}
+
+SkinTiles::Line SkinTiles::line(std::size_t start, std::size_t side, std::size_t cells,
+                                std::size_t margin, std::size_t stride, std::size_t taxels) const {
+  Line own{.at_start = start == 0, .at_end = start + side == cells};
+  Line other{.at_start = own.at_end, .at_end = own.at_start, .mirrored = true};
+  for (std::size_t i = 0; i < taxels; ++i) {
+    const std::size_t cell = margin + i * stride;
+    if (cell + reach_ < start || cell >= start + side + reach_) continue;
+    const auto from = static_cast<std::ptrdiff_t>(cell) - static_cast<std::ptrdiff_t>(start);
+    own.taxels.push_back(from);
+    other.taxels.insert(other.taxels.begin(), static_cast<std::ptrdiff_t>(side) - 1 - from);
+  }
+  const auto key = [](const Line& one) {
+    return std::tuple(!one.at_start, one.at_end, one.taxels);
+  };
+  return key(other) < key(own) ? other : own;
+}
+
+std::size_t SkinTiles::kind_of(const Line& y, const Line& z) {
+  const auto alike = [](const Line& a, const Line& b) {
+    return a.at_start == b.at_start && a.at_end == b.at_end && a.taxels == b.taxels;
+  };
+  const auto found = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& kind) {
+    return alike(kind.y, y) && alike(kind.z, z);
+  });
+  if (found != kinds_.end()) return static_cast<std::size_t>(found - kinds_.begin());
+  kinds_.push_back({y, z, Cholesky(block(y, z))});
+  if (!kinds_.back().factor.is_positive_definite())
+    throw std::invalid_argument(
+        "alpha is so small that double precision cannot tell the tractions apart: choose a larger "
+        "one");
+  return kinds_.size() - 1;
+}
+
+void SkinTiles::kernel_row(std::size_t channel, std::ptrdiff_t row, std::ptrdiff_t column,
+                           Eigen::Ref<Eigen::RowVectorXd> entries) const {
+  const auto up = static_cast<std::ptrdiff_t>(reach_);
+  const auto at_row = static_cast<std::size_t>(row + up);
+  const auto at_column = static_cast<std::size_t>(column + up);
+  Index at = 0;
+  for (std::size_t u = 0; u < system_.problem.components; ++u) {
+    const LatticeKernel& kernel = system_.kernels[channel * system_.problem.components + u];
+    for (std::size_t m = 0; m < rows_; ++m)
+      for (std::size_t n = 0; n < columns_; ++n)
+        entries(at++) =
+            channel_weights_[channel] * kernel(at_row, at_column, m + reach_, n + reach_);
+  }
+}
+
+Eigen::MatrixXd SkinTiles::block(const Line& y, const Line& z) const {
+  const auto n = static_cast<Index>(system_.problem.components * rows_ * columns_);
+  RowMajor rows(std::ssize(channel_weights_) * std::ssize(y.taxels) * std::ssize(z.taxels), n);
+  Index at = 0;
+  for (std::size_t c = 0; c < channel_weights_.size(); ++c)
+    for (const std::ptrdiff_t row : y.taxels)
+      for (const std::ptrdiff_t column : z.taxels) kernel_row(c, row, column, rows.row(at++));
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, n);
+  all.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+  add_stabiliser(y, z, all);
+  return all;
+}
+
+/// Cells beyond a tile are held at 0, those beyond the grid's ends do not exist.
+void SkinTiles::add_stabiliser(const Line& y, const Line& z, Eigen::MatrixXd& block) const {
+  const SkinProblem& problem = system_.problem;
+  const double along_y = std::pow(problem.smoothing_length / problem.grid.spacing_y, 2);
+  const double along_z = std::pow(problem.smoothing_length / problem.grid.spacing_z, 2);
+  for (std::size_t u = 0; u < problem.components; ++u) {
+    const double size = std::pow(system_.size_of(alpha_, u), 2);
+    for (std::size_t m = 0; m < rows_; ++m)
+      for (std::size_t n = 0; n < columns_; ++n) {
+        const auto at = static_cast<Index>((u * rows_ + m) * columns_ + n);
+        const auto down = static_cast<Index>(columns_);
+        double own = 1.0;
+        if (m > 0 || !y.at_start) own += along_y;
+        if (m + 1 < rows_ || !y.at_end) own += along_y;
+        if (n > 0 || !z.at_start) own += along_z;
+        if (n + 1 < columns_ || !z.at_end) own += along_z;
+        block(at, at) += size * own;
+        if (m + 1 < rows_) block(at + down, at) -= size * along_y;
+        if (n + 1 < columns_) block(at + 1, at) -= size * along_z;
+      }
+  }
+}
+
+void SkinTiles::account_for_dead(Tile& tile, const std::vector<bool>& dead) const {
+  const SkinGrid& grid = system_.problem.grid;
+  std::vector<LatticeCell> places;
+  for (std::size_t taxel = 0; taxel < dead.size(); ++taxel) {
+    if (!dead[taxel]) continue;
+    const LatticeCell cell = cell_of(system_.skin, grid, taxel);
+    const auto in_reach = [&](std::size_t at, std::size_t start, std::size_t side) {
+      return at + reach_ >= start && at < start + side + reach_;
+    };
+    if (in_reach(cell.row, tile.row, rows_) && in_reach(cell.column, tile.column, columns_))
+      places.push_back(cell);
+  }
+  if (places.empty()) return;
+  const auto ranks = static_cast<Index>(places.size() * channel_weights_.size());
+  Eigen::MatrixXd rows(static_cast<Index>(system_.problem.components * rows_ * columns_), ranks);
+  Eigen::RowVectorXd row(rows.rows());
+  Index at = 0;
+  for (const LatticeCell& cell : places)
+    for (std::size_t c = 0; c < channel_weights_.size(); ++c, ++at) {
+      kernel_row(
+          c, static_cast<std::ptrdiff_t>(cell.row) - static_cast<std::ptrdiff_t>(tile.row),
+          static_cast<std::ptrdiff_t>(cell.column) - static_cast<std::ptrdiff_t>(tile.column), row);
+      // In the kind's order, with its signs.
+      Index to = 0;
+      visit(tile, [&](std::size_t, std::size_t local, double sign) {
+        rows(to++, at) = sign * row(static_cast<Index>(local));
+      });
+    }
+  Eigen::MatrixXd images = rows;
+  kinds_[tile.kind].factor.solve_in_place(images);
+  Cholesky core(Eigen::MatrixXd::Identity(ranks, ranks) - rows.transpose() * images);
+  if (!core.is_positive_definite())
+    throw std::invalid_argument(
+        "alpha is so small that double precision cannot tell the tractions apart: choose a larger "
+        "one");
+  tile.dead = Dead{std::move(images), std::move(core)};
+}
+
+template <typename Each>
+void SkinTiles::visit(const Tile& tile, Each&& each) const {
+  const SkinGrid& grid = system_.problem.grid;
+  for (std::size_t u = 0; u < system_.problem.components; ++u) {
+    const double sign = (tile.mirrored_y && u == 1) != (tile.mirrored_z && u == 2) ? -1.0 : 1.0;
+    for (std::size_t m = 0; m < rows_; ++m)
+      for (std::size_t n = 0; n < columns_; ++n) {
+        const std::size_t row = tile.mirrored_y ? rows_ - 1 - m : m;
+        const std::size_t column = tile.mirrored_z ? columns_ - 1 - n : n;
+        each((u * grid.rows + tile.row + row) * grid.columns + tile.column + column,
+             (u * rows_ + row) * columns_ + column, sign);
+      }
+  }
+}
+
+void SkinTiles::apply(std::span<const double> x, std::span<double> z) {
+  std::fill(z.begin(), z.end(), 0.0);
+  for (std::size_t first = 0; first < tiles_.size();) {
+    const std::size_t kind = tiles_[first].kind;
+    std::size_t last = first;
+    while (last < tiles_.size() && last - first < batch && tiles_[last].kind == kind) ++last;
+    auto values = values_.leftCols(static_cast<Index>(last - first));
+    for (std::size_t t = first; t < last; ++t) {
+      double* to = values.col(static_cast<Index>(t - first)).data();
+      visit(tiles_[t], [&](std::size_t at, std::size_t, double sign) { *to++ = sign * x[at]; });
+    }
+    kinds_[kind].factor.solve_in_place(values);
+    for (std::size_t t = first; t < last; ++t) {
+      auto own = values.col(static_cast<Index>(t - first));
+      if (const auto& dead = tiles_[t].dead) {
+        // Y' x = U A^-1 x.
+        Index from = 0;
+        Eigen::VectorXd given(own.size());
+        visit(tiles_[t],
+              [&](std::size_t at, std::size_t, double sign) { given(from++) = sign * x[at]; });
+        Eigen::MatrixXd share = dead->images.transpose() * given;
+        dead->core.solve_in_place(share);
+        own += dead->images * share;
+      }
+      const double* value = own.data();
+      visit(tiles_[t], [&](std::size_t at, std::size_t, double sign) { z[at] += sign * *value++; });
+    }
+    first = last;
+  }
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,88 @@
+/// @file
+/// An approximate inverse of P = K' W^2 K + alpha L'L by overlapping tiles of the grid. Private.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "numeric/cholesky.hpp"
+#include "skin/large/system.hpp"
+
+namespace tactile_net {
+
+/// The sum over tiles of the inverse of each tile's own block of P, all components together
+/// (additive Schwarz; Dryja and Widlund 1987). What a reading tells of a traction lies within a few
+/// depths, and so does P: half a tile of overlap needs no coarse grid.
+///
+/// A block holds the taxels in reach. Away from the grid's ends all blocks are equal, and those at
+/// opposite ends mirror each other: few kinds are factored. A dead taxel is a change of low rank,
+/// which its tiles take into account without factors of their own.
+class SkinTiles {
+ public:
+  struct Size {
+    std::size_t cells = 16;  ///< along a tile's side
+    std::size_t reach = 4;   ///< to which taxels beyond it count [cells]
+  };
+
+  /// @throw std::invalid_argument  rounding makes a block indefinite: alpha is too small
+  SkinTiles(const LargeSkinSystem& system, double alpha, const Size& size);
+
+  /// z = M x. @pre  a value per traction
+  void apply(std::span<const double> x, std::span<double> z);
+
+  [[nodiscard]] std::size_t tiles() const noexcept { return tiles_.size(); }
+  /// Factored.
+  [[nodiscard]] std::size_t kinds() const noexcept { return kinds_.size(); }
+
+ private:
+  /// A tile along one axis, seen from its first cell or, mirrored, from its last.
+  struct Line {
+    bool at_start = false, at_end = false;  // of the grid
+    std::vector<std::ptrdiff_t> taxels{};   // cells from the tile's first
+    bool mirrored = false;                  // not part of the kind
+  };
+  struct Kind {
+    Line y, z;
+    Cholesky factor;
+  };
+  /// (A - U'U)^-1 = A^-1 + Y (1 - U Y)^-1 Y', Y = A^-1 U', U: the rows of dead taxels.
+  struct Dead {
+    Eigen::MatrixXd images;  // Y
+    Cholesky core;           // 1 - U Y
+  };
+  struct Tile {
+    std::size_t row, column;  // of its first cell
+    bool mirrored_y, mirrored_z;
+    std::optional<Dead> dead;
+    std::size_t kind;
+  };
+
+  [[nodiscard]] static std::vector<std::size_t> starts(std::size_t cells, std::size_t side,
+                                                       std::size_t step);
+  [[nodiscard]] Line line(std::size_t start, std::size_t side, std::size_t cells,
+                          std::size_t margin, std::size_t stride, std::size_t taxels) const;
+  [[nodiscard]] std::size_t kind_of(const Line& y, const Line& z);
+  /// W K of a taxel (row, column, from the tile's first cell) and channel, for the tile's cells.
+  void kernel_row(std::size_t channel, std::ptrdiff_t row, std::ptrdiff_t column,
+                  Eigen::Ref<Eigen::RowVectorXd> entries) const;
+  [[nodiscard]] Eigen::MatrixXd block(const Line& y, const Line& z) const;
+  void add_stabiliser(const Line& y, const Line& z, Eigen::MatrixXd& block) const;
+  void account_for_dead(Tile& tile, const std::vector<bool>& dead) const;
+  /// Where a tile's value is among all tractions, and with which sign.
+  template <typename Each>
+  void visit(const Tile& tile, Each&& each) const;
+
+  const LargeSkinSystem& system_;
+  double alpha_;
+  std::size_t rows_, columns_;  // of a tile
+  std::size_t reach_;
+  std::vector<double> channel_weights_;
+  std::vector<Kind> kinds_;
+  std::vector<Tile> tiles_;  // sorted by kind
+  Eigen::MatrixXd values_;   // of some tiles at a time
+};
+
+}  // namespace tactile_net

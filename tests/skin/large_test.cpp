@@ -1,0 +1,252 @@
+#include <cmath>
+#include <numeric>
+
+#include "src/skin/large/lattice_products.hpp"
+#include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/skin/covariance.hpp"
+#include "tactile_net/skin/family.hpp"
+#include "tactile_net/skin/large/covariance.hpp"
+#include "tactile_net/skin/large/family.hpp"
+#include "tactile_net/skin/large/tikhonov.hpp"
+#include "tactile_net/skin/stabiliser.hpp"
+#include "tests/catch.hpp"
+#include "tests/skin/skins.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+const Material thin{
+    .youngs_modulus = 2e5, .poisson_ratio = 0.45, .layer = Layer{4e-3, Base::bonded}};
+
+SkinProblemOptions with_dead(std::vector<std::size_t> dead, SkinGridOptions grid = {}) {
+  return {.dead_taxels = std::move(dead), .grid = grid};
+}
+
+/// One contact and 1 % noise, by the matrix.
+std::vector<double> readings_of(const SkinProblem& problem, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<double> tractions(problem.kernel.columns);
+  const SkinGrid& grid = problem.grid;
+  for (std::size_t u = 0; u < problem.components; ++u)
+    for (std::size_t i = 0; i < grid.count(); ++i) {
+      const double y = (grid.y(i / grid.columns) - 1e-3) / 3e-3;
+      const double z = grid.z(i % grid.columns) / 3e-3;
+      tractions[u * grid.count() + i] =
+          std::sqrt(std::max(1.0 - y * y - z * z, 0.0)) * (u == 0   ? 1e4
+                                                           : u == 1 ? 3e3
+                                                                    : -2e3);
+    }
+  std::vector<double> readings = product(problem.kernel, tractions);
+  add_noise(readings, 0.01, random);
+  return readings;
+}
+
+/// K' y.
+std::vector<double> transposed_product(const Matrix& matrix, std::span<const double> y) {
+  std::vector<double> x(matrix.columns);
+  for (std::size_t i = 0; i < matrix.rows; ++i)
+    for (std::size_t j = 0; j < matrix.columns; ++j) x[j] += matrix(i, j) * y[i];
+  return x;
+}
+
+/// |P x - b| / |b| by the matrices.
+double normal_residual(const SkinProblem& problem, double alpha, std::span<const double> x,
+                       std::span<const double> b) {
+  std::vector<double> image = transposed_product(problem.kernel, product(problem.kernel, x));
+  const std::vector<double> smooth = product(stabiliser_matrix(problem, alpha), x);
+  for (std::size_t i = 0; i < image.size(); ++i) image[i] += smooth[i];
+  return distance(image, b) / norm(b);
+}
+
+/// The square of the largest singular value.
+double size_of(const SkinProblem& problem) {
+  return std::pow(SkinFamily(problem).singular_values().front(), 2);
+}
+
+}  // namespace
+
+TEST_CASE("products by FFT are those of the matrix, both ways", "[skin][large]") {
+  SkinArray mixed = square_skin(
+      9, 2e-3, {SkinQuantity::stress_x, SkinQuantity::stress_y, SkinQuantity::shear_yz});
+  mixed.columns = 13;
+  mixed.depths = {2e-3, 3e-3};
+  for (const SkinArray& skin : {square_skin(8, 2e-3), square_skin(24, 2e-3), mixed})
+    for (const Material& material : {silicone, thin})
+      // Taxels on every cell, and on every other one.
+      for (const double spacing : {1e-3, 0.5e-3}) {
+        if (skin.rows == 24 && spacing < 1e-3) continue;
+        const SkinProblem dense = make_problem(skin, material, with_dead({}, {.spacing = spacing}));
+        const auto kernels = lattice_kernels(skin, material, dense.grid, 3);
+        LatticeProducts products(skin, dense.grid, 3, kernels);
+        const auto numbers = [](std::size_t count) {
+          std::vector<double> all(count);
+          for (std::size_t i = 0; i < count; ++i)
+            all[i] = std::sin(1e3 * std::sin(static_cast<double>(i + 1)));
+          return all;
+        };
+        CAPTURE(skin.rows, skin.columns, spacing, material.layer.has_value());
+        double peak = 0.0;
+        for (const double entry : dense.kernel.values) peak = std::max(peak, std::abs(entry));
+        const auto tractions = numbers(dense.kernel.columns);
+        std::vector<double> readings(dense.kernel.rows);
+        products.readings(tractions, readings);
+        const auto read = product(dense.kernel, tractions);
+        for (std::size_t i = 0; i < read.size(); ++i)
+          CHECK_THAT(readings[i], WithinAbs(read[i], 1e-12 * peak * norm(tractions)));
+
+        const auto given = numbers(dense.kernel.rows);
+        std::vector<double> sums(dense.kernel.columns);
+        products.sums(given, sums);
+        const auto expected = transposed_product(dense.kernel, given);
+        for (std::size_t j = 0; j < expected.size(); ++j)
+          CHECK_THAT(sums[j], WithinAbs(expected[j], 1e-12 * peak * norm(given)));
+      }
+}
+
+TEST_CASE("conjugate gradients reach the minimiser of the dense problem", "[skin][large]") {
+  const SkinArray skin = square_skin(18, 2e-3);
+  for (const Material& material : {silicone, thin})
+    for (const auto& dead : {std::vector<std::size_t>{}, {0, 21, 22, 137, 310}}) {
+      const SkinProblemOptions options = with_dead(dead);
+      const SkinProblem dense = make_problem(skin, material, options);
+      const SkinFamily family(dense);
+      const double size = std::pow(family.singular_values().front(), 2);
+      const std::vector<double> readings = readings_of(dense, 1);
+      CAPTURE(material.layer.has_value(), dead.size());
+      LargeSkinTikhonov solver(skin, material, options, size);
+      for (const double share : {1e-2, 1e-5}) {
+        const double alpha = share * size;
+        solver.use_alpha(alpha);
+        const auto expected = family.solve(family.analyse(readings), alpha);
+        std::vector<double> found(expected.size());
+        REQUIRE(solver.solve(readings, found) == FrameStatus::ok);
+        CAPTURE(share, solver.convergence().steps);
+        CHECK(solver.convergence().converged);
+        const double error = distance(found, expected) / norm(expected);
+        CHECK(error < 1e-6);
+        CHECK(error <= solver.convergence().bound + 1e-9);
+
+        const auto right = normal_right_side(dense, readings);
+        CHECK(distance(solver.normal_right_side(readings), right) < 1e-12 * norm(right));
+        const auto x = solver.solve_normal(right);
+        CHECK(solver.convergence().steps <= 36);
+        CHECK(normal_residual(dense, alpha, x, right) < 2e-8);
+      }
+    }
+}
+
+TEST_CASE("dead taxels cost conjugate gradients next to no steps", "[skin][large]") {
+  const SkinArray skin = square_skin(24, 2e-3);
+  SkinProblem dense = make_problem(skin, silicone);
+  const double alpha = 1e-6 * size_of(make_problem(square_skin(12, 2e-3), silicone));
+  const auto steps = [&](const SkinProblemOptions& options) {
+    LargeSkinTikhonov solver(skin, silicone, options, alpha);
+    const SkinProblem own = make_problem(skin, silicone, options);
+    (void)solver.solve_normal(normal_right_side(own, readings_of(dense, 2)));
+    return solver.convergence().steps;
+  };
+  const std::size_t whole = steps({});
+  CHECK(steps(with_dead({30, 31, 55, 200, 300, 301, 302, 450})) <= whole + 5);
+}
+
+TEST_CASE("large skins of any shape are solved", "[skin][large]") {
+  for (const auto& [rows, columns, spacing] :
+       {std::tuple{1u, 30u, 1e-3}, {5u, 40u, 1e-3}, {9u, 17u, 0.5e-3}}) {
+    SkinArray skin = square_skin(rows, 2e-3);
+    skin.columns = columns;
+    const SkinProblemOptions options = with_dead({}, {.spacing = spacing});
+    const SkinProblem dense = make_problem(skin, silicone, options);
+    const double alpha = 1e-4 * size_of(dense);
+    LargeSkinTikhonov solver(skin, silicone, options, alpha);
+    const auto right = normal_right_side(dense, readings_of(dense, 3));
+    const auto x = solver.solve_normal(right);
+    CAPTURE(rows, columns, solver.convergence().steps);
+    CHECK(normal_residual(dense, alpha, x, right) < 2e-8);
+  }
+}
+
+TEST_CASE("alpha of a large skin is that of all singular values", "[skin][large]") {
+  const SkinArray skin = square_skin(16, 2e-3);
+  const SkinProblem dense = make_problem(skin, silicone);
+  const SkinFamily family(dense);
+  const double size = std::pow(family.singular_values().front(), 2);
+  LargeSkinTikhonov solver(skin, silicone, {}, 1e-4 * size);
+  const LargeSkinFamily large(solver);
+  for (const double share : {1e-2, 1e-4, 1e-6}) {
+    const double exact = family.degrees_of_freedom(share * size);
+    CAPTURE(share, exact);
+    CHECK_THAT(large.degrees_of_freedom(share * size),
+               WithinAbs(exact, 4.0 * large.degrees_deviation(share * size) + 0.02 * exact));
+  }
+  std::mt19937 random(4);
+  std::vector<double> readings = readings_of(dense, 5);
+  const double noise = add_noise(readings, 0.01, random);
+  const FilterFrame exact = family.analyse(readings);
+  const FilterFrame quadrature = large.analyse(readings);
+  CHECK(large.analyse(readings).powers == quadrature.powers);
+  for (const AlphaRule rule :
+       {AlphaRule::rgcv, AlphaRule::gcv, AlphaRule::aicc, AlphaRule::gml, AlphaRule::evidence}) {
+    const double expected = choose_alone(exact, rule, noise).alpha;
+    const double found = choose_alone(quadrature, rule, noise).alpha;
+    CAPTURE(name(rule));
+    CHECK_THAT(found, WithinRel(expected, 0.15));
+    const auto of_expected = family.solve(exact, expected);
+    const auto of_found = family.solve(exact, found);
+    CHECK(distance(of_found, of_expected) < 0.03 * norm(of_expected));
+  }
+}
+
+TEST_CASE("bands of a large skin are those of its decomposition", "[skin][large]") {
+  for (const double spacing : {1e-3, 0.5e-3}) {
+    SkinArray skin = square_skin(20, 2e-3);
+    skin.columns = 17;
+    const SkinProblemOptions options =
+        with_dead(spacing < 1e-3 ? std::vector<std::size_t>{} : std::vector<std::size_t>{50, 51},
+                  {.spacing = spacing});
+    if (spacing < 1e-3) skin.rows = 15;
+    const SkinProblem dense = make_problem(skin, silicone, options);
+    const SkinFamily family(dense);
+    const double alpha = 1e-4 * std::pow(family.singular_values().front(), 2);
+    LargeSkinTikhonov solver(skin, silicone, options, alpha);
+    LargeSkinBands bands(solver, skin, silicone, options);
+    for (const double prior : {alpha, 0.1 * alpha}) {
+      const SkinCovariance exact(family, alpha, prior);
+      const LargeSkinCovariance large(bands, prior, 1.0);
+      const auto expected = exact.deviations();
+      const auto found = large.deviations();
+      const SkinGrid& grid = dense.grid;
+      std::size_t wide = 0;
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+        if (found[i] > 1.02 * expected[i]) ++wide;  // at dead taxels
+        CHECK(found[i] > 0.9 * expected[i]);
+      }
+      CHECK(wide <= 3 * 9 * options.dead_taxels.size());
+      std::vector<double> force(expected.size()), moment(expected.size());
+      for (std::size_t i = 0; i < grid.count(); ++i) {
+        force[i] = grid.area();
+        moment[grid.count() + i] = grid.area() * grid.z(i % grid.columns);
+        moment[i] = 0.3 * grid.area();
+      }
+      CHECK_THAT(large.deviation(force), WithinRel(exact.deviation(force), 1e-5));
+      CHECK_THAT(large.covariance(force, moment), WithinRel(exact.covariance(force, moment), 1e-4));
+    }
+  }
+}
+
+TEST_CASE("large skins refuse what FFT cannot multiply", "[skin][large]") {
+  const SkinArray loose =
+      uneven_skin({{"", 0.0, 0.0, 1e-3, press_and_drag}, {"", 1e-3, 0.3e-3, 1e-3, press_and_drag}});
+  CHECK_THROWS_WITH(LargeSkinTikhonov(loose, silicone, {}, 1.0),
+                    ContainsSubstring("must lie on the lattice"));
+  CHECK_THROWS_WITH(
+      LargeSkinTikhonov(square_skin(4, 1e-3), silicone, {.unknown_offsets = true}, 1.0),
+      ContainsSubstring("unknown offset"));
+  CHECK_THROWS_WITH(LargeSkinTikhonov(square_skin(4, 1e-3), silicone, {}, 0.0),
+                    ContainsSubstring("alpha must be > 0"));
+  LargeSkinTikhonov solver(square_skin(4, 2e-3), silicone, {}, 1.0);
+  std::vector<double> f(3 * solver.problem().grid.count());
+  CHECK(solver.solve(std::vector<double>(5), f) == FrameStatus::wrong_size);
+  CHECK(solver.solve(std::vector<double>(48, NAN), f) == FrameStatus::not_finite);
+  CHECK(solver.solve(std::vector<double>(48), f) == FrameStatus::ok);
+}
