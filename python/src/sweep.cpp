@@ -20,6 +20,7 @@
 #include "simulated_frames.hpp"
 #include "tactile_net/pages/sweep_page.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/report/json/sweep_json.hpp"
 #include "tactile_net/report/words/sweep_words.hpp"
 #include "tactile_net/sweep/slurm.hpp"
 #include "watcher.hpp"
@@ -106,10 +107,12 @@ class StudyPoints {
   sweep::Study study_;
 };
 
-std::string report_of(const sweep::Table& table, const std::string& folder, bool force) {
+std::string report_of(const sweep::Table& table, const std::string& json, const std::string& folder,
+                      bool force) {
   const nb::gil_scoped_release released;
-  return write_page({.path = folder, .force = force},
-                    pages::sweep_page(table, {.files = {"results.csv"}}), "results.csv", table.csv);
+  drawing::Page page = pages::sweep_page(table, {.files = {"results.csv", "result.json"}});
+  page.files.emplace_back("results.csv", table.csv);
+  return write_page({.path = folder, .force = force}, page, "result.json", json);
 }
 
 }  // namespace
@@ -124,6 +127,8 @@ void bind_sweep(nb::module_& module) {
       .def_ro("title", &sweep::Table::title)
       .def_ro("axes", &sweep::Table::axes)
       .def_ro("points", &sweep::Table::points)
+      .def_prop_ro("units", [](const sweep::Table& self) { return self.units.axes; })
+      .def("json", &report::sweep_json, nb::arg("resumed").none())
       .def_ro("csv", &sweep::Table::csv)
       .def_ro("sha256", &sweep::Table::sha256)
       .def("cells", &report::method_cells)

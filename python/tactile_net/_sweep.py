@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core, _html
+from ._documents import Document
 from ._optional import optional
 from ._progress import Progress, listening
 from ._toml import text_of
@@ -26,6 +27,7 @@ __all__ = ["Study", "SweepTable", "merge", "slurm_script", "sweep"]
 
 _WHOLE = ("index", "seed")
 _WORDS = ("method", "verdict", "failure", "version", "instructions")
+_LISTS = ("readings", "truth", "tractions")
 
 
 @dataclass(frozen=True)
@@ -33,7 +35,7 @@ class Study:
     """A scene and its axes: `{"sensor.depth": [1e-3, 2e-3], "noise.rms": {"from": 1, "to": 100, "count": 5, "scale": "log"}}`.
 
     An axis is a list of values, or a range as docs/sweeps.md says; ranges without a count are drawn, as `draw` says:
-    `{"kind": "sobol", "count": 64}`.
+    `{"kind": "sobol", "count": 64}`. `keep`: which columns the rows have, `["error", "tractions"]`; None: the usual ones.
     """
 
     scene: Scene
@@ -42,6 +44,7 @@ class Study:
     repeats: int = 1
     draw: Mapping[str, Any] | None = None
     title: str = ""
+    keep: Sequence[str] | None = None
     _names: tuple[str, str] = field(default=("study.toml", "scene.toml"), repr=False)
 
     def save(self, folder: str | PathLike[str]) -> str:
@@ -54,27 +57,33 @@ class Study:
             for key, values in self.axes.items()
         ]
         table: dict[str, Any] = {"title": self.title or None, "scene": scene, "seed": self.seed, "repeats": self.repeats}
+        table["keep"] = None if self.keep is None else list(self.keep)
         text = text_of(table | {"draw": self.draw, "axis": axes})
         (place / scene).write_text(self.scene.text, encoding="utf-8")
         (place / study).write_text(text, encoding="utf-8")
         return fspath(place / study)
 
 
-class SweepTable:
+class SweepTable(Document):
     """The rows of a sweep, one for each point and method: `table["error"]` is an array, an axis is known by its key.
 
-    What is not known is NaN, or an empty text.
+    What is not known is NaN, or an empty text. Lists that were kept, `table["tractions"]`, have a row for each; where they are
+    not equally long, they are an array of arrays.
     """
 
     axes: tuple[str, ...]
+    units: dict[str, str | None]
+    """Of the axes, as the scene's [units] states them; None: it states none, or there is none."""
     sha256: str
     """Of `csv`: the same whoever computed what, on machines of one set of instructions."""
 
-    def __init__(self, core: _core.SweepTable) -> None:
+    def __init__(self, core: _core.SweepTable, resumed: int | None = None) -> None:
         self._core: _core.SweepTable = core
+        self._json = core.json(resumed)
         self.title = core.title
         self.points = core.points
         self.axes = tuple(core.axes)
+        self.units = {axis: unit or None for axis, unit in zip(self.axes, core.units, strict=True)}
         self.sha256 = core.sha256
         head, *rows = csv.reader(io.StringIO(core.csv))
         self.columns: dict[str, NDArray[Any]] = {
@@ -94,21 +103,30 @@ class SweepTable:
 
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame with the same columns."""
-        return optional("pandas", "tables").DataFrame(self.columns)
+        return optional("pandas", "tables").DataFrame(
+            {name: list(values) if name in _LISTS else values for name, values in self.columns.items()}
+        )
 
     def to_parquet(self, path: str | PathLike[str]) -> None:
-        """Writes the columns as Parquet; title, axes and hash stand in the file's metadata."""
+        """Writes the columns as Parquet; title, axes, hash and the JSON document stand in the file's metadata."""
         arrow = optional("pyarrow", "tables")
-        about = {"tactile_net.title": self.title, "tactile_net.sha256": self.sha256, "tactile_net.axes": "\n".join(self.axes)}
-        table = arrow.table({name: arrow.array(values) for name, values in self.columns.items()})
+        about = {
+            "tactile_net.title": self.title,
+            "tactile_net.sha256": self.sha256,
+            "tactile_net.axes": "\n".join(self.axes),
+            "tactile_net.json": self.to_json(),
+        }
+        table = arrow.table(
+            {name: arrow.array(list(values) if name in _LISTS else values) for name, values in self.columns.items()}
+        )
         optional("pyarrow.parquet", "tables").write_table(table.replace_schema_metadata(about), fspath(path))
 
     def report(self, folder: str | PathLike[str], *, force: bool = False) -> str:
-        """Writes results.csv and the page that the command writes; returns the path of report.html.
+        """Writes results.csv, result.json and the page that the command writes; returns the path of report.html.
 
         Raises OSError where a report.html stands that tactile-net has not written, unless `force`.
         """
-        self._core.report(fspath(folder), force)
+        self._core.report(self._json, fspath(folder), force)
         return f"{fspath(folder)}/report.html"
 
     def __repr__(self) -> str:
@@ -119,6 +137,8 @@ class SweepTable:
 
 
 def _column(name: str, fields: list[str]) -> NDArray[Any]:
+    if name in _LISTS:
+        return _lists([np.array([float(number) for number in text.split()]) for text in fields])
     if name in _WHOLE:
         return np.array([int(text) for text in fields], dtype=np.int64)
     if name not in _WORDS:
@@ -127,6 +147,17 @@ def _column(name: str, fields: list[str]) -> NDArray[Any]:
         except ValueError:
             pass  # an axis of words
     return np.array(fields)
+
+
+def _lists(rows: list[NDArray[Any]]) -> NDArray[Any]:
+    """One array where all that are there are equally long; of a row without one, NaN."""
+    lengths = {len(row) for row in rows if len(row) > 0}
+    if len(lengths) == 1:
+        nothing = np.full(lengths.pop(), np.nan)
+        return np.array([row if len(row) > 0 else nothing for row in rows])
+    uneven = np.empty(len(rows), dtype=object)
+    uneven[:] = rows
+    return uneven
 
 
 def sweep(
@@ -150,8 +181,8 @@ def sweep(
         raise ValueError(f"jobs must be at least 1 (got {jobs})")
     path = study.save(out) if isinstance(study, Study) else fspath(study)
     with listening(progress) as heard:
-        _core.sweep(path, fspath(out), jobs, f"{shard[0]}/{shard[1]}", allow_outside, heard)
-    return merge(out) if tuple(shard) == (1, 1) else None
+        done = _core.sweep(path, fspath(out), jobs, f"{shard[0]}/{shard[1]}", allow_outside, heard)
+    return SweepTable(_core.merge([fspath(out)]), done.earlier) if tuple(shard) == (1, 1) else None
 
 
 def merge(*folders: str | PathLike[str]) -> SweepTable:

@@ -125,6 +125,53 @@ def test_parquet(study: tn.Study, tmp_path: Path) -> None:
         np.testing.assert_array_equal(again[name].to_numpy(zero_copy_only=False), values)
 
 
+def test_the_json_is_the_commands(study: tn.Study, tmp_path: Path) -> None:
+    table = table_of(tn.sweep(study, tmp_path / "out", jobs=2))
+    document = table.to_dict()
+    assert document["kind"] == "sweep" and document["points_resumed"] == 0
+    assert document["results"]["sha256"] == table.sha256
+    path = study.save(tmp_path)
+    run = subprocess.run([COMMAND, "sweep", path, "-o", str(tmp_path / "out"), "--json", "-"], check=True, capture_output=True)
+    again = table_of(tn.sweep(study, tmp_path / "out"))
+    assert again.to_json() == run.stdout.decode()
+    assert again.to_dict()["points_resumed"] == 12
+    assert tn.merge(tmp_path / "out").to_dict()["points_resumed"] is None
+    table.report(tmp_path / "page")
+    assert (tmp_path / "page/result.json").read_text(encoding="utf-8") == table.to_json()
+
+
+def test_units_of_the_axes(study: tn.Study, tmp_path: Path) -> None:
+    scene = study.scene.replace({"units.length": "mm", "units.stress": "kPa"})
+    table = table_of(tn.sweep(tn.Study(scene, AXES, repeats=2), tmp_path / "out"))
+    assert table.units == {"sensor.depth": "mm", "noise.rms": "kPa", "repeat": None}
+
+
+def test_what_is_kept(study: tn.Study, tmp_path: Path) -> None:
+    axes = {"sensor.depth": [-1.0, 0.5, 1.0]}
+    keep = ["tractions", "force", "readings"]
+    table = table_of(tn.sweep(tn.Study(study.scene, axes, keep=keep), tmp_path / "out"))
+    assert "error" not in table.columns
+    assert table["readings"].shape == (3, 41)
+    assert table["tractions"].ndim == 1 or table["tractions"].shape[0] == 3  # the grid's margin follows the depth
+    assert np.isnan(table["readings"][0]).all()
+    answer = tn.run(study.scene.replace({"sensor.depth": 1.0, "noise.seed": int(table["seed"][2])})).methods["tikhonov"]
+    np.testing.assert_array_equal(table["tractions"][2], answer.normal)
+    uneven = tn.Study(study.scene, {"sensor.count": [9, 11]}, keep=["readings"])
+    assert [len(row) for row in table_of(tn.sweep(uneven, tmp_path / "uneven"))["readings"]] == [9, 11]
+    with pytest.raises(tn.InputError, match="did you mean"):
+        tn.sweep(tn.Study(study.scene, axes, keep=["traction"]), tmp_path / "wrong")
+
+
+def test_kept_lists_in_tables(study: tn.Study, tmp_path: Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    table = table_of(tn.sweep(tn.Study(study.scene, {"noise.seed": [1, 2]}, keep=["readings"]), tmp_path / "out"))
+    table.to_parquet(tmp_path / "rows.parquet")
+    again = parquet.read_table(tmp_path / "rows.parquet")
+    np.testing.assert_array_equal(np.array(again["readings"].to_pylist()), table["readings"])
+    assert again.schema.metadata[b"tactile_net.json"].decode() == table.to_json()
+    assert len(table.to_dataframe()["readings"][0]) == 41
+
+
 def test_slurm_script() -> None:
     script = tn.slurm_script("study.toml", "out", tasks=8, time="2:00:00")
     assert "#SBATCH --array=1-8" in script and "#SBATCH --time=2:00:00" in script
