@@ -17,6 +17,7 @@ NB_MODULE(_core, module) {
   bind_survey(module);
   bind_sweep(module);
   bind_circuit(module);
+  bind_calibration(module);
   bind_plan(module);
   bind_estimator(module);
   bind_simulated_pad(module);

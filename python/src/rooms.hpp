@@ -15,6 +15,7 @@ void bind_run(nanobind::module_& module);
 void bind_survey(nanobind::module_& module);
 void bind_sweep(nanobind::module_& module);
 void bind_circuit(nanobind::module_& module);
+void bind_calibration(nanobind::module_& module);
 void bind_plan(nanobind::module_& module);
 void bind_estimator(nanobind::module_& module);
 void bind_simulated_pad(nanobind::module_& module);

@@ -8,6 +8,7 @@ else in those of the scene; arrays are float64.
 """
 
 from . import datasets, errors, logs, mujoco, plot
+from ._calibration import Calibration, FittedValue, NextPress, calibrate
 from ._circuit import Certification, Relaxation, Survey
 from ._controller import ContactEstimate, Estimator, Plan
 from ._core import version as __version__
@@ -41,6 +42,7 @@ from ._tables import (
 from .errors import CutOffWarning, Diagnostic, FrameError, InputError, SimulatorError, UnsolvableError
 
 __all__ = [
+    "Calibration",
     "Certification",
     "CircularPunch",
     "Cone",
@@ -51,11 +53,13 @@ __all__ = [
     "Diagnostic",
     "Ellipsoid",
     "Estimator",
+    "FittedValue",
     "FrameError",
     "InputError",
     "Layer",
     "Material",
     "MethodResult",
+    "NextPress",
     "Noise",
     "Plan",
     "Punch",
@@ -83,6 +87,7 @@ __all__ = [
     "UnsolvableError",
     "Wedge",
     "__version__",
+    "calibrate",
     "datasets",
     "errors",
     "load",

@@ -12,6 +12,14 @@ namespace {
 
 constexpr double largest_crosstalk = 0.49;
 
+/// A fit of a log that does not belong to its scene would go there, and take minutes.
+constexpr double most_times = 10.0;   // the stated depth; thickness a tenth of it, too
+constexpr double least_depth = 0.25;  // of the stated one
+constexpr double thickest = 20.0;     // arrays' lengths: a half plane for all that they read
+constexpr double most_modulus = 1e4;  // times the stated one
+constexpr double most_pitch = 3.0;    // times the stated one
+constexpr double narrowest = 1e-3;    // of the depth: a half width that no reading sees
+
 double& member(PadState& pad, std::size_t parameter) {
   double* const members[] = {&pad.log_depth,   &pad.log_thickness, &pad.poisson_ratio,
                              &pad.log_modulus, &pad.crosstalk,     &pad.shift,
@@ -31,6 +39,10 @@ void check(const PressLog& log, std::size_t readings) {
 
 }  // namespace
 
+double value_of(PadState pad, PadParameter parameter) noexcept {
+  return member(pad, static_cast<std::size_t>(parameter));
+}
+
 FitProblem::FitProblem(const PressModel& model, const PressLog& log,
                        const CalibrationOptions& options, std::span<const bool> unread)
     : weights(log.presses.size() * model.sites().size(), 1.0),
@@ -39,6 +51,7 @@ FitProblem::FitProblem(const PressModel& model, const PressLog& log,
       options_(options) {
   check(options);
   check(log, model.sites().size());
+  set_ranges();
   const std::size_t n = model.sites().size();
   if (!unread.empty() && unread.size() != n)
     throw std::invalid_argument("unread must have a value for each reading");
@@ -94,10 +107,54 @@ void FitProblem::count_columns(std::span<const bool> unread) {
   columns_ = first_offset_ + n;
 }
 
-void FitProblem::free_force(std::size_t press) {
+void FitProblem::set_ranges() {
+  first_ = last_ = model_.sites().front().y;
+  for (const Site& site : model_.sites()) {
+    first_ = std::min(first_, site.y);
+    last_ = std::max(last_, site.y);
+  }
+  reach_ = std::max({last_ - first_, model_.array().pitch, model_.depth()});
+  const auto set = [&](PadParameter parameter, double low, double high) {
+    range_[static_cast<std::size_t>(parameter)] = {low, high};
+  };
+  // Taxels five depths apart miss most presses, and no array sees deeper than it is long.
+  const double depth = model_.depth();
+  set(PadParameter::depth,
+      std::log(std::max(least_depth, std::min(0.5, 0.2 * model_.array().pitch / depth))),
+      std::log(std::min(most_times, std::max(2.0, reach_ / depth))));
+  const double thickness = model_.material().layer ? model_.material().layer->thickness : depth;
+  set(PadParameter::thickness, -std::log(most_times),
+      std::log(std::max(most_times, thickest * reach_ / thickness)));
+  set(PadParameter::poisson_ratio, 0.0, 0.5);
+  set(PadParameter::youngs_modulus, -std::log(most_modulus), std::log(most_modulus));
+  set(PadParameter::crosstalk, 0.0, largest_crosstalk);
+  set(PadParameter::shift, -reach_, reach_);
+  set(PadParameter::pitch, -std::log(most_pitch), std::log(most_pitch));
+}
+
+void FitProblem::put_aside(std::size_t press, PressQuantity quantity) {
   PressRows& rows = press_rows[press];
-  rows.force_freed = true;
-  if (rows.column[0] == no_column) rows.column[0] = rows.columns++;
+  rows.put_aside = quantity;
+  std::size_t& column = rows.column[static_cast<std::size_t>(quantity)];
+  if (column == no_column) column = rows.columns++;
+}
+
+std::optional<double> FitProblem::seen_middle(std::size_t press) const {
+  const std::size_t n = model_.sites().size();
+  std::vector<double> size(n);
+  for (std::size_t j = 0; j < n; ++j)
+    if (used_[j])
+      size[j] = std::abs(log_.presses[press].readings[j] - log_.unloaded.mean[j]) / noise_[j];
+  const double most = *std::max_element(size.begin(), size.end());
+  double sum = 0.0;
+  double moment = 0.0;
+  for (std::size_t j = 0; j < n; ++j)
+    if (size[j] > 0.3 * most) {
+      sum += size[j];
+      moment += size[j] * model_.sites()[j].y;
+    }
+  if (!(sum > 0.0)) return std::nullopt;
+  return moment / sum;
 }
 
 std::size_t FitProblem::readings_used() const noexcept {
@@ -135,12 +192,15 @@ std::vector<PressPrior> FitProblem::press_priors(const FitState& state, std::siz
     prior.by_press[unknown] = std::sqrt(weight) / sd;
     priors.push_back(prior);
   };
-  if (press.force.value && press.force.sd > 0.0 && !rows.force_freed)
+  const auto stands = [&](const Stated& stated, PressQuantity quantity) {
+    return stated.value && stated.sd > 0.0 && rows.put_aside != quantity;
+  };
+  if (stands(press.force, PressQuantity::force))
     add(at.log_force - std::log(*press.force.value), press.force.sd / *press.force.value, 0,
         rows.force_weight);
-  if (press.position.value && press.position.sd > 0.0)
+  if (stands(press.position, PressQuantity::position))
     add(at.center - *press.position.value, press.position.sd, 1, rows.position_weight);
-  if (press.half_width.value && press.half_width.sd > 0.0)
+  if (stands(press.half_width, PressQuantity::half_width))
     add(at.log_half_width - std::log(*press.half_width.value),
         press.half_width.sd / *press.half_width.value, 2, 1.0);
   if (press.friction.value && press.friction.sd > 0.0)
@@ -158,7 +218,7 @@ std::vector<PressPrior> FitProblem::press_priors(const FitState& state, std::siz
     tie.by_pad[static_cast<std::size_t>(PadParameter::poisson_ratio)] = rod.by_poisson_ratio / sd;
     tie.by_pad[static_cast<std::size_t>(PadParameter::youngs_modulus)] = 1.0 / sd;
     priors.push_back(tie);
-  } else if (!press.half_width.value) {
+  } else if (!press.half_width.value || rows.put_aside == PressQuantity::half_width) {
     add(at.log_half_width - std::log(weak_width_share * model_.depth()), weak_width_sd, 2, 1.0);
     priors.back().is_weak = true;
   }
@@ -224,10 +284,11 @@ FitState FitProblem::moved(const FitState& state, const Eigen::VectorXd& common,
                            std::span<const std::array<double, press_unknowns>> presses) const {
   FitState next = state;
   for (std::size_t i = 0; i < pad_parameter_count; ++i)
-    if (pad_column_[i] != no_column)
-      member(next.pad, i) += common(static_cast<Eigen::Index>(pad_column_[i]));
-  next.pad.poisson_ratio = std::clamp(next.pad.poisson_ratio, 0.0, 0.5);
-  next.pad.crosstalk = std::clamp(next.pad.crosstalk, 0.0, largest_crosstalk);
+    if (pad_column_[i] != no_column) {
+      double& value = member(next.pad, i);
+      value = std::clamp(value + common(static_cast<Eigen::Index>(pad_column_[i])), range_[i].low,
+                         range_[i].high);
+    }
   for (std::size_t g = 0; g < gains_; ++g)
     next.log_gain[g] += common(static_cast<Eigen::Index>(first_gain_ + g));
   for (std::size_t j = 0; j < next.offset.size(); ++j)
@@ -241,7 +302,16 @@ FitState FitProblem::moved(const FitState& state, const Eigen::VectorXd& common,
   }
   hold_thickness(next.pad);
   follow_exact_ties(next);
+  for (std::size_t p = 0; p < presses.size(); ++p) hold_press(next.presses[p], press_rows[p]);
   return next;
+}
+
+void FitProblem::hold_press(PressState& state, const PressRows& rows) const {
+  if (rows.column[static_cast<std::size_t>(PressQuantity::position)] != no_column)
+    state.center = std::clamp(state.center, first_ - reach_, last_ + reach_);
+  if (rows.column[static_cast<std::size_t>(PressQuantity::half_width)] != no_column)
+    state.log_half_width = std::clamp(state.log_half_width, std::log(narrowest * model_.depth()),
+                                      std::log(2.0 * reach_));
 }
 
 void FitProblem::hold_thickness(PadState& pad) const {
@@ -278,21 +348,7 @@ FitState FitProblem::start(double depth_factor) const {
                   .log_half_width =
                       std::log(press.half_width.value.value_or(weak_width_share * model_.depth()))};
     at.friction = press.friction.value.value_or(0.0);
-    // The middle of what reads above 0.3 of the largest.
-    std::vector<double> size(n);
-    double most = 0.0;
-    for (std::size_t j = 0; j < n; ++j) {
-      if (used_[j]) size[j] = std::abs(press.readings[j] - log_.unloaded.mean[j]) / noise_[j];
-      most = std::max(most, size[j]);
-    }
-    double sum = 0.0;
-    double moment = 0.0;
-    for (std::size_t j = 0; j < n; ++j)
-      if (size[j] > 0.3 * most) {
-        sum += size[j];
-        moment += size[j] * model_.sites()[j].y;
-      }
-    at.center = press.position.value.value_or(sum > 0.0 ? moment / sum : 0.0);
+    at.center = press.position.value.value_or(seen_middle(state.presses.size()).value_or(0.0));
     if (press.radius && !press.half_width.value && press.force.value)
       at.log_half_width = std::log(rod_half_width(material, *press.force.value, *press.radius));
     if (press.force.value) {

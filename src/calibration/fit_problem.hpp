@@ -6,17 +6,21 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "tactile_net/calibration/calibration_options.hpp"
+#include "tactile_net/calibration/press_fit.hpp"
 #include "tactile_net/calibration/press_log.hpp"
 #include "tactile_net/calibration/press_model.hpp"
 
 namespace tactile_net {
 
-inline constexpr std::size_t press_unknowns = 4;  // log force, centre, log half width, friction
+/// Log force, centre, log half width and friction, in PressQuantity's order.
+inline constexpr std::size_t press_unknowns = 4;
 inline constexpr std::size_t no_column = std::numeric_limits<std::size_t>::max();
 
 /// Everything that is fitted, at one place.
@@ -26,6 +30,8 @@ struct FitState {
   std::vector<double> offset{};    ///< of each reading, from the unloaded mean, over the noise
   std::vector<PressState> presses{};
 };
+
+[[nodiscard]] double value_of(PadState pad, PadParameter parameter) noexcept;
 
 /// One row of what is stated of a press.
 struct PressPrior {
@@ -39,7 +45,7 @@ struct PressPrior {
 struct PressRows {
   std::array<std::size_t, press_unknowns> column{};  ///< no_column: exact
   std::size_t columns = 0;
-  bool force_freed = false;
+  std::optional<PressQuantity> put_aside{};  ///< a stated value that is an unknown all the same
   double force_weight = 1.0, position_weight = 1.0;  ///< robust, of the stated values
 };
 
@@ -84,6 +90,14 @@ class FitProblem {
   [[nodiscard]] std::size_t readings_used() const noexcept;
   [[nodiscard]] double noise(std::size_t reading) const noexcept { return noise_[reading]; }
 
+  /// Where a pad parameter may go, as PadState has it: what lies beyond is no pad of this array.
+  struct Range {
+    double low, high;
+  };
+  [[nodiscard]] const Range& range(PadParameter parameter) const noexcept {
+    return range_[static_cast<std::size_t>(parameter)];
+  }
+
   /// The state moved by a step of the common unknowns and of each press; values that leave their
   /// range are put onto its end.
   [[nodiscard]] FitState moved(const FitState& state, const Eigen::VectorXd& common,
@@ -93,16 +107,23 @@ class FitProblem {
   [[nodiscard]] const PressLog& log() const noexcept { return log_; }
   [[nodiscard]] const CalibrationOptions& options() const noexcept { return options_; }
 
-  /// The stated force is put aside: an unknown.
-  void free_force(std::size_t press);
+  /// A stated value becomes an unknown.
+  void put_aside(std::size_t press, PressQuantity quantity);
+
+  /// The middle of the taxels that read above 0.3 of the press' largest; absent: none reads.
+  [[nodiscard]] std::optional<double> seen_middle(std::size_t press) const;
 
   std::vector<PressRows> press_rows{};
-  std::vector<double> weights{};  ///< robust, presses x readings; of squares
+  std::vector<double> weights{};             ///< robust, presses x readings; of squares
+  std::function<void(std::size_t)> watch{};  ///< called before each step, with its number
 
  private:
+  void set_ranges();
   void count_columns(std::span<const bool> unread);
   /// A layer is as thick as the deepest taxel is deep, or thicker.
   void hold_thickness(PadState& pad) const;
+  /// Centres and half widths that ran away are put back where an indenter of this array can be.
+  void hold_press(PressState& state, const PressRows& rows) const;
   /// Steps along a tie that is all but exact would be short: each is put back onto it.
   void follow_exact_ties(FitState& state) const;
   [[nodiscard]] Material material_at(const PadState& pad) const;
@@ -110,6 +131,8 @@ class FitProblem {
   const PressModel& model_;
   const PressLog& log_;
   CalibrationOptions options_;
+  std::array<Range, pad_parameter_count> range_{};
+  double first_ = 0.0, last_ = 0.0, reach_ = 0.0;  ///< taxels' places, and the array's length
   std::vector<bool> used_{};
   std::vector<double> noise_{};
   std::array<std::size_t, pad_parameter_count> pad_column_{};

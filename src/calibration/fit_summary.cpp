@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "calibration/fit_doubts.hpp"
 #include "calibration/fit_system.hpp"
 #include "calibration/null_space.hpp"
 #include "numeric/decompositions.hpp"
@@ -14,8 +15,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double singular_limit = 1e-10;
-constexpr double outlying = 5.0;  // standard deviations
-constexpr double far_off = 4.0;   // stated standard deviations
 constexpr double poor_rms = 1.1;  // with thousands of readings p alone condemns every real pad
 constexpr double poor_p = 1e-3;
 
@@ -57,22 +56,6 @@ ValueVerdict verdict_of(double sd, double prior_sd) {
   return sd > 0.5 * prior_sd ? ValueVerdict::weak : ValueVerdict::identified;
 }
 
-/// Correlation of the presses' residual rms with their order.
-double trend_of(const std::vector<FittedPress>& presses) {
-  const auto n = static_cast<double>(presses.size());
-  if (n < 4.0) return 0.0;
-  double mean = 0.0;
-  for (const FittedPress& press : presses) mean += press.rms / n;
-  double both = 0.0, own = 0.0, place = 0.0;
-  for (std::size_t p = 0; p < presses.size(); ++p) {
-    const double i = static_cast<double>(p) - 0.5 * (n - 1.0);
-    both += i * (presses[p].rms - mean);
-    own += (presses[p].rms - mean) * (presses[p].rms - mean);
-    place += i * i;
-  }
-  return own > 0.0 ? both / std::sqrt(own * place) : 0.0;
-}
-
 class Summary {
  public:
   Summary(const FitProblem& problem, const Descent& best, const CalibrationOptions& stated,
@@ -94,7 +77,6 @@ class Summary {
     pad();
     gains();
     matrices();
-    contradictions();
   }
 
  private:
@@ -135,8 +117,7 @@ class Summary {
                         .center = {at.center},
                         .half_width = {std::exp(at.log_half_width)},
                         .friction = {at.friction},
-                        .force_freed = rows.force_freed,
-                        .stated_force = log.force.value.value_or(0.0)};
+                        .put_aside = rows.put_aside};
       const auto& [own, share, rhs] = system_.presses[p];
       const bool regular = m == 0 || own.diagonal().cwiseAbs().minCoeff() > 0.0;
       if (m > 0 && regular) {
@@ -173,7 +154,6 @@ class Summary {
     const auto common = priors.leftCols(priors.cols() - 1);
     leverage += (common * covariance_.matrix).cwiseProduct(common).sum();
     fit_.dof -= covariance_.rank + unknowns - leverage;
-    fit_.time_trend = trend_of(fit_.presses);
   }
 
   /// l' C l of one prior row.
@@ -213,18 +193,15 @@ class Summary {
     fit_.pad = state_.pad;
     const Material& nominal = problem_.model().material();
     const double h = nominal.layer ? nominal.layer->thickness : 0.0;
-    const double values[] = {state_.pad.log_depth,     state_.pad.log_thickness,
-                             state_.pad.poisson_ratio, state_.pad.log_modulus,
-                             state_.pad.crosstalk,     state_.pad.shift,
-                             state_.pad.log_pitch};
     const double units[] = {problem_.model().depth(),      h, 0.0, nominal.youngs_modulus, 0.0, 0.0,
                             problem_.model().array().pitch};
     for (std::size_t i = 0; i < pad_parameter_count; ++i) {
       const auto parameter = static_cast<PadParameter>(i);
       FittedValue& result = fit_.parameters[i];
       const bool is_log = units[i] > 0.0;
-      result.nominal = is_log ? units[i] : i == 2 ? nominal.poisson_ratio : 0.0;
-      result.value = is_log ? units[i] * std::exp(values[i]) : values[i];
+      const double value = value_of(state_.pad, parameter);
+      result.nominal = is_log ? units[i] : value_of(problem_.model().nominal(), parameter);
+      result.value = is_log ? units[i] * std::exp(value) : value;
       if (parameter == PadParameter::thickness && stated_.at_base && h > 0.0)
         result.value = fit_.parameters[0].value;
       const double unit = is_log ? result.value : 1.0;
@@ -240,8 +217,7 @@ class Summary {
         }
         continue;
       }
-      if (column == parts_.frozen ||
-          (parameter == PadParameter::thickness && parts_.thickness_follows)) {
+      if (parts_.frozen[i] || (parameter == PadParameter::thickness && parts_.thickness_follows)) {
         result.verdict = ValueVerdict::at_bound;
         continue;
       }
@@ -262,13 +238,18 @@ class Summary {
         if (sites[j].channel == c && problem_.gain_column(j) != no_column) members.push_back(j);
       mean_gain(c, members, prior);
     }
+    fit_.gain_about_mean = relative_;
     for (std::size_t j = 0; j < n; ++j) {
       const double gain = problem_.gain(state_, j);
       fit_.gains.push_back(gain);
       FittedValue value{.nominal = 1.0, .value = gain, .prior_sd = prior};
       if (const std::size_t column = problem_.gain_column(j); column != no_column) {
         value.sd = gain * log_sd(column);
-        value.verdict = relative_[j];
+        // A channel's gains that scale together are none of them known, however well apart.
+        const ValueVerdict mean = fit_.mean_gain[sites[j].channel].verdict;
+        value.verdict = mean == ValueVerdict::not_identifiable
+                            ? mean
+                            : std::max(relative_[j], verdict_of(log_sd(column), prior));
       }
       fit_.gain.push_back(value);
       const double mean = problem_.log().unloaded.mean[j];
@@ -329,23 +310,6 @@ class Summary {
                               : apart(index(i)) > 0.01 ? ValueVerdict::not_identifiable
                                                        : verdict_of(sd, stated_.gain_sd);
     }
-  }
-
-  /// Units that are wrong by 1000 end as a gain of 0.001 with small residuals.
-  void contradictions() {
-    const auto far = [](double moved, double sd) { return sd > 0.0 && moved > far_off * sd; };
-    for (const PadParameter parameter : fit_.free) {
-      const FittedValue& value = fit_.at(parameter);
-      const bool is_log = value.nominal > 0.0 && parameter != PadParameter::poisson_ratio;
-      const double moved = is_log ? std::abs(std::log(value.value / value.nominal))
-                                  : std::abs(value.value - value.nominal);
-      if (far(moved, stated_.sd(parameter))) fit_.contradicted.push_back(parameter);
-    }
-    for (std::size_t c = 0; c < fit_.mean_gain.size(); ++c)
-      if (far(std::abs(std::log(fit_.mean_gain[c].value)), stated_.mean_gain_sd))
-        fit_.contradicted_gains.push_back(c);
-    if (!fit_.contradicted.empty() || !fit_.contradicted_gains.empty())
-      fit_.verdict = FitVerdict::poor_fit;
   }
 
   void matrices() {

@@ -79,7 +79,7 @@ class PressBlock {
     auto which = static_cast<PadParameter>(parameter);
     if (which == PadParameter::thickness && parts.thickness_follows) which = PadParameter::depth;
     const std::size_t column = problem.pad_column(which);
-    if (column != no_column && column != parts.frozen)
+    if (column != no_column && !parts.frozen[static_cast<std::size_t>(which)])
       matrix(row, index(rows_.columns + column)) += value;
   }
 
@@ -173,11 +173,14 @@ FitSystem fit_system(const FitProblem& problem, const FitState& state,
     triangle.add(problem.common_priors(state).bottomRows(index(problem.model().sites().size())));
   } else {
     Eigen::MatrixXd priors = problem.common_priors(state);
-    if (parts.frozen != no_column) priors.col(index(parts.frozen)).setZero();
+    for (std::size_t i = 0; i < pad_parameter_count; ++i)
+      if (parts.frozen[i])
+        priors.col(index(problem.pad_column(static_cast<PadParameter>(i)))).setZero();
     if (parts.thickness_follows) {
       const std::size_t from = problem.pad_column(PadParameter::thickness);
       const std::size_t to = problem.pad_column(PadParameter::depth);
-      if (to != no_column) priors.col(index(to)) += priors.col(index(from));
+      if (to != no_column && !parts.frozen[static_cast<std::size_t>(PadParameter::depth)])
+        priors.col(index(to)) += priors.col(index(from));
       priors.col(index(from)).setZero();
     }
     priors.col(t) = -priors.col(t);

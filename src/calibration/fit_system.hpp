@@ -17,7 +17,8 @@ struct SystemParts {
   bool common_priors = true;       ///< else of the offsets alone: unloaded frames are measured
   bool weak_priors = true;         ///< of widths that nobody stated
   bool thickness_follows = false;  ///< at its bound: it moves with the depth
-  std::size_t frozen = no_column;  ///< a common unknown at its bound, or held for a profile
+  /// Pad parameters at the end of their range, or held for a profile.
+  std::array<bool, pad_parameter_count> frozen{};
 };
 
 /// Lengths of the columns, and the slope of the objective.

@@ -17,6 +17,10 @@ constexpr double most_damping = 1e8;
 constexpr double enough = 1e-9;       // relative fall of the objective that ends the iteration
 constexpr double longest_step = 1.0;  // of a logarithm
 constexpr double known_share = 1e-7;  // another start's minimum, found again
+constexpr std::size_t tries_a_step = 4;
+/// A start whose residuals are still so many times the noise after so many steps goes nowhere.
+constexpr std::size_t patience = 25;
+constexpr double hopeless = 5.0;
 
 /// No logarithm moves by more than 1, no centre by more than the array's length over four.
 double shortening(const FitProblem& problem, const Eigen::VectorXd& common,
@@ -49,40 +53,50 @@ SystemParts active_bounds(const FitProblem& problem, const FitState& state,
   const auto slope = [&](PadParameter parameter) {
     return columns.gradient(static_cast<Eigen::Index>(problem.pad_column(parameter)));
   };
-  if (problem.pad_column(PadParameter::poisson_ratio) != no_column) {
-    const double nu = state.pad.poisson_ratio;
-    if ((nu >= 0.5 && slope(PadParameter::poisson_ratio) < 0.0) ||
-        (nu <= 0.0 && slope(PadParameter::poisson_ratio) > 0.0))
-      parts.frozen = problem.pad_column(PadParameter::poisson_ratio);
+  for (std::size_t i = 0; i < pad_parameter_count; ++i) {
+    const auto parameter = static_cast<PadParameter>(i);
+    if (problem.pad_column(parameter) == no_column) continue;
+    const FitProblem::Range& range = problem.range(parameter);
+    const double value = value_of(state.pad, parameter);
+    parts.frozen[i] = (value >= range.high && slope(parameter) < 0.0) ||
+                      (value <= range.low && slope(parameter) > 0.0);
   }
-  if (problem.pad_column(PadParameter::crosstalk) != no_column && parts.frozen == no_column &&
-      state.pad.crosstalk <= 0.0 && slope(PadParameter::crosstalk) > 0.0)
-    parts.frozen = problem.pad_column(PadParameter::crosstalk);
   if (problem.pad_column(PadParameter::thickness) != no_column) {
     double deepest = 0.0;
     for (const Site& site : problem.model().sites()) deepest = std::max(deepest, site.depth);
     const double over = std::log(problem.model().material().layer->thickness / deepest) +
                         state.pad.log_thickness - state.pad.log_depth;
     parts.thickness_follows = over < 1e-12 && slope(PadParameter::thickness) > 0.0;
+    if (parts.thickness_follows)
+      parts.frozen[static_cast<std::size_t>(PadParameter::thickness)] = false;
   }
   return parts;
 }
 
-Descent descend(const FitProblem& problem, FitState state, std::size_t held, double known) {
+Descent descend(const FitProblem& problem, FitState state, std::optional<PadParameter> held,
+                double known) {
   Descent descent;
   PressReadings readings = problem.readings(state, true);
   double objective = problem.objective(state, readings);
   double damping = first_damping;
-  while (descent.iterations < problem.options().most_iterations && !descent.converged) {
+  const std::size_t most_tries = tries_a_step * problem.options().most_iterations;
+  std::size_t tries = 0;
+  const auto rows = static_cast<double>(state.presses.size() * problem.readings_used());
+  while (descent.iterations < problem.options().most_iterations && !descent.converged &&
+         tries < most_tries) {
+    if (descent.iterations >= patience && objective > 0.5 * hopeless * hopeless * rows) break;
     ++descent.iterations;
+    if (problem.watch) problem.watch(descent.iterations);
     const SystemColumns columns = system_columns(problem, state, readings);
     SystemParts parts = active_bounds(problem, state, columns);
-    if (held != no_column) parts.frozen = held;
-    while (true) {
+    if (held) parts.frozen[static_cast<std::size_t>(*held)] = true;
+    for (; tries < most_tries; ++tries) {
       parts.damping = damping;
       const FitSystem system = fit_system(problem, state, readings, columns, parts);
       Eigen::VectorXd common = solve_upper(system.triangle, system.rhs);
-      if (parts.frozen != no_column) common(static_cast<Eigen::Index>(parts.frozen)) = 0.0;
+      for (std::size_t i = 0; i < pad_parameter_count; ++i)
+        if (parts.frozen[i])
+          common(static_cast<Eigen::Index>(problem.pad_column(static_cast<PadParameter>(i)))) = 0.0;
       std::vector<std::array<double, press_unknowns>> steps;
       for (std::size_t p = 0; p < state.presses.size(); ++p)
         steps.push_back(press_step(system.presses[p], problem.press_rows[p], common));
@@ -106,6 +120,7 @@ Descent descend(const FitProblem& problem, FitState state, std::size_t held, dou
         state = std::move(trial);
         objective = reached;
         damping = std::max(least_damping, damping * (share == 1.0 ? 0.02 : 0.3));
+        ++tries;
         break;
       }
       if (damping >= most_damping) {  // nothing near is lower: rounding is all that is left

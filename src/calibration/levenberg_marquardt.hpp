@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "calibration/fit_problem.hpp"
 #include "calibration/fit_system.hpp"
@@ -20,10 +21,12 @@ struct Descent {
   bool converged = false;
 };
 
-/// @param held   a pad parameter that stays where it is; no_column: none
+/// At most four tries a step: a fit of a log that is not of its scene is to end, too.
+///
+/// @param held   a pad parameter that stays where it is
 /// @param known  an objective that another start reached: close to it, this one is done
 [[nodiscard]] Descent descend(const FitProblem& problem, FitState state,
-                              std::size_t held = no_column, double known = 0.0);
+                              std::optional<PadParameter> held = {}, double known = 0.0);
 
 /// The bounds that are active at a state, as the system takes them.
 [[nodiscard]] SystemParts active_bounds(const FitProblem& problem, const FitState& state,

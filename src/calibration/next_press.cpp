@@ -11,6 +11,7 @@
 #include "calibration/fit_problem.hpp"
 #include "calibration/fit_system.hpp"
 #include "numeric/decompositions.hpp"
+#include "tactile_net/calibration/rod_contact.hpp"
 
 namespace tactile_net {
 namespace {
@@ -61,6 +62,14 @@ std::vector<PressState> states_of(const std::vector<NextPress>& presses) {
   for (const NextPress& one : presses)
     states.push_back({one.shape, std::log(one.force), one.position, std::log(one.half_width), 0.0});
   return states;
+}
+
+Material pad_of(const PressModel& model, const PressFit& fit) {
+  Material pad = model.material();
+  pad.poisson_ratio = fit.at(PadParameter::poisson_ratio).value;
+  pad.youngs_modulus = fit.at(PadParameter::youngs_modulus).value;
+  if (pad.layer) pad.layer->thickness = fit.at(PadParameter::thickness).value;
+  return pad;
 }
 
 std::vector<NextPress> candidates_of(const PressModel& model, const PressFit& fit) {
@@ -179,7 +188,7 @@ NextPresses next_presses(const PressModel& model, const PressLog& log,
     const FittedPress& press = fit.presses[p];
     state.presses[p] = {log.presses[p].shape, std::log(press.force.value), press.center.value,
                         std::log(press.half_width.value), press.friction.value};
-    if (press.force_freed) done.free_force(p);
+    if (press.put_aside) done.put_aside(p, *press.put_aside);
   }
   const PressReadings now = done.readings(state, true);
   const SystemColumns columns = system_columns(done, state, now);
@@ -252,6 +261,8 @@ NextPresses next_presses(const PressModel& model, const PressLog& log,
     chosen.erase(best);
     design.set(order);
     result.presses.push_back(candidates[order.back()]);
+    NextPress& next_one = result.presses.back();
+    next_one.radius = rod_radius(pad_of(model, fit), next_one.half_width, next_one.force);
     result.presses.back().remaining = std::sqrt(design.value());
   }
   return result;

@@ -5,9 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "calibration/fit_doubts.hpp"
 #include "calibration/fit_problem.hpp"
 #include "calibration/fit_summary.hpp"
 #include "calibration/levenberg_marquardt.hpp"
+#include "calibration/log_doubts.hpp"
 #include "calibration/null_space.hpp"
 #include "numeric/named.hpp"
 
@@ -15,10 +17,9 @@ namespace tactile_net {
 namespace {
 
 constexpr double cauchy_scale = 2.4;  // standard deviations at which a row's weight is a half
-constexpr double outlying = 5.0;
-constexpr std::size_t outliers_of_a_wrong_force =
-    3;  // more of a press than this: its force is wrong
 constexpr std::size_t most_reweightings = 25;
+constexpr std::size_t most_robust_steps = 5;  // times those of a start
+constexpr std::size_t most_put_aside = 3;     // rounds; one value of a press
 
 constexpr Named<ValueVerdict> value_verdicts[] = {
     {ValueVerdict::identified, "identified"}, {ValueVerdict::weak, "weak"},
@@ -28,6 +29,14 @@ constexpr Named<ValueVerdict> value_verdicts[] = {
 constexpr Named<FitVerdict> fit_verdicts[] = {{FitVerdict::ok, "ok"},
                                               {FitVerdict::poor_fit, "poor_fit"},
                                               {FitVerdict::iteration_limit, "iteration_limit"}};
+
+constexpr Named<PressQuantity> press_quantities[] = {{PressQuantity::force, "force"},
+                                                     {PressQuantity::position, "position"},
+                                                     {PressQuantity::half_width, "half_width"},
+                                                     {PressQuantity::friction, "friction"}};
+
+constexpr Named<TrendOf> trends[] = {
+    {TrendOf::size, "size"}, {TrendOf::gain, "gain"}, {TrendOf::offset, "offset"}};
 
 /// The same options, every parameter held that the log cannot tell from others.
 CalibrationOptions identifiable(const PressModel& model, const PressLog& log,
@@ -63,17 +72,19 @@ double reweigh(FitProblem& problem, const FitState& state) {
     const Press& press = problem.log().presses[p];
     const PressState& at = state.presses[p];
     PressRows& rows = problem.press_rows[p];
-    if (press.force.value && press.force.sd > 0.0 && !rows.force_freed)
+    if (press.force.value && press.force.sd > 0.0 && rows.put_aside != PressQuantity::force)
       set(rows.force_weight,
           (at.log_force - std::log(*press.force.value)) * *press.force.value / press.force.sd);
-    if (press.position.value && press.position.sd > 0.0)
+    if (press.position.value && press.position.sd > 0.0 &&
+        rows.put_aside != PressQuantity::position)
       set(rows.position_weight, (at.center - *press.position.value) / press.position.sd);
   }
   return change;
 }
 
 Descent reweighted(FitProblem& problem, Descent best) {
-  for (std::size_t pass = 0; pass < most_reweightings; ++pass) {
+  const std::size_t most = most_robust_steps * problem.options().most_iterations;
+  for (std::size_t pass = 0; pass < most_reweightings && best.iterations < most; ++pass) {
     if (reweigh(problem, best.state) < 1e-3) break;
     const std::size_t before = best.iterations;
     best = descend(problem, std::move(best.state));
@@ -82,31 +93,24 @@ Descent reweighted(FitProblem& problem, Descent best) {
   return best;
 }
 
-/// A press with many outlying readings has a wrong force rather than many wrong readings.
-bool free_wrong_forces(FitProblem& problem, const FitState& state) {
-  const PressReadings readings = problem.readings(state, false);
+/// What is contradicted becomes unknown; whether anything was.
+bool put_wrong_values_aside(FitProblem& problem, const FitState& state) {
   bool any = false;
+  const PressReadings readings = problem.readings(state, true);
   for (std::size_t p = 0; p < state.presses.size(); ++p) {
-    if (problem.press_rows[p].force_freed || !problem.log().presses[p].force.value) continue;
-    std::size_t count = 0;
-    for (std::size_t j = 0; j < problem.model().sites().size(); ++j)
-      if (problem.used(j) && std::abs(problem.residual(state, readings, p, j)) > outlying) ++count;
-    // Weights may have let the force go already: then it is far from what was stated instead.
-    const Stated& force = problem.log().presses[p].force;
-    const double moved = force.sd > 0.0
-                             ? std::abs(state.presses[p].log_force - std::log(*force.value)) *
-                                   *force.value / force.sd
-                             : 0.0;
-    if (count <= outliers_of_a_wrong_force && moved <= outlying) continue;
-    problem.free_force(p);
-    any = true;
+    if (problem.press_rows[p].put_aside) continue;
+    if (const auto wrong = contradiction(problem, state, readings, p)) {
+      problem.put_aside(p, wrong->quantity);
+      any = true;
+    }
   }
   return any;
 }
 
 Descent robust(FitProblem& problem, Descent best) {
   best = reweighted(problem, std::move(best));
-  if (free_wrong_forces(problem, best.state)) {
+  for (std::size_t round = 0; round < most_put_aside; ++round) {
+    if (!put_wrong_values_aside(problem, best.state)) break;
     const std::size_t before = best.iterations;
     best = reweighted(problem, descend(problem, std::move(best.state)));
     best.iterations += before;
@@ -133,7 +137,7 @@ std::vector<ProfilePoint> profile_of(const FitProblem& problem, const Descent& b
       Eigen::VectorXd step = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.columns()));
       step(static_cast<Eigen::Index>(column)) =
           best.state.pad.log_depth + z * log_sd - state.pad.log_depth;
-      const Descent held = descend(problem, problem.moved(state, step, {}), column);
+      const Descent held = descend(problem, problem.moved(state, step, {}), PadParameter::depth);
       const double rise = std::max(0.0, 2.0 * (held.objective - best.objective));
       profile.push_back({z, depth.value * std::exp(z * log_sd), side * std::sqrt(rise)});
       state = held.state;
@@ -149,16 +153,28 @@ std::vector<ProfilePoint> profile_of(const FitProblem& problem, const Descent& b
 
 std::string_view name(ValueVerdict verdict) noexcept { return name_in<value_verdicts>(verdict); }
 std::string_view name(FitVerdict verdict) noexcept { return name_in<fit_verdicts>(verdict); }
+std::string_view name(PressQuantity quantity) noexcept {
+  return name_in<press_quantities>(quantity);
+}
+std::string_view name(TrendOf trend) noexcept { return name_in<trends>(trend); }
+
+const ValueWithSd& FittedPress::at(PressQuantity quantity) const noexcept {
+  const ValueWithSd* const values[] = {&force, &center, &half_width, &friction};
+  return *values[static_cast<std::size_t>(quantity)];
+}
 
 PressFit fit_presses(const PressModel& model, const PressLog& log,
-                     const CalibrationOptions& options, std::span<const bool> unread) {
+                     const CalibrationOptions& options, std::span<const bool> unread,
+                     const std::function<void(std::size_t)>& watch) {
+  require_plausible(FitProblem(model, log, options, unread));
   const CalibrationOptions held = identifiable(model, log, options, unread);
   FitProblem problem(model, log, held, unread);
+  problem.watch = watch;
   PressFit fit;
   Descent best;
   for (const double factor : options.starts) {
-    Descent descent = descend(problem, problem.start(factor), no_column,
-                              fit.starts.empty() ? 0.0 : best.objective);
+    Descent descent =
+        descend(problem, problem.start(factor), {}, fit.starts.empty() ? 0.0 : best.objective);
     fit.starts.push_back({factor, descent.objective, descent.iterations, descent.converged});
     fit.iterations += descent.iterations;
     if (fit.starts.size() == 1 || descent.objective < best.objective * (1.0 - 1e-6))
@@ -172,8 +188,10 @@ PressFit fit_presses(const PressModel& model, const PressLog& log,
   }
   fit.null_directions = null_directions(FitProblem(model, log, options, unread), best.state);
   summarise(problem, best, options, fit);
+  doubt(problem, best.state, options, fit);
   if (!best.converged) fit.verdict = FitVerdict::iteration_limit;
-  if (options.profile) fit.profile = profile_of(problem, best, fit.at(PadParameter::depth));
+  if (options.profile && best.converged)
+    fit.profile = profile_of(problem, best, fit.at(PadParameter::depth));
   return fit;
 }
 

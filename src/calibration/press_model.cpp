@@ -13,6 +13,7 @@
 #include "elasticity/stress_amplitudes.hpp"
 #include "numeric/dual.hpp"
 #include "numeric/eigen.hpp"
+#include "numeric/require.hpp"
 
 namespace tactile_net {
 namespace {
@@ -221,8 +222,13 @@ class GroupReadings {
 
 }  // namespace
 
-PressModel::PressModel(const SensorArray& array, const Material& material)
-    : array_(array), material_(material), sites_(tactile_net::sites(array)), depth_(0.0) {
+PressModel::PressModel(const SensorArray& array, const Material& material, double crosstalk)
+    : array_(array),
+      material_(material),
+      sites_(tactile_net::sites(array)),
+      depth_(0.0),
+      crosstalk_(crosstalk) {
+  require(crosstalk >= 0.0 && crosstalk < 0.5, "crosstalk", "be >= 0 and < 0.5", crosstalk);
   check(array);
   check(material);
   depth_ = sites_.front().depth;
@@ -237,6 +243,7 @@ PressModel::PressModel(const SensorArray& array, const Material& material)
 PadState PressModel::nominal() const noexcept {
   PadState pad;
   pad.poisson_ratio = material_.poisson_ratio;
+  pad.crosstalk = crosstalk_;
   return pad;
 }
 

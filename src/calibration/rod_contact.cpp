@@ -151,4 +151,8 @@ double rod_half_width(const Material& material, double force, double radius) {
   return std::exp(log_a);
 }
 
+double rod_radius(const Material& material, double half_width, double force) {
+  return std::exp(rod_force(material, half_width, 1.0).log_force) / force;
+}
+
 }  // namespace tactile_net

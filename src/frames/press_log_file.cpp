@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "frames/converter_steps.hpp"
+#include "numeric/robust.hpp"
 #include "scene/csv_table.hpp"
 #include "tactile_net/calibration/rod_contact.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -20,6 +22,7 @@ namespace {
 
 constexpr std::size_t most_problems = 20;
 constexpr double contradiction = 5.0;  // standard deviations
+constexpr double most_at_rest = 4.0;   // rms of an unloaded row about the others, over the noise
 
 constexpr std::array described = {"press",    "shape",       "force",  "force_sd",
                                   "position", "position_sd", "radius", "half_width"};
@@ -54,7 +57,10 @@ class Reader {
     throw_if_any();
     check_whole();
     throw_if_any();
+    check_rest();
+    throw_if_any();
     result_.log.unloaded = unloaded_frames(scene_.sensor, unloaded_);
+    find_steps();
     check_noise();
     check_saturation();
     throw_if_any();
@@ -97,6 +103,7 @@ class Reader {
               " of the scene's " + std::to_string(reading_names(scene_.sensor).size()) +
               " readings",
           "a log of another scene? sensor.count and sensor.reads say which columns there are");
+    check_other_taxels();
     std::set<std::string> known(described.begin(), described.end());
     known.insert(optional_columns.begin(), optional_columns.end());
     for (const std::string& name : reading_names(scene_.sensor)) known.insert(name);
@@ -106,6 +113,26 @@ class Reader {
     if (others > 0)
       result_.notes.push_back(std::to_string(others) +
                               (others == 1 ? " column is not read" : " columns are not read"));
+  }
+
+  /// "stress_x_41" in a log of a scene with 41 taxels: fewer than the sensor has.
+  void check_other_taxels() {
+    for (const Channel& channel : channels(scene_.sensor)) {
+      const std::string own = channel.name + '_';
+      std::size_t others = 0;
+      for (const auto& [name, column] : columns_) {
+        double taxel = 0.0;
+        if (name.size() > own.size() && name.compare(0, own.size(), own) == 0 &&
+            read_number(name.substr(own.size()), taxel) &&
+            taxel >= static_cast<double>(channel.count))
+          ++others;
+      }
+      if (others > 0)
+        problem(table_.header.line,
+                "has " + std::to_string(channel.count + others) + " columns " + own +
+                    "0, ..., and the scene has " + std::to_string(channel.count) + " taxels",
+                "a log of another scene? sensor.count says how many there are");
+    }
   }
 
   std::optional<double> number(const CsvTable::Row& row, const std::string& name, const Rule& rule,
@@ -161,7 +188,14 @@ class Reader {
       return;
     }
     if (count == 0.0 || shape == "none") {
+      if (!shape.empty() && shape != "none")
+        problem(row.line, "press 0 is a row without load, and its shape is none",
+                "shape none, or the press' own number, from 1");
+      if (number(row, "force", any).value_or(0.0) != 0.0)
+        problem(row.line, "is a row without load, and has a force",
+                "leave force empty, or give the press its number and its shape");
       unloaded_.push_back(readings(row));
+      unloaded_lines_.push_back(row.line);
       return;
     }
     Press press{.number = static_cast<std::size_t>(count)};
@@ -231,16 +265,71 @@ class Reader {
     return std::count(scene_.dead_taxels.begin(), scene_.dead_taxels.end(), taxel) > 0;
   }
 
+  /// Rows without load about their medians, over a spread that a few loaded ones do not move.
+  void check_rest() {
+    const std::size_t n = readings_.size();
+    std::vector<double> middles(n), spreads(n);
+    for (std::size_t j = 0; j < n; ++j) {
+      std::vector<double> values;
+      for (const std::vector<double>& row : unloaded_) values.push_back(row[j]);
+      middles[j] = median(values);
+      for (double& value : values) value -= middles[j];
+      spreads[j] = robust_rms(std::move(values));
+    }
+    for (std::size_t row = 0; row < unloaded_.size(); ++row) {
+      double squares = 0.0, count = 0.0;
+      for (std::size_t j = 0; j < n; ++j) {
+        if (!(spreads[j] > 0.0) || is_dead(j)) continue;
+        squares += std::pow((unloaded_[row][j] - middles[j]) / spreads[j], 2);
+        count += 1.0;
+      }
+      if (const double rms = std::sqrt(squares / std::max(count, 1.0)); rms > most_at_rest)
+        problem(unloaded_lines_[row],
+                "is no row without load: its readings are " + brief(rms) +
+                    " times the noise away from those of the others",
+                "offsets come from these rows; take it out, or say what pressed");
+    }
+  }
+
+  /// What a converter's steps leave of a number, in every reading: 0 where there are none.
+  void find_steps() {
+    const std::vector<Site> where = sites(scene_.sensor);
+    std::vector<double> of_channel(result_.log.unloaded.rms.size());
+    for (std::size_t j = 0; j < readings_.size(); ++j) {
+      std::set<double> values;
+      for (const std::vector<double>& row : unloaded_) values.insert(row[j]);
+      for (const Press& press : result_.log.presses) values.insert(press.readings[j]);
+      steps_.push_back(converter_step(values));
+      if (!is_dead(j))
+        of_channel[where[j].channel] = std::max(of_channel[where[j].channel], steps_[j]);
+    }
+    for (std::size_t c = 0; c < of_channel.size(); ++c)
+      if (const double rms = of_channel[c] / std::sqrt(12.0); rms > result_.log.unloaded.rms[c]) {
+        result_.log.unloaded.rms[c] = rms;
+        result_.notes.push_back(channels(scene_.sensor)[c].name + " has steps of " +
+                                brief(of_channel[c]) + ", wider than its noise: " + brief(rms) +
+                                " is taken for it, a step over the root of 12");
+      }
+  }
+
+  [[nodiscard]] bool ever_moves(std::size_t reading) const {
+    return std::any_of(result_.log.presses.begin(), result_.log.presses.end(),
+                       [&](const Press& press) {
+                         return press.readings[reading] != result_.log.unloaded.mean[reading];
+                       });
+  }
+
   void check_noise() {
     const std::vector<std::string> names = reading_names(scene_.sensor);
     for (std::size_t j = 0; j < names.size(); ++j)
-      if (result_.log.unloaded.reading_rms[j] == 0.0 && !is_dead(j))
-        problem(0, names[j] + " never changes without load: a dead taxel",
+      if (result_.log.unloaded.reading_rms[j] == 0.0 && !is_dead(j) && !ever_moves(j))
+        problem(0, names[j] + " never changes: a dead taxel",
                 "[dead_taxels] indices = [" + std::to_string(sites(scene_.sensor)[j].taxel) +
                     "], or write readings with more digits");
   }
 
-  /// The largest number of a reading, exactly, in more than one press: the range's end.
+  /// The largest number of a reading, exactly, in more presses than its steps explain: the range's
+  /// end.
   void check_saturation() {
     const std::vector<std::string> names = reading_names(scene_.sensor);
     for (std::size_t j = 0; j < names.size(); ++j) {
@@ -254,7 +343,8 @@ class Reader {
         most = std::max(most, above);
         if (above == most) ++count;
       }
-      if (count > 1 && most > floor)
+      if (count > 1 && most > floor &&
+          !is_chance(count, result_.log.presses.size(), steps_[j] / most))
         problem(0,
                 names[j] + " has the same largest value in " + std::to_string(count) +
                     " presses: it is cut off at the end of its range",
@@ -288,6 +378,8 @@ class Reader {
   std::map<std::string, std::size_t> columns_{};
   std::vector<std::size_t> readings_{};
   std::vector<std::vector<double>> unloaded_{};
+  std::vector<std::size_t> unloaded_lines_{};
+  std::vector<double> steps_{};  // of each reading's numbers; 0: none
   std::set<std::size_t> numbers_{};
   std::vector<Diagnostic> problems_{};
   PressLogFile result_{};

@@ -7,14 +7,24 @@
 
 namespace tactile_net::lab {
 
-SceneCalibration calibrate(const Scene& scene, PressLog log, const CalibrationOptions& options) {
-  const PressModel model(scene.sensor, scene.material);
+namespace {
+
+PressModel model_of(const Scene& scene) {
+  return {scene.sensor, scene.material, scene.crosstalk ? scene.crosstalk->fraction : 0.0};
+}
+
+}  // namespace
+
+SceneCalibration calibrate(const Scene& scene, PressLog log, const CalibrationOptions& options,
+                           const std::function<void(std::size_t)>& watch) {
+  const PressModel model = model_of(scene);
   const std::vector<Site>& sites = model.sites();
   const auto unread = std::make_unique<bool[]>(sites.size());
   for (std::size_t j = 0; j < sites.size(); ++j)
     unread[j] = std::count(scene.dead_taxels.begin(), scene.dead_taxels.end(), sites[j].taxel) > 0;
   SceneCalibration result{.scene = scene, .options = options, .log = std::move(log)};
-  result.fit = fit_presses(model, result.log, options, std::span(unread.get(), sites.size()));
+  result.fit =
+      fit_presses(model, result.log, options, std::span(unread.get(), sites.size()), watch);
   const auto [first, last] = std::minmax_element(
       result.fit.presses.begin(), result.fit.presses.end(),
       [](const FittedPress& a, const FittedPress& b) { return a.center.value < b.center.value; });
@@ -23,8 +33,9 @@ SceneCalibration calibrate(const Scene& scene, PressLog log, const CalibrationOp
 }
 
 void plan_presses(SceneCalibration& found, std::size_t count, std::optional<PadParameter> target) {
-  found.next = next_presses(PressModel(found.scene.sensor, found.scene.material), found.log,
-                            found.options, found.fit, count, target);
+  found.target = target;
+  found.next =
+      next_presses(model_of(found.scene), found.log, found.options, found.fit, count, target);
 }
 
 }  // namespace tactile_net::lab

@@ -11,6 +11,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/calibration_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/scene/calibrated_scene.hpp"
 
 namespace tactile_net::pages {
 namespace {
@@ -24,12 +25,12 @@ using drawing::html_table;
 using drawing::Page;
 using drawing::Plot;
 
-/// The readings of one press in the first channel, and what the two pads say of them.
-Figure press_figure(const lab::SceneCalibration& found, std::size_t p, const std::string& name,
-                    const std::string& words) {
+/// The readings of one press in one channel, and what the two pads say of them.
+Figure press_figure(const lab::SceneCalibration& found, std::size_t p, std::size_t c,
+                    const std::string& name, const std::string& words) {
   const PressFit& fit = found.fit;
-  const Channel channel = channels(found.scene.sensor).front();
-  const double noise = found.log.unloaded.rms.front();
+  const Channel channel = channels(found.scene.sensor)[c];
+  const double noise = found.log.unloaded.rms[c];
   std::vector<double> y, measured, before, after;
   for (std::size_t j = channel.first; j < channel.first + channel.count; ++j) {
     y.push_back(sites(found.scene.sensor)[j].y);
@@ -120,8 +121,7 @@ Figure gains_figure(const lab::SceneCalibration& found) {
            fixed(tick, 2) + "</text>\n";
   for (std::size_t j = 0; j < gains.size(); ++j) {
     const FittedValue& gain = gains[j];
-    const bool solid =
-        gain.verdict == ValueVerdict::identified || gain.verdict == ValueVerdict::weak;
+    const bool solid = is_found(found.fit.gain_about_mean[j]);
     const double at = x(static_cast<double>(j));
     if (std::isfinite(gain.sd))
       svg += "<line x1=\"" + px(at) + "\" x2=\"" + px(at) + "\" y1=\"" +
@@ -141,8 +141,8 @@ Figure gains_figure(const lab::SceneCalibration& found) {
   return {.name = "gains",
           .section = "gains",
           .caption =
-              "The gain of every reading and one standard deviation to each side, over the "
-              "index of the reading; the grey band is what the scene states. Hollow: the "
+              "The gain of every reading over the one that the scene states, and one standard "
+              "deviation to each side; the grey band is what the scene states. Hollow: the "
               "presses say no more than that.",
           .plot = {},
           .picture = svg + "</svg>\n",
@@ -155,15 +155,19 @@ std::vector<Figure> figures_of(const lab::SceneCalibration& found) {
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return found.fit.presses[a].rms < found.fit.presses[b].rms;
   });
-  std::vector<Figure> figures{
-      gains_figure(found),
-      press_figure(found, order.back(), "worst-press",
-                   "The press that fits worst: dots were measured, offsets taken away; dashed is "
-                   "what the nominal scene says of this press, and the line what the calibrated "
-                   "one says, gains included.")};
+  std::vector<Figure> figures{gains_figure(found)};
+  const std::vector<Channel> all = channels(found.scene.sensor);
+  const auto add = [&](std::size_t p, const std::string& name, const std::string& words) {
+    for (std::size_t c = 0; c < all.size(); ++c)
+      figures.push_back(press_figure(found, p, c, all.size() == 1 ? name : name + '-' + all[c].name,
+                                     c == 0 ? words : "The same press."));
+  };
+  add(order.back(), "worst-press",
+      "The press that fits worst: dots were measured, offsets taken away; dashed is what the "
+      "nominal scene says of this press, and the line what the calibrated one says, gains "
+      "included.");
   if (order.size() > 2)
-    figures.push_back(press_figure(found, order[order.size() / 2], "median-press",
-                                   "The press in the middle of that order."));
+    add(order[order.size() / 2], "median-press", "The press in the middle of that order.");
   figures.push_back(rms_figure(found));
   if (!found.fit.profile.empty()) figures.push_back(profile_figure(found));
   return figures;

@@ -109,35 +109,13 @@ std::string list_of(const std::vector<double>& values, const std::vector<double>
   return text + "]";
 }
 
-struct RawScale {
-  std::vector<double> gains, gain_sds, offsets, offset_sds;
-};
-
-/// number = gain * reading + offset, through what the nominal scene made of the number.
-RawScale through(const Scene& nominal, const PressFit& fit) {
-  RawScale raw;
-  const std::vector<Site> where = sites(nominal.sensor);
-  for (std::size_t i = 0; i < fit.gains.size(); ++i) {
-    const double to_si =
-        nominal.units
-            ? unit_of(*nominal.units, traits(SignalQuantity(where[i].quantity)).kind).to_si(1.0)
-            : 1.0;
-    const double gain = nominal.calibration ? nominal.calibration->gain[i] : 1.0;
-    const double own = nominal.calibration ? nominal.calibration->offset[i] : 0.0;
-    const double baseline = nominal.calibration ? nominal.calibration->baseline[i] : 0.0;
-    raw.gains.push_back(fit.gains[i] / gain * to_si);
-    raw.gain_sds.push_back(fit.gain[i].sd / std::abs(gain) * to_si);
-    raw.offsets.push_back((fit.offsets[i] - own) / gain + baseline);
-    raw.offset_sds.push_back(fit.offset[i].sd / std::abs(gain));
-  }
-  return raw;
-}
-
 std::string calibration_table(const Scene& nominal, const PressLog& log, const PressFit& fit,
                               std::string_view from) {
-  const RawScale raw = through(nominal, fit);
+  const SensorScale raw = sensor_scale(nominal, fit);
   std::string text =
       "[calibration]  # number = gains * reading + offsets, by tactile-net calibrate\n";
+  if (fit.verdict != FitVerdict::ok)
+    text += "# " + std::string(tactile_net::name(fit.verdict)) + ": not to be trusted\n";
   text += "gains = " + list_of(raw.gains, raw.gain_sds) + '\n';
   text += "offsets = " + list_of(raw.offsets, raw.offset_sds) + '\n';
   std::string name(from);
@@ -164,6 +142,16 @@ std::string calibration_table(const Scene& nominal, const PressLog& log, const P
   return text;
 }
 
+/// Every line ended as Windows ends them, those that are added among lines that were, too.
+std::string with_carriage_returns(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n' && (i == 0 || text[i - 1] != '\r')) result += '\r';
+    result += text[i];
+  }
+  return result;
+}
+
 /// Noise of the corrected readings, one number or one for each quantity.
 std::string noise_of(const Scene& nominal, const PressLog& log, const PressFit& fit) {
   const std::vector<Channel> channel = channels(nominal.sensor);
@@ -187,6 +175,25 @@ std::string noise_of(const Scene& nominal, const PressLog& log, const PressFit& 
 }
 
 }  // namespace
+
+SensorScale sensor_scale(const Scene& nominal, const PressFit& fit) {
+  SensorScale raw;
+  const std::vector<Site> where = sites(nominal.sensor);
+  for (std::size_t i = 0; i < fit.gains.size(); ++i) {
+    const double to_si =
+        nominal.units
+            ? unit_of(*nominal.units, traits(SignalQuantity(where[i].quantity)).kind).to_si(1.0)
+            : 1.0;
+    const double gain = nominal.calibration ? nominal.calibration->gain[i] : 1.0;
+    const double own = nominal.calibration ? nominal.calibration->offset[i] : 0.0;
+    const double baseline = nominal.calibration ? nominal.calibration->baseline[i] : 0.0;
+    raw.gains.push_back(fit.gains[i] / gain * to_si);
+    raw.gain_sds.push_back(fit.gain[i].sd / std::abs(gain) * to_si);
+    raw.offsets.push_back((fit.offsets[i] - own) / gain + baseline);
+    raw.offset_sds.push_back(fit.offset[i].sd / std::abs(gain));
+  }
+  return raw;
+}
 
 bool is_found(ValueVerdict verdict) noexcept {
   return verdict == ValueVerdict::identified || verdict == ValueVerdict::weak ||
@@ -224,6 +231,7 @@ std::string calibrated_scene(std::string_view toml, const Scene& nominal, const 
   put(root.at_path("material.youngs_modulus").node(), PadParameter::youngs_modulus, units.modulus);
   put(root.at_path("material.poisson_ratio").node(), PadParameter::poisson_ratio, {});
   put(root.at_path("material.layer.thickness").node(), PadParameter::thickness, units.length);
+  put(root.at_path("crosstalk.fraction").node(), PadParameter::crosstalk, {});
   std::string tail;
   const std::string noise = noise_of(nominal, log, fit);
   if (const toml::node* rms = root.at_path("noise.rms").node())
@@ -234,6 +242,7 @@ std::string calibrated_scene(std::string_view toml, const Scene& nominal, const 
   std::string result = std::move(edited).text();
   if (!result.empty() && result.back() != '\n') result += '\n';
   result += tail + '\n' + calibration_table(nominal, log, fit, from);
+  if (text.find("\r\n") != std::string_view::npos) result = with_carriage_returns(result);
   static_cast<void>(parse_scene(result, nominal.file));  // what is written can be read
   return result;
 }

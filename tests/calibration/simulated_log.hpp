@@ -27,6 +27,7 @@ struct SimulatedLog {
   Material nominal{};
   double nominal_depth = 0.0;
   std::vector<double> gains{};
+  std::vector<double> offsets{}, rms{};  ///< of each reading, and of each channel's noise
   PressLog log{};
 
   [[nodiscard]] PressModel model() const {
@@ -63,13 +64,15 @@ inline SimulatedLog simulated_log(unsigned seed, const LogOptions& options = {})
   const PressReadings readings = model.readings(model.nominal(), presses, false);
   const std::size_t n = model.sites().size();
   const std::vector<Channel> channel = channels(result.array);
-  std::vector<double> rms(channel.size());
+  std::vector<double>& rms = result.rms;
+  rms.resize(channel.size());
   for (std::size_t p = 0; p < presses.size(); ++p)
     for (std::size_t j = 0; j < n; ++j) {
       double& most = rms[model.sites()[j].channel];
       most = std::max(most, options.noise * std::abs(readings.value(p, j)));
     }
-  std::vector<double> offsets(n);
+  std::vector<double>& offsets = result.offsets;
+  offsets.resize(n);
   for (std::size_t j = 0; j < n; ++j) {
     result.gains.push_back(std::exp(options.gain_spread * normal(random)));
     offsets[j] = 2.0 * rms[model.sites()[j].channel] * normal(random);

@@ -14,6 +14,7 @@ struct NextPress {
   Shape shape = Shape::cylinder;
   double position = 0.0;    ///< [m]
   double half_width = 0.0;  ///< [m]
+  double radius = 0.0;      ///< of the rod that has this contact under this force [m]
   double force = 0.0;       ///< [N/m]
   double remaining = 0.0;   ///< of the criterion once this and those before are done
 };

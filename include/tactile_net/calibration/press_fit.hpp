@@ -9,7 +9,9 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -51,6 +53,11 @@ struct ValueWithSd {
   double sd = 0.0;
 };
 
+/// What a log states of a press, in the order in which a fit moves it.
+enum class PressQuantity { force, position, half_width, friction };
+/// "force", "position", "half_width", "friction".
+[[nodiscard]] std::string_view name(PressQuantity quantity) noexcept;
+
 struct FittedPress {
   std::size_t number = 0;
   ValueWithSd force{}, center{}, half_width{}, friction{};
@@ -58,8 +65,10 @@ struct FittedPress {
   double rms = 0.0;                  ///< of its residuals, in standard deviations of the noise
   double rms_before = 0.0;           ///< the same for the nominal pad without gains
   bool half_width_at_bound = false;  ///< below a tenth of the depth: the width is not seen
-  bool force_freed = false;          ///< its stated force was put aside as an outlier
-  double stated_force = 0.0;         ///< where it was [N/m]
+  /// A stated value that was put aside as an outlier (`CalibrationOptions::robust`).
+  std::optional<PressQuantity> put_aside{};
+
+  [[nodiscard]] const ValueWithSd& at(PressQuantity quantity) const noexcept;
 };
 
 /// A change of the parameters that changes no reading, columns scaled to unit length.
@@ -72,6 +81,32 @@ struct OutlyingReading {
   std::size_t press = 0;    ///< its number
   std::size_t reading = 0;  ///< index
   double deviation = 0.0;   ///< in standard deviations of the noise
+};
+
+/// A stated value that the readings contradict.
+struct ContradictedPress {
+  std::size_t press = 0;  ///< its number
+  PressQuantity quantity = PressQuantity::force;
+  double stated = 0.0;
+  /// The fitted value minus the stated one, in its stated sds; 0: it was stated as exact, and
+  /// `readings` of the press are more than 5 off.
+  double deviation = 0.0;
+  std::size_t readings = 0;
+};
+
+/// Of what the order of the presses is told by: the size of their residuals, a common factor on
+/// their readings, a common constant.
+enum class TrendOf { size, gain, offset };
+/// "size", "gain", "offset".
+[[nodiscard]] std::string_view name(TrendOf trend) noexcept;
+
+/// Residuals that change with the order of the presses, the clearest of the three.
+struct TimeTrend {
+  TrendOf of = TrendOf::size;
+  double correlation = 0.0;  ///< of ranks (Spearman's)
+  double p = 1.0;            ///< by Student's t, times three: the number of tests
+
+  [[nodiscard]] bool is_significant() const noexcept { return p < 1e-3; }
 };
 
 struct StartOutcome {
@@ -92,8 +127,10 @@ struct PressFit {
   PadState pad{};
   std::vector<double> gains{}, offsets{};  ///< of each reading: number = gain * reading + offset
   std::array<FittedValue, pad_parameter_count> parameters{};  ///< depth and thickness in m, E in Pa
-  std::vector<FittedValue> gain{}, offset{};  ///< of each reading; a gain's verdict about its mean
-  std::vector<FittedValue> mean_gain{};       ///< of each channel
+  std::vector<FittedValue> gain{}, offset{};                  ///< of each reading
+  /// Of each reading's gain about its channel's mean, which a log without forces tells, too.
+  std::vector<ValueVerdict> gain_about_mean{};
+  std::vector<FittedValue> mean_gain{};  ///< of each channel
   std::vector<FittedPress> presses{};
   std::vector<NullDirection> null_directions{};
   std::vector<PadParameter> free{};        ///< rows and columns of the two matrices
@@ -102,13 +139,17 @@ struct PressFit {
   /// What ended more than 4 of its stated sds away: the log and the scene contradict each other.
   std::vector<PadParameter> contradicted{};
   std::vector<std::size_t> contradicted_gains{};  ///< channels, by their mean gain
+  /// Readings whose gain ended more than 5 stated sds from the others, or near 0: dead or loose
+  /// taxels, or a gain_sd that is too small.
+  std::vector<std::size_t> doubtful_readings{};
+  std::vector<ContradictedPress> contradicted_presses{};  ///< the worst first
   std::vector<OutlyingReading> outliers{};
   std::vector<StartOutcome> starts{};
   std::vector<ProfilePoint> profile{};
   double chi_squared = 0.0, dof = 0.0;
-  double p = 1.0;           ///< of F(dof, (frames - 1) readings)
-  double rms = 0.0;         ///< sqrt(chi_squared / dof)
-  double time_trend = 0.0;  ///< correlation of the residual rms with the order of presses
+  double p = 1.0;    ///< of F(dof, (frames - 1) readings)
+  double rms = 0.0;  ///< sqrt(chi_squared / dof)
+  TimeTrend time_trend{};
   std::size_t iterations = 0;
   FitVerdict verdict = FitVerdict::ok;
 
@@ -122,11 +163,18 @@ struct PressFit {
 /// memory. Presses' own unknowns are eliminated press by press. Where every load is stated the
 /// first start alone is made: all find the one minimum.
 ///
+/// Depth, thickness, pitch and every indenter stay where they can be on this array, and steps are
+/// counted: a log that does not belong to the scene ends in seconds, too.
+///
 /// @param unread  of each reading, true: leave it out (dead taxels); empty: none
+/// @param watch   called before every step with its number, from 1 in each start; may throw
 /// @throw std::invalid_argument  no press, sizes that do not fit, values out of range, a channel
-///                               without noise
+///                               without noise; readings of the other sign or a thousand times as
+///                               large as the model's, positions that run against the array or are
+///                               in other units than it
 [[nodiscard]] PressFit fit_presses(const PressModel& model, const PressLog& log,
                                    const CalibrationOptions& options = {},
-                                   std::span<const bool> unread = {});
+                                   std::span<const bool> unread = {},
+                                   const std::function<void(std::size_t)>& watch = {});
 
 }  // namespace tactile_net

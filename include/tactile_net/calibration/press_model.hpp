@@ -60,8 +60,10 @@ struct PressReadings {
 /// of the farthest taxel over the depth; const, and thread-safe.
 class PressModel {
  public:
-  /// @throw std::invalid_argument  the array or the material is out of range, or taxels have widths
-  PressModel(const SensorArray& array, const Material& material);
+  /// @param crosstalk  fraction to each neighbour, as the effect has it: part of the nominal pad
+  /// @throw std::invalid_argument  the array, the material or the fraction is out of range, or
+  ///                               taxels have widths
+  PressModel(const SensorArray& array, const Material& material, double crosstalk = 0.0);
 
   [[nodiscard]] PadState nominal() const noexcept;
 
@@ -83,6 +85,7 @@ class PressModel {
   Material material_;
   std::vector<Site> sites_;
   double depth_;
+  double crosstalk_;
 };
 
 }  // namespace tactile_net

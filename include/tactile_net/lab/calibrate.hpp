@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "tactile_net/calibration/next_press.hpp"
@@ -20,13 +21,19 @@ struct SceneCalibration {
   CalibrationOptions options{};
   PressLog log{};
   PressFit fit{};
-  NextPresses next{};   ///< none where not asked for
-  double spread = 0.0;  ///< of the presses' centres, first to last [m]
+  NextPresses next{};                    ///< none where not asked for
+  std::optional<PadParameter> target{};  ///< that they are to tell; none: readings
+  double spread = 0.0;                   ///< of the presses' centres, first to last [m]
+  bool forced = false;                   ///< the fit failed, and its scene is written all the same
 };
 
-/// @throw std::invalid_argument  as `fit_presses`, and of uneven arrays
+/// The scene's own [crosstalk] is part of the model, its dead taxels are left out.
+///
+/// @param watch  as `fit_presses` has it
+/// @throw std::invalid_argument  as `fit_presses`
 [[nodiscard]] SceneCalibration calibrate(const Scene& scene, PressLog log,
-                                         const CalibrationOptions& options);
+                                         const CalibrationOptions& options,
+                                         const std::function<void(std::size_t)>& watch = {});
 
 /// Fills `next`. @throw std::invalid_argument  as `next_presses`
 void plan_presses(SceneCalibration& found, std::size_t count,

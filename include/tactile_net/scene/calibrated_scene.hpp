@@ -5,15 +5,26 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tactile_net/calibration/press_fit.hpp"
 #include "tactile_net/scene/scene.hpp"
 
 namespace tactile_net {
 
-/// Depth, thickness, E, nu and pitch are replaced where they stand, [noise] gets the measured rms,
-/// and [calibration] is written anew at the end, with what the scene's own did before; everything
-/// else, comments too, stays byte for byte. What the log could not identify keeps its value.
+/// number = gains * reading + offsets, of each reading in the scene's unit, and the sds.
+struct SensorScale {
+  std::vector<double> gains{}, gain_sds{}, offsets{}, offset_sds{};
+};
+
+/// What a fit says of the numbers that the sensor gives, through what the nominal scene's
+/// [calibration] and [units] made of them before the fit.
+[[nodiscard]] SensorScale sensor_scale(const Scene& nominal, const PressFit& fit);
+
+/// Depth, thickness, E, nu, pitch and the crosstalk's fraction are replaced where they stand,
+/// [noise] gets the measured rms, and [calibration] is written anew at the end, with what the
+/// scene's own did before; everything else, comments too, stays byte for byte. What the log could
+/// not identify keeps its value.
 ///
 ///     frames::write_file("calibrated.toml", calibrated_scene(text, scene, log, fit, "log.csv"));
 ///

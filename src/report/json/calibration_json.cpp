@@ -2,6 +2,7 @@
 
 #include "report/json/scene_json.hpp"
 #include "tactile_net/report/words/calibration_words.hpp"
+#include "tactile_net/scene/calibrated_scene.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -18,12 +19,14 @@ Json value_json(const ValueWithSd& value) {
   return {{"value", value.value}, {"sd", finite_or_null(value.sd)}};
 }
 
-Json list_json(const std::vector<FittedValue>& values) {
+/// As the calibrated scene has them: number = gain * reading + offset.
+Json list_json(const std::vector<double>& values, const std::vector<double>& sds,
+               const std::vector<FittedValue>& fitted) {
   Json list = Json::array();
-  for (const FittedValue& value : values)
-    list.push_back({{"value", value.value},
-                    {"sd", finite_or_null(value.sd)},
-                    {"verdict", name(value.verdict)}});
+  for (std::size_t i = 0; i < values.size(); ++i)
+    list.push_back({{"value", values[i]},
+                    {"sd", finite_or_null(sds[i])},
+                    {"verdict", name(fitted[i].verdict)}});
   return list;
 }
 
@@ -45,10 +48,10 @@ Json press_json(const FittedPress& press) {
           {"weight", press.weight},
           {"rms", press.rms},
           {"rms_before", press.rms_before},
-          {"force_put_aside", press.force_freed}};
+          {"put_aside", press.put_aside ? Json(name(*press.put_aside)) : Json(nullptr)}};
 }
 
-Json fit_json(const PressFit& fit) {
+Json fit_json(const PressFit& fit, bool forced) {
   Json starts = Json::array();
   for (const StartOutcome& start : fit.starts)
     starts.push_back({{"depth_factor", start.depth_factor},
@@ -56,11 +59,15 @@ Json fit_json(const PressFit& fit) {
                       {"iterations", start.iterations},
                       {"converged", start.converged}});
   return {{"verdict", name(fit.verdict)},
+          {"forced", forced},
           {"chi_squared", fit.chi_squared},
           {"dof", fit.dof},
           {"p", fit.p},
           {"rms", fit.rms},
-          {"time_trend", fit.time_trend},
+          {"time_trend",
+           {{"of", name(fit.time_trend.of)},
+            {"correlation", fit.time_trend.correlation},
+            {"p", fit.time_trend.p}}},
           {"iterations", fit.iterations},
           {"starts", starts}};
 }
@@ -71,7 +78,7 @@ std::string calibration_json(const lab::SceneCalibration& found, const std::stri
   const PressFit& fit = found.fit;
   Json json = scene_json(kind::calibrate, found.scene);
   json["log"] = log;
-  json["fit"] = fit_json(fit);
+  json["fit"] = fit_json(fit, found.forced);
   json["words"] = calibration_in_words(found);
   json["parameters"] = Json::object();
   for (std::size_t i = 0; i < pad_parameter_count; ++i)
@@ -85,8 +92,11 @@ std::string calibration_json(const lab::SceneCalibration& found, const std::stri
     json["mean_gains"][channel[c].name] = value_json(fit.mean_gain[c]);
     json["noise_rms"][channel[c].name] = found.log.unloaded.rms[c];
   }
-  json["gains"] = list_json(fit.gain);
-  json["offsets"] = list_json(fit.offset);
+  const SensorScale scale = sensor_scale(found.scene, fit);
+  json["gains"] = list_json(scale.gains, scale.gain_sds, fit.gain);
+  for (std::size_t j = 0; j < fit.gain.size(); ++j)
+    json["gains"][j]["verdict_about_mean"] = name(fit.gain_about_mean[j]);
+  json["offsets"] = list_json(scale.offsets, scale.offset_sds, fit.offset);
   json["presses"] = Json::array();
   for (const FittedPress& press : fit.presses) json["presses"].push_back(press_json(press));
   Json free = Json::array();
@@ -109,11 +119,20 @@ std::string calibration_json(const lab::SceneCalibration& found, const std::stri
   for (const OutlyingReading& one : fit.outliers)
     json["outliers"].push_back(
         {{"press", one.press}, {"reading", one.reading}, {"deviation", one.deviation}});
+  json["doubtful_readings"] = fit.doubtful_readings;
+  json["contradicted_presses"] = Json::array();
+  for (const ContradictedPress& one : fit.contradicted_presses)
+    json["contradicted_presses"].push_back({{"press", one.press},
+                                            {"quantity", name(one.quantity)},
+                                            {"stated", one.stated},
+                                            {"deviation", one.deviation},
+                                            {"readings", one.readings}});
   json["next"] = Json::array();
   for (const NextPress& press : found.next.presses)
     json["next"].push_back({{"shape", "cylinder"},
                             {"position", press.position},
                             {"half_width", press.half_width},
+                            {"radius", press.radius},
                             {"force", press.force},
                             {"unknown_then", press.remaining}});
   json["unknown_now"] = found.next.presses.empty() ? Json(nullptr) : Json(found.next.now);

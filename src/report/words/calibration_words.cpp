@@ -4,10 +4,12 @@
 #include <cmath>
 #include <ostream>
 
+#include "report/words/calibration_doubts.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
+#include "tactile_net/scene/calibrated_scene.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -187,19 +189,21 @@ std::vector<std::string> null_directions_in_words(const lab::SceneCalibration& f
 std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found) {
   const PressFit& fit = found.fit;
   std::vector<std::string> text;
-  const std::string residuals = "Residuals are " + brief(fit.rms) +
+  const std::string residuals = "Residuals are " + fixed(fit.rms, 2) +
                                 " times the noise (chi-squared " + brief(fit.chi_squared) + " on " +
                                 brief(fit.dof) + " degrees of freedom)";
+  const std::string written = found.forced ? "the scene is written all the same, by --force."
+                                           : "nothing is written without --force.";
   switch (fit.verdict) {
     case FitVerdict::ok:
       text.push_back(residuals + ": the presses are explained.");
       break;
     case FitVerdict::iteration_limit:
       text.push_back("No start converged in " + std::to_string(found.options.most_iterations) +
-                     " iterations: nothing here is to be trusted.");
+                     " iterations: nothing here is to be trusted, and " + written);
       break;
     case FitVerdict::poor_fit:
-      text.push_back(residuals + ": the fit is poor, and nothing is written without --force.");
+      text.push_back(residuals + ": the fit is poor, and " + written);
   }
   for (const PadParameter parameter : fit.contradicted)
     text.push_back("The " + spoken(parameter) +
@@ -210,25 +214,20 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
                    brief(fit.mean_gain[channel].value) +
                    ", more than 4 stated standard deviations from 1: units of the forces or of "
                    "the readings, or swapped columns?");
-  if (fit.rms > 1.0)
-    text.push_back("Standard deviations are multiplied by " + brief(fit.rms) +
+  for (std::string& sentence : doubts_in_words(found)) text.push_back(std::move(sentence));
+  if (fit.rms >= 1.005)
+    text.push_back("Standard deviations are multiplied by " + fixed(fit.rms, 2) +
                    ", for what the model does not explain.");
   std::vector<std::size_t> weak, prior_only;
   for (std::size_t j = 0; j < fit.gain.size(); ++j) {
-    if (fit.gain[j].verdict == ValueVerdict::weak) weak.push_back(j);
-    if (fit.gain[j].verdict == ValueVerdict::prior_only) prior_only.push_back(j);
+    if (fit.gain_about_mean[j] == ValueVerdict::weak) weak.push_back(j);
+    if (fit.gain_about_mean[j] == ValueVerdict::prior_only) prior_only.push_back(j);
   }
   if (!weak.empty())
     text.push_back("Gains of readings " + runs(weak) + " are weak: press nearer to them.");
   if (!prior_only.empty())
     text.push_back("Gains of readings " + runs(prior_only) +
                    " are what the scene states, no more: no press tells them.");
-  for (const FittedPress& press : fit.presses)
-    if (press.force_freed)
-      text.push_back(
-          "Press " + std::to_string(press.number) + " does not fit its stated force: it was " +
-          plus_minus(press.force.value / press.stated_force, press.force.sd / press.stated_force) +
-          " of it. The stated one was put aside.");
   const std::vector<std::string> names = reading_names(found.scene.sensor);
   std::size_t told = 0;
   for (const OutlyingReading& one : fit.outliers)
@@ -245,10 +244,6 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
     text.push_back(
         "All presses are at about one place: press over the whole array, narrow and wide rods in "
         "turn, as hard as allowed.");
-  const double n = static_cast<double>(fit.presses.size());
-  if (n >= 8.0 && std::abs(fit.time_trend) > 4.0 / std::sqrt(n))
-    text.push_back("Residuals change with time (correlation " + brief(fit.time_trend) +
-                   "): creep, temperature, or wear?");
   for (const ProfilePoint& point : fit.profile)
     if (point.z != 0.0 && std::abs(point.root / point.z - 1.0) > 0.3) {
       text.emplace_back(
@@ -263,7 +258,7 @@ std::vector<Answer> answers(const lab::SceneCalibration& found) {
   const PressFit& fit = found.fit;
   std::vector<Answer> boxes;
   boxes.push_back({fit.verdict == FitVerdict::ok ? "fits" : spoken(ValueVerdict::weak),
-                   "residuals " + brief(fit.rms) + " times the noise",
+                   "residuals " + fixed(fit.rms, 2) + " times the noise",
                    fit.verdict != FitVerdict::ok});
   if (fit.verdict == FitVerdict::poor_fit) boxes.back().value = "poor fit";
   if (fit.verdict == FitVerdict::iteration_limit) boxes.back().value = "not converged";
@@ -278,16 +273,19 @@ std::vector<Answer> answers(const lab::SceneCalibration& found) {
   std::size_t known = 0;
   double squares = 0.0;
   double mean = 0.0;
-  for (const FittedValue& gain : fit.gain) {
-    known += gain.verdict == ValueVerdict::identified ? 1 : 0;
-    mean += std::log(gain.value) / static_cast<double>(fit.gain.size());
+  bool absolute = true;
+  for (const FittedValue& one : fit.mean_gain)
+    absolute = absolute && one.verdict != ValueVerdict::not_identifiable;
+  for (std::size_t j = 0; j < fit.gain.size(); ++j) {
+    known += fit.gain_about_mean[j] == ValueVerdict::identified ? 1U : 0U;
+    mean += std::log(fit.gains[j]) / static_cast<double>(fit.gain.size());
   }
   for (const FittedValue& gain : fit.gain) squares += std::pow(std::log(gain.value) - mean, 2);
-  boxes.push_back({std::to_string(known) + " of " + std::to_string(fit.gain.size()),
-                   "gains identified; they are " +
-                       percent(std::sqrt(squares / static_cast<double>(fit.gain.size()))) +
-                       " apart",
-                   known < fit.gain.size()});
+  boxes.push_back(
+      {std::to_string(known) + " of " + std::to_string(fit.gain.size()),
+       std::string(absolute ? "gains" : "gains about their mean") + " identified; they are " +
+           percent(std::sqrt(squares / static_cast<double>(fit.gain.size()))) + " apart",
+       known < fit.gain.size()});
   const std::size_t hidden = null_directions_in_words(found).size();
   boxes.push_back(
       {std::to_string(hidden),
@@ -298,11 +296,12 @@ std::vector<Answer> answers(const lab::SceneCalibration& found) {
 
 std::vector<std::vector<std::string>> next_press_cells(const lab::SceneCalibration& found) {
   std::vector<std::vector<std::string>> rows = {
-      {"next press", "place", "half width", "force", "unknown then"}};
+      {"next press", "place", "rod radius", "half width", "force", "unknown then"}};
   std::size_t number = 0;
   for (const NextPress& press : found.next.presses)
     rows.push_back({std::to_string(++number),
                     in_unit(found.scene, Dimension::length, press.position),
+                    in_unit(found.scene, Dimension::length, press.radius),
                     in_unit(found.scene, Dimension::length, press.half_width),
                     in_unit(found.scene, Dimension::force, press.force), percent(press.remaining)});
   return rows;
@@ -310,10 +309,14 @@ std::vector<std::vector<std::string>> next_press_cells(const lab::SceneCalibrati
 
 std::string next_presses_in_words(const lab::SceneCalibration& found) {
   if (found.next.presses.empty()) return {};
-  return "Now " + percent(found.next.now) +
-         " is unknown. The plain rule: the largest force, evenly over the array to its ends, "
-         "narrow "
-         "and wide rods in turn.";
+  const std::string of_target =
+      found.target ? " of the " + spoken(*found.target) : " of readings under loads all over it";
+  const bool stiffness = is_found(found.fit.at(PadParameter::youngs_modulus).verdict);
+  return "Now " + percent(found.next.now) + of_target +
+         " is unknown. A rod of that radius has that half width of contact under that force" +
+         (stiffness ? "" : ", if Young's modulus is as stated") +
+         "; a rod that is near to it will do. The plain rule: the largest force, evenly over the "
+         "array to its ends, narrow and wide rods in turn.";
 }
 
 void print_calibration(std::ostream& out, const lab::SceneCalibration& found) {

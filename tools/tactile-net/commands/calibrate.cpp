@@ -78,12 +78,16 @@ void run(const CalibrateOptions& options, const Streams& streams) {
   if (!options.output.empty())
     output = std::make_unique<frames::OutputFile>(options.output, &streams.out);
   Progress progress(streams);
-  lab::SceneCalibration found = lab::calibrate(scene, std::move(file.log), how);
+  lab::SceneCalibration found =
+      lab::calibrate(scene, std::move(file.log), how, [&](std::size_t step) {
+        if (progress.due()) progress.say("fitting, step " + std::to_string(step) + " ...");
+      });
   if (options.next || target) lab::plan_presses(found, options.next.value_or(1), target);
   const std::string log = std::filesystem::path(options.log).filename().string();
   const std::string failure = failure_of(found);
   std::string calibrated;
-  if (output && (failure.empty() || options.results.force))
+  found.forced = output && !failure.empty() && options.results.force;
+  if (output && (failure.empty() || found.forced))
     calibrated = calibrated_scene(text.text, scene, found.log, found.fit, log);
   Result result{.json = [&] { return report::calibration_json(found, log); },
                 .page =
@@ -99,7 +103,9 @@ void run(const CalibrateOptions& options, const Streams& streams) {
       streams.out << "scene: " << printable(options.output) << '\n';
   }
   if (!failure.empty())
-    throw CheckFailed(failure + (calibrated.empty() && output ? ": nothing is written" : ""));
+    throw CheckFailed(failure + (!output              ? ""
+                                 : calibrated.empty() ? ": nothing is written"
+                                                      : ": written by --force"));
 }
 
 }  // namespace tactile_net::tool

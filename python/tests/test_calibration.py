@@ -1,0 +1,52 @@
+"""`tn.calibrate` on the public logs: what the command says, bit by bit."""
+
+from __future__ import annotations
+
+import json
+import pickle
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import PROJECT
+
+import tactile_net as tn
+
+LOGS = PROJECT / "scenes/calibration"
+
+
+@pytest.mark.parametrize("name", ["rod-layer", "strain-rods", "no-loads", "one-place"])
+def test_numbers_are_those_of_the_command(name: str, tmp_path: Path, command: Callable[..., Any]) -> None:
+    log, scene = LOGS / f"{name}.csv", LOGS / f"{name}.toml"
+    found = tn.calibrate(log, scene, next=2)
+    command("calibrate", log, "--scene", scene, "--next", 2, "--json", tmp_path / "c.json", "-o", tmp_path / "theirs.toml")
+    theirs = json.loads((tmp_path / "c.json").read_text())
+    assert found.to_dict() == theirs
+    assert found.parameters["depth"].value == theirs["parameters"]["depth"]["value"]
+    assert [gain.sd for gain in found.gains] == [gain["sd"] for gain in theirs["gains"]]
+    written = found.write(tmp_path / "ours.toml")
+    assert (tmp_path / "ours.toml").read_bytes() == (tmp_path / "theirs.toml").read_bytes()
+    depth = found.parameters["depth"]
+    assert written.sensor.depth == pytest.approx(depth.value, abs=2e-3 * depth.sd)
+    assert len(found.next) == 2 and found.next[0].radius > 0.0
+
+
+def test_what_it_shows(tmp_path: Path) -> None:
+    found = tn.calibrate(LOGS / "rod-layer.csv", tn.Scene.load(LOGS / "rod-layer.toml"))
+    assert found.verdict == "ok" and found.parameters["youngs_modulus"].verdict == "not_identifiable"
+    assert "Young's modulus leaves no trace" in str(found)
+    assert "<table>" in found._repr_html_() and "depth" in found._repr_html_()
+    assert "Gains" in Path(found.page(tmp_path / "page.html")).read_text()
+    again = pickle.loads(pickle.dumps(found))
+    assert again.to_json() == found.to_json()
+
+
+def test_a_log_that_is_wrong_is_refused(tmp_path: Path) -> None:
+    text = (LOGS / "rod-layer.csv").read_text().replace("cylinder", "ball")
+    (tmp_path / "log.csv").write_text(text)
+    with pytest.raises(tn.InputError) as caught:
+        tn.calibrate(tmp_path / "log.csv", LOGS / "rod-layer.toml")
+    assert len(caught.value.diagnostics) > 1
+    with pytest.raises(ValueError, match="no parameter"):
+        tn.calibrate(LOGS / "rod-layer.csv", LOGS / "rod-layer.toml", fixed=["colour"])

@@ -1,0 +1,111 @@
+#include "report/words/calibration_doubts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+std::string value_of(const lab::SceneCalibration& found, PressQuantity quantity, double value,
+                     double sd) {
+  switch (quantity) {
+    case PressQuantity::force:
+      return in_unit(found.scene, Dimension::force, value, sd);
+    case PressQuantity::position:
+    case PressQuantity::half_width:
+      return in_unit(found.scene, Dimension::length, value, sd);
+    case PressQuantity::friction:
+      break;
+  }
+  return plus_minus(value, sd);
+}
+
+std::string spoken(PressQuantity quantity) {
+  std::string text(name(quantity));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+const Press& press_of(const lab::SceneCalibration& found, std::size_t number) {
+  return *std::find_if(found.log.presses.begin(), found.log.presses.end(),
+                       [&](const Press& press) { return press.number == number; });
+}
+
+std::string put_aside_in_words(const lab::SceneCalibration& found, const FittedPress& press) {
+  const PressQuantity quantity = *press.put_aside;
+  const Press& log = press_of(found, press.number);
+  const Stated* const stated[] = {&log.force, &log.position, &log.half_width, &log.friction};
+  const double said = stated[static_cast<std::size_t>(quantity)]->value.value_or(0.0);
+  const ValueWithSd& value = press.at(quantity);
+  std::string text = "Press " + std::to_string(press.number) + " does not fit its stated " +
+                     spoken(quantity) + ": it was ";
+  if (quantity == PressQuantity::force)
+    text += plus_minus(value.value / said, value.sd / said) + " of it";
+  else
+    text += value_of(found, quantity, value.value, value.sd) + ", and " +
+            value_of(found, quantity, said, 0.0) + " was stated";
+  return text + ". The stated one was put aside.";
+}
+
+void say_contradicted_presses(const lab::SceneCalibration& found, std::vector<std::string>& text) {
+  constexpr std::size_t most = 3;
+  const std::vector<ContradictedPress>& all = found.fit.contradicted_presses;
+  for (std::size_t i = 0; i < std::min(most, all.size()); ++i) {
+    const ContradictedPress& one = all[i];
+    std::string sentence = "Press " + std::to_string(one.press) + ": its readings contradict the " +
+                           spoken(one.quantity) + " that is stated, " +
+                           value_of(found, one.quantity, one.stated, 0.0);
+    sentence += one.deviation != 0.0
+                    ? ", by " + brief(std::abs(one.deviation)) + " of its standard deviations"
+                    : "; " + std::to_string(one.readings) + " of them are over 5 off";
+    text.push_back(sentence + (found.options.robust ? "." : "; --robust puts it aside."));
+  }
+  if (all.size() > most)
+    text.push_back(std::to_string(all.size() - most) +
+                   " more presses contradict what is stated of them.");
+}
+
+void say_doubtful_readings(const lab::SceneCalibration& found, std::vector<std::string>& text) {
+  const PressFit& fit = found.fit;
+  const std::vector<std::string> names = reading_names(found.scene.sensor);
+  for (const std::size_t j : fit.doubtful_readings)
+    text.push_back("The gain of " + names[j] + " ended at " + brief(fit.gains[j]) +
+                   ", far from the others': a dead, stuck or loose taxel? List taxel " +
+                   std::to_string(sites(found.scene.sensor)[j].taxel) +
+                   " in [dead_taxels], or state a larger gain_sd.");
+}
+
+std::string trend_in_words(const TimeTrend& trend) {
+  const std::string numbers =
+      " (rank correlation " + fixed(trend.correlation, 2) + ", p " + brief(trend.p) + ")";
+  switch (trend.of) {
+    case TrendOf::size:
+      return "Residuals " + std::string(trend.correlation > 0.0 ? "grow" : "shrink") +
+             " from press to press" + numbers + ": creep, temperature, or wear?";
+    case TrendOf::gain:
+      return "Readings " + std::string(trend.correlation > 0.0 ? "grow" : "shrink") +
+             " from press to press under like loads" + numbers +
+             ": creep, temperature, or a load cell that drifts?";
+    case TrendOf::offset:
+      break;
+  }
+  return "Offsets " + std::string(trend.correlation > 0.0 ? "grow" : "shrink") +
+         " from press to press" + numbers + ": temperature? Log unloaded rows in between.";
+}
+
+}  // namespace
+
+std::vector<std::string> doubts_in_words(const lab::SceneCalibration& found) {
+  std::vector<std::string> text;
+  say_contradicted_presses(found, text);
+  say_doubtful_readings(found, text);
+  for (const FittedPress& press : found.fit.presses)
+    if (press.put_aside) text.push_back(put_aside_in_words(found, press));
+  if (found.fit.time_trend.is_significant()) text.push_back(trend_in_words(found.fit.time_trend));
+  return text;
+}
+
+}  // namespace tactile_net::report

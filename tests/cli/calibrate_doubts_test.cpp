@@ -1,0 +1,224 @@
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tactile_net/lab/calibrate.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/pages/calibration_page.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/calibration/simulated_log.hpp"
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+using Json = nlohmann::json;
+using Row = std::vector<std::string>;
+
+std::string nominal() { return scene("calibration/rod-layer.toml"); }
+
+constexpr std::size_t first_reading = 8;  // column; 20 unloaded rows, then 20 presses
+
+/// The public log with its rows edited; row 0 is the header.
+std::string edited(const std::function<void(std::size_t, Row&)>& edit) {
+  std::istringstream text(read_text(scene("calibration/rod-layer.csv")));
+  std::string result;
+  std::string line;
+  for (std::size_t number = 0; std::getline(text, line); ++number) {
+    Row row(1);
+    for (const char c : line) {
+      if (c == ',')
+        row.emplace_back();
+      else
+        row.back() += c;
+    }
+    edit(number, row);
+    for (std::size_t i = 0; i < row.size(); ++i) result += (i > 0 ? "," : "") + row[i];
+    result += '\n';
+  }
+  return result;
+}
+
+double number(const std::string& text) { return std::stod(text); }
+
+struct Ran {
+  ProcessResult result;
+  bool wrote;
+};
+
+/// The command on a log, with the scene beside it.
+Ran calibrated(const std::string& log, std::vector<std::string> options = {},
+               const std::string& toml = read_text(nominal())) {
+  const Folder folder;
+  options.insert(options.begin(), {"calibrate", folder.write("log.csv", log), "--scene",
+                                   folder.write("pad.toml", toml), "-o", folder / "c.toml"});
+  const ProcessResult result = tool(options);
+  return {result, std::filesystem::exists(folder / "c.toml")};
+}
+
+}  // namespace
+
+TEST_CASE("what no calibration mends is refused with its reason", "[cli][calibrate]") {
+  struct Bad {
+    std::function<void(std::size_t, Row&)> edit;
+    std::string says;
+  };
+  const auto readings = [](const std::function<double(double)>& change) {
+    return [change](std::size_t line, Row& row) {
+      for (std::size_t i = first_reading; line > 0 && i < row.size(); ++i)
+        row[i] = shortest(change(number(row[i])));
+    };
+  };
+  const std::vector<Bad> all = {
+      {readings([](double x) { return -x; }), "the other sign"},
+      {[](std::size_t line, Row& row) {
+         if (line > 20) row[2] = shortest(1e-3 * number(row[2]));
+       },
+       "units of the forces"},
+      {[](std::size_t line, Row& row) {
+         if (line == 5) row[1] = "cylinder";
+       },
+       "log.csv:6: error: press 0 is a row without load"},
+      {[](std::size_t line, Row& row) {
+         if (line == 5) row[2] = "300";
+       },
+       "log.csv:6: error: is a row without load, and has a force"},
+      {[](std::size_t line, Row& row) {
+         if (line != 5) return;
+         for (std::size_t i = first_reading + 15; i < first_reading + 26; ++i)
+           row[i] = shortest(number(row[i]) + 20000.0);
+       },
+       "log.csv:6: error: is no row without load"},
+      {[](std::size_t line, Row& row) { row.push_back(line == 0 ? "stress_x_41" : "1.5"); },
+       "has 42 columns stress_x_0, ..., and the scene has 41 taxels"},
+      {[](std::size_t line, Row& row) {
+         if (line > 0) row[first_reading + 9] = "512";
+       },
+       "stress_x_9 never changes: a dead taxel"},
+  };
+  for (const Bad& bad : all) {
+    CAPTURE(bad.says);
+    const Ran ran = calibrated(edited(bad.edit));
+    CHECK(ran.result.code == 2);
+    CHECK_THAT(ran.result.errors, ContainsSubstring(bad.says));
+    CHECK_FALSE(ran.wrote);
+  }
+}
+
+TEST_CASE("a converter with coarse steps is not taken for a range that ends", "[cli][calibrate]") {
+  double most = 0.0;
+  edited([&](std::size_t line, Row& row) {
+    for (std::size_t i = first_reading; line > 20 && i < row.size(); ++i)
+      most = std::max(most, std::abs(number(row[i])));
+    return;
+  });
+  const double step = most / 127.0;  // 8 bits, with the sign
+  const auto coarse = [&](double range) {
+    return edited([&](std::size_t line, Row& row) {
+      for (std::size_t i = first_reading; line > 0 && i < row.size(); ++i)
+        row[i] = shortest(std::clamp(step * std::round(number(row[i]) / step), -range, range));
+    });
+  };
+  const Ran open = calibrated(coarse(2.0 * most));
+  CAPTURE(open.result.output, open.result.errors);
+  CHECK(open.result.code == 0);
+  const Ran cut = calibrated(coarse(0.4 * most));
+  CAPTURE(cut.result.errors);
+  CHECK(cut.result.code == 2);
+  CHECK_THAT(cut.result.errors, ContainsSubstring("cut off at the end of its range"));
+}
+
+TEST_CASE("a force's fit that failed and was written says so everywhere", "[cli][calibrate]") {
+  const std::string log = edited([](std::size_t line, Row& row) {
+    if (line > 20) row[first_reading + 20] = "0";
+  });
+  const Folder folder;
+  const std::vector<std::string> command = {
+      "calibrate", folder.write("log.csv", log),
+      "--scene",   folder.write("pad.toml", read_text(nominal())),
+      "-o",        folder / "c.toml",
+      "--out",     folder / "out"};
+  const ProcessResult without = tool(command);
+  CAPTURE(without.output, without.errors);
+  CHECK(without.code == 1);
+  CHECK_THAT(without.output, ContainsSubstring("nothing is written without --force") &&
+                                 ContainsSubstring("List taxel 20 in [dead_taxels]"));
+  CHECK_FALSE(std::filesystem::exists(folder / "c.toml"));
+  CHECK_FALSE(Json::parse(read_text(folder / "out/result.json"))["fit"]["forced"].get<bool>());
+
+  std::vector<std::string> forced = command;
+  forced.emplace_back("--force");
+  const ProcessResult with = tool(forced);
+  CHECK(with.code == 1);
+  CHECK_THAT(with.output, ContainsSubstring("written all the same, by --force") &&
+                              !ContainsSubstring("nothing is written"));
+  CHECK_THAT(with.errors, ContainsSubstring("written by --force"));
+  CHECK_THAT(read_text(folder / "c.toml"), ContainsSubstring("# poor_fit: not to be trusted"));
+  CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("by --force"));
+  CHECK(Json::parse(read_text(folder / "out/result.json"))["fit"]["forced"].get<bool>());
+}
+
+TEST_CASE("JSON has the gains and offsets of the calibrated scene", "[cli][calibrate]") {
+  const Folder folder;
+  const std::string log = scene("calibration/rod-layer.csv");
+  REQUIRE(tool({"calibrate", log, "--scene", nominal(), "-o", folder / "one.toml"}).code == 0);
+  // The calibrated scene is the nominal one of the next: what it states is not lost.
+  REQUIRE(tool({"calibrate", log, "--scene", folder / "one.toml", "-o", folder / "two.toml",
+                "--json", folder / "two.json"})
+              .code == 0);
+  const Json json = Json::parse(read_text(folder / "two.json"));
+  const Scene written = read_scene(folder / "two.toml");
+  REQUIRE(written.calibration.has_value());
+  for (std::size_t j = 0; j < 41; ++j) {
+    CAPTURE(j);
+    CHECK_THAT(json["gains"][j]["value"].get<double>(),
+               WithinRel(1.0 / written.calibration->gain[j], 1e-4));
+    const double sd = json["offsets"][j]["sd"];
+    CHECK_THAT(json["offsets"][j]["value"].get<double>(),
+               WithinAbs(written.calibration->baseline[j], 1e-2 * sd));
+  }
+}
+
+TEST_CASE("a scene with the line ends of Windows keeps them", "[cli][calibrate]") {
+  std::string toml;
+  for (const char c : read_text(nominal())) toml += c == '\n' ? "\r\n" : std::string(1, c);
+  const Folder folder;
+  REQUIRE(tool({"calibrate", scene("calibration/rod-layer.csv"), "--scene",
+                folder.write("pad.toml", toml), "-o", folder / "c.toml"})
+              .code == 0);
+  const std::string written = read_text(folder / "c.toml");
+  CHECK_THAT(written, ContainsSubstring("[calibration]"));
+  for (std::size_t at = 0; (at = written.find('\n', at)) != std::string::npos; ++at) {
+    REQUIRE(at > 0);
+    CHECK(written[at - 1] == '\r');
+  }
+}
+
+TEST_CASE("the scene's crosstalk moves the depth that is found", "[cli][calibrate]") {
+  const Folder folder;
+  const auto depth = [&](const std::string& more) {
+    const ProcessResult result =
+        tool({"calibrate", scene("calibration/rod-layer.csv"), "--scene",
+              folder.write("pad.toml", read_text(nominal()) + more), "--json", "-"});
+    REQUIRE(result.code == 0);
+    return Json::parse(result.output)["parameters"]["depth"]["value"].get<double>();
+  };
+  CHECK(depth("\n[crosstalk]\nfraction = 0.05\n") < depth("") - 1e-5);
+}
+
+TEST_CASE("a page of two quantities shows both", "[cli][calibrate]") {
+  const SimulatedLog made = simulated_log(3, {.reads = {Quantity::stress_x, Quantity::shear_xy}});
+  Scene pad;
+  pad.sensor = made.array;
+  pad.sensor.depths = {made.nominal_depth};
+  pad.material = made.nominal;
+  const lab::SceneCalibration found = lab::calibrate(pad, made.log, {});
+  CHECK_THAT(
+      pages::calibration_html(found, "log.csv", {}).html,
+      ContainsSubstring("worst-press-stress_x") && ContainsSubstring("worst-press-shear_xy"));
+}
