@@ -46,12 +46,11 @@ ScenesCalibration calibrate(const ScenePointer& shared, const std::string& log, 
   Watcher watcher(progress);
   const nb::gil_scoped_release released;
   frames::PressLogFile file = frames::read_press_log(log, shared->scene(), options);
-  ScenesCalibration result{
-      .shared = shared,
-      .found = lab::calibrate(shared->scene(), std::move(file.log), options,
-                              [&](std::size_t) { watcher.frame(); }),
-      .log = std::filesystem::path(log).filename().string(),
-      .notes = std::move(file.notes)};
+  ScenesCalibration result{.shared = shared,
+                           .found = lab::calibrate(shared->scene(), std::move(file.log), options,
+                                                   [&](std::size_t) { watcher.frame(); }),
+                           .log = std::filesystem::path(log).filename().string(),
+                           .notes = std::move(file.notes)};
   if (next > 0 || aim) lab::plan_presses(result.found, std::max<std::size_t>(next, 1), aim);
   return result;
 }
@@ -61,8 +60,8 @@ std::string calibrated(const ScenesCalibration& self, bool forced) {
   if (self.found.fit.verdict != FitVerdict::ok && !forced)
     throw std::domain_error(report::calibration_in_words(self.found).front());
   const nb::gil_scoped_release released;
-  return calibrated_scene(self.shared->text(), self.shared->scene(), self.found.log,
-                          self.found.fit, self.log);
+  return calibrated_scene(self.shared->text(), self.shared->scene(), self.found.log, self.found.fit,
+                          self.log);
 }
 
 std::string html(const ScenesCalibration& self) {
