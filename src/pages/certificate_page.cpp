@@ -10,6 +10,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/parts_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 

@@ -7,6 +7,7 @@
 #include "numeric/named.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/parts_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
