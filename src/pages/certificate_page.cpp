@@ -235,7 +235,7 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   const Figures figures(figures_of(c));
   Page page{.missing = figures.missing(), .files = figures.data()};
   if (c.parts && c.parts->choice)
-    page.files.emplace_back("parts.csv", order_csv(*c.parts, c.circuit));
+    page.files.emplace_back("parts.csv", report::order_csv(*c.parts, c.circuit));
 
   std::string html = std::visit(
       [](const auto& scene) {
