@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "lab/check/judgement.hpp"
 
@@ -52,14 +53,16 @@ std::optional<double> RecordingClock::rate() const noexcept {
 }
 
 struct ReadingsChecker::Parts {
-  explicit Parts(Scene given)
+  explicit Parts(AnyScene given)
       : scene(std::move(given)),
-        weights(reading_weights(scene)),
-        tracks(reading_count(scene.sensor)),
-        spikes(scene.sensor, weights),
+        sensor(std::visit([](const auto& one) { return checked_sensor(one); }, scene)),
+        weights(reading_weights(sensor)),
+        tracks(sensor.layout.readings.size()),
+        spikes(sensor.layout, weights),
         triples(most_groups_of(tracks.size())) {}
 
-  Scene scene;
+  AnyScene scene;
+  CheckedSensor sensor;
   std::vector<double> weights;  // per reading
   std::vector<ReadingTrack> tracks;
   SpikeTrack spikes;
@@ -79,7 +82,8 @@ struct ReadingsChecker::Parts {
   void say_channels(const Evidence& evidence, ReadingsCheck& check) const;
 };
 
-ReadingsChecker::ReadingsChecker(Scene scene) : parts_(std::make_unique<Parts>(std::move(scene))) {}
+ReadingsChecker::ReadingsChecker(AnyScene scene)
+    : parts_(std::make_unique<Parts>(std::move(scene))) {}
 
 ReadingsChecker::~ReadingsChecker() = default;
 
@@ -123,9 +127,9 @@ void ReadingsChecker::Parts::say_frames(ReadingsCheck& check) const {
     findings.emplace_back(finding::FramesRepeat{repeating});
   if (missing.count() > 0) {
     finding::ValuesMissing found{.frames = missing};
-    std::vector<std::size_t> most(scene.sensor.count);
-    for (std::size_t i = 0; const Site& site : sites(scene.sensor))
-      most[site.taxel] = std::max(most[site.taxel], tracks[i++].missing());
+    std::vector<std::size_t> most(sensor.layout.taxels);
+    for (std::size_t i = 0; const SignalReading& reading : sensor.layout.readings)
+      most[reading.taxel] = std::max(most[reading.taxel], tracks[i++].missing());
     for (std::size_t taxel = 0; taxel < most.size(); ++taxel)
       if (2 * most[taxel] > frames) found.taxels.push_back(taxel);
     for (const ReadingTrack& track : tracks) found.values += track.missing();
@@ -135,8 +139,9 @@ void ReadingsChecker::Parts::say_frames(ReadingsCheck& check) const {
 }
 
 void ReadingsChecker::Parts::say_channels(const Evidence& evidence, ReadingsCheck& check) const {
-  for (const Channel& channel : evidence.channels) {
-    CheckedChannel found{.name = channel.name};
+  for (std::size_t c = 0; const SignalChannel& channel : evidence.channels()) {
+    CheckedChannel found{.name = sensor.names[c], .stated = sensor.stated[c]};
+    ++c;
     bool any = false;
     for (std::size_t i = channel.first; i < channel.first + channel.count; ++i) {
       if (tracks[i].present() == 0) continue;
@@ -144,7 +149,6 @@ void ReadingsChecker::Parts::say_channels(const Evidence& evidence, ReadingsChec
       found.largest = any ? std::max(found.largest, tracks[i].largest()) : tracks[i].largest();
       any = true;
     }
-    if (scene.noise) found.stated = scene.noise->rms.at(channel.quantity);
     check.channels.push_back(std::move(found));
   }
 }
@@ -152,25 +156,27 @@ void ReadingsChecker::Parts::say_channels(const Evidence& evidence, ReadingsChec
 ReadingsCheck ReadingsChecker::Parts::judged(Observer* of_loads) const {
   ReadingsCheck check{.scene = scene, .frames = frames};
   say_frames(check);
-  Evidence evidence{.scene = scene,
+  Evidence evidence{.sensor = sensor,
                     .frames = frames,
                     .tracks = tracks,
                     .triples = triples.all(),
                     .spikes = spikes.spikes(),
                     .living = std::vector<bool>(tracks.size(), true)};
-  evidence.bury(scene.dead_taxels);
+  evidence.bury(sensor.dead_taxels);
   for (const Finding& one : check.findings)
     if (const auto* without = std::get_if<finding::ValuesMissing>(&one))
       evidence.bury(without->taxels);
   say_channels(evidence, check);
   if (frames == 0) return check;
-  const Findings by_scene = scene_findings(scene);
+  const Findings by_scene = std::visit([](const auto& one) { return scene_findings(one); }, scene);
 
   check.sampled = evidence.triples.size();
   const StillNoise noise = judge_taxels(evidence, check.findings);
   check.still = noise.known() ? noise.still.size() : 0;
   if (std::find(evidence.living.begin(), evidence.living.end(), true) != evidence.living.end()) {
-    PatternSolver solver(scene);
+    const std::unique_ptr<PatternSolver> made =
+        std::visit([](const auto& one) { return pattern_solver(one); }, scene);
+    PatternSolver& solver = *made;
     if (is_fathomable(by_scene)) judge_spikes(evidence, noise, solver, check.findings);
     // With lengths that cannot be right no load explains anything.
     const RestState rest =

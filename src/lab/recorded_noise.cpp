@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t most_frames = 20'000;
 
 std::optional<NoiseModel> recorded_noise(const ReadingsCheck& check) {
-  const std::vector<Channel> all = channels(check.scene.sensor);
+  const std::vector<Channel> all = channels(std::get<Scene>(check.scene).sensor);
   std::map<Quantity, std::pair<double, double>>
       squares;  // of a quantity at several depths, and how many
   for (std::size_t c = 0; c < check.channels.size(); ++c) {

@@ -155,6 +155,8 @@ with tempfile.TemporaryDirectory() as place:
     (place / "bad.csv").write_text("\n".join(rows) + "\n")
     check("check", written("check", pad[0], "--readings", place / "bad.csv", "-q"), "a recording with gaps")
     check("check", written("check", *counts, "-q"), "counts")
+    skin = recorded / "skin-pad"
+    check("check", written("check", skin.with_suffix(".toml"), "--readings", skin.with_suffix(".csv"), "-q"), "a skin")
     log = scenes / "calibration" / "no-loads"
     check("calibrate", written("calibrate", log.with_suffix(".csv"), "--scene", log.with_suffix(".toml"), "--next", "2"), "a log")
     check("plan", written("plan", *counts, "-q"), "a plan for counts")

@@ -321,6 +321,32 @@ TEST_CASE("what no circuit of a skin holds is refused by name", "[cli][skin]") {
              ContainsSubstring("amplifiers, more than 1024"));
 }
 
+TEST_CASE("check says what is wrong with a skin's recording", "[cli][skin]") {
+  const Folder folder;
+  const std::string path = folder.write("skin.toml", skin + "[time]\nrate = 100.0\nframes = 60\n");
+  REQUIRE(tool({"simulate", path, "-q", "-o", folder / "clean.csv"}).code == 0);
+  const ProcessResult clean = tool({"check", path, "--readings", folder / "clean.csv", "--strict"});
+  CAPTURE(clean.errors, clean.output);
+  CHECK(clean.code == 0);
+  CHECK_THAT(clean.output,
+             ContainsSubstring("5 x 4 taxels") && ContainsSubstring("nothing suspicious"));
+  // Row 2, column 1 is silent.
+  REQUIRE(tool({"simulate",
+                folder.write("dead.toml", skin + "[time]\nrate = 100.0\nframes = 60\n"
+                                                 "[dead_taxels]\nindices = [[2, 1]]\n"),
+                "-q", "-o", folder / "dead.csv"})
+              .code == 0);
+  const ProcessResult dead = tool(
+      {"check", path, "--readings", folder / "dead.csv", "--strict", "--json", folder / "json"});
+  CAPTURE(dead.errors, dead.output);
+  CHECK(dead.code != 0);
+  CHECK_THAT(dead.output, ContainsSubstring("indices = [\"2_1\"]"));
+  const Json json = Json::parse(read_text(folder / "json"));
+  CHECK(json.at("findings").at(0).at("kind") == "dead_taxels");
+  CHECK(json.at("findings").at(0).at("taxels") == Json{9});
+  CHECK(json.at("units").at("force") == "N");
+}
+
 TEST_CASE("a command that does not know skins yet says so", "[cli][skin]") {
   const Folder folder;
   const std::string path = folder.write("skin.toml", skin);
@@ -329,7 +355,7 @@ TEST_CASE("a command that does not know skins yet says so", "[cli][skin]") {
   CHECK_THAT(refused.errors, ContainsSubstring("[sensor] is of a skin"));
   CHECK_THAT(refused.errors,
              ContainsSubstring(
-                 "run, simulate, solve, identify, plan, gen, relax and certify know"));
+                 "run, simulate, solve, check, identify, plan, gen, relax and certify know"));
   CHECK_THAT(tool({"run", path, "--explain"}).errors, ContainsSubstring("--explain"));
   CHECK_THAT(tool({"solve", path, "--method", "dft", "--readings", "x.csv"}).errors,
              ContainsSubstring("--method"));

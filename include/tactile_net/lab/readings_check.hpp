@@ -1,11 +1,12 @@
 /// @file
 /// A recording looked at before it is trusted: does it fit its scene?
 ///
-///     const Scene scene = read_scene("pad.toml");
+///     const AnyScene scene = read_any_scene("pad.toml");
 ///     lab::ReadingsChecker checker(scene);
 ///     while (source.next(readings)) checker.add(time, readings);
 ///     const lab::ReadingsCheck check = checker.result();
-///     for (const lab::Finding& one : check.findings) puts(report::in_words(one, scene).c_str());
+///     for (const lab::Finding& one : check.findings)
+///     puts(report::in_words(one, scene).c_str());
 #pragma once
 
 #include <cstddef>
@@ -19,6 +20,7 @@
 #include "tactile_net/lab/finding.hpp"
 #include "tactile_net/lab/observer.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
+#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::lab {
 
@@ -52,11 +54,11 @@ struct PeakFrame {
   double reading = 0.0;     ///< the largest |reading|
   std::size_t channel = 0;  ///< of it
   double traction = 0.0;    ///< the largest normal one, by its size [Pa]
-  double force = 0.0;       ///< normal [N/m]
+  double force = 0.0;       ///< normal [N/m], of a skin [N]
 };
 
 struct ReadingsCheck {
-  Scene scene{};
+  AnyScene scene{};
   std::size_t frames = 0;
   std::size_t missing = 0;  ///< values
   RecordingClock clock{};
@@ -70,16 +72,17 @@ struct ReadingsCheck {
   Findings findings{};
 };
 
-/// Takes a recording of any length in constant memory: every frame is counted; noise, rest, sign
-/// and residual are judged by at most `most_groups` groups of three frames that follow each other,
-/// spread evenly over the recording. Not thread-safe.
+/// Takes a recording of any length in constant memory: every frame is counted;
+/// noise, rest, sign and residual are judged by at most `most_groups` groups of
+/// three frames that follow each other, spread evenly over the recording. Not
+/// thread-safe.
 class ReadingsChecker {
  public:
   static constexpr std::size_t most_groups = 400;
   static constexpr std::size_t most_values = 2'000'000;  ///< in all groups
   static constexpr std::size_t most_solved = 32;
 
-  explicit ReadingsChecker(Scene scene);
+  explicit ReadingsChecker(AnyScene scene);
   ~ReadingsChecker();
   ReadingsChecker(const ReadingsChecker&) = delete;
   ReadingsChecker& operator=(const ReadingsChecker&) = delete;
@@ -88,8 +91,8 @@ class ReadingsChecker {
   /// @param readings  channels x count, in the unit of the scene; NaN: missing
   void add(std::optional<double> time, std::span<const double> readings);
 
-  /// Solves up to `most_solved` frames by tikhonov with the rule rgcv, without constraints, which
-  /// would hide a wrong sign.
+  /// Solves up to `most_solved` frames by tikhonov with a rule, without
+  /// constraints, which would hide a wrong sign.
   [[nodiscard]] ReadingsCheck result(Observer& observer = silent) const;
 
   /// The same without what loads say, from `solved` on: no frame is solved.
@@ -100,13 +103,14 @@ class ReadingsChecker {
   std::unique_ptr<Parts> parts_;
 };
 
-/// What the numbers of a scene say by themselves: lengths and modulus that look like different
-/// units, taxels too deep or too far apart.
+/// What the numbers of a scene say by themselves: lengths and modulus that look
+/// like different units, taxels too deep or too far apart.
 [[nodiscard]] Findings scene_findings(const Scene& scene);
+[[nodiscard]] Findings scene_findings(const SkinScene& scene);
 
-/// What `solve` notices of frames as it goes: the whole pad pulled in every frame, a residual that
-/// cannot be with the noise stated. A few operations a frame; a residual for the first frames, then
-/// ever rarer ones.
+/// What `solve` notices of frames as it goes: the whole pad pulled in every
+/// frame, a residual that cannot be with the noise stated. A few operations a
+/// frame; a residual for the first frames, then ever rarer ones.
 class SolvingDoubts {
  public:
   explicit SolvingDoubts(SceneProblem problem);

@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "lab/check/judgement.hpp"
 #include "numeric/robust.hpp"
-#include "tactile_net/sensing/resultant.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -13,18 +11,13 @@ bool is_loaded(std::span<const double> frame, const Evidence& evidence,
                const ReadingsCheck& check) {
   std::size_t above = 0;
   for (std::size_t i = 0; i < frame.size(); ++i) {
-    const CheckedChannel& channel = check.channels[evidence.sites[i].channel];
+    const CheckedChannel& channel = check.channels[evidence.sites()[i].channel];
     const double largest = std::max(std::abs(channel.least), std::abs(channel.largest));
     const double least =
         std::max(8.0 * channel.noise.value_or(channel.stated.value_or(0.0)), 0.1 * largest);
     if (evidence.living[i] && largest > 0.0 && std::abs(frame[i]) >= least) ++above;
   }
   return above > 0;
-}
-
-/// The noise of one weighted reading, if the scene states it.
-std::optional<double> stated_noise(const Scene& scene) {
-  return SceneProblem(scene).stated_noise();
 }
 
 template <class Kind>
@@ -39,22 +32,20 @@ PeakFrame peak_of(std::span<const double> readings, const SolvedPattern& solved,
   for (std::size_t i = 0; i < readings.size(); ++i)
     if (evidence.living[i] && std::abs(readings[i]) > std::abs(peak.reading)) {
       peak.reading = readings[i];
-      peak.channel = evidence.sites[i].channel;
+      peak.channel = evidence.sites()[i].channel;
     }
-  const Surface places = surface(evidence.scene);
-  const std::span<const double> normal = std::span(solved.tractions).first(places.count);
-  for (const double traction : normal)
+  for (const double traction : solved.normal)
     if (std::abs(traction) > std::abs(peak.traction)) peak.traction = traction;
-  peak.force = resultant_of(normal, {}, places).normal;
+  peak.force = solved.force;
   return peak;
 }
 
 }  // namespace
 
-Pull pull_of(std::span<const double> tractions, std::size_t count) noexcept {
+Pull pull_of(std::span<const double> normal) noexcept {
   double sum = 0.0;
   Pull pull;
-  for (const double traction : tractions.first(count)) {
+  for (const double traction : normal) {
     sum += traction;
     pull.load += std::abs(traction);
   }
@@ -85,7 +76,7 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
     frames.emplace_back(triple.first + 1, triple.middle());
   }
 
-  const std::optional<double> stated = stated_noise(evidence.scene);
+  const std::optional<double>& stated = evidence.sensor.noise;
   finding::WholePadPulled sign;
   std::vector<double> residuals;
   std::optional<PeakFrame> found;
@@ -96,16 +87,16 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
     if (!solved) continue;
     ++check.solved;
     if (!found) found = peak_of(readings, *solved, evidence, number);
-    if (stated && solved->residual > 0.0) residuals.push_back(solved->residual / *stated);
+    if (stated && solved->unexplained > 0.0) residuals.push_back(solved->unexplained / *stated);
     if (!is_loaded(readings, evidence, check)) continue;
     ++sign.loaded;
-    if (pull_of(solved->tractions, surface(evidence.scene).count).pulled) ++sign.pulled;
+    if (pull_of(solved->normal).pulled) ++sign.pulled;
   }
   check.peak = found;
   if (!residuals.empty()) check.residual = median(residuals);
   if (sign.loaded > 0 && 5 * sign.pulled >= 4 * sign.loaded) check.findings.emplace_back(sign);
   if (sign.loaded > 0) {
-    const double times = std::abs(found->traction) / evidence.scene.material.youngs_modulus;
+    const double times = std::abs(found->traction) / evidence.sensor.youngs_modulus;
     if (times > 3.0)
       check.findings.emplace_back(finding::TractionExceedsModulus{times});
     else if (times < 1e-4)

@@ -13,14 +13,14 @@ namespace {
 class Weighted {
  public:
   explicit Weighted(const Evidence& evidence)
-      : evidence_(evidence), weights_(channel_weights(evidence.scene)) {}
+      : evidence_(evidence), weights_(evidence.sensor.weights) {}
 
   [[nodiscard]] double rms(std::span<const double> frame) const {
     double squares = 0.0;
     double living = 0.0;
     for (std::size_t i = 0; i < frame.size(); ++i) {
       if (!evidence_.living[i]) continue;
-      const double value = weights_[evidence_.sites[i].channel] * frame[i];
+      const double value = weights_[evidence_.sites()[i].channel] * frame[i];
       squares += value * value;
       living += 1.0;
     }
@@ -42,11 +42,12 @@ class Weighted {
   std::vector<double> weights_;
 };
 
-/// What is left of a pattern where the scene has each channel's constant found with the loads.
+/// What is left of a pattern where the scene has each channel's constant found
+/// with the loads.
 std::vector<double> beside_offsets(const Evidence& evidence, std::span<const double> pattern) {
   std::vector<double> left(pattern.begin(), pattern.end());
-  if (!evidence.scene.reconstruct.offset) return left;
-  for (const Channel& channel : evidence.channels) {
+  if (!evidence.sensor.offset) return left;
+  for (const SignalChannel& channel : evidence.channels()) {
     const std::size_t end = channel.first + channel.count;
     std::vector<double> values;
     for (std::size_t i = channel.first; i < end; ++i)
@@ -70,8 +71,9 @@ class NoContactTest {
     return noise_ > 0.0 ? weighted_.rms(beside_offsets(evidence_, pattern)) / noise_ : 0.0;
   }
 
-  /// True where no load within the array explains it: it is larger than noise, and either rougher
-  /// than a buried sensor can read, or the same from end to end.
+  /// True where no load within the array explains it: it is larger than noise,
+  /// and either rougher than a buried sensor can read, or the same from end to
+  /// end.
   ///
   /// @param frames  how many its noise is averaged over
   [[nodiscard]] bool operator()(std::span<const double> read, std::size_t frames) {
@@ -83,7 +85,8 @@ class NoContactTest {
     const auto solved = solver_.solve(pattern, evidence_.living);
     if (!solved) return false;
     unexplained_ = solved->residual / size;
-    // Real pads differ from their model, and leave a tenth of a contact unexplained.
+    // Real pads differ from their model, and leave a tenth of a contact
+    // unexplained.
     return unexplained_ > 0.2 &&
            solved->residual > 5.0 * noise_ / std::sqrt(static_cast<double>(frames));
   }
@@ -94,7 +97,7 @@ class NoContactTest {
  private:
   [[nodiscard]] bool is_even(std::span<const double> pattern) const {
     for (std::size_t channel = 0; channel < channel_noise_.size(); ++channel) {
-      const Channel& line = evidence_.channels[channel];
+      const SignalChannel& line = evidence_.channels()[channel];
       std::vector<double> values;
       for (std::size_t i = line.first; i < line.first + line.count; ++i)
         if (evidence_.living[i]) values.push_back(pattern[i]);
@@ -140,8 +143,9 @@ std::size_t frames_of(Still still, const Rest& rest) {
   return frames.size();
 }
 
-/// How the frames at rest differ from it: the rms of each channel, and whether what is left
-/// remembers the frame before (noise does not), or resembles its neighbour (as loads do).
+/// How the frames at rest differ from it: the rms of each channel, and whether
+/// what is left remembers the frame before (noise does not), or resembles its
+/// neighbour (as loads do).
 struct Spread {
   std::vector<double> of_channel{};
   double in_time = 0.0;
@@ -159,7 +163,7 @@ Spread spread_of(const Evidence& evidence, Still still, const Rest& rest) {
     for (const std::size_t k : rest.triples) mean[i] += raw(k, 0, i) + raw(k, 1, i) + raw(k, 2, i);
     mean[i] /= 3.0 * static_cast<double>(rest.triples.size());
   }
-  for (const Channel& channel : evidence.channels) {
+  for (const SignalChannel& channel : evidence.channels()) {
     const std::size_t end = channel.first + channel.count;
     std::vector<double> values;
     double squares = 0.0;
@@ -186,7 +190,8 @@ Spread spread_of(const Evidence& evidence, Still still, const Rest& rest) {
   return spread;
 }
 
-/// The largest change between the rests of two stretches of the recording that is no load.
+/// The largest change between the rests of two stretches of the recording that
+/// is no load.
 std::optional<finding::Drift> find_drift(const Evidence& evidence, const StillNoise& noise,
                                          NoContactTest& no_contact) {
   constexpr std::size_t per_stretch = 12;
@@ -208,7 +213,8 @@ std::optional<finding::Drift> find_drift(const Evidence& evidence, const StillNo
   std::optional<finding::Drift> drift;
   for (std::size_t b = 1; b < found.size(); ++b) {
     const std::vector<double> change = difference(found[b].rest.values, found[0].rest.values);
-    // The difference of two medians is surer by the root of a third of their frames.
+    // The difference of two medians is surer by the root of a third of their
+    // frames.
     const std::size_t frames =
         std::min(found[b].rest.triples.size(), found[0].rest.triples.size()) / 3;
     const double times = no_contact.times(change);

@@ -9,13 +9,13 @@ namespace {
 
 constexpr double spike_times = 10.0;  // the noise: what none of 1e9 sound readings reaches
 
-/// Whether a load could be read by this taxel alone, as by coarse arrays one may.
+/// Whether a load could be read by this taxel alone, as by coarse arrays one
+/// may.
 bool is_load(const Evidence& evidence, PatternSolver& solver, std::size_t reading) {
   std::vector<double> pattern(evidence.living.size());
   pattern[reading] = evidence.spikes[reading].largest;
-  const std::vector<double> weights = channel_weights(evidence.scene);
-  const double size = weights[evidence.sites[reading].channel] * pattern[reading] /
-                      std::sqrt(static_cast<double>(pattern.size()));  // rms
+  const double size = evidence.sensor.weights[evidence.sites()[reading].channel] *
+                      pattern[reading] / std::sqrt(static_cast<double>(pattern.size()));  // rms
   const auto solved = solver.solve(pattern, evidence.living);
   return solved && solved->residual < 0.5 * size;
 }
@@ -29,16 +29,16 @@ void judge_spikes(const Evidence& evidence, const StillNoise& noise, PatternSolv
   std::set<std::size_t> taxels;
   for (std::size_t i = 0; i < evidence.spikes.size(); ++i) {
     const SpikeTrack::Spikes& spikes = evidence.spikes[i];
-    const double sound = noise.of_channel[evidence.sites[i].channel];
+    const double sound = noise.of_channel[evidence.sites()[i].channel];
     if (!evidence.living[i] || !(sound > 0.0) || !(spikes.largest > spike_times * sound)) continue;
     if (is_load(evidence, solver, i)) continue;
-    taxels.insert(evidence.sites[i].taxel);
+    taxels.insert(evidence.sites()[i].taxel);
     const int least = std::ilogb(spike_times * sound);
     for (const auto& [size, count] : spikes.sizes)
       if (size > least) found.frames += count;
     if (const double times = spikes.largest / sound; times > found.times) {
       found.times = times;
-      found.worst = evidence.sites[i].taxel;
+      found.worst = evidence.sites()[i].taxel;
       found.frame = spikes.frame;
     }
   }

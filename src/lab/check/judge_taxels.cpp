@@ -17,7 +17,7 @@ std::vector<std::size_t> taxels_where(const Evidence& evidence,
                                       const std::function<bool(std::size_t)>& is_so) {
   std::set<std::size_t> taxels;
   for (std::size_t i = 0; i < evidence.living.size(); ++i)
-    if (evidence.living[i] && is_so(i)) taxels.insert(evidence.sites[i].taxel);
+    if (evidence.living[i] && is_so(i)) taxels.insert(evidence.sites()[i].taxel);
   return {taxels.begin(), taxels.end()};
 }
 
@@ -26,7 +26,8 @@ double range(const ReadingTrack& track) {
   return track.present() == 0 ? 0.0 : track.largest() - track.least();
 }
 
-/// Readings that never change, though those beside them do by more than a converter's steps.
+/// Readings that never change, though those beside them do by more than a
+/// converter's steps.
 class Constants {
  public:
   explicit Constants(const Evidence& evidence) : evidence_(evidence) {
@@ -50,7 +51,7 @@ class Constants {
 
   /// What the nearest reading does that is not constant.
   [[nodiscard]] Side beside(std::size_t i, int step) const {
-    const Channel& channel = evidence_.channels[evidence_.sites[i].channel];
+    const SignalChannel& channel = evidence_.channels()[evidence_.sites()[i].channel];
     const auto count = static_cast<std::ptrdiff_t>(channel.count);
     const auto first = static_cast<std::ptrdiff_t>(channel.first);
     for (auto k = static_cast<std::ptrdiff_t>(i) + step; k >= first && k < first + count;
@@ -78,31 +79,22 @@ std::vector<double> middles_of(const Evidence& evidence) {
   return middles;
 }
 
-/// Silent in most frames in which its neighbours clearly feel a load: the two beside it, and at
-/// least one of those behind them, all of one sign.
+/// Silent in most frames in which its neighbours clearly feel a load: all
+/// beside it, and at least one of those behind them, all of one sign.
 bool feels_nothing(const Evidence& evidence, const StillNoise& noise,
                    std::span<const double> middles, std::size_t i) {
-  const Channel& channel = evidence.channels[evidence.sites[i].channel];
-  const auto count = static_cast<std::ptrdiff_t>(channel.count);
-  const auto taxel = static_cast<std::ptrdiff_t>(i - channel.first);
-  if (taxel == 0 || taxel + 1 == count || !evidence.living[i - 1] || !evidence.living[i + 1])
-    return false;
-  // Between taxels far apart a load's readings may have a valley.
-  const std::vector<Site>& sites = evidence.sites;
-  if (sites[i + 1].y - sites[i - 1].y > 2.0 * (1.0 + 1e-9) * least_depth(evidence.scene.sensor))
-    return false;
-  const double sigma = noise.of_channel[sites[i].channel];
-  std::vector<std::size_t> around = {i - 1, i + 1};
-  if (taxel >= 2) around.push_back(i - 2);
-  if (taxel + 2 < count) around.push_back(i + 2);
+  const auto& [beside, behind] = evidence.sensor.around[i];
+  const auto lives = [&](std::size_t at) { return static_cast<bool>(evidence.living[at]); };
+  if (beside.empty() || !std::all_of(beside.begin(), beside.end(), lives)) return false;
+  const double sigma = noise.of_channel[evidence.sites()[i].channel];
   std::size_t felt = 0;
   std::size_t silent = 0;
   for (const FrameTriple& triple : evidence.triples) {
     const auto load = [&](std::size_t at) { return triple.middle()[at] - middles[at]; };
-    const double sign = load(around[0]) > 0.0 ? 1.0 : -1.0;
+    const double sign = load(beside.front()) > 0.0 ? 1.0 : -1.0;
     const auto feels = [&](std::size_t at) { return sign * load(at) > 20.0 * sigma; };
-    if (!feels(around[0]) || !feels(around[1]) ||
-        std::none_of(around.begin() + 2, around.end(), feels))
+    if (!std::all_of(beside.begin(), beside.end(), feels) ||
+        std::none_of(behind.begin(), behind.end(), feels))
       continue;
     ++felt;
     if (std::abs(load(i)) < 5.0 * sigma) ++silent;
@@ -110,11 +102,11 @@ bool feels_nothing(const Evidence& evidence, const StillNoise& noise,
   return felt >= 3 && 5 * silent >= 4 * felt;
 }
 
-/// The share of each channel's values that equal the one before; above a half they are quantised so
-/// coarsely that all of its readings seem to stick.
+/// The share of each channel's values that equal the one before; above a half
+/// they are quantised so coarsely that all of its readings seem to stick.
 std::vector<double> usual_repeating(const Evidence& evidence) {
   std::vector<double> usual;
-  for (const Channel& channel : evidence.channels) {
+  for (const SignalChannel& channel : evidence.channels()) {
     std::vector<double> shares;
     for (std::size_t k = channel.first; k < channel.first + channel.count; ++k)
       if (evidence.living[k]) shares.push_back(evidence.tracks[k].repeating());
@@ -127,7 +119,7 @@ constexpr double coarse = 0.5;
 /// Runs of equal values that chance does not make.
 bool sticks(const Evidence& evidence, const StillNoise& noise, std::span<const double> repeating,
             std::size_t i) {
-  const std::size_t channel = evidence.sites[i].channel;
+  const std::size_t channel = evidence.sites()[i].channel;
   if (noise.of_channel[channel] == 0.0) return false;
   const double usual = std::max(repeating[channel], 1e-3);
   if (usual > coarse) return false;
@@ -137,11 +129,12 @@ bool sticks(const Evidence& evidence, const StillNoise& noise, std::span<const d
   return static_cast<double>(evidence.tracks[i].longest_run()) > longest;
 }
 
-/// Where the values of a reading pile up, far from where they lie when nothing happens.
+/// Where the values of a reading pile up, far from where they lie when nothing
+/// happens.
 const RangeEnd* saturated_end(const Evidence& evidence, const StillNoise& noise,
                               std::span<const double> repeating, std::size_t i) {
   const ReadingTrack& track = evidence.tracks[i];
-  const std::size_t channel = evidence.sites[i].channel;
+  const std::size_t channel = evidence.sites()[i].channel;
   const double sigma = noise.of_channel[channel];
   if (sigma == 0.0 || range(track) < 10.0 * sigma || repeating[channel] > coarse) return nullptr;
   for (const RangeEnd* end : {&track.high(), &track.low()})
@@ -154,7 +147,7 @@ const RangeEnd* saturated_end(const Evidence& evidence, const StillNoise& noise,
 void Evidence::bury(std::span<const std::size_t> taxels) {
   for (const std::size_t taxel : taxels)
     for (std::size_t i = 0; i < living.size(); ++i)
-      if (sites[i].taxel == taxel) living[i] = false;
+      if (sites()[i].taxel == taxel) living[i] = false;
 }
 
 StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
@@ -166,7 +159,7 @@ StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
   evidence.bury(dead);
   evidence.bury(constant);
 
-  StillNoise noise = still_noise(evidence.triples, evidence.living, evidence.channels);
+  StillNoise noise = still_noise(evidence.triples, evidence.living, evidence.channels());
   std::vector<std::size_t> stuck = constant;
   if (noise.known()) {
     const std::vector<double> middles = middles_of(evidence);
@@ -196,18 +189,18 @@ StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
 
     finding::NoisyTaxels noisy;
     noisy.taxels = taxels_where(evidence, [&](std::size_t i) {
-      const double usual = noise.of_channel[evidence.sites[i].channel];
+      const double usual = noise.of_channel[evidence.sites()[i].channel];
       const double times = usual > 0.0 ? noise.of_reading[i] / usual : 0.0;
       if (times > std::max(noisy.times, noisy_times)) {
         noisy.times = times;
-        noisy.worst = evidence.sites[i].taxel;
+        noisy.worst = evidence.sites()[i].taxel;
       }
       return times > noisy_times;
     });
     evidence.bury(noisy.taxels);
     if (!noisy.taxels.empty()) {
       findings.emplace_back(noisy);
-      noise = still_noise(evidence.triples, evidence.living, evidence.channels);
+      noise = still_noise(evidence.triples, evidence.living, evidence.channels());
     }
   }
   std::sort(dead.begin(), dead.end());
@@ -218,7 +211,7 @@ StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
     for (const std::size_t taxel : stuck)
       for (std::size_t i = 0; i < evidence.tracks.size(); ++i)
         if (const ReadingTrack& track = evidence.tracks[i];
-            evidence.sites[i].taxel == taxel && track.longest_run() > found.frames) {
+            evidence.sites()[i].taxel == taxel && track.longest_run() > found.frames) {
           found.worst = taxel;
           found.first = track.run_begins();
           found.frames = track.longest_run();

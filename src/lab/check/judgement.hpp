@@ -1,11 +1,13 @@
 /// @file
-/// The parts of a recording's check, each of which looks at one kind of evidence. Private.
+/// The parts of a recording's check, each of which looks at one kind of
+/// evidence. Private.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "lab/check/checked_sensor.hpp"
 #include "lab/check/pattern_solver.hpp"
 #include "lab/check/rest.hpp"
 #include "lab/check/spike_track.hpp"
@@ -17,56 +19,68 @@ namespace tactile_net::lab {
 
 /// What all judges look at.
 struct Evidence {
-  const Scene& scene;
+  const CheckedSensor& sensor;
   std::size_t frames;
   std::span<const ReadingTrack> tracks;  ///< per reading
   std::span<const FrameTriple> triples;
   std::span<const SpikeTrack::Spikes> spikes;  ///< per reading
   std::vector<bool> living;  ///< per reading: its taxel is not dead, nor found to be broken
-  std::vector<Site> sites = tactile_net::sites(scene.sensor);           ///< per reading
-  std::vector<Channel> channels = tactile_net::channels(scene.sensor);  ///< of neighbours
+
+  /// Of each reading its taxel and channel.
+  [[nodiscard]] const std::vector<SignalReading>& sites() const { return sensor.layout.readings; }
+  /// Readings of one quantity behind one another.
+  [[nodiscard]] const std::vector<SignalChannel>& channels() const {
+    return sensor.layout.channels;
+  }
 
   /// Takes taxels out of what the next judges look at.
   void bury(std::span<const std::size_t> taxels);
 };
 
-/// Taxels that are dead, stuck, saturated or noisy, which are buried; and the noise of the others.
-/// Saturated ones stay alive: what they read below their limit is right.
+/// Taxels that are dead, stuck, saturated or noisy, which are buried; and the
+/// noise of the others. Saturated ones stay alive: what they read below their
+/// limit is right.
 [[nodiscard]] StillNoise judge_taxels(Evidence& evidence, Findings& findings);
 
 /// Taxels that jump for single frames.
 void judge_spikes(const Evidence& evidence, const StillNoise& noise, PatternSolver& solver,
                   Findings& findings);
 
-/// What the readings are when nothing presses, for whoever wants to take it off.
+/// What the readings are when nothing presses, for whoever wants to take it
+/// off.
 struct RestState {
   std::vector<double> baseline{};  ///< of every reading; empty: none was found to be off zero
   std::size_t quiet = 0;           ///< groups of frames at rest
-  /// Rms of each channel about the rest, where it is more than what changes from frame to frame.
+  /// Rms of each channel about the rest, where it is more than what changes
+  /// from frame to frame.
   std::vector<double> noise{};
 };
 
 [[nodiscard]] RestState judge_rest(const Evidence& evidence, const StillNoise& noise,
                                    PatternSolver& solver, Findings& findings);
 
-/// Sign and residual, by solving some frames; fills in what the check says of loads.
+/// Sign and residual, by solving some frames; fills in what the check says of
+/// loads.
 ///
 /// @param peak  the frame with the largest reading; empty: there is none
 void judge_loads(const Evidence& evidence, std::span<const double> baseline,
                  std::span<const double> peak, PatternSolver& solver, Observer& observer,
                  ReadingsCheck& check);
 
-/// The noise and the residual beside the noise stated: their scale, before anything else.
+/// The noise and the residual beside the noise stated: their scale, before
+/// anything else.
 void judge_scale(ReadingsCheck& check);
 
-/// Whether a frame's tractions nearly all pull, and how large they are together.
+/// Whether a frame's tractions nearly all pull, and how large they are
+/// together.
 struct Pull {
   double load = 0.0;  ///< sum |f_v| [Pa]
   bool pulled = false;
 };
-[[nodiscard]] Pull pull_of(std::span<const double> tractions, std::size_t count) noexcept;
+[[nodiscard]] Pull pull_of(std::span<const double> normal) noexcept;
 
-/// Whether a ratio is about 1000 or 1/1000: a prefix that was mistaken for another.
+/// Whether a ratio is about 1000 or 1/1000: a prefix that was mistaken for
+/// another.
 [[nodiscard]] bool is_thousandfold(double ratio) noexcept;
 
 }  // namespace tactile_net::lab

@@ -13,14 +13,14 @@ namespace {
 constexpr std::size_t least_still = 12;  // triples: fewer do not tell a taxel's noise
 constexpr std::size_t least_alike = 5;
 
-using Lines = std::span<const Channel>;
+using Lines = std::span<const SignalChannel>;
 
-/// The median size of its channel's roughness for every reading, which makes channels of different
-/// units alike.
+/// The median size of its channel's roughness for every reading, which makes
+/// channels of different units alike.
 std::vector<double> channel_roughness(std::span<const FrameTriple> triples,
                                       const std::vector<bool>& living, Lines channels) {
   std::vector<double> all(living.size());
-  for (const Channel& channel : channels) {
+  for (const SignalChannel& channel : channels) {
     std::vector<double> sizes;
     for (const FrameTriple& triple : triples)
       for (std::size_t i = channel.first; i < channel.first + channel.count; ++i)
@@ -48,7 +48,8 @@ std::vector<double> roughness_of(std::span<const FrameTriple> triples,
   return all;
 }
 
-/// How far two frames are apart, in units of the noise: about 1.4 for two of the same state.
+/// How far two frames are apart, in units of the noise: about 1.4 for two of
+/// the same state.
 double distance(std::span<const double> a, std::span<const double> b,
                 const std::vector<bool>& living, const std::vector<double>& scale) {
   double squares = 0.0;
@@ -90,7 +91,7 @@ std::vector<double> median_frame(std::span<const FrameTriple* const> triples,
 }  // namespace
 
 StillNoise still_noise(std::span<const FrameTriple> triples, const std::vector<bool>& living,
-                       std::span<const Channel> channels) {
+                       std::span<const SignalChannel> channels) {
   StillNoise noise;
   const std::vector<double> roughness = roughness_of(triples, living, channels);
   std::vector<double> rough;  // readings that are cut off have no noise at all
@@ -105,7 +106,7 @@ StillNoise still_noise(std::span<const FrameTriple> triples, const std::vector<b
   if (noise.still.size() < least_still) return noise;
 
   noise.of_reading.resize(living.size());
-  for (const Channel& channel : channels) {
+  for (const SignalChannel& channel : channels) {
     std::vector<double> of_living;
     for (std::size_t i = channel.first; i < channel.first + channel.count; ++i) {
       std::vector<double> values;
@@ -130,7 +131,8 @@ Rest find_rest(std::span<const FrameTriple* const> triples, const std::vector<bo
     by_load.emplace_back(distance(triples[k]->middle(), {}, living, scale), k);
   std::sort(by_load.begin(), by_load.end());
   constexpr std::size_t most_tried = 20;
-  // Noise that remembers differs more from state to state than from frame to frame.
+  // Noise that remembers differs more from state to state than from frame to
+  // frame.
   for (const double reach : {2.0, 4.0, 8.0})
     for (std::size_t tried = 0; tried < std::min(most_tried, by_load.size()); ++tried) {
       const std::vector<double>& seed = triples[by_load[tried].second]->middle();

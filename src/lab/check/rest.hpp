@@ -1,6 +1,6 @@
 /// @file
-/// What a recording holds when nothing moves: its noise, and the least loaded state that comes
-/// back. Private.
+/// What a recording holds when nothing moves: its noise, and the least loaded
+/// state that comes back. Private.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sensing/frame_triples.hpp"
-#include "tactile_net/sensing/array.hpp"
+#include "tactile_net/sensing/effects/signal_layout.hpp"
 
 namespace tactile_net::lab {
 
@@ -21,12 +21,13 @@ struct StillNoise {
   [[nodiscard]] bool known() const noexcept { return !of_reading.empty(); }
 };
 
-/// White noise, by what is left of three frames where a straight line is taken off.
+/// White noise, by what is left of three frames where a straight line is taken
+/// off.
 ///
 /// @param living  per reading: false for those that do not count
 [[nodiscard]] StillNoise still_noise(std::span<const FrameTriple> triples,
                                      const std::vector<bool>& living,
-                                     std::span<const Channel> channels);
+                                     std::span<const SignalChannel> channels);
 
 /// Frames that are alike, within noise.
 struct Rest {

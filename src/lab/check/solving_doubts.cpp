@@ -17,7 +17,7 @@ SolvingDoubts::SolvingDoubts(SceneProblem problem) : problem_(std::move(problem)
 
 void SolvingDoubts::add(const SceneProblem& problem, std::span<const double> readings,
                         std::span<const double> tractions, double alpha) {
-  const Pull pull = pull_of(tractions, problem.surface().count);
+  const Pull pull = pull_of(tractions.first(problem.surface().count));
   if (pull.load > 0.0) {
     Count& count = by_load_[std::ilogb(pull.load)];
     ++count.loaded;
@@ -25,7 +25,8 @@ void SolvingDoubts::add(const SceneProblem& problem, std::span<const double> rea
   }
   const auto stated = problem_.stated_noise();
   if (!is_taken(frames_++) || !stated || problem.is_large()) return;
-  // tr H takes a decomposition: it is asked for only where the residual is suspicious without it.
+  // tr H takes a decomposition: it is asked for only where the residual is
+  // suspicious without it.
   double residual = estimate_noise(problem.problem(), readings, tractions, 0.0).residual_rms;
   if (is_thousandfold(residual / *stated))
     residual = residual_rms(problem, readings, tractions, alpha);

@@ -12,9 +12,9 @@ constexpr double alone = 4.0;
 
 }  // namespace
 
-SpikeTrack::SpikeTrack(const SensorArray& array, std::vector<double> weights)
+SpikeTrack::SpikeTrack(const SignalLayout& layout, std::vector<double> weights)
     : weights_(std::move(weights)), spikes_(weights_.size()) {
-  for (const Site& site : sites(array)) taxels_.push_back(site.taxel);
+  for (const SignalReading& reading : layout.readings) taxels_.push_back(reading.taxel);
 }
 
 void SpikeTrack::add(std::span<const double> readings) {

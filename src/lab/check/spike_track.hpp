@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/sensing/array.hpp"
+#include "tactile_net/sensing/effects/signal_layout.hpp"
 
 namespace tactile_net::lab {
 
@@ -22,7 +22,7 @@ class SpikeTrack {
   };
 
   /// @param weights  per reading: what makes channels comparable
-  SpikeTrack(const SensorArray& array, std::vector<double> weights);
+  SpikeTrack(const SignalLayout& layout, std::vector<double> weights);
 
   /// O(readings). @param readings  NaN: missing
   void add(std::span<const double> readings);

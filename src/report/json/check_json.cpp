@@ -1,5 +1,9 @@
 #include "tactile_net/report/json/check_json.hpp"
 
+#include <optional>
+#include <utility>
+#include <variant>
+
 #include "report/json/document.hpp"
 #include "report/json/finding_json.hpp"
 #include "report/json/scene_json.hpp"
@@ -26,6 +30,9 @@ Json peak_json(const lab::ReadingsCheck& check) {
           {"force", check.peak->force}};
 }
 
+Json units_of(const Scene& scene) { return units_json(*scene.units); }
+Json units_of(const SkinScene& scene) { return skin_units_json(*scene.units); }
+
 }  // namespace
 
 std::string check_json(const lab::ReadingsCheck& check, const std::string& readings) {
@@ -36,8 +43,13 @@ std::string check_json(const lab::ReadingsCheck& check, const std::string& readi
                         {"largest", channel.largest},
                         {"noise", number_or_null(channel.noise)},
                         {"noise_stated", number_or_null(channel.stated)}});
+  const auto [file, units] = std::visit(
+      [](const auto& scene) {
+        return std::pair(scene.file, scene.units ? std::optional(units_of(scene)) : std::nullopt);
+      },
+      check.scene);
   Json json = document(kind::check);
-  json.update(Json{{"scene", check.scene.file},
+  json.update(Json{{"scene", file},
                    {"readings", readings},
                    {"frames", check.frames},
                    {"missing", check.missing},
@@ -51,7 +63,7 @@ std::string check_json(const lab::ReadingsCheck& check, const std::string& readi
                      {"solved", check.solved}}},
                    {"residual", number_or_null(check.residual)},
                    {"findings", findings_json(check.findings, check.scene)}});
-  if (check.scene.units) json["units"] = units_json(*check.scene.units);
+  if (units) json["units"] = *units;
   return text_of(json, 2);
 }
 

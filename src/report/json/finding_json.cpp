@@ -62,7 +62,7 @@ Json numbers(const finding::DepthBeyondArray& f) {
 }
 Json numbers(const finding::PitchCoarse& f) { return {{"pitch", f.pitch}, {"depth", f.depth}}; }
 
-Json finding_json(const lab::Finding& one, const Scene& scene) {
+Json finding_json(const lab::Finding& one, const AnyScene& scene) {
   Json json = {
       {"kind", lab::name(one)}, {"text", in_words(one, scene)}, {"advice", advice(one, scene)}};
   json.update(std::visit([](const auto& found) { return numbers(found); }, one));
@@ -71,7 +71,7 @@ Json finding_json(const lab::Finding& one, const Scene& scene) {
 
 }  // namespace
 
-Json findings_json(const lab::Findings& findings, const Scene& scene) {
+Json findings_json(const lab::Findings& findings, const AnyScene& scene) {
   Json list = Json::array();
   for (const lab::Finding& one : findings) list.push_back(finding_json(one, scene));
   return list;

@@ -4,11 +4,11 @@
 
 #include "report/json/values.hpp"
 #include "tactile_net/lab/finding.hpp"
-#include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::report {
 
 /// Of each its kind, the sentence, the advice, and its numbers.
-[[nodiscard]] Json findings_json(const lab::Findings& findings, const Scene& scene);
+[[nodiscard]] Json findings_json(const lab::Findings& findings, const AnyScene& scene);
 
 }  // namespace tactile_net::report

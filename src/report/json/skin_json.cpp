@@ -10,15 +10,12 @@
 #include "tactile_net/scene/scene_effects.hpp"
 
 namespace tactile_net::report {
-namespace {
 
 Json skin_units_json(const Units& units) {
   Json json = units_json(units);
   json["force"] = si_unit(Dimension::point_force);
   return json;
 }
-
-}  // namespace
 
 Json scene_json(const DocumentKind& kind, const SkinScene& scene) {
   Json json = document(kind);

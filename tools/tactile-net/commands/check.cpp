@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <ostream>
+#include <variant>
 #include <vector>
 
 #include "commands/input.hpp"
@@ -18,9 +19,9 @@
 namespace tactile_net::tool {
 namespace {
 
-lab::ReadingsCheck check_of(const CheckOptions& options, const Streams& streams) {
-  check_one_standard_input(options.scene, options.readings);
-  const Scene scene = read_scene(options.scene, streams.in);
+/// @param scene  of a line or a skin
+lab::ReadingsCheck check_of(const auto& scene, const CheckOptions& options,
+                            const Streams& streams) {
   frames::ReadingsFile file(options.readings, scene, &streams.in,
                             {.columns = options.columns, .accept_missing = true});
   frames::FrameSource& source = file.source();
@@ -41,7 +42,10 @@ lab::ReadingsCheck check_of(const CheckOptions& options, const Streams& streams)
 
 void run(const CheckOptions& options, const Streams& streams) {
   const auto json = output_if(options.json, streams);
-  const lab::ReadingsCheck check = check_of(options, streams);
+  check_one_standard_input(options.scene, options.readings);
+  const lab::ReadingsCheck check =
+      std::visit([&](const auto& scene) { return check_of(scene, options, streams); },
+                 read_any_scene(options.scene, streams.in));
   if (options.json != "-") {
     PrintableStream out(streams.out);
     out << options.scene << ", " << options.readings << ": ";

@@ -1,5 +1,6 @@
 /// @file
-/// What is suspicious about a recording, and what to do about it, in plain words.
+/// What is suspicious about a recording, and what to do about it, in plain
+/// words.
 #pragma once
 
 #include <iosfwd>
@@ -10,14 +11,16 @@
 
 namespace tactile_net::report {
 
-/// "taxel 7 reads zero in every frame": what was seen, with its numbers; no full stop.
-[[nodiscard]] std::string in_words(const lab::Finding& finding, const Scene& scene);
+/// "taxel 7 reads zero in every frame": what was seen, with its numbers; no
+/// full stop.
+[[nodiscard]] std::string in_words(const lab::Finding& finding, const AnyScene& scene);
 
 /// What to write in the scene, or to do: "[dead_taxels] indices = [7]".
-[[nodiscard]] std::string advice(const lab::Finding& finding, const Scene& scene);
+[[nodiscard]] std::string advice(const lab::Finding& finding, const AnyScene& scene);
 
-/// What was understood, a fact each: frames and their times, the range of each quantity and its
-/// noise, what the largest reading means, and what could not be judged.
+/// What was understood, a fact each: frames and their times, the range of each
+/// quantity and its noise, what the largest reading means, and what could not
+/// be judged.
 [[nodiscard]] std::vector<std::string> understood_in_words(const lab::ReadingsCheck& check);
 
 /// All of it: what was understood, then the suspicions, each with its advice.

@@ -1,0 +1,176 @@
+// Recordings of a skin, clean and with one defect planted: what the check finds, and what not.
+#include <cmath>
+#include <functional>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tactile_net/lab/readings_check.hpp"
+#include "tactile_net/lab/skin_simulation.hpp"
+#include "tactile_net/report/words/check_words.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+namespace finding = lab::finding;
+
+namespace {
+
+constexpr std::size_t columns = 6;
+constexpr double noise = 30.0;  // Pa, of readings up to some 10 kPa
+
+/// A silicone pad of 7 x 6 taxels in SI, pressed twice between idle times, or all the time.
+std::string pad(const std::string& reads, bool held) {
+  return "[sensor]\nrows = 7\ncolumns = 6\npitch = 1e-3\ndepth = 1.5e-3\nreads = [" + reads +
+         "]\n[material]\nyoungs_modulus = 0.2e6\npoisson_ratio = 0.45\n[noise]\nrms = 30.0\n"
+         "[time]\nrate = 100.0\nframes = 300\n[[contact]]\nshape = \"sphere\"\n"
+         "place = [0.4e-3, -0.3e-3]\nradius = 2e-3\n" +
+         (reads.size() > 12 ? "friction = 0.2\n" : "") +
+         (held ? "force = 0.3\n"
+               : "trajectory = [{ t = 0.5, force = 1e-6 }, { t = 0.8, force = 0.4 }, "
+                 "{ t = 1.2, force = 0.4 }, { t = 1.5, force = 1e-6 }, { t = 1.9, force = 1e-6 }, "
+                 "{ t = 2.1, force = 0.3 }, { t = 2.3, force = 1e-6 }]\n");
+}
+const std::string three = "\"stress_x\", \"shear_xy\", \"shear_xz\"";
+
+struct Recording {
+  SkinScene scene{};
+  std::vector<std::vector<double>> frames{};
+};
+
+Recording record(const std::string& toml) {
+  Recording recording{std::get<SkinScene>(parse_any_scene(toml, "skin.toml"))};
+  lab::SkinRecording sensor(recording.scene);
+  while (sensor.next())
+    recording.frames.emplace_back(sensor.readings().begin(), sensor.readings().end());
+  recording.scene.contacts.clear();
+  recording.scene.trajectories.clear();
+  recording.scene.time.reset();
+  return recording;
+}
+
+lab::ReadingsCheck check(const Recording& recording) {
+  lab::ReadingsChecker checker(recording.scene);
+  double time = 0.0;
+  for (const std::vector<double>& frame : recording.frames) checker.add(time += 0.01, frame);
+  return checker.result();
+}
+
+std::set<std::string> kinds(const lab::ReadingsCheck& check) {
+  std::set<std::string> names;
+  for (const lab::Finding& one : check.findings) names.emplace(lab::name(one));
+  return names;
+}
+
+using Names = std::set<std::string>;
+constexpr std::size_t middle = 3 * columns + 2;  // row 3, column 2
+
+struct Defect {
+  std::string name;
+  std::function<void(std::vector<double>& frame, std::size_t number, double white)> plant;
+  std::string expected;
+};
+
+const std::vector<Defect> defects{
+    {"kPa for Pa",
+     [](auto& f, auto, double) {
+       for (double& g : f) g *= 1e-3;
+     },
+     "scale_by_1000"},
+    {"sign",
+     [](auto& f, auto, double) {
+       for (double& g : f) g *= -1.0;
+     },
+     "whole_pad_pulled"},
+    {"dead", [](auto& f, auto, double) { f[middle] = 0.0; }, "dead_taxels"},
+    {"cut wire, noise and no signal", [](auto& f, auto, double white) { f[middle] = white; },
+     "dead_taxels"},
+    {"stuck from a frame on",
+     [](auto& f, auto k, double) {
+       if (k > 100) f[middle] = 777.0;
+     },
+     "stuck_taxels"},
+    {"noisy", [](auto& f, auto, double white) { f[middle] += 8.0 * white; }, "noisy_taxels"},
+    {"a spike",
+     [](auto& f, auto k, double) {
+       if (k == 40) f[middle] += 3000.0;
+     },
+     "single_frame_spikes"},
+    {"a baseline",
+     [](auto& f, auto, double) {
+       for (std::size_t i = 0; i < f.size(); ++i) f[i] += i % 2 == 0 ? 400.0 : -250.0;
+     },
+     "baseline"},
+    {"a drift",
+     [](auto& f, auto k, double) {
+       for (double& g : f) g += 2.0 * static_cast<double>(k);
+     },
+     "drift"},
+    {"more noise than stated",
+     [](auto& f, auto k, double) {
+       std::mt19937 random(static_cast<unsigned>(k));
+       std::normal_distribution<double> white(0.0, 4.0 * noise);
+       for (double& g : f) g += white(random);
+     },
+     "noise_differs"},
+    {"cut off",
+     [](auto& f, auto, double) {
+       for (double& g : f) g = std::min(g, 3000.0);
+     },
+     "saturated_taxels"}};
+
+}  // namespace
+
+TEST_CASE("nothing is suspicious about clean recordings of a skin", "[lab][check][skin]") {
+  const std::string reads = GENERATE(std::string("\"stress_x\""), three);
+  const bool held = GENERATE(false, true);
+  CAPTURE(reads, held);
+  const lab::ReadingsCheck result = check(record(pad(reads, held)));
+  CHECK(kinds(result) == Names{});
+  CHECK(result.frames == 300);
+  REQUIRE(result.channels[0].noise);
+  CHECK_THAT(*result.channels[0].noise / noise, WithinAbs(1.0, 0.15));
+  // Of p alone the tractions may use up every reading.
+  REQUIRE((result.residual || reads != three));
+  if (result.residual) {
+    CHECK(*result.residual > 0.2);
+    CHECK(*result.residual < 5.0);
+  }
+  REQUIRE(result.peak);
+  if (!held) CHECK_THAT(result.peak->force, WithinRel(0.4, 0.2));
+}
+
+TEST_CASE("each defect planted in a skin's recording is found", "[lab][check][skin]") {
+  const std::string reads = GENERATE(std::string("\"stress_x\""), three);
+  const Recording clean = record(pad(reads, false));
+  for (const Defect& defect : defects) {
+    Recording recording = clean;
+    std::mt19937 random(7);
+    std::normal_distribution<double> white(0.0, noise);
+    for (std::size_t k = 0; k < recording.frames.size(); ++k)
+      defect.plant(recording.frames[k], k, white(random));
+    const lab::ReadingsCheck result = check(recording);
+    CAPTURE(reads, defect.name, kinds(result));
+    CHECK(kinds(result).count(defect.expected) == 1);
+    CHECK(kinds(result).size() <= 3);
+  }
+}
+
+TEST_CASE("a skin's suspicions name rows and columns, and what its file needs",
+          "[lab][check][skin]") {
+  Recording recording = record(pad(three, false));
+  for (auto& frame : recording.frames) frame[middle] = 0.0;
+  const lab::ReadingsCheck result = check(recording);
+  REQUIRE(result.findings.size() == 1);
+  const AnyScene scene = recording.scene;
+  CHECK_THAT(report::in_words(result.findings[0], scene), ContainsSubstring("taxel 3_2 feels"));
+  const std::string advice = report::advice(result.findings[0], scene);
+  REQUIRE_THAT(advice, ContainsSubstring("under [dead_taxels], indices = [\"3_2\"]"));
+  // Which is what the scene takes, and then nothing is suspicious.
+  const AnyScene said =
+      parse_any_scene(pad(three, false) + "[dead_taxels]\nindices = [\"3_2\"]\n", "skin.toml");
+  recording.scene.dead_taxels = std::get<SkinScene>(said).dead_taxels;
+  CHECK(kinds(check(recording)) == Names{});
+  CHECK_THAT(report::advice(finding::WholePadPulled{}, scene),
+             ContainsSubstring("turn the sign of the file's numbers"));
+}
