@@ -61,32 +61,38 @@ class OtherValues {
                         problem.residual(state, readings, p, j));
     }
     as_it_is_ = squares(readings, p, false);
-    own_force_ = squares(readings, p, true);
   }
 
   [[nodiscard]] double as_it_is() const noexcept { return as_it_is_; }
 
   [[nodiscard]] double least(PressQuantity quantity) const {
-    if (quantity == PressQuantity::force) return own_force_;
     const PressState& at = state_.presses[p_];
-    std::vector<PressState> tried;
     const std::vector<Site>& sites = problem_.model().sites();
     const double half = 0.5 * std::abs(sites.back().y - sites.front().y);
+    // A width that nobody stated has bent to what is wrong: others are tried beside it.
+    std::vector<double> widths{at.log_half_width};
+    if (problem_.press_rows[p_].column[2] != no_column && quantity != PressQuantity::half_width)
+      for (const double share : {0.4, 0.8, 1.6})
+        widths.push_back(std::log(share * problem_.model().depth()) + state_.pad.log_depth);
+    std::vector<PressState> tried;
     constexpr int steps = 60;
-    for (int i = -steps; i <= steps; ++i) {
-      const double share = static_cast<double>(i) / steps;
-      PressState one = at;
-      if (quantity == PressQuantity::position)
-        one.center = 0.5 * (sites.front().y + sites.back().y) + share * half;
-      if (quantity == PressQuantity::half_width) one.log_half_width += 2.0 * share;
-      if (quantity == PressQuantity::friction) one.friction = share;
-      tried.push_back(one);
-    }
+    const int count = quantity == PressQuantity::force ? 0 : steps;
+    for (const double log_half_width : widths)
+      for (int i = -count; i <= count; ++i) {
+        const double share = static_cast<double>(i) / steps;
+        PressState one = at;
+        one.log_half_width = log_half_width;
+        if (quantity == PressQuantity::position)
+          one.center = 0.5 * (sites.front().y + sites.back().y) + share * half;
+        if (quantity == PressQuantity::half_width) one.log_half_width += 2.0 * share;
+        if (quantity == PressQuantity::friction) one.friction = share;
+        tried.push_back(one);
+      }
     const PressReadings readings =
         problem_.model().readings(state_.pad, tried, false, problem_.options().at_base);
     double least = as_it_is_;
     for (std::size_t k = 0; k < tried.size(); ++k)
-      least = std::min(least, squares(readings, k, false));
+      least = std::min(least, squares(readings, k, quantity == PressQuantity::force));
     return least;
   }
 
@@ -109,7 +115,7 @@ class OtherValues {
   std::size_t p_;
   std::vector<std::size_t> used_{};
   std::vector<double> slope_{}, target_{};
-  double as_it_is_ = 0.0, own_force_ = 0.0;
+  double as_it_is_ = 0.0;
 };
 
 class Doubts {
@@ -186,7 +192,7 @@ class Doubts {
       ++reached;
       weight += problem_.weights[p * n + j];
     }
-    return reached >= 3 && weight < light * static_cast<double>(reached);
+    return reached >= 2 && weight < light * static_cast<double>(reached);
   }
 
   void presses() {

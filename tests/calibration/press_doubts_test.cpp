@@ -159,7 +159,7 @@ TEST_CASE(
   CHECK_FALSE(quiet.time_trend.is_significant());
   for (std::size_t p = 0; p < made.log.presses.size(); ++p)
     for (std::size_t j = 0; j < made.gains.size(); ++j)
-      scale(made, made.log.presses[p], j, 1.0 + 0.01 * static_cast<double>(p));
+      scale(made, made.log.presses[p], j, 1.0 + 0.02 * static_cast<double>(p));
   const PressFit fit = fit_presses(made.model(), made.log);
   CAPTURE(fit.time_trend.correlation, fit.time_trend.p);
   CHECK(fit.time_trend.is_significant());
