@@ -7,9 +7,9 @@
 /// and Meurant, Matrices, Moments and Quadrature, 2010). Traces are means over probes of random
 /// signs (Hutchinson 1990), always the same: equal input, equal bytes.
 ///
-/// The frame's sums are exact to 1e-3; a trace has the deviation of its probes. Against all
-/// singular values alpha differs by a few percent (docs/internals/skin.md), which moves tractions
-/// by less than their bands.
+/// A run ends where the frame's fit stands still to 1e-3 for eight decades of alpha; a trace has
+/// the deviation of its probes. The tests hold alpha to 15 % of that of all singular values, and
+/// the tractions to 3 %.
 #pragma once
 
 #include <cstddef>
