@@ -281,18 +281,22 @@ Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& optio
   const SceneFrame frame(problem, experiment.frame.readings);
   const Run run{options, frame.problem(), frame, experiment};
   const remark::Clipped clipped = clipped_in(problem, experiment.frame.readings);
-  const SceneFrame rest = clipped.left_out ? without(frame, clipped.taxels) : frame;
-  const Run of_rest{options, rest.problem(), rest, experiment};
+  // What a frame has computed stays with it: a copy is made where taxels are left out alone.
+  std::optional<Run> of_rest;
+  if (clipped.left_out) {
+    const SceneFrame rest = without(frame, clipped.taxels);
+    of_rest.emplace(Run{options, rest.problem(), rest, experiment});
+  }
   if (experiment.work.does(Computation::rule_comparison)) {
     observer.step({Step::Kind::rules});
     experiment.sweep = run.frame.sweep();
   }
   for (const Method method : scene.reconstruct.methods) {
     observer.step({.kind = Step::Kind::method, .method = method});
-    experiment.results.push_back(traits(method).has_bands ? reconstruct(method, of_rest)
-                                 : traits(method).solves_frames
-                                     ? reconstruct(method, run)
-                                     : by_network(simulator, run, observer));
+    experiment.results.push_back(
+        traits(method).has_bands       ? reconstruct(method, of_rest ? *of_rest : run)
+        : traits(method).solves_frames ? reconstruct(method, run)
+                                       : by_network(simulator, run, observer));
     note_clipped(experiment.results.back(), clipped);
   }
   if (experiment.work.does(Computation::time_course))

@@ -8,7 +8,6 @@
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
-#include "tactile_net/sensing/resultant.hpp"
 #include "tactile_net/sweep/row.hpp"
 #include "tactile_net/system/printable.hpp"
 

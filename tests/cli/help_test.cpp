@@ -79,9 +79,11 @@ TEST_CASE("an option that there is not is named, with the one that was meant", "
 }
 
 TEST_CASE("a value that there is not is told with those that there are", "[cli]") {
-  refused({"gen", "S", "--realization", "crosbar"},
-          "--realization: 'crosbar' is none of ideal, nic, rail, crossbar, least_squares, lc, ndr; "
-          "did you mean 'crossbar'?");
+  refused(
+      {"gen", "S", "--realization", "crosbar"},
+      "--realization: 'crosbar' is none of ideal, nic, rail, crossbar, least_squares, lattice, lc, "
+      "ndr; "
+      "did you mean 'crossbar'?");
   refused({"plan", "S", "--precision", "float16"}, "'float16' is none of float64, float32");
   refused({"run", "S", "--frame", "-1"}, "'-1' is no whole number");
   refused({"relax", "S", "--tolerance", "1,5"}, "'1,5' is no number");
@@ -277,7 +279,7 @@ TEST_CASE("zsh understands its script", "[cli]") {
   CHECK(result.errors.empty());
   CHECK_THAT(result.output,
              ContainsSubstring("(--realization)--realization=[How to build the circuit") &&
-                 ContainsSubstring(":(ideal nic rail crossbar least_squares lc ndr)") &&
+                 ContainsSubstring(":(ideal nic rail crossbar least_squares lattice lc ndr)") &&
                  ContainsSubstring("1:SCENE:_files -g \"*.(toml)(-.)\"") &&
                  ContainsSubstring("(--out)--out=[Folder") &&
                  ContainsSubstring(":FOLDER:_files -/"));

@@ -94,7 +94,7 @@ constexpr TheoremCondition needs_with_inverters[] = {TheoremCondition::complemen
 
 constexpr std::string_view statement =
     "Op-amps of equal bandwidth with complementary outputs: stable for any second pole, or for any "
-    "capacitance at the residuals' nodes; it does not ring.";
+    "capacitance at the residuals' nodes.";
 
 }  // namespace
 

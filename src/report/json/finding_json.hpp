@@ -3,8 +3,7 @@
 #pragma once
 
 #include "report/json/values.hpp"
-#include "tactile_net/lab/finding.hpp"
-#include "tactile_net/scene/reader.hpp"
+#include "tactile_net/lab/readings_check.hpp"
 
 namespace tactile_net::report {
 
