@@ -52,8 +52,10 @@ Recommendation recommend(const SceneCircuit& circuit) {
     result.candidates.push_back(built ? tried(own, result.drawn)
                                       : tried(candidate(one, circuit), result.drawn));
   }
-  std::stable_sort(result.candidates.begin(), result.candidates.end(),
-                   [](const auto& a, const auto& b) { return a.opamps < b.opamps; });
+  std::stable_sort(
+      result.candidates.begin(), result.candidates.end(), [](const auto& a, const auto& b) {
+        return a.opamps != b.opamps ? a.opamps < b.opamps : a.tolerance.p95 < b.tolerance.p95;
+      });
   choose(result);
   return result;
 }

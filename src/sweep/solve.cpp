@@ -26,7 +26,7 @@ std::string without_paths(std::string_view text) {
   text = text.substr(0, text.find("\n  deck and log: "));
   std::vector<std::string> words;
   for (const std::string_view word : split(text, ' '))
-    if (word.find('/') == word.npos) words.emplace_back(word);
+    if (word.find('/') == std::string_view::npos) words.emplace_back(word);
   return join(words, " ");
 }
 

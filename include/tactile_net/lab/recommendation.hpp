@@ -26,7 +26,7 @@ struct Recommendation {
   };
   Outcome outcome = Outcome::no_load;
   std::optional<std::size_t> choice{};  ///< index into `candidates`; absent: no load
-  std::vector<Candidate> candidates{};  ///< the fewest op-amps first
+  std::vector<Candidate> candidates{};  ///< the fewest op-amps first, of those the surest
   ToleranceOptions drawn{};             ///< what was drawn, and the accuracy that counts
   bool inverters_replaced = false;      ///< by complementary outputs, where the scene has inverters
   /// none_reaches: relative errors of parts with which `choice` would reach it, to first order;

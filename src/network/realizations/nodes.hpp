@@ -108,7 +108,7 @@ inline void add_signed(Circuit& circuit, std::string name, const Signed& from, N
 inline std::string add_models(Circuit& circuit, Realization realization,
                               const RealizationOptions& options) {
   const Outputs outputs = options.inverters ? Outputs::single : Outputs::complementary;
-  const std::string others = options.inverters ? "opamp" : "amplifier";
+  std::string others = options.inverters ? "opamp" : "amplifier";
   circuit.amplifiers.push_back({others, options.opamp, outputs});
   const double ratio = options.main_bandwidth(realization);
   if (ratio == 1.0 || !options.opamp.bandwidth) return others;
