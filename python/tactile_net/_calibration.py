@@ -79,7 +79,7 @@ class Calibration(PagedDocument):
     notes: tuple[str, ...]
     """What is odd about the log and not wrong."""
 
-    def __init__(self, scene: Scene, log: str, options: tuple[Any, ...], progress: Progress = False) -> None:
+    def __init__(self, scene: Scene, log: str, options: tuple[bool, int, str | None, list[str]], progress: Progress = False) -> None:
         self.scene = scene
         self._log, self._options = log, options
         core = self._calibrate(progress)

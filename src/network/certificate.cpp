@@ -229,9 +229,11 @@ void add_equations(Certificate& c, const NetworkCircuit& circuit) {
   c.power = load.power;
   if (c.theorem.holds()) c.tolerance_margin = margin_of(reduction, equations);
   const bool one_pole = !options.opamp.second_pole && !options.opamp.input_capacitance;
-  c.margin_for_any_bandwidth =
-      c.tolerance_margin &&
-      (!has_amplifiers(c.realization) || (one_pole && !circuit.flat().had_subcircuits()));
+  const bool exact = c.tolerance_margin && (!has_amplifiers(c.realization) ||
+                                            (one_pole && !circuit.flat().had_subcircuits()));
+  const bool floating = traits(c.realization).passive_residuals;
+  c.margin_for_any_bandwidth = exact && !floating;
+  c.margin_for_one_bandwidth = exact && floating && !options.node_capacitance;
   add_opamp_remarks(c, circuit, equations);
   add_scale_remarks(c, options.scale);
 }

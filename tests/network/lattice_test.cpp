@@ -86,6 +86,8 @@ TEST_CASE("a lattice settles as it was designed to, and does not ring", "[lattic
       certify(Realization::lattice, array_network(21, 1e-5).problem, {.opamp = one_pole});
   CHECK_THAT(fine.dynamics.value().settling_seconds.value(), WithinRel(70.5e-6, 0.02));
   CHECK(coarse.tolerance_margin.value() > 0.01);
+  CHECK_FALSE(coarse.margin_for_any_bandwidth);
+  CHECK(coarse.margin_for_one_bandwidth);
 }
 
 TEST_CASE("a lattice of parts within 1 % is nearer than other circuits", "[lattice]") {

@@ -26,7 +26,7 @@ Read the tables so:
 - *slowest pole*, *settles*: with op-amps of gain 1e6 and a gain-bandwidth product of 10 MHz (10 pF at the nodes where there are
   no op-amps); to 1e-3 of the end, from rest. First what the linear state space says, then ngspice's transient.
 - *proven margin*: every error of resistors up to this leaves the network stable; whatever the bandwidths for `ideal` and for complementary
-  outputs, otherwise as long as converters and inverters are fast against the network.
+  outputs (of `lattice` as long as its op-amps share one), otherwise as long as converters and inverters are fast against the network.
 - *median error, 1 % parts*, *stable builds*: over 1000 draws of every resistor, dividers included, by linear algebra.
 
 ## Which one
@@ -238,7 +238,7 @@ circle through 0 and its value at p = 0, so |Im h|^2 <= Re h (h(0) - Re h), whic
 stable. Q.E.D.
 
 Resistors' errors do not harm the proof's symmetry: one resistor carries both directions' currents. So the *proven margin* needs sym S alone
-(rows of residuals over c), whatever the errors; it covers the voltage that an amplifier's two inputs have in common too.
+(rows of residuals over c), whatever the errors, for one bandwidth; it covers the voltage that an amplifier's two inputs have in common too.
 
 Not covered: capacitance C at the amplifiers' inputs. Measured with the same C there and at the residuals: stable while W C/D stays below
 1.9 (one pole), 0.9 (second pole at twice the bandwidth), 0.46 (at the bandwidth), D the least conductance at an input or a residual.

@@ -125,7 +125,8 @@ struct Certificate {
   /// The equations are the circuit's own, so the margin holds for any bandwidths; false where
   /// converters or inverters are taken for fast.
   bool margin_for_any_bandwidth = false;
-  std::optional<Dynamics> dynamics{};  ///< absent: op-amps without bandwidth, or too many states
+  bool margin_for_one_bandwidth = false;  ///< the same, as long as the op-amps share it
+  std::optional<Dynamics> dynamics{};     ///< absent: op-amps without bandwidth, or too many states
   std::optional<CircuitNoise>
       noise{};             ///< absent: none is asked for, or the circuit does not settle
   double accuracy = 1e-3;  ///< that settling is measured to

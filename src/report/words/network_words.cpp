@@ -194,7 +194,9 @@ std::vector<std::string> in_words(const Certificate& c) {
   if (c.tolerance_margin)
     lines.push_back("stable for every error of components up to " + percent(*c.tolerance_margin) +
                     (c.margin_for_any_bandwidth ? ", whatever the bandwidths"
-                                                : ", if the op-amps are fast against the network"));
+                     : c.margin_for_one_bandwidth
+                         ? ", for op-amps of one bandwidth"
+                         : ", if the op-amps are fast against the network"));
   std::string parts = elements_in_words(c.elements);
   if (c.greatest_ohm > 0.0)
     parts += "; resistors from " + brief(c.least_ohm) + " to " + brief(c.greatest_ohm) + " ohm";
