@@ -98,7 +98,9 @@ class OtherValues {
 
  private:
   [[nodiscard]] double squares(const PressReadings& readings, std::size_t k, bool any_force) const {
-    double own = 0.0, both = 0.0, all = 0.0;
+    double own = 0.0;
+    double both = 0.0;
+    double all = 0.0;
     for (std::size_t i = 0; i < used_.size(); ++i) {
       const double value = slope_[i] * readings.value(k, used_[i]);
       own += value * value;
@@ -217,9 +219,13 @@ class Doubts {
   /// Spearman's correlation with the order, whose t = r sqrt((n - 2) / (1 - r^2)) is Student's.
   void trend() {
     const std::size_t n = state_.presses.size();
-    std::vector<double> sizes, factors, constants;
+    std::vector<double> sizes;
+    std::vector<double> factors;
+    std::vector<double> constants;
     for (std::size_t p = 0; p < n; ++p) {
-      double both = 0.0, own = 0.0, sum = 0.0;
+      double both = 0.0;
+      double own = 0.0;
+      double sum = 0.0;
       for (std::size_t j = 0; j < problem_.model().sites().size(); ++j) {
         if (!problem_.used(j)) continue;
         const double above =

@@ -12,8 +12,7 @@ namespace tactile_net {
 /// The share `at` of the values lies below, 0 to 1; 0 without values. Takes its copy apart.
 [[nodiscard]] inline double quantile(std::vector<double> values, double at) {
   if (values.empty()) return 0.0;
-  const auto place = values.begin() +
-                     static_cast<std::ptrdiff_t>(at * static_cast<double>(values.size() - 1) + 0.5);
+  const auto place = values.begin() + std::lround(at * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), place, values.end());
   return *place;
 }
