@@ -147,7 +147,7 @@ TEST_CASE("workers that are killed cost nothing but time", "[sweep]") {
   Watcher watcher;
   std::size_t killed = 0;
   watcher.each = [&] {
-    if (watcher.asked % 4 == 3 && killed < 6) {
+    if (watcher.asked % 4 == 3 && killed < 2) {  // a point that three die of is given up
       const std::vector<pid_t> workers = children();
       REQUIRE_FALSE(workers.empty());
       ::kill(workers[killed++ % workers.size()], SIGKILL);
@@ -156,8 +156,8 @@ TEST_CASE("workers that are killed cost nothing but time", "[sweep]") {
   };
   const sweep::Progress progress = sweep::sweep(study, folder / "out", {.jobs = 2}, watcher);
   CHECK(progress.complete());
-  CHECK(killed >= 3);                    // a quick machine is asked less often
-  CHECK(progress.deaths + 1 >= killed);  // the last may come when all is done
+  CHECK(killed == 2);
+  CHECK(progress.deaths >= 1);  // the last may come when all is done
   CHECK(merged(folder / "out").csv == by_hand(study));
 }
 
