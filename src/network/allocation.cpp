@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "numeric/finite.hpp"
-
 namespace tactile_net {
 namespace {
 

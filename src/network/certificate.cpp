@@ -134,8 +134,7 @@ Dynamics dynamics_of(const StateSpace& system, double accuracy) {
 }
 
 /// Where an output has neither capacitance nor a pole its white noise has no size: no number then.
-std::optional<CircuitNoise> noise_of(const NetworkCircuit& circuit,
-                                     std::span<const double> answer) {
+std::optional<CircuitNoise> noise_of(const NetworkCircuit& circuit) {
   if (!circuit.options().opamp.noise_voltage) return std::nullopt;
   OutputNoise noise;
   try {
@@ -143,11 +142,12 @@ std::optional<CircuitNoise> noise_of(const NetworkCircuit& circuit,
   } catch (const std::domain_error&) {
     return std::nullopt;
   }
+  const std::vector<double> answer = steady_state(circuit.state_space());
   const Eigen::VectorXd thermal = as_eigen(noise.thermal).diagonal();
   const Eigen::VectorXd all = thermal + as_eigen(noise.amplifiers).diagonal();
   return CircuitNoise{.largest = std::sqrt(all.maxCoeff()),
                       .total = std::sqrt(all.sum()),
-                      .relative = std::sqrt(all.sum()) / as_eigen(answer).norm(),
+                      .relative = std::sqrt(all.sum()) / as_eigen(std::span(answer)).norm(),
                       .thermal = thermal.sum() / all.sum()};
 }
 
@@ -245,7 +245,7 @@ void add_stability(Certificate& c, const NetworkCircuit& circuit, bool definite)
   if (states > 0 && states <= most_states) {
     c.dynamics = dynamics_of(circuit.state_space(), c.accuracy);
     c.stability = c.dynamics->slowest < 0.0 ? Stability::stable : Stability::unstable;
-    if (c.dynamics->slowest < 0.0) c.noise = noise_of(circuit, steady_state(circuit.state_space()));
+    if (c.dynamics->slowest < 0.0) c.noise = noise_of(circuit);
   } else {
     if (states > 0) c.remarks.push_back({.kind = CircuitRemark::Kind::too_many_states});
     c.stability = c.theorem.holds() ? Stability::stable : Stability::not_modelled;
