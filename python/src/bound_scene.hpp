@@ -6,14 +6,18 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "read_frames.hpp"
+#include "simulated_frames.hpp"
 
 namespace tactile_net::python {
 
@@ -27,6 +31,34 @@ Array normal_matrix_of(Any& self, double alpha) {
     matrix = normal_matrix(locked.problem.problem(), alpha);
   }
   return as_array(std::move(matrix));
+}
+
+/// t, readings, the true tractions of every frame, and what the effects have to say.
+template <class Any>
+std::tuple<Array, Array, Array, std::vector<std::string>> simulate(const Any& self,
+                                                                   const nb::object& progress) {
+  SimulatedFrames all;
+  Watcher watcher(progress);
+  {
+    const nb::gil_scoped_release released;
+    all = simulated_frames(self.scene(), watcher);
+  }
+  const std::size_t frames = all.count();
+  const std::size_t width = all.truth.size() / std::max<std::size_t>(frames, 1);
+  return {owned(std::move(all.t)),
+          owned(std::move(all.readings), {frames, reading_count(self.scene().sensor)}),
+          owned(std::move(all.truth), {frames, width}), std::move(all.notes)};
+}
+
+/// K: neither weighted by the noise nor with dead taxels left out.
+template <class Any>
+Array kernel_matrix(const Any& self) {
+  Matrix kernel;
+  {
+    const nb::gil_scoped_release released;
+    kernel = plain_kernel(self.scene());
+  }
+  return as_array(std::move(kernel));
 }
 
 /// @tparam Any  `SharedScene` or `SharedSkin`
@@ -55,6 +87,8 @@ void bind_what_scenes_share(nb::class_<Any>& scene) {
       .def("read", &read<Any>, nb::arg("path"), nb::arg("columns"), nb::arg("accept_missing"))
       .def("take", &take<Any>, nb::arg("npy"))
       .def("raw_numbers", &raw<Any>, nb::arg("readings").noconvert())
+      .def("simulate", &simulate<Any>, nb::arg("progress").none())
+      .def("kernel_matrix", &kernel_matrix<Any>)
       .def("normal_matrix", &normal_matrix_of<Any>, nb::arg("alpha"));
 }
 

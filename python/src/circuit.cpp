@@ -1,11 +1,14 @@
 // A scene's circuit: its deck, and what can be said of it before it is built.
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
 #include <sstream>
+#include <utility>
+#include <variant>
 
 #include "arrays.hpp"
 #include "page_folder.hpp"
@@ -30,28 +33,47 @@ std::string text(const lab::Certification& self) {
   return out.str();
 }
 
-lab::Certification certify(const SharedScene& shared, const nb::object& progress) {
+template <class Any>
+lab::Certification certify(const Any& shared, const nb::object& progress) {
   Watcher watcher(progress);
   const nb::gil_scoped_release released;
   return lab::certify(shared.scene(), watcher);
 }
 
-std::string netlist(const SharedScene& shared) {
+template <class Any>
+std::string netlist(const Any& shared) {
   const nb::gil_scoped_release released;
   return report::deck_text(lab::simulated_circuit(shared.scene()), Answer::printed);
 }
 
 /// What ngspice made of a scene's circuit.
 struct ScenesRelaxation {
-  ScenePointer shared;
+  AnyScene scene;       // as it was given
+  AnyScene of_circuit;  // with the surface that the nodes stand for
   lab::Relaxation relaxation;
 };
 
-ScenesRelaxation relax(const ScenePointer& shared, const nb::object& progress) {
+template <class Any>
+ScenesRelaxation relax(const Any& shared, const nb::object& progress) {
   Watcher watcher(progress);
   const nb::gil_scoped_release released;
   const std::unique_ptr<Simulator> simulator = lab::make_simulator();
-  return {shared, lab::relax(lab::simulated_circuit(shared->scene()), *simulator, watcher)};
+  const lab::SceneCircuit circuit = lab::simulated_circuit(shared.scene());
+  return {shared.scene(), circuit.scene(), lab::relax(circuit, *simulator, watcher)};
+}
+
+/// y of the nodes' rows, and of a skin z of their columns; of a line none.
+std::pair<Array, Array> places_of(const ScenesRelaxation& self) {
+  std::vector<double> y;
+  std::vector<double> z;
+  if (const auto* line = std::get_if<Scene>(&self.of_circuit)) {
+    y = positions(surface(*line));
+  } else {
+    const SkinGrid cells = grid(std::get<SkinScene>(self.of_circuit));
+    for (std::size_t row = 0; row < cells.rows; ++row) y.push_back(cells.y(row));
+    for (std::size_t column = 0; column < cells.columns; ++column) z.push_back(cells.z(column));
+  }
+  return {owned(std::move(y)), owned(std::move(z))};
 }
 
 std::string words(const ScenesRelaxation& self) {
@@ -65,6 +87,14 @@ std::string report_of(const lab::Certification& self, const std::string& folder,
   return write_page({.path = folder, .force = force},
                     pages::certificate_html(self, {.files = {"certificate.json"}}),
                     "certificate.json", report::certificate_json(self));
+}
+
+/// The circuit of a scene of a line, or of a skin.
+template <class Any>
+void bind_scenes(nb::module_& module) {
+  module.def("relax", &relax<Any>, nb::arg("scene"), nb::arg("progress").none());
+  module.def("certify", &certify<Any>, nb::arg("scene"), nb::arg("progress").none());
+  module.def("netlist", &netlist<Any>, nb::arg("scene"));
 }
 
 }  // namespace
@@ -97,13 +127,13 @@ void bind_circuit(nb::module_& module) {
       .def("voltages", [](const ScenesRelaxation& self) { return owned(self.relaxation.voltages); })
       .def("tractions",
            [](const ScenesRelaxation& self) { return owned(self.relaxation.tractions); })
+      .def("places", &places_of)
       .def("text", &words)
       .def("json", [](const ScenesRelaxation& self) {
-        return report::relaxation_json(self.shared->scene(), self.relaxation);
+        return report::relaxation_json(self.scene, self.relaxation);
       });
-  module.def("relax", &relax, nb::arg("scene"), nb::arg("progress").none());
-  module.def("certify", &certify, nb::arg("scene"), nb::arg("progress").none());
-  module.def("netlist", &netlist, nb::arg("scene"));
+  bind_scenes<SharedScene>(module);
+  bind_scenes<SharedSkin>(module);
 }
 
 }  // namespace tactile_net::python

@@ -7,7 +7,9 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 
@@ -38,7 +40,7 @@ class Estimator {
     const FrameBuffer readings(frame.ptr(), readings_.size(), "frame");
     nb::object answer = out.is_none() ? fresh() : out;
     const FrameBuffer tractions(answer.ptr(), tractions_.size(), "out", true);
-    solve(readings.values(), tractions.values());
+    solve(in_plans_order(readings, "frame"), tractions.values());
     return answer;
   }
 
@@ -71,10 +73,11 @@ class Estimator {
 
   void set_baseline(const nb::object& frame) {
     const Turn turn(*this);
-    const FrameBuffer readings(frame.ptr(), readings_.size(), "baseline");
-    const FrameStatus status = estimator_.set_baseline(readings.values());
-    if (status != FrameStatus::ok) throw bad_frame(status, readings.values(), 0);
-    baseline_.assign(readings.values().begin(), readings.values().end());
+    const FrameBuffer buffer(frame.ptr(), readings_.size(), "baseline");
+    const std::span<const double> readings = in_plans_order(buffer, "baseline");
+    const FrameStatus status = estimator_.set_baseline(readings);
+    if (status != FrameStatus::ok) throw bad_frame(status, readings, 0);
+    baseline_.assign(readings.begin(), readings.end());
   }
 
   void set_dead(std::size_t taxel) {
@@ -131,7 +134,51 @@ class Estimator {
 
   [[nodiscard]] nb::object fresh() const {
     const EstimatorPlan& plan = plan_->plan;
-    return nb::cast(owned(std::vector<double>(tractions_.size()), {plan.unknowns, plan.values}));
+    std::vector<double> values(tractions_.size());
+    if (const auto& cells = plan.cells)
+      return nb::cast(owned(std::move(values), {plan.unknowns, cells->rows, cells->columns}));
+    return nb::cast(owned(std::move(values), {plan.unknowns, plan.values}));
+  }
+
+  /// A line's frame as it is, whatever its shape. A skin's as it is where it is flat; where it has
+  /// rows, columns and channels a copy, channel after channel.
+  [[nodiscard]] std::span<const double> in_plans_order(const FrameBuffer& frame, const char* what) {
+    const std::span<const double> values = frame.values();
+    if (!plan_->plan.cells || frame.shape().size() == 1) return values;
+    const std::size_t channels = plan_->plan.channels;
+    const std::array<std::size_t, 3> wanted = {plan_->rows, plan_->columns, channels};
+    const bool fits = plan_->is_lattice() &&
+                      std::equal(wanted.begin(), wanted.end(), frame.shape().begin(),
+                                 frame.shape().end(), [](std::size_t size, Py_ssize_t given) {
+                                   return static_cast<Py_ssize_t>(size) == given;
+                                 });
+    if (!fits) refuse_shape(frame, wanted, what);
+    ordered_.resize(values.size());
+    const std::size_t taxels = plan_->plan.count;
+    for (std::size_t channel = 0; channel < channels; ++channel)
+      for (std::size_t taxel = 0; taxel < taxels; ++taxel)
+        ordered_[channel * taxels + taxel] = values[taxel * channels + channel];
+    return ordered_;
+  }
+
+  [[noreturn]] void refuse_shape(const FrameBuffer& frame, const std::array<std::size_t, 3>& wanted,
+                                 const char* what) const {
+    const auto listed = [](const auto& sizes) {
+      std::string text;
+      for (const auto size : sizes) text += (text.empty() ? "" : ", ") + std::to_string(size);
+      return "(" + text + (sizes.size() == 1 ? ",)" : ")");
+    };
+    const std::string flat =
+        listed(std::array{readings_.size()}) + ", in the order of Skin.reading_names";
+    std::string text = std::string(what) + " must be of shape ";
+    if (plan_->is_lattice())
+      text += listed(wanted) + ", rows, columns and channels, or " + flat;
+    else
+      text += flat;
+    text += ", got " + listed(frame.shape());
+    if (!plan_->is_lattice() && plan_->plan.taxels.empty())
+      text += ": the file does not say how the taxels lie, Plan.load(path, scene=skin) does";
+    throw std::invalid_argument(text);
   }
 
   [[nodiscard]] BadFrame bad_frame_among(const Rows& frames) {
@@ -148,6 +195,7 @@ class Estimator {
   ContactEstimator estimator_;
   std::vector<double> readings_;
   std::vector<double> tractions_;
+  std::vector<double> ordered_{};  // a skin's frame, channel after channel
   ContactEstimate contact_{};
   std::vector<double> baseline_{};  // empty: the plan's
   std::vector<std::size_t> dead_{};
@@ -159,6 +207,14 @@ nb::object readings_of(const nb::object& self) {
   auto& estimator = nb::cast<Estimator&>(self);
   const EstimatorPlan& plan = estimator.plan()->plan;
   double* const values = estimator.readings().data();
+  if (estimator.plan()->is_lattice()) {
+    // Channels last, though the memory has them first.
+    const std::size_t rows = estimator.plan()->rows;
+    const std::size_t columns = estimator.plan()->columns;
+    const auto taxels = static_cast<std::int64_t>(plan.count);
+    return nb::cast(Array(values, {rows, columns, plan.channels}, self,
+                          {static_cast<std::int64_t>(columns), 1, taxels}));
+  }
   if (!plan.taxels.empty()) return nb::cast(Array(values, {plan.readings()}, self));
   return nb::cast(Array(values, {plan.channels, plan.count}, self));
 }
@@ -166,7 +222,10 @@ nb::object readings_of(const nb::object& self) {
 nb::object tractions_of(const nb::object& self) {
   auto& estimator = nb::cast<Estimator&>(self);
   const EstimatorPlan& plan = estimator.plan()->plan;
-  return nb::cast(Array(estimator.tractions().data(), {plan.unknowns, plan.values}, self));
+  double* const values = estimator.tractions().data();
+  if (const auto& cells = plan.cells)
+    return nb::cast(Array(values, {plan.unknowns, cells->rows, cells->columns}, self));
+  return nb::cast(Array(values, {plan.unknowns, plan.values}, self));
 }
 
 nb::object baseline_of(const Estimator& self) {
@@ -181,13 +240,25 @@ void bind_contact(nb::module_& module) {
   nb::class_<ContactEstimate>(
       module, "ContactEstimate",
       "What is known of one frame's contact. It stays as it is when the next frame comes.")
-      .def_ro("normal_force", &ContactEstimate::normal_force, "F_v [N/m]")
+      .def_ro("normal_force", &ContactEstimate::normal_force, "F_v [N/m], of skins [N]")
       .def_ro("tangential_force", &ContactEstimate::tangential_force,
-              "F_t [N/m]; nan where only normal tractions are solved for")
+              "F_t [N/m], of skins its size [N]; nan where only normal tractions are solved for")
+      .def_ro("tangential_y", &ContactEstimate::tangential_y, "of a skin, along y [N]; else nan")
+      .def_ro("tangential_z", &ContactEstimate::tangential_z, "of a skin, along z [N]; else nan")
       .def_ro("centre", &ContactEstimate::centre, "y of the force [m]; nan without contact")
+      .def_ro("centre_z", &ContactEstimate::centre_z, "of a skin, z of the force [m]; else nan")
+      .def_ro("torsion", &ContactEstimate::torsion,
+              "of a skin, about the normal through the centre of pressure, from y towards z [N m]; "
+              "else nan")
       .def_ro("angle", &ContactEstimate::angle, "atan2(F_t, F_v) [rad]; nan as the two above")
       .def_ro("friction_margin", &ContactEstimate::friction_margin,
-              "mu F_v - |F_t| [N/m], below 0 it slips; nan without a friction coefficient")
+              "mu F_v - |F_t| [N/m], of skins [N], below 0 it slips; nan without a friction "
+              "coefficient")
+      .def_ro("slip_margin", &ContactEstimate::slip_margin,
+              "of a skin, what drag and torsion together leave of friction, 1 at rest, below 0 it "
+              "slips or turns; nan as above")
+      .def_ro("touching", &ContactEstimate::touching,
+              "of a skin, the cells that forces are sums over; 0: all")
       .def_ro("residual_rms", &ContactEstimate::residual_rms,
               "what the tractions leave unexplained of a weighted reading; nan without diagnostics")
       .def_ro("contact", &ContactEstimate::contact, "F_v > 0: centre and angle mean something")
@@ -211,8 +282,9 @@ void bind_estimator(nb::module_& module) {
            nb::sig("def update(self, frame: numpy.typing.NDArray[numpy.float64], "
                    "out: numpy.typing.NDArray[numpy.float64] | None = None) "
                    "-> numpy.typing.NDArray[numpy.float64]"),
-           "One frame. C-contiguous float64 arrays, whatever their shape; out is filled and "
-           "returned.\n\nRaises FrameError where a reading is not finite; out is then untouched.")
+           "One frame. C-contiguous float64 arrays, of lines whatever their shape, of skins "
+           "(rows, columns, channels) or flat; out is filled and returned.\n\n"
+           "Raises FrameError where a reading is not finite; out is then untouched.")
       .def("step", &Estimator::step,
            "One frame, from the estimator's own `readings` into its own `tractions`.")
       .def("update_batch", &Estimator::update_batch, nb::arg("frames").noconvert(),

@@ -114,6 +114,8 @@ FrameBuffer::FrameBuffer(PyObject* object, std::size_t size, const char* what, b
   if (plain && numpy().known)
     if (double* const values = values_in(object, size, writable)) {
       view_.buf = values;  // nothing to release: the caller holds the array
+      const ArrayHead& head = head_of(object);
+      shape_ = {head.shape, static_cast<std::size_t>(head.dimensions)};
       return;
     }
   if (!plain && is_masked(object)) refuse(object, size, what, writable, "fill its mask first");
@@ -123,7 +125,10 @@ FrameBuffer::FrameBuffer(PyObject* object, std::size_t size, const char* what, b
                     view_.format[0] == 'd' && view_.format[1] == '\0' && view_.ndim > 0 &&
                     view_.len == static_cast<Py_ssize_t>(size * sizeof(double)) &&
                     reinterpret_cast<std::uintptr_t>(view_.buf) % alignof(double) == 0;
-  if (fits) return;
+  if (fits) {
+    shape_ = {view_.shape, static_cast<std::size_t>(view_.ndim)};
+    return;
+  }
   PyBuffer_Release(&view_);
   refuse(object, size, what, writable);
 }

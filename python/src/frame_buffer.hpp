@@ -23,10 +23,13 @@ class FrameBuffer {
   [[nodiscard]] std::span<double> values() const noexcept {
     return {static_cast<double*>(view_.buf), size_};
   }
+  /// As the caller has it; for as long as the caller holds it.
+  [[nodiscard]] std::span<const Py_ssize_t> shape() const noexcept { return shape_; }
 
  private:
   Py_buffer view_{};
   std::size_t size_;
+  std::span<const Py_ssize_t> shape_{};
 };
 
 }  // namespace tactile_net::python

@@ -13,7 +13,9 @@ NB_MODULE(_core, module) {
   bind_scene(module);
   bind_skin_solving(module);
   bind_solving(module);
+  bind_check(module);
   bind_run(module);
+  bind_skin_run(module);
   bind_survey(module);
   bind_sweep(module);
   bind_circuit(module);

@@ -2,6 +2,7 @@
 #include "plan.hpp"
 
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
@@ -10,6 +11,8 @@
 #include <array>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include "arrays.hpp"
 #include "rooms.hpp"
@@ -24,8 +27,10 @@ namespace {
 
 using PlanPointer = std::shared_ptr<const Plan>;
 
-constexpr std::array structures = {Structure::dense, Structure::low_rank, Structure::parity,
-                                   Structure::parity_low_rank, Structure::fft};
+constexpr std::array structures = {Structure::dense,       Structure::low_rank,
+                                   Structure::parity,      Structure::parity_low_rank,
+                                   Structure::reflections, Structure::reflections_low_rank,
+                                   Structure::fft};
 constexpr std::array precisions = {Precision::float64, Precision::float32};
 
 /// That of this name among all. @param what  they are
@@ -41,7 +46,28 @@ std::optional<typename Kinds::value_type> named(const Kinds& kinds, const char* 
   throw std::invalid_argument("there is no " + std::string(what) + " '" + *wanted + "': " + known);
 }
 
-PlanPointer make_plan(SharedScene& shared, double accuracy, const std::optional<Rows>& readings,
+/// Of an even skin's taxels rows and columns; else 0.
+std::pair<std::size_t, std::size_t> lattice_of(const Scene&) { return {}; }
+std::pair<std::size_t, std::size_t> lattice_of(const SkinScene& scene) {
+  if (!is_even(scene.sensor)) return {};
+  return {scene.sensor.rows, scene.sensor.columns};
+}
+
+/// The same of a plan without its scene: one that uses the skin's symmetry has its lattice.
+std::pair<std::size_t, std::size_t> lattice_of(const EstimatorPlan& plan) {
+  if (!plan.cells || !has_reflections(plan.reconstruction.structure)) return {};
+  const GridBlocks& taxels = plan.reconstruction.column_grid;
+  return {taxels.rows, taxels.columns};
+}
+
+void refuse_fft(const Scene&, const PlannerOptions&) {}
+void refuse_fft(const SkinScene&, const PlannerOptions& options) {
+  if (options.allow_fft || options.structure == Structure::fft)
+    throw std::invalid_argument("an fft is for line arrays, and this scene is of a skin");
+}
+
+template <class Any>
+PlanPointer make_plan(Any& shared, double accuracy, const std::optional<Rows>& readings,
                       const std::optional<std::string>& structure,
                       const std::optional<std::string>& precision, bool diagnostics, bool allow_fft,
                       std::optional<double> friction, const nb::object& progress) {
@@ -53,6 +79,7 @@ PlanPointer make_plan(SharedScene& shared, double accuracy, const std::optional<
   options.diagnostics = diagnostics;
   options.allow_fft = allow_fft;
   options.friction_coefficient = friction;
+  refuse_fft(shared.scene(), options);
   lab::NextFrame next;
   std::size_t frame = 0;
   if (readings)
@@ -70,11 +97,14 @@ PlanPointer make_plan(SharedScene& shared, double accuracy, const std::optional<
         "a plan has one alpha for all frames, and this scene has a rule for it, but neither a "
         "contact nor readings to apply it to: pass readings=, or set reconstruct.alpha");
   const lab::PlannedController planned = lab::plan_controller(locked.problem, *alpha, options);
+  const auto [rows, columns] = lattice_of(shared.scene());
   return std::make_shared<const Plan>(
       Plan{.plan = planned.estimator.plan,
            .why = "alpha: " + report::in_words(planned.alpha) + "\n" + planned.estimator.why(),
            .for_raw_numbers = planned.for_raw_numbers,
-           .needs_baseline = planned.needs_baseline});
+           .needs_baseline = planned.needs_baseline,
+           .rows = rows,
+           .columns = columns});
 }
 
 nb::bytes bytes_of(const Plan& self) {
@@ -82,26 +112,60 @@ nb::bytes bytes_of(const Plan& self) {
   return nb::bytes(bytes.data(), bytes.size());
 }
 
+/// @param rows, columns  of an even skin's taxels; 0: as the plan has them
 PlanPointer plan_from(const nb::bytes& bytes, std::string why, bool for_raw_numbers,
-                      bool needs_baseline) {
+                      bool needs_baseline, std::size_t rows, std::size_t columns) {
   const std::span text(bytes.c_str(), bytes.size());
   try {
-    return std::make_shared<const Plan>(Plan{.plan = decode_plan(std::as_bytes(text)),
-                                             .why = std::move(why),
-                                             .for_raw_numbers = for_raw_numbers,
-                                             .needs_baseline = needs_baseline});
+    Plan plan{.plan = decode_plan(std::as_bytes(text)),
+              .why = std::move(why),
+              .for_raw_numbers = for_raw_numbers,
+              .needs_baseline = needs_baseline,
+              .rows = rows,
+              .columns = columns};
+    if (!plan.is_lattice()) std::tie(plan.rows, plan.columns) = lattice_of(plan.plan);
+    const bool is_even_skin = plan.plan.cells && plan.plan.taxels.empty();
+    if (plan.is_lattice() && (!is_even_skin || plan.rows * plan.columns != plan.plan.count))
+      throw std::invalid_argument("the plan is not of " + std::to_string(plan.rows) + " x " +
+                                  std::to_string(plan.columns) + " taxels of a skin");
+    return std::make_shared<const Plan>(std::move(plan));
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument(error.what());
   }
 }
 
-/// y of the tractions [m].
-Array places(const Plan& self) {
+/// y of the tractions, of a skin of their rows [m].
+Array places_y(const Plan& self) {
   const EstimatorPlan& plan = self.plan;
-  std::vector<double> y(plan.values);
-  for (std::size_t i = 0; i < y.size(); ++i)
-    y[i] = plan.centre + centred(i, plan.values) * plan.spacing;
+  const std::size_t count = plan.cells ? plan.cells->rows : plan.values;
+  const double spacing = plan.cells ? plan.cells->spacing_y : plan.spacing;
+  const double centre = plan.cells ? plan.cells->centre_y : plan.centre;
+  std::vector<double> y(count);
+  for (std::size_t i = 0; i < count; ++i) y[i] = centre + centred(i, count) * spacing;
   return owned(std::move(y));
+}
+
+/// z of a skin's columns [m]; of a line none.
+Array places_z(const Plan& self) {
+  const auto& cells = self.plan.cells;
+  std::vector<double> z(cells ? cells->columns : 0);
+  for (std::size_t i = 0; i < z.size(); ++i)
+    z[i] = cells->centre_z + centred(i, z.size()) * cells->spacing_z;
+  return owned(std::move(z));
+}
+
+std::pair<double, double> spacings(const Plan& self) {
+  const auto& cells = self.plan.cells;
+  return cells ? std::pair(cells->spacing_y, cells->spacing_z)
+               : std::pair(self.plan.spacing, self.plan.spacing);
+}
+
+template <class Any>
+void bind_make_plan(nb::module_& module) {
+  module.def("plan", &make_plan<Any>, nb::arg("scene"), nb::arg("accuracy"),
+             nb::arg("readings").noconvert().none(), nb::arg("structure").none(),
+             nb::arg("precision").none(), nb::arg("diagnostics"), nb::arg("allow_fft"),
+             nb::arg("friction").none(), nb::arg("progress").none());
 }
 
 }  // namespace
@@ -115,7 +179,10 @@ void bind_plan(nb::module_& module) {
       .def_prop_ro("readings", [](const Plan& self) { return self.plan.readings(); })
       .def_prop_ro("unknowns", [](const Plan& self) { return self.plan.unknowns; })
       .def_prop_ro("values", [](const Plan& self) { return self.plan.values; })
-      .def_prop_ro("spacing", [](const Plan& self) { return self.plan.spacing; })
+      .def_prop_ro("is_skin", [](const Plan& self) { return self.plan.cells.has_value(); })
+      .def_ro("rows", &Plan::rows)
+      .def_ro("columns", &Plan::columns)
+      .def_prop_ro("spacings", &spacings)
       .def_prop_ro("alpha", [](const Plan& self) { return self.plan.alpha; })
       .def_prop_ro("accuracy", [](const Plan& self) { return self.plan.accuracy; })
       .def_prop_ro("error_bound", [](const Plan& self) { return self.plan.error_bound; })
@@ -132,14 +199,13 @@ void bind_plan(nb::module_& module) {
       .def_ro("why", &Plan::why)
       .def_ro("for_raw_numbers", &Plan::for_raw_numbers)
       .def_ro("needs_baseline", &Plan::needs_baseline)
-      .def("y", &places)
+      .def("y", &places_y)
+      .def("z", &places_z)
       .def("to_bytes", &bytes_of);
-  module.def("plan", &make_plan, nb::arg("scene"), nb::arg("accuracy"),
-             nb::arg("readings").noconvert().none(), nb::arg("structure").none(),
-             nb::arg("precision").none(), nb::arg("diagnostics"), nb::arg("allow_fft"),
-             nb::arg("friction").none(), nb::arg("progress").none());
+  bind_make_plan<SharedScene>(module);
+  bind_make_plan<SharedSkin>(module);
   module.def("plan_from", &plan_from, nb::arg("bytes"), nb::arg("why"), nb::arg("for_raw_numbers"),
-             nb::arg("needs_baseline"));
+             nb::arg("needs_baseline"), nb::arg("rows"), nb::arg("columns"));
 }
 
 }  // namespace tactile_net::python

@@ -2,6 +2,7 @@
 /// A controller's plan as Python holds it.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -15,6 +16,12 @@ struct Plan {
   std::string why{};             ///< what was chosen, and against what; empty: read from a file
   bool for_raw_numbers = false;  ///< of the scene's calibration
   bool needs_baseline = false;   ///< an unloaded frame, before the first update
+  /// Of an even skin's taxels, where they are known; 0: a line, or taxels anywhere, or the file
+  /// does not say.
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+
+  [[nodiscard]] bool is_lattice() const noexcept { return rows > 0; }
 };
 
 }  // namespace tactile_net::python

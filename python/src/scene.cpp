@@ -11,11 +11,9 @@
 #include <map>
 #include <sstream>
 
-#include "arrays.hpp"
 #include "bound_scene.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
-#include "simulated_frames.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/report/json/workload_json.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -23,7 +21,6 @@
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
 #include "tactile_net/scene/units.hpp"
-#include "watcher.hpp"
 
 namespace tactile_net::python {
 namespace {
@@ -82,42 +79,12 @@ std::string explain(const SharedScene& self) {
   return text.str();
 }
 
-/// t, readings, the true tractions of every frame, and what the effects have to say.
-std::tuple<Array, Array, Array, std::vector<std::string>> simulate(const SharedScene& self,
-                                                                   const nb::object& progress) {
-  SimulatedFrames all;
-  Watcher watcher(progress);
-  {
-    const nb::gil_scoped_release released;
-    all = simulated_frames(self.scene(), watcher);
-  }
-  const std::size_t frames = all.count();
-  const std::size_t count = surface(self.scene()).count;
-  return {owned(std::move(all.t)),
-          owned(std::move(all.readings), {frames, reading_count(self.scene().sensor)}),
-          owned(std::move(all.truth), {frames, 2, count}), std::move(all.notes)};
-}
-
 /// By name, what to multiply and what to divide by for the unit in SI.
 std::map<std::string, std::pair<double, double>> units_by_name(Dimension dimension) {
   std::map<std::string, std::pair<double, double>> units;
   for (const Unit& unit : units_of(dimension))
     units.emplace(unit.name, std::pair(unit.multiplier, unit.divisor));
   return units;
-}
-
-/// K: neither weighted by the noise nor with dead taxels left out.
-Array kernel_matrix(SharedScene& self) {
-  Matrix kernel;
-  {
-    const nb::gil_scoped_release released;
-    const Scene& scene = self.scene();
-    ProblemOptions options = self.lock().problem.options();
-    options.dead_taxels.clear();
-    options.channel_rms.assign(channel_count(scene.sensor), 1.0);
-    kernel = make_problem(scene.sensor, scene.material, options).kernel;
-  }
-  return as_array(std::move(kernel));
 }
 
 std::vector<std::string> methods_of(const SharedScene& self) {
@@ -142,12 +109,9 @@ void bind_scene(nb::module_& module) {
       .def("words", &words)
       .def("effects", &effects_of)
       .def("explain", &explain)
-      .def("workload_json",
-           [](const SharedScene& self) {
-             return report::workload_json(self.scene(), lab::workload(self.scene()));
-           })
-      .def("simulate", &simulate, nb::arg("progress").none())
-      .def("kernel_matrix", &kernel_matrix);
+      .def("workload_json", [](const SharedScene& self) {
+        return report::workload_json(self.scene(), lab::workload(self.scene()));
+      });
   module.def("parse", &parse, nb::arg("text"), nb::arg("file"));
   module.def("stress_units", [] { return units_by_name(Dimension::stress); });
   module.def("length_units", [] { return units_by_name(Dimension::length); });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tactile_net/lab/observer.hpp"
+#include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::python {
@@ -23,5 +24,9 @@ struct SimulatedFrames {
 /// All frames. @pre the GIL is not held
 [[nodiscard]] SimulatedFrames simulated_frames(const Scene& scene, lab::Observer& observer);
 [[nodiscard]] SimulatedFrames simulated_frames(const SkinScene& scene, lab::Observer& observer);
+
+/// K of a scene as if nothing were known of its noise, and no taxel dead.
+[[nodiscard]] Matrix plain_kernel(const Scene& scene);
+[[nodiscard]] Matrix plain_kernel(const SkinScene& scene);
 
 }  // namespace tactile_net::python

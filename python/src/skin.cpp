@@ -11,7 +11,6 @@
 #include "bound_scene.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
-#include "simulated_frames.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 
 namespace tactile_net::python {
@@ -64,38 +63,6 @@ std::vector<std::string> words(const SharedSkin& self) {
   return all;
 }
 
-/// t, readings, the true tractions of every frame, and what the effects have to say.
-std::tuple<Array, Array, Array, std::vector<std::string>> simulate(const SharedSkin& self,
-                                                                   const nb::object& progress) {
-  SimulatedFrames all;
-  Watcher watcher(progress);
-  {
-    const nb::gil_scoped_release released;
-    all = simulated_frames(self.scene(), watcher);
-  }
-  const std::size_t frames = all.count();
-  const SkinGrid cells = grid(self.scene());
-  return {owned(std::move(all.t)),
-          owned(std::move(all.readings), {frames, reading_count(self.scene().sensor)}),
-          owned(std::move(all.truth), {frames, skin_tractions.size(), cells.rows, cells.columns}),
-          std::move(all.notes)};
-}
-
-/// K: neither weighted by the noise nor with dead taxels left out.
-Array kernel_matrix(const SharedSkin& self) {
-  Matrix kernel;
-  {
-    const nb::gil_scoped_release released;
-    const SkinScene& scene = self.scene();
-    kernel = make_problem(scene.sensor, scene.material,
-                          {.components = components(scene),
-                           .channel_rms = std::vector<double>(channel_count(scene.sensor), 1.0),
-                           .grid = scene.reconstruct.grid})
-                 .kernel;
-  }
-  return as_array(std::move(kernel));
-}
-
 }  // namespace
 
 void bind_skin(nb::module_& module) {
@@ -107,9 +74,7 @@ void bind_skin(nb::module_& module) {
       .def_prop_ro("taxel_names", &taxel_names)
       .def("cells", &cells_of)
       .def("sites", &sites_of)
-      .def("words", &words)
-      .def("simulate", &simulate, nb::arg("progress").none())
-      .def("kernel_matrix", &kernel_matrix);
+      .def("words", &words);
 }
 
 }  // namespace tactile_net::python

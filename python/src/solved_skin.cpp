@@ -1,6 +1,7 @@
 #include "solved_skin.hpp"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -11,11 +12,22 @@
 #include "tactile_net/report/csv/skin_csv.hpp"
 #include "tactile_net/report/json/skin_json.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
+#include "tactile_net/report/words/summary_words.hpp"
 
 namespace tactile_net::python {
 
-SolvedSkin::SolvedSkin(SkinPointer shared, std::vector<double> times, const Rows& readings,
-                       Watcher& watcher)
+namespace {
+
+void check_finite(std::span<const double> readings, std::size_t frame, bool may_miss) {
+  for (const double reading : readings)
+    if (!std::isfinite(reading) && !(may_miss && std::isnan(reading)))
+      throw bad_frame(FrameStatus::not_finite, readings, frame);
+}
+
+}  // namespace
+
+SolvedSkin::SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& options,
+                       std::vector<double> times, const Rows& readings, Watcher& watcher)
     : shared_(std::move(shared)),
       times_(std::move(times)),
       readings_(readings.data(), readings.data() + readings.size()),
@@ -23,19 +35,26 @@ SolvedSkin::SolvedSkin(SkinPointer shared, std::vector<double> times, const Rows
   const auto locked = shared_->lock();
   grid_ = locked.problem.grid();
   width_ = locked.problem.tractions();
+  lab::SkinRecordingSolver solver(locked.problem, options);
   for (std::size_t i = 0; i < readings.shape(0); ++i) {
     watcher.frame();
-    answers_.push_back(answer_of(locked.problem, row(readings, i), i));
+    const std::span frame(readings_.data() + i * size_, size_);
+    check_finite(frame, i, options.missing != lab::Missing::fail);
+    try {
+      answers_.push_back(solver.solve(frame));
+    } catch (const lab::FrameOverflow&) {
+      throw bad_frame(FrameStatus::too_large, frame, i);
+    }
   }
+  solved_ = solver.solved();
 }
 
 lab::SkinAnswer answer_of(const lab::SkinSceneProblem& problem, std::span<const double> readings,
                           std::size_t frame) {
-  for (const double reading : readings)
-    if (!std::isfinite(reading)) throw bad_frame(FrameStatus::not_finite, readings, frame);
+  check_finite(readings, frame, false);
   try {
     return lab::solve(problem, readings);
-  } catch (const std::domain_error&) {
+  } catch (const lab::FrameOverflow&) {
     throw bad_frame(FrameStatus::too_large, readings, frame);
   }
 }
@@ -48,17 +67,23 @@ std::string SolvedSkin::time(std::size_t frame) const {
 lab::SkinRecordingAnswer SolvedSkin::recording() const {
   lab::SkinRecordingAnswer recording{.scene = shared_->scene(), .grid = grid_};
   for (std::size_t i = 0; i < answers_.size(); ++i)
-    recording.add(time(i), std::span(readings_).subspan(i * size_, size_), answers_[i]);
+    if (answers_[i])
+      recording.add(time(i), std::span(readings_).subspan(i * size_, size_), *answers_[i]);
+    else
+      recording.skip(time(i));
   return recording;
 }
 
 std::vector<std::string> SolvedSkin::notes() const {
-  if (answers_.empty()) return {};
+  std::vector<std::string> notes = report::in_words(solved_);
   const lab::SkinRecordingAnswer all = recording();
-  return report::warnings({.scene = all.scene,
-                           .grid = all.grid,
-                           .frame = {.readings = all.readings},
-                           .answer = all.answer});
+  if (!all.answer) return notes;
+  for (std::string& warning : report::warnings({.scene = all.scene,
+                              .grid = all.grid,
+                              .frame = {.readings = all.readings},
+                              .answer = all.answer}))
+    notes.push_back(std::move(warning));
+  return notes;
 }
 
 std::string SolvedSkin::json(const std::string& name) const {
@@ -73,7 +98,9 @@ std::string SolvedSkin::tractions_csv() const {
   std::ostringstream out;
   frames::CsvSink sink(out, report::traction_columns(grid_, width_ / grid_.count()),
                        !times_.empty());
-  for (std::size_t i = 0; i < answers_.size(); ++i) sink.add(time(i), answers_[i].tractions);
+  const std::vector<double> none(width_, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < answers_.size(); ++i)
+    sink.add(time(i), answers_[i] ? answers_[i]->tractions : none);
   sink.finish();
   return out.str();
 }

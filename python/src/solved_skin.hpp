@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "page_folder.hpp"
 #include "shared_scene.hpp"
 #include "tactile_net/lab/skin_recording.hpp"
+#include "tactile_net/lab/skin_recording_solver.hpp"
 #include "watcher.hpp"
 
 namespace tactile_net::python {
@@ -26,13 +28,17 @@ class SolvedSkin {
   /// @param times     of the frames [s], NaN where one has none; empty: they have none
   /// @param readings  frames x readings
   /// @throw BadFrame
-  SolvedSkin(SkinPointer shared, std::vector<double> times, const Rows& readings, Watcher& watcher);
+  SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& options,
+             std::vector<double> times, const Rows& readings, Watcher& watcher);
 
-  [[nodiscard]] const std::vector<lab::SkinAnswer>& answers() const noexcept { return answers_; }
+  /// One a frame: absent without an answer.
+  [[nodiscard]] const std::vector<std::optional<lab::SkinAnswer>>& answers() const noexcept {
+    return answers_;
+  }
   [[nodiscard]] const SkinGrid& grid() const noexcept { return grid_; }
   /// Of one frame: components x cells.
   [[nodiscard]] std::size_t width() const noexcept { return width_; }
-  /// A sentence each, of the frame that presses hardest.
+  /// A sentence each: of the frames together, and of the one that presses hardest.
   [[nodiscard]] std::vector<std::string> notes() const;
 
   /// As `solve --json` writes it. @param name  of the recording
@@ -49,11 +55,12 @@ class SolvedSkin {
 
   SkinPointer shared_;
   std::vector<double> times_;
-  std::vector<double> readings_;
-  std::size_t size_;  // of a frame of them
+  std::vector<double> readings_;  // as they were solved: missing values of a frame are 0
+  std::size_t size_;              // of a frame of them
   SkinGrid grid_{};
   std::size_t width_ = 0;
-  std::vector<lab::SkinAnswer> answers_{};
+  std::vector<std::optional<lab::SkinAnswer>> answers_{};
+  lab::SolvedFrames solved_{};
 };
 
 }  // namespace tactile_net::python

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "bad_frame.hpp"
+#include "missing_named.hpp"
 #include "rooms.hpp"
 #include "solved_recording.hpp"
 #include "solver.hpp"
@@ -51,11 +52,6 @@ Method method_of(const std::string& name) {
   if (const auto method = method_named(name)) return *method;
   throw std::invalid_argument("there is no method '" + name +
                               "': dft, tikhonov, closed_form or network");
-}
-
-lab::Missing missing_of(const std::string& name) {
-  if (const auto missing = lab::missing_named(name)) return *missing;
-  throw std::invalid_argument("missing must be fail, skip or estimate (got '" + name + "')");
 }
 
 std::shared_ptr<SolvedRecording> solve(const ScenePointer& shared, const std::string& method,

@@ -9,7 +9,8 @@ else in those of the scene; arrays are float64.
 
 from . import datasets, errors, logs, mujoco, plot
 from ._calibration import Calibration, FittedValue, NextPress, calibrate
-from ._circuit import Certification, Relaxation, Survey
+from ._check import Finding, ReadingsCheck
+from ._circuit import Certification, Relaxation, SkinSurvey, Survey
 from ._controller import ContactEstimate, Estimator, Plan
 from ._core import version as __version__
 from ._files import load
@@ -53,6 +54,7 @@ __all__ = [
     "Diagnostic",
     "Ellipsoid",
     "Estimator",
+    "Finding",
     "FittedValue",
     "FrameError",
     "InputError",
@@ -63,6 +65,7 @@ __all__ = [
     "Noise",
     "Plan",
     "Punch",
+    "ReadingsCheck",
     "Reconstruct",
     "Recording",
     "Relaxation",
@@ -76,6 +79,7 @@ __all__ = [
     "SkinMethodResult",
     "SkinResult",
     "SkinSolution",
+    "SkinSurvey",
     "Solution",
     "Solver",
     "Sphere",

@@ -9,7 +9,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Floats", "frames_of", "plain"]
+__all__ = ["Floats", "channels_first", "frames_of", "lattice_frames_of", "plain"]
 
 Floats: TypeAlias = "NDArray[np.float64]"
 
@@ -46,3 +46,16 @@ def frames_of(
         one = " or ".join(dict.fromkeys((f"(..., {', '.join(map(str, shape))})", f"(..., {size})")))
         raise ValueError(f"{what} must be of shape {one}, got {array.shape}")
     return array.reshape(-1, size), lead
+
+
+def lattice_frames_of(readings: Any, shape: tuple[int, ...], what: str = "readings") -> tuple[Floats, tuple[int, ...]]:
+    """The same of a skin whose frames have `shape`, rows, columns, channels: rows of them are channel after channel."""
+    rows, lead = frames_of(readings, shape, what, ("row", "column", "channel"))
+    if np.shape(readings)[-len(shape) :] != shape:
+        return rows, lead
+    return channels_first(rows.reshape(-1, *shape)), lead
+
+
+def channels_first(frames: NDArray[Any]) -> NDArray[Any]:
+    """(T, rows, columns, C) as (T, R), channel after channel."""
+    return np.moveaxis(frames, -1, 1).reshape(len(frames), -1)

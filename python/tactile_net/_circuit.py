@@ -11,8 +11,9 @@ from ._progress import Progress, listening
 
 if TYPE_CHECKING:
     from ._scene import Scene
+    from ._skin import Skin
 
-__all__ = ["Certification", "Relaxation", "Survey"]
+__all__ = ["Certification", "Relaxation", "SkinSurvey", "Survey"]
 
 
 class Survey(PagedDocument):
@@ -38,11 +39,11 @@ class Survey(PagedDocument):
         self._cells = core.cells()
         self._json = core.json()
 
-    def _identify(self, progress: Progress = False) -> _core.Survey:
+    def _identify(self, progress: Progress = False) -> _core.Survey | _core.SkinSurvey:
         with listening(progress) as heard:
             return _core.identify(self.scene._core, *self._options, heard)
 
-    def _drawable(self) -> _core.Survey:
+    def _drawable(self) -> _core.Survey | _core.SkinSurvey:
         return self._core or self._identify()
 
     @property
@@ -56,6 +57,31 @@ class Survey(PagedDocument):
 
     def _repr_html_(self) -> str:
         return _html.paragraphs(self.words) + _html.table(self._cells)
+
+
+class SkinSurvey(Survey):
+    """The same of a skin. Made by `Skin.identify`.
+
+    `normal` and `tangential` are of waves of every direction, along each axis and all between; `tangential` of the drag that
+    is told worse. `hides`: waves too, whose tractions show at the skin's ends alone.
+    """
+
+    _core: _core.SkinSurvey | None  # type: ignore[assignment]
+    wavelengths: dict[str, float | None]
+    """By "normal", "drag_along" the wave and "drag_across" it: the shortest that is told from noise [m]; None: none is."""
+
+    def __init__(self, scene: Skin, traction: float | None, noise: float | None, progress: Progress = False) -> None:
+        super().__init__(scene, traction, noise, progress)
+        core = self._core
+        assert core is not None
+        self.wavelengths = core.wavelengths()
+        self._shares = core.shares()
+
+    @property
+    def shares(self) -> list[dict[str, str]]:
+        """How many times its noise each quantity at each depth reads of one oblique wave, a row each."""
+        head, *rows = self._shares
+        return [dict(zip(head, row)) for row in rows]
 
 
 class Certification(PagedDocument):
@@ -101,7 +127,11 @@ class Relaxation(Document):
     voltages: Floats
     """Of the nodes [V]"""
     tractions: Floats
-    """(U, M): what they stand for [Pa]"""
+    """(U, M), of skins (U, rows, columns): what they stand for [Pa]"""
+    y: Floats
+    """Where these lie, of skins their rows [m]: network.spacing may have them farther apart than the scene's own."""
+    z: Floats
+    """Of skins where the columns lie [m]; of line arrays empty."""
     difference: float
     """|f - f of the direct solve| over the latter, in the 2-norm."""
     agrees: bool
@@ -113,7 +143,8 @@ class Relaxation(Document):
             core = _core.relax(scene._core, heard)
         self.realization, self.difference, self.agrees = core.realization, core.difference, core.agrees
         self.voltages = core.voltages()
-        self.tractions = core.tractions().reshape(-1, len(scene.y))
+        self.y, self.z = core.places()
+        self.tractions = core.tractions().reshape(-1, *filter(None, (len(self.y), len(self.z))))
         self._text = core.text()
         self._json = core.json()
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _core, _html
-from ._arrays import Floats, frames_of
+from ._arrays import Floats, frames_of, lattice_frames_of
+
+if TYPE_CHECKING:
+    from ._scene import Scene
 
 __all__ = ["ContactEstimate", "Estimator", "Plan"]
 
@@ -20,19 +23,31 @@ class Plan:
         self._core = core
 
     @classmethod
-    def load(cls, path: str | PathLike[str]) -> Plan:
-        """Raises OSError, and ValueError where the file is no plan, cut off, corrupted or of another version."""
+    def load(cls, path: str | PathLike[str], *, scene: Scene | None = None) -> Plan:
+        """scene: of a skin, that it was planned for; without it frames may have to be flat, see `reading_shape`.
+
+        Raises OSError, and ValueError where the file is no plan, cut off, corrupted, of another version or another scene.
+        """
         with open(path, "rb") as file:
             content = file.read()
         try:
-            return cls.from_bytes(content)
+            return cls.from_bytes(content, scene=scene)
         except ValueError as error:
             raise ValueError(f"{path}: {error}") from None
 
     @classmethod
-    def from_bytes(cls, content: bytes) -> Plan:
+    def from_bytes(cls, content: bytes, *, scene: Scene | None = None) -> Plan:
         """Any bytes at all are safe to pass. Raises ValueError, as `load`."""
-        return cls(_core.plan_from(bytes(content), "", False, False))
+        plan = cls(_core.plan_from(bytes(content), "", False, False, *_lattice_of(scene)))
+        if scene is not None and (plan._core.readings, plan.traction_shape[1:]) != (
+            len(scene.reading_names),
+            scene.traction_shape,
+        ):
+            raise ValueError(
+                f"the plan is of {plan._core.readings} readings and tractions {plan.traction_shape[1:]}, "
+                f"the scene of {len(scene.reading_names)} and {scene.traction_shape}"
+            )
+        return plan
 
     def to_bytes(self) -> bytes:
         return self._core.to_bytes()
@@ -43,7 +58,8 @@ class Plan:
             file.write(self.to_bytes())
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _plan, (self.to_bytes(), self.why, self.for_raw_numbers, self.needs_baseline)
+        said = self.why, self.for_raw_numbers, self.needs_baseline
+        return _plan, (self.to_bytes(), *said, self._core.rows, self._core.columns)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Plan) and self.to_bytes() == other.to_bytes()
@@ -58,23 +74,43 @@ class Plan:
 
     @property
     def reading_shape(self) -> tuple[int, ...]:
-        """Of a frame: (C, N), channels and taxels; of uneven arrays (R,)."""
-        return (self._core.channels, self._core.count) if self._core.even else (self._core.readings,)
+        """Of a frame: (C, N), channels and taxels; of skins (rows, columns, C); of uneven arrays (R,).
+
+        Of a skin's plan that was loaded without its scene and does not use the skin's symmetry (R,) too: the file does not
+        say how the taxels lie. Flat frames are in the order of `reading_names`, channel after channel.
+        """
+        core = self._core
+        if core.rows > 0:
+            return core.rows, core.columns, core.channels
+        return (core.channels, core.count) if core.even and not core.is_skin else (core.readings,)
+
+    def _rows(self, frames: Any) -> tuple[Floats, tuple[int, ...]]:
+        return (lattice_frames_of if self._core.rows > 0 else frames_of)(frames, self.reading_shape, "frames")
 
     @property
-    def traction_shape(self) -> tuple[int, int]:
-        """(U, M): normal, then tangential, at `y`."""
-        return self._core.unknowns, self._core.values
+    def traction_shape(self) -> tuple[int, ...]:
+        """(U, M), of skins (U, rows, columns): normal, then tangential, at `y` and `z`."""
+        return self._core.unknowns, *filter(None, (len(self.y), len(self.z)))
 
     @property
     def y(self) -> Floats:
-        """Of the tractions [m]."""
+        """Of the tractions, of skins of their rows [m]."""
         return self._core.y()
+
+    @property
+    def z(self) -> Floats:
+        """Of a skin's columns of tractions [m]; of line arrays empty."""
+        return self._core.z()
 
     @property
     def spacing(self) -> float:
         """Of `y` [m]."""
-        return self._core.spacing
+        return self._core.spacings[0]
+
+    @property
+    def spacing_z(self) -> float:
+        """Of a skin's `z` [m]."""
+        return self._core.spacings[1]
 
     @property
     def alpha(self) -> float:
@@ -92,7 +128,8 @@ class Plan:
 
     @property
     def structure(self) -> str:
-        """How the product is computed: "dense", "low_rank", "parity", "parity_low_rank" or "fft"."""
+        """How the product is computed: "dense", "low_rank"; of lines "parity", "parity_low_rank" or "fft"; of skins
+        "reflections" or "reflections_low_rank"."""
         return self._core.structure
 
     @property
@@ -133,15 +170,23 @@ class Plan:
         return _html.preformatted(f"{self!r}\n{self.why}")
 
 
-def _plan(content: bytes, why: str, for_raw_numbers: bool, needs_baseline: bool) -> Plan:
-    return Plan(_core.plan_from(content, why, for_raw_numbers, needs_baseline))
+def _plan(
+    content: bytes, why: str, for_raw_numbers: bool, needs_baseline: bool, rows: int = 0, columns: int = 0
+) -> Plan:
+    return Plan(_core.plan_from(content, why, for_raw_numbers, needs_baseline, rows, columns))
+
+
+def _lattice_of(scene: Scene | None) -> tuple[int, int]:
+    """Rows and columns of an even skin's taxels; else 0."""
+    shape = () if scene is None else scene.reading_shape
+    return (shape[0], shape[1]) if len(shape) == 3 else (0, 0)
 
 
 class Estimator(_core.Estimator):
     """The per-frame call of a controller: readings in, tractions and the contact's force out.
 
-    `update` takes and fills C-contiguous float64 arrays as they are; `step` works on the estimator's own `readings`
-    and `tractions`, at the least price. One thread at a time: another one is refused with a RuntimeError.
+    `update` takes and fills C-contiguous float64 arrays as they are, of skins (rows, columns, C), or flat, channel after
+    channel; `step` works on the estimator's own `readings` and `tractions`, at the least price. One thread at a time: another one is refused with a RuntimeError.
     """
 
     def __init__(self, plan: Plan) -> None:
@@ -153,12 +198,13 @@ class Estimator(_core.Estimator):
         return self._made_of
 
     def update_batch(self, frames: Any) -> Floats:
-        """As `update` on each of (T, C, N) or (T, C*N) frames, and the same bits; returns (T, U, M).
+        """As `update` on each of (T, C, N) or (T, C*N) frames, and the same bits; returns (T, U, M). Of skins frames
+        (T, rows, columns, C) or (T, R), and tractions (T, U, rows, columns).
 
         Other Python threads go on meanwhile. `contact` is then that of the last frame. Raises FrameError, which
         names the first frame that is bad.
         """
-        rows, lead = frames_of(frames, self._made_of.reading_shape, "frames")
+        rows, lead = self._made_of._rows(frames)
         return super().update_batch(rows).reshape(*lead, *self._made_of.traction_shape)
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -10,7 +10,7 @@ import numpy as np
 from ._optional import optional
 
 _IMAGE, _WRENCH = "sensor_msgs/msg/Image", "geometry_msgs/msg/WrenchStamped"
-_ENCODINGS = {"f4": "32FC1", "f8": "64FC1"}
+_ENCODINGS = {"f4": "32FC", "f8": "64FC"}
 
 
 class LogWriter:
@@ -31,17 +31,18 @@ class LogWriter:
             self._channel(topic, _IMAGE)
 
     def image(self, topic: str, time: int, stamp: int, values: Any) -> None:
-        """values: (height, width), float32 or float64."""
-        height, width = values.shape
+        """values: (height, width) or (height, width, channels), float32 or float64."""
+        height, width, channels = (*values.shape, 1)[:3]
         data = np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<")).view(np.uint8).reshape(-1)
-        encoding = _ENCODINGS[values.dtype.str[1:]]
-        step = width * values.dtype.itemsize
+        encoding = f"{_ENCODINGS[values.dtype.str[1:]]}{channels}"
+        step = width * channels * values.dtype.itemsize
         message = self._type[_IMAGE](self._header(stamp), height, width, encoding, 0, step, data)
         self._add(topic, _IMAGE, time, message)
 
-    def wrench(self, topic: str, time: int, stamp: int, normal: float, tangential: float, moment: float) -> None:
+    def wrench(self, topic: str, time: int, stamp: int, *values: float) -> None:
+        """values: force along x, y, z, then torque."""
         vector, wrench = (self._store.types[f"geometry_msgs/msg/{name}"] for name in ("Vector3", "Wrench"))
-        both = wrench(vector(normal, tangential, 0.0), vector(0.0, 0.0, moment))
+        both = wrench(vector(*values[:3]), vector(*values[3:]))
         self._add(topic, _WRENCH, time, self._type[_WRENCH](self._header(stamp), both))
 
     def _header(self, stamp: int) -> Any:

@@ -11,24 +11,31 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_ENCODINGS = {"32FC1": "f4", "64FC1": "f8", "mono16": "u2", "16UC1": "u2", "mono8": "u1", "8UC1": "u1"}
+_ENCODINGS = {"32FC": "f4", "64FC": "f8", "mono16": "u2", "16UC": "u2", "mono8": "u1", "8UC": "u1"}
+"""Those in C are followed by how many channels there are."""
 STAMP_LIMIT = 2**31  # seconds are 32 bits in ROS
 
 
 def _image(message: Any) -> NDArray[Any]:
-    """(height, width): channels, taxels."""
-    if message.encoding not in _ENCODINGS:
-        raise ValueError(f"is an image in {message.encoding!r}; read are {', '.join(_ENCODINGS)}")
+    """(height, width): channels, taxels; of several channels (height, width, channels): those of a skin."""
+    named = re.fullmatch(r"(\d+[FU]C)([1-9]\d{0,3})", message.encoding)
+    kind, channels = (named[1], int(named[2])) if named else (message.encoding, 1)
+    if kind not in _ENCODINGS or (named is None and kind.endswith("C")):
+        raise ValueError(
+            f"is an image in {message.encoding!r}; read are 32FC1, 64FC1, mono16, 16UC1, mono8, 8UC1, and these with more "
+            "channels"
+        )
     order = ">" if message.is_bigendian else "<"
-    dtype = np.dtype(order + _ENCODINGS[message.encoding])
+    dtype = np.dtype(order + _ENCODINGS[kind])
     data = np.asarray(message.data, dtype=np.uint8)
-    used = message.width * dtype.itemsize
+    used = message.width * channels * dtype.itemsize
     if message.step < used or data.size != message.height * message.step:
         raise ValueError(
             f"is an image of {data.size} bytes, not {message.height} rows of {max(message.step, used)}: it is broken"
         )
     rows = np.ascontiguousarray(data.reshape(message.height, message.step)[:, :used])
-    return rows.view(dtype)
+    values = rows.view(dtype)
+    return values if channels == 1 else values.reshape(message.height, message.width, channels)
 
 
 def _multi_array(message: Any) -> NDArray[Any]:

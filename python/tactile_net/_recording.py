@@ -17,6 +17,7 @@ from ._progress import Progress, listening
 if TYPE_CHECKING:
     from numpy.typing import DTypeLike, NDArray
 
+    from ._check import ReadingsCheck
     from ._scene import Scene
 
 __all__ = ["Recording", "Solution"]
@@ -55,6 +56,10 @@ class Recording:
     def solve(self, method: str = "tikhonov", **options: Any) -> Solution:
         """As `Scene.solve`."""
         return self.scene.solve(self, method, **options)
+
+    def check(self, **options: Any) -> ReadingsCheck:
+        """As `Scene.check`."""
+        return self.scene.check(self, **options)
 
     def save(
         self, path: str | PathLike[str], *, name: str = "pad", dtype: DTypeLike = np.float64, append: bool = False

@@ -157,14 +157,34 @@ class Result(PagedDocument):
 
 @overload
 def run(
-    scene: Skin, *, frame: int | None = None, compare_rules: bool = False, progress: Progress = False
+    scene: Skin,
+    *,
+    frame: int | None = None,
+    compare_rules: bool = False,
+    realization: str | None = None,
+    progress: Progress = False,
 ) -> SkinResult: ...
 @overload
-def run(scene: Scene, *, frame: int | None = None, compare_rules: bool = False, progress: Progress = False) -> Result: ...
-def run(scene: Scene, *, frame: int | None = None, compare_rules: bool = False, progress: Progress = False) -> Result:
+def run(
+    scene: Scene,
+    *,
+    frame: int | None = None,
+    compare_rules: bool = False,
+    realization: str | None = None,
+    progress: Progress = False,
+) -> Result: ...
+def run(
+    scene: Scene,
+    *,
+    frame: int | None = None,
+    compare_rules: bool = False,
+    realization: str | None = None,
+    progress: Progress = False,
+) -> Result:
     """Simulates the scene, solves it by every method that it names, and compares.
 
     frame: which of a scene with [time]; None: the last. compare_rules: all rules for alpha, though one would do.
+    realization: of the circuit, which is then among the methods: "lattice", "nic", ...
     A method that cannot take the scene is a result that says so. Circuits are run by ngspice, where it is installed.
     """
-    return scene.run(frame=frame, compare_rules=compare_rules, progress=progress)
+    return scene.run(frame=frame, compare_rules=compare_rules, realization=realization, progress=progress)

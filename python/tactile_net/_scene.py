@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _core, _html
 from ._arrays import Floats, frames_of
+from ._check import ReadingsCheck
 from ._circuit import Certification, Relaxation, Survey
 from ._controller import Plan
 from ._paths import replaced
@@ -161,6 +162,11 @@ class Scene:
     _components: tuple[str, ...] = ("normal", "tangential")
 
     @property
+    def _drags(self) -> bool:
+        """Whether any contact drags: truths hold more than p."""
+        return self._core.drags
+
+    @property
     def _dims(self) -> tuple[tuple[str, ...], dict[str, Any]]:
         """Of a frame as an xarray.DataArray: its dimensions, and their coordinates."""
         if self.even:
@@ -246,9 +252,10 @@ class Scene:
         """What the sensor would read, every frame of it, and the tractions that pressed."""
         with listening(progress) as heard:
             t, readings, truth, notes = self._core.simulate(heard)
-        if not self._core.drags:
-            truth = np.ascontiguousarray(truth[:, :1])
-        return Recording(self, self._framed(readings), t, truth, tuple(notes))
+        pressed = truth.reshape(len(t), -1, *self.traction_shape)
+        if not self._drags:
+            pressed = np.ascontiguousarray(pressed[:, :1])
+        return Recording(self, self._framed(readings), t, pressed, tuple(notes))
 
     def read(self, path: str | PathLike[str], *, columns: str = "", missing: bool = True) -> Recording:
         """A file of frames, CSV or .npy, with the scene's units and calibration applied: readings in SI.
@@ -258,6 +265,14 @@ class Scene:
         """
         t, readings, notes = self._core.read(fspath(path), columns, missing)
         return Recording(self, self._framed(readings), t, None, tuple(notes))
+
+    def _recorded(self, recording: Any) -> Recording:
+        """A Recording of this scene, of another one of the same shape, or an array of readings."""
+        if not isinstance(recording, Recording):
+            return Recording(self, self._framed(self._rows(recording)[0]))
+        if recording.scene != self:
+            return Recording(self, self._framed(self._rows(recording.readings)[0]), recording.t)
+        return recording
 
     def _made_solver(self, method: str, alpha: float | None) -> AnySolver:
         return _core.Solver(self._core, method, alpha)
@@ -283,15 +298,28 @@ class Scene:
         missing: what becomes of frames with nan. "estimate": solved from the taxels that are there.
         share_alpha: how many frames that follow one another choose alpha together.
         """
-        if not isinstance(recording, Recording):
-            recording = Recording(self, self._framed(self._rows(recording)[0]))
-        elif recording.scene != self:
-            recording = Recording(self, self._framed(self._rows(recording.readings)[0]), recording.t)
-        return Solution(recording, method, missing, share_alpha, progress)
+        return Solution(self._recorded(recording), method, missing, share_alpha, progress)
 
-    def run(self, *, frame: int | None = None, compare_rules: bool = False, progress: Progress = False) -> Result:
+    def check(self, recording: Any, *, name: str = "readings", progress: Progress = False) -> ReadingsCheck:
+        """What looks wrong with a Recording, or an array of readings, before it is solved: `tactile-net check`.
+
+        Units, sign, broken taxels, offset, drift, noise, times. nan: missing. name: of the recording in the document.
+        """
+        return ReadingsCheck(self._recorded(recording), name, progress)
+
+    def run(
+        self,
+        *,
+        frame: int | None = None,
+        compare_rules: bool = False,
+        realization: str | None = None,
+        progress: Progress = False,
+    ) -> Result:
         """As `tactile_net.run`."""
-        return Result(self, frame, compare_rules, progress)
+        scene = self._realized(realization)
+        if realization is not None and "network" not in self.methods:
+            scene = scene.replace({"reconstruct.methods": [*self.methods, "network"]})
+        return Result(scene, frame, compare_rules, progress)
 
     def identify(
         self, *, traction: float | None = None, noise: float | None = None, progress: Progress = False
@@ -315,13 +343,13 @@ class Scene:
         friction: float | None = None,
         progress: Progress = False,
     ) -> Plan:
-        """The plan of a controller: the cheapest product that is proven to be accurate enough.
+        """The plan of a controller: the cheapest product that is proven to be accurate enough. Constraints do not bind it.
 
         readings: recorded frames to choose alpha on, where the scene has a rule; None: its own contacts.
-        structure, precision: None: the cheapest. diagnostics: residual, outliers, dead taxels at run time.
+        structure, precision: None: the cheapest; "fft", and allow_fft, are of line arrays. diagnostics: residual, outliers, dead taxels at run time.
         friction: of pad and object, for the friction margin; None: the scene's limit.
         """
-        rows = None if readings is None else frames_of(getattr(readings, "readings", readings), self.reading_shape)[0]
+        rows = None if readings is None else self._rows(getattr(readings, "readings", readings))[0]
         with listening(progress) as heard:
             core = _core.plan(self._core, accuracy, rows, structure, precision, diagnostics, allow_fft, friction, heard)
         return Plan(core)
@@ -343,7 +371,7 @@ class Scene:
         rows, lead = self._rows(readings)
         return self._framed(self._core.raw_numbers(rows), lead)
 
-    def _realized(self, realization: str | None) -> Scene:
+    def _realized(self, realization: str | None) -> Self:
         return self if realization is None else self.replace({"network.realization": realization})
 
     def __eq__(self, other: object) -> bool:

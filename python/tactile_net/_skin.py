@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import _core, _html
-from ._arrays import Floats, frames_of
-from ._circuit import Certification, Relaxation, Survey
-from ._controller import Plan
-from ._progress import Progress, listening
-from ._recording import Recording
+from ._arrays import Floats, channels_first, frames_of, lattice_frames_of
+from ._circuit import SkinSurvey
+from ._progress import Progress
 from ._scene import _KINDS, Scene, Sites, _read_only
 from ._skin_result import SkinResult
 from ._skin_solution import COMPONENTS, SkinSolution
@@ -122,6 +120,7 @@ class Skin(Scene):
         return Sites(y, depth, np.array(quantity), np.array(taxel), np.array(channel), z)
 
     _components = COMPONENTS
+    _drags = True
 
     @property
     def _dims(self) -> tuple[tuple[str, ...], dict[str, Any]]:
@@ -144,17 +143,13 @@ class Skin(Scene):
     # Frames: channels stand last in Python, and first in the library.
 
     def _rows(self, readings: Any, what: str = "readings") -> tuple[Floats, tuple[int, ...]]:
-        shape = self.reading_shape
-        rows, lead = frames_of(readings, shape, what, ("row", "column", "channel"))
-        if not self.even or np.shape(readings)[-len(shape) :] != shape:
-            return rows, lead
-        return self._ordered(rows.reshape(-1, *shape)), lead
+        return (lattice_frames_of if self.even else frames_of)(readings, self.reading_shape, what)
 
     def _ordered(self, frames: NDArray[Any]) -> NDArray[Any]:
         size = len(self.reading_names)
         if not self.even or frames.shape[1:] == (size,):
             return frames.reshape(len(frames), size)
-        return np.moveaxis(frames, -1, 1).reshape(len(frames), size)
+        return channels_first(frames)
 
     def _framed(self, rows: Floats, lead: tuple[int, ...] = (-1,)) -> Floats:
         if not self.even:
@@ -163,12 +158,6 @@ class Skin(Scene):
         return np.moveaxis(frames, 1, -1).reshape(*lead, *self.reading_shape)
 
     # What it does.
-
-    def simulate(self, *, progress: Progress = False) -> Recording:
-        """What the skin would read, every frame of it, and the tractions that pressed: (T, 3, rows, columns)."""
-        with listening(progress) as heard:
-            t, readings, truth, notes = self._core.simulate(heard)
-        return Recording(self, self._framed(readings), t, truth, tuple(notes))
 
     def _made_solver(self, method: str, alpha: float | None) -> AnySolver:
         _tikhonov(method)
@@ -185,44 +174,33 @@ class Skin(Scene):
     ) -> SkinSolution:
         """Every frame of a Recording, or of an array (..., rows, columns, C) or (..., R), with verdicts and bands.
 
-        Of taxels without readings name the indices under [dead_taxels].
+        missing, share_alpha: as of line arrays. Taxels that never have readings are named under [dead_taxels].
         """
         _tikhonov(method)
-        if missing != "fail":
-            raise ValueError("missing: values are not filled in for skins: name taxels without readings as dead_taxels")
-        if share_alpha is not None:
-            raise ValueError("share_alpha is for line arrays, and this scene is of a skin")
-        if not isinstance(recording, Recording):
-            recording = Recording(self, self._framed(self._rows(recording)[0]))
-        elif recording.scene != self:
-            recording = Recording(self, self._framed(self._rows(recording.readings)[0]), recording.t)
-        return SkinSolution(recording, method, missing, share_alpha, progress)
+        return SkinSolution(self._recorded(recording), method, missing, share_alpha, progress)
 
-    def run(self, *, frame: int | None = None, compare_rules: bool = False, progress: Progress = False) -> SkinResult:
+    def run(
+        self,
+        *,
+        frame: int | None = None,
+        compare_rules: bool = False,
+        realization: str | None = None,
+        progress: Progress = False,
+    ) -> SkinResult:
         """As `tactile_net.run`."""
         if compare_rules:
             raise ValueError("compare_rules compares rules for line arrays, and this scene is of a skin")
-        return SkinResult(self, frame, compare_rules, progress)
-
-    def explain(self) -> str:
-        raise _lines_alone("explain")
+        return SkinResult(self._realized(realization), frame, realization is not None, progress)
 
     def identify(
         self, *, traction: float | None = None, noise: float | None = None, progress: Progress = False
-    ) -> Survey:
-        raise _lines_alone("identify")
+    ) -> SkinSurvey:
+        """As of a line array."""
+        return SkinSurvey(self, traction, noise, progress)
 
-    def plan(self, **options: Any) -> Plan:
-        raise _lines_alone("plan")
-
-    def certify(self, realization: str | None = None, *, progress: Progress = False) -> Certification:
-        raise _lines_alone("certify")
-
-    def relax(self, realization: str | None = None, *, progress: Progress = False) -> Relaxation:
-        raise _lines_alone("relax")
-
-    def netlist(self, realization: str | None = None) -> str:
-        raise _lines_alone("netlist")
+    def explain(self) -> str:
+        """Counts the work for line arrays alone: raises ValueError."""
+        raise ValueError("explain counts the work for line arrays, and this scene is of a skin")
 
     def _repr_html_(self) -> str:
         return _html.paragraphs(str(self).splitlines())
@@ -234,7 +212,3 @@ _KINDS[_core.Skin] = Skin
 def _tikhonov(method: str) -> None:
     if method != "tikhonov":
         raise ValueError(f"skins are solved by tikhonov alone (got {method!r})")
-
-
-def _lines_alone(call: str) -> ValueError:
-    return ValueError(f"{call} takes line arrays alone as yet, and this scene is of a skin")

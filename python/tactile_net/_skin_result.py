@@ -50,13 +50,15 @@ class SkinMethodResult(MethodResult):
 
 
 class SkinResult(Result):
-    """The answer beside the truth: (U, rows, columns) each. `result["tikhonov"]` is a SkinMethodResult."""
+    """The answer beside the truth: (U, rows, columns) each. `result["tikhonov"]` is a SkinMethodResult; so is
+    `result["network"]`, the circuit in ngspice, where `tn.run` is told a realization."""
 
     scene: Skin
 
-    def __init__(self, scene: Skin, frame: int | None, compare_rules: bool, progress: Progress) -> None:
+    def __init__(self, scene: Skin, frame: int | None, with_circuit: bool, progress: Progress) -> None:
         self.scene = scene
         self.frame = frame
+        self._with_circuit = with_circuit
         core = self._run_skin(progress)
         self._core: Any = core
         self.truth = core.truth().reshape(3, *scene.traction_shape)
@@ -68,10 +70,12 @@ class SkinResult(Result):
         self.skin = _answer(core, scene)
         """The answer, with the types of skins."""
         self.methods: dict[str, MethodResult] = {"tikhonov": self.skin}
+        if (circuit := core.network()) is not None:
+            self.methods["network"] = _by_circuit(circuit, scene)
 
     def _run_skin(self, progress: Progress = False) -> _core.SkinExperiment:
         with listening(progress) as heard:
-            return _core.run_skin(self.scene._core, self.frame, heard)
+            return _core.run_skin(self.scene._core, self.frame, self._with_circuit, heard)
 
     def _drawable(self) -> Any:
         if self._core is None:  # it was pickled, as arrays
@@ -101,64 +105,72 @@ class SkinResult(Result):
         return _html.page(self._drawable().html())
 
 
+def _unknown(scene: Skin) -> dict[str, Any]:
+    """What is not known of an answer where nothing else is said."""
+    return {
+        "tractions": None,
+        "deviation": None,
+        "alpha": None,
+        "alpha_source": None,
+        "force": float("nan"),
+        "relative_error": float("nan"),
+        "error_bound": None,
+        "data": None,
+        "normal_force": None,
+        "tangential_force": None,
+        "centre": None,
+        "remarks": (),
+        "failure": "",
+        "tangential_y_force": None,
+        "tangential_z_force": None,
+        "centre_y": None,
+        "centre_z": None,
+        "torsion": None,
+        "friction": None,
+        "touching": np.zeros(scene.traction_shape, dtype=np.bool_),
+        "contacts": 0,
+    }
+
+
 def _answer(core: _core.SkinExperiment, scene: Skin) -> SkinMethodResult:
     found, places = core.fields(), scene.traction_shape
     remarks, relative = tuple(core.remarks()), tuple(map(float, core.relative()))
+    known: dict[str, Any] = _unknown(scene) | {"remarks": remarks, "relative_errors": relative}
     if len(found["alpha"]) == 0:
-        return SkinMethodResult(
-            method="tikhonov",
-            verdict="failed",
-            tractions=None,
-            deviation=None,
-            alpha=None,
-            alpha_source=None,
-            force=float("nan"),
-            relative_error=float("nan"),
-            error_bound=None,
-            data=None,
-            normal_force=None,
-            tangential_force=None,
-            centre=None,
-            remarks=remarks,
-            failure=core.refusal,
-            tangential_y_force=None,
-            tangential_z_force=None,
-            centre_y=None,
-            centre_z=None,
-            torsion=None,
-            friction=None,
-            relative_errors=(relative[0], relative[1], relative[2]),
-            touching=np.zeros(places, dtype=np.bool_),
-            contacts=0,
-        )
-    tractions = found["tractions"].reshape(-1, *places)
+        return SkinMethodResult(**known | {"method": "tikhonov", "verdict": "failed", "failure": core.refusal})
     wrench = dict(zip(_core.wrench_columns()[0:14:2], map(_known, found["wrench"][0, :14].reshape(-1, 2))))
     force = wrench["normal"]
+    known |= {
+        "method": "tikhonov",
+        "verdict": found["verdict"][0],
+        "tractions": found["tractions"].reshape(-1, *places),
+        "deviation": found["deviation"].reshape(-1, *places),
+        "alpha": float(found["alpha"][0]),
+        "alpha_source": found["alpha_source"][0],
+        "force": float("nan") if force is None else force[0],
+        "relative_error": relative[0],
+        "data": found["data"][0],
+        "normal_force": force,
+        "failure": "no answer that holds" if found["verdict"][0] == "failed" else "",
+        "tangential_y_force": wrench["tangential_y"],
+        "tangential_z_force": wrench["tangential_z"],
+        "touching": found["touching"].reshape(places) != 0.0,
+        "contacts": int(found["contacts"][0]),
+    }
+    return SkinMethodResult(**known | {key: wrench[key] for key in ("centre_y", "centre_z", "torsion", "friction")})
+
+
+def _by_circuit(found: dict[str, Any], scene: Skin) -> SkinMethodResult:
+    """The circuit's answer: tractions of its nodes, which network.spacing may have in larger cells."""
+    known = _unknown(scene)
+    relative = tuple(map(float, found["relative"]))
+    if found["tractions"] is not None:
+        tractions = found["tractions"].reshape(found["shape"])
+        known |= {"tractions": tractions, "force": found["cell_area"] * float(tractions[0].sum())}
     return SkinMethodResult(
-        method="tikhonov",
-        verdict=found["verdict"][0],
-        tractions=tractions,
-        deviation=found["deviation"].reshape(-1, *places),
-        alpha=float(found["alpha"][0]),
-        alpha_source=found["alpha_source"][0],
-        force=float("nan") if force is None else force[0],
-        relative_error=relative[0],
-        error_bound=None,
-        data=None,
-        normal_force=force,
-        tangential_force=None,
-        centre=None,
-        remarks=remarks,
-        failure="" if core.succeeded else "no answer that holds",
-        tangential_y_force=wrench["tangential_y"],
-        tangential_z_force=wrench["tangential_z"],
-        centre_y=wrench["centre_y"],
-        centre_z=wrench["centre_z"],
-        torsion=wrench["torsion"],
-        friction=wrench["friction"],
-        relative_errors=(relative[0], relative[1], relative[2]),
-        touching=found["touching"].reshape(places) != 0.0,
-        contacts=int(found["contacts"][0]),
+        **known
+        | {key: found[key] for key in ("verdict", "failure", "alpha", "alpha_source", "error_bound")}
+        | {"method": "network", "relative_error": relative[0], "relative_errors": relative}
     )
 
 

@@ -60,7 +60,7 @@ class SkinSolution(Solution):
         """(T, 6, 6): of the first six numbers of `wrench`; 0 where one is not known."""
         self._ellipse = found["ellipse"]
         self.verdict = np.array(found["verdict"], dtype=np.str_)
-        self.data = np.full(frames, "not_judged")
+        self.data = np.array(found["data"], dtype=np.str_)
         self.alpha = found["alpha"]
         self.contacts = np.asarray(found["contacts"]).astype(np.int_)
 
@@ -86,7 +86,8 @@ class SkinSolution(Solution):
         times = [] if recording.t is None else recording.t.tolist()
         rows, _ = self.scene._rows(recording.readings)
         with listening(progress) as heard:
-            return _core.solve_skin(self.scene._core, times, np.ascontiguousarray(rows), heard)
+            scene, missing = self.scene._core, self._missing
+            return _core.solve_skin(scene, missing, self._share_alpha, times, np.ascontiguousarray(rows), heard)
 
     def _drawable(self) -> _core.SolvedSkin:
         if self._skin_core is None:  # it was pickled, as arrays

@@ -55,7 +55,7 @@ def read(
 
     topic: None: that of `write`, or the only one whose type is known.
     field: where the readings stand in a message: "taxels", "fingers[0].values"; None: as the type says, of
-    sensor_msgs/Image (32FC1, 64FC1, mono16), std_msgs/Float32MultiArray and Float64MultiArray, tactile_msgs/TactileState.
+    sensor_msgs/Image (32FC1, 64FC1, mono16; of a skin's channels 32FC3, 64FC3, ...), std_msgs/Float32MultiArray and Float64MultiArray, tactile_msgs/TactileState.
     scene, units, missing: as of `tactile_net.load`.
     Times are the headers' stamps, or else those of the log, of which a note tells. Raises InputError; warns with
     CutOffWarning where the log breaks off, with the number of frames that are whole.
@@ -114,8 +114,10 @@ def write(
 
     Readings are sensor_msgs/Image on `topic`: height channels, width taxels, 64FC1 (of float32 32FC1). Tractions are the
     same on topic/tractions, the truth on topic/truth; topic/contact is the force of a Solution as
-    geometry_msgs/WrenchStamped: force.x into the pad, force.y along it [N/m], torque.z about its middle [N]. Scene, units
-    and channels are the metadata record "tactile_net".
+    geometry_msgs/WrenchStamped: force.x into the pad, force.y along it [N/m], torque.z about its middle [N]. Of a skin the
+    images are rows and columns with a channel for each quantity, 64FC3 of three, and of tractions with one for each
+    component; the wrench is of the cells that touch, force [N] and torque about the skin's middle [N m] along x, y and z.
+    Scene, units and channels are the metadata record "tactile_net".
     Raises ValueError where times are no stamps: not finite, below 0, or beyond 2^31 s.
     """
     from ._files import whole
@@ -123,8 +125,6 @@ def write(
     from ._log_writer import LogWriter
     from ._recording import Solution
 
-    if len(what.scene.traction_shape) > 1:
-        raise ValueError(f"{fspath(path)}: logs hold line arrays alone as yet: .npz, .h5 and .parquet hold skins")
     layout = layout_of(what, dtype)
     frames = len(layout.arrays["readings"])
     stamps = _stamps(what.t)
@@ -134,7 +134,7 @@ def write(
     for key in ("truth", "tractions"):
         if key in layout.arrays:
             attributes[f"{key}_topic"] = f"{topic}/{key}"
-            images[f"{topic}/{key}"] = layout.arrays[key]
+            images[f"{topic}/{key}"] = _components_last(layout.arrays[key], what.scene)
     times = range(frames) if stamps is None else stamps
     with whole(fspath(path)) as beside, LogWriter(beside, topic.strip("/"), attributes, list(images)) as log:
         wrenches = _wrenches(what) if isinstance(what, Solution) else None
@@ -143,7 +143,7 @@ def write(
             for one, values in images.items():
                 log.image(one, time, stamp, np.atleast_2d(values[k]))
             if wrenches is not None:
-                log.wrench(f"{topic}/contact", time, stamp, *wrenches[k])
+                log.wrench(f"{topic}/contact", time, stamp, *wrenches[k].tolist())
 
 
 def _stamps(t: NDArray[np.float64] | None) -> list[int] | None:
@@ -157,12 +157,34 @@ def _stamps(t: NDArray[np.float64] | None) -> list[int] | None:
     return nanoseconds_of(t)
 
 
-def _wrenches(solution: Solution) -> list[tuple[float, float, float]]:
-    """Normal and tangential force [N/m], moment about the middle of the array [N]: x runs into the pad, y along it."""
-    spacing = solution.scene.spacing
-    moment = -spacing * (solution.tractions[:, 0] * solution.y).sum(axis=1)
-    tangential = np.zeros(len(solution)) if solution.tractions.shape[1] == 1 else solution.tangential_force
-    return list(zip(solution.normal_force.tolist(), tangential.tolist(), moment.tolist()))
+def _components_last(tractions: NDArray[Any], scene: Scene) -> NDArray[Any]:
+    """A skin's (T, U, rows, columns) as images have them; a line's as they are."""
+    return tractions if len(scene.traction_shape) == 1 else np.moveaxis(tractions, 1, -1)
+
+
+def _wrenches(solution: Solution) -> NDArray[np.float64]:
+    """(T, 6): force and torque about the middle of the array; x runs into the pad, y along it, of skins z across.
+
+    Of line arrays [N/m] and [N]. Where drags are not solved for they are 0.
+    """
+    from ._skin_solution import SkinSolution
+
+    count = len(solution)
+    pressed = solution.tractions
+    if not isinstance(solution, SkinSolution):
+        spacing = solution.scene.spacing
+        none = np.zeros(count)
+        drag = none if pressed.shape[1] == 1 else solution.tangential_force
+        moment = -spacing * (pressed[:, 0] * solution.y).sum(axis=1)
+        return np.stack([solution.normal_force, drag, none, none, none, moment], axis=1)
+    touching = solution.touching
+    alone = touching | ~touching.any(axis=(1, 2), keepdims=True)  # all cells where none is certain to touch
+    forces = np.zeros((count, 3, *solution.scene.traction_shape))
+    forces[:, : pressed.shape[1]] = solution.scene.cell_area * np.where(alone[:, None], pressed, 0.0)
+    y, z = solution.y[:, None], solution.z
+    p, q_y, q_z = forces[:, 0], forces[:, 1], forces[:, 2]
+    moments = [y * q_z - z * q_y, z * p, -y * p]
+    return np.stack([values.sum(axis=(1, 2)) for values in (p, q_y, q_z, *moments)], axis=1)
 
 
 def _open(where: str) -> Log:
@@ -259,12 +281,15 @@ def _recording(
         values = np.array([one.values for one in found])
     if scene is not None and values.shape[1:2] == (1,) and not scene.even:
         values = values[:, 0]
+    if scene is not None and (*values.shape[1:], 1) == scene.reading_shape:  # a skin's image of one channel
+        values = values[..., np.newaxis]
     t, order, more = _times(found, own)
     layout = Layout({"readings": values[order]}, log.metadata if own else {}, notes=[*notes, *more])
     if not own or log.metadata.get("times") != "none":
         layout.arrays["t"] = t
     if truth is not None:
-        layout.arrays["truth"] = truth[order]
+        of_skin = scene is not None and len(scene.traction_shape) > 1 and truth.ndim == 4
+        layout.arrays["truth"] = np.moveaxis(truth[order], -1, 1) if of_skin else truth[order]
     try:
         return judged(layout, log.where, scene, units, missing)
     except InputError as error:

@@ -244,7 +244,7 @@ def test_solutions_of_skins_are_pickled_and_tabled(skin: tn.Skin, tmp_path: Path
     assert np.isnan(normal.tangential_force).all() and normal.to_xarray().sizes["component"] == 1
 
 
-@pytest.mark.parametrize("suffix", ["npz", "csv", "h5", "parquet", "npy"])
+@pytest.mark.parametrize("suffix", ["npz", "csv", "h5", "parquet", "npy", "mcap"])
 @pytest.mark.parametrize("path", [SPHERE, UNEVEN, PROJECT / "scenes/skins/fingertip.toml"], ids=lambda path: path.name)
 def test_recordings_of_skins_in_every_container(path: Path, suffix: str, tmp_path: Path) -> None:
     scene = tn.Skin.load(path)
@@ -263,7 +263,10 @@ def test_recordings_of_skins_in_every_container(path: Path, suffix: str, tmp_pat
     assert np.array_equal(again.readings, recording.readings)
     assert recording.truth is not None and again.truth is not None and np.array_equal(again.truth, recording.truth)
     assert again.scene.text == scene.text and isinstance(again.scene, tn.Skin)
-    if suffix != "csv":
+    if suffix == "mcap":
+        again.solve().save(file)
+        assert np.array_equal(tn.load(file).readings, recording.readings)
+    elif suffix != "csv":
         solution = again.solve()
         solution.save(tmp_path / f"solution.{suffix}")
         kept = tn.Solution.load(tmp_path / f"solution.{suffix}")
@@ -285,23 +288,23 @@ def test_arrays_of_others_that_are_exchanged(skin: tn.Skin, tmp_path: Path) -> N
     assert np.allclose(tn.load(tmp_path / "um.npy", scene=fingertip, units="um").readings, moved, rtol=1e-14)
     with pytest.raises(tn.InputError, match="states the unit 'kPa' of displacement_x"):
         tn.load(tmp_path / "um.npy", scene=fingertip, units="kPa")
-    with pytest.raises(ValueError, match="logs hold line arrays alone"):
-        fingertip.simulate().save(tmp_path / "skin.mcap")
 
 
-def test_what_skins_do_not_do_yet_they_say(skin: tn.Skin) -> None:
-    for call in (skin.plan, skin.identify, skin.certify, skin.relax, skin.netlist, skin.explain):
-        with pytest.raises(ValueError, match="takes line arrays alone as yet"):
-            call()
-    for options in ({"missing": "estimate"}, {"share_alpha": 4}, {"method": "dft"}):
-        with pytest.raises(ValueError, match="skin"):
-            skin.solve(np.zeros((1, 90)), **options)  # type: ignore[arg-type]
+def test_what_skins_do_not_do_they_say(skin: tn.Skin) -> None:
+    with pytest.raises(ValueError, match="counts the work for line arrays"):
+        skin.explain()
+    with pytest.raises(ValueError, match="tikhonov alone"):
+        skin.solve(np.zeros((1, 90)), "dft")
     with pytest.raises(ValueError, match="compare_rules"):
         tn.run(skin, compare_rules=True)
+    for options in ({"structure": "fft"}, {"allow_fft": True}):
+        with pytest.raises(ValueError, match="an fft is for line arrays"):
+            skin.plan(**options)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="no frame"):
         skin.solve(np.zeros((0, 90))).report("nowhere")
     with pytest.raises(tn.InputError, match="of a line array and of no skin"):
         tn.Skin.load(PROJECT / "scenes/fingertip.toml")
+    assert {name for name in dir(tn.Scene) if not name.startswith("_")} <= set(dir(tn.Skin))
 
 
 def test_errors_of_skins_have_their_place(skin: tn.Skin) -> None:

@@ -55,7 +55,7 @@ ReadingsFile::ReadingsFile(const std::string& path, const SkinScene& scene,
                     .rows = is_even(scene.sensor) ? scene.sensor.rows : 0,
                     .places = options.columns,
                     .accept_missing = options.accept_missing},
-                   tactile_net::calibration(scene)) {}
+                   scene.calibration) {}
 
 ReadingsFile::ReadingsFile(const std::string& path, std::istream* standard_input,
                            WantedColumns wanted, const std::optional<Calibration>& calibration)

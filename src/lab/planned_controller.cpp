@@ -42,29 +42,33 @@ PlanAlpha of_contact(const ChosenAlpha& chosen) {
   return {.value = chosen.value, .source = PlanAlpha::Source::contact, .rule = chosen.rule};
 }
 
+std::size_t taxels_of(const SensorArray& sensor) { return sensor.count; }
+std::size_t taxels_of(const SkinArray& sensor) { return taxel_count(sensor); }
+
 /// The converter's range in what the controller reads. Where readings of a channel differ in their
 /// gain or baseline, that which none of them leaves without being at its own end, less rounding;
 /// none where they have nothing in common.
-std::vector<ReadingRange> ranges_of(const Scene& scene,
+/// @param scene  of a line or of a skin
+std::vector<ReadingRange> ranges_of(const auto& scene,
                                     const std::optional<Calibration>& calibration) {
-  const std::vector<Channel> all = channels(scene.sensor);
-  const bool alike = std::all_of(all.begin(), all.end(), [&](const Channel& channel) {
-    return channel.count == scene.sensor.count;
+  const auto all = channels(scene.sensor);
+  const bool alike = std::all_of(all.begin(), all.end(), [&](const auto& channel) {
+    return channel.count == taxels_of(scene.sensor);
   });
   std::vector<ReadingRange> ranges;
-  for (const Channel& channel : all) {
+  for (const auto& channel : all) {
     const auto& [low, high] = scene.quantization->range.at(channel.quantity);
     ranges.push_back({low, high});
   }
   const auto per_reading = [&](const std::vector<ReadingRange>& of_channels) {
     std::vector<ReadingRange> spread;
-    for (const Site& site : sites(scene.sensor)) spread.push_back(of_channels[site.channel]);
+    for (const auto& site : sites(scene.sensor)) spread.push_back(of_channels[site.channel]);
     return spread;
   };
   if (!calibration) return alike ? ranges : per_reading(ranges);
   std::vector<double> lowest;
   std::vector<double> highest;
-  for (const Site& site : sites(scene.sensor)) {
+  for (const auto& site : sites(scene.sensor)) {
     lowest.push_back(ranges[site.channel].lowest);
     highest.push_back(ranges[site.channel].highest);
   }
@@ -160,7 +164,8 @@ PlannedController plan_controller(const SkinSceneProblem& problem, const PlanAlp
   options.noise_rms = problem.stated_noise().value_or(0.0);
   if (!options.friction_coefficient)
     options.friction_coefficient = scene.reconstruct.friction_limit;
-  if (!options.calibration) options.calibration = calibration(scene);
+  if (!options.calibration) options.calibration = scene.calibration;
+  if (scene.quantization) options.ranges = ranges_of(scene, options.calibration);
   options.label = scene.title.empty() ? scene.file : scene.title;
   std::optional<SkinSceneProblem> whole;
   if (!scene.dead_taxels.empty()) whole = problem.without({});

@@ -81,6 +81,12 @@ bool Relaxation::transient_as_certified() const noexcept {
   return (transient->end == TransientEnd::settles) == stable_by_certificate;
 }
 
+Verdict Relaxation::verdict() const noexcept {
+  if (disagreement()) return Verdict::failed;
+  if (!resolved()) return Verdict::ill_conditioned;
+  return difference > 0.01 ? Verdict::inaccurate : Verdict::ok;
+}
+
 std::optional<Disagreement> Relaxation::disagreement() const noexcept {
   using Kind = Disagreement::Kind;
   if (explained.curves > 0.5) return Disagreement{.kind = Kind::curves, .value = explained.curves};

@@ -198,10 +198,7 @@ MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer
                                   : relaxation.tractions,
             own, experiment.frame.truth);
     experiment.relaxation = relaxation;
-    if (!relaxation.disagreement())
-      result.verdict = !relaxation.resolved()         ? Verdict::ill_conditioned
-                       : relaxation.difference > 0.01 ? Verdict::inaccurate
-                                                      : Verdict::ok;
+    result.verdict = relaxation.verdict();
     if (relaxation.stable && !relaxation.resolved())
       result.remarks.emplace_back(
           remark::VoltagesUnresolved{relaxation.condition.value, relaxation.explained.limit});

@@ -178,13 +178,32 @@ SceneCircuit circuit_of(const Scene& scene) {
   return SceneCircuit(SceneFrame(SceneProblem(scene), simulate(scene).readings));
 }
 
-SceneCircuit circuit_of(const SkinScene& scene) {
-  // Before anything is made of what is too large.
+/// Before anything is made of what is too large.
+void refuse_large(const SkinScene& scene) {
   if (const auto why =
           too_large(scene.network.realization, components(scene) * grid(of_circuit(scene)).count(),
                     reading_count(scene.sensor)))
     throw std::invalid_argument(*why);
-  std::vector<double> readings = simulate(scene).readings;
+}
+
+SceneCircuit circuit_of(const SkinScene& scene) {
+  refuse_large(scene);
+  return skin_circuit(scene, simulate(scene).readings);
+}
+
+/// What such a circuit is made of would be noise too.
+void refuse_noise(const auto& scene) {
+  if (scene.contacts.empty() && !scene.reconstruct.alpha)
+    throw std::invalid_argument(
+        "the scene has no contact, so alpha and with it every part would be chosen on noise: "
+        "give alpha a number in [reconstruct], or the scene a contact");
+}
+
+}  // namespace
+
+SceneCircuit skin_circuit(const SkinScene& scene, std::vector<double> readings) {
+  refuse_noise(scene);
+  refuse_large(scene);
   SkinSceneProblem problem(scene);
   std::optional<double> weight;
   if (problem.estimates_weight()) {
@@ -196,15 +215,10 @@ SceneCircuit circuit_of(const SkinScene& scene) {
   return SceneCircuit(circuit_source(problem, std::move(readings)), alpha);
 }
 
-}  // namespace
-
 SceneCircuit simulated_circuit(const AnyScene& scene) {
   return std::visit(
       [](const auto& one) {
-        if (one.contacts.empty() && !one.reconstruct.alpha)
-          throw std::invalid_argument(
-              "the scene has no contact, so alpha and with it every part would be chosen on noise: "
-              "give alpha a number in [reconstruct], or the scene a contact");
+        refuse_noise(one);
         return circuit_of(one);
       },
       scene);

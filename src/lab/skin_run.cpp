@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <variant>
 
 #include "tactile_net/numeric/comparison.hpp"
 
@@ -17,13 +18,13 @@ double size_of(std::span<const double> values) {
   return size;
 }
 
-std::array<double, 3> errors(const SkinExperiment& experiment) {
+std::array<double, 3> errors(const std::vector<double>& tractions,
+                             const std::vector<double>& of_contacts, const SkinGrid& grid) {
   std::array<double, 3> relative{unknown, unknown, unknown};
-  const double pressed =
-      size_of(component(experiment.frame.truth, experiment.grid, SkinTraction::normal));
+  const double pressed = size_of(component(of_contacts, grid, SkinTraction::normal));
   for (std::size_t c = 0; c < relative.size(); ++c) {
-    const auto found = component(experiment.answer->tractions, experiment.grid, skin_tractions[c]);
-    const auto truth = component(experiment.frame.truth, experiment.grid, skin_tractions[c]);
+    const auto found = component(tractions, grid, skin_tractions[c]);
+    const auto truth = component(of_contacts, grid, skin_tractions[c]);
     if (found.empty() || !(pressed > 0.0)) continue;
     double off = 0.0;
     for (std::size_t i = 0; i < found.size(); ++i) off = std::hypot(off, found[i] - truth[i]);
@@ -50,13 +51,34 @@ SkinExperiment run(const SkinScene& scene, const std::function<double()>& clock,
     experiment.answer = solve(problem, experiment.frame.readings);
     experiment.setup_seconds = ready - start;
     experiment.frame_seconds = now() - ready;
-    experiment.relative = errors(experiment);
+    experiment.relative =
+        errors(experiment.answer->tractions, experiment.frame.truth, experiment.grid);
   } catch (const std::domain_error& error) {
     experiment.refusal = error.what();
   } catch (const std::invalid_argument& error) {
     experiment.refusal = error.what();
   }
   return experiment;
+}
+
+void run_circuit(SkinExperiment& experiment, Simulator& simulator, Observer& observer) {
+  SkinCircuitResult& result = experiment.network.emplace();
+  result.relative = {unknown, unknown, unknown};
+  try {
+    observer.step({.kind = Step::Kind::method, .method = Method::network});
+    result.circuit.emplace(skin_circuit(experiment.scene, experiment.frame.readings));
+    result.relaxation = relax(*result.circuit, simulator, observer);
+    // The nodes may stand for larger cells than the answer's.
+    const SkinScene& own = std::get<SkinScene>(result.circuit->scene());
+    const std::vector<double> truth = cell_means(own.contacts, grid(own));
+    result.relative = errors(result.relaxation->tractions, truth, grid(own));
+  } catch (const SimulatorError& error) {
+    result.refusal = error.what();
+  } catch (const std::domain_error& error) {
+    result.refusal = error.what();
+  } catch (const std::invalid_argument& error) {
+    result.refusal = error.what();
+  }
 }
 
 }  // namespace tactile_net::lab

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pages/axis.hpp"
+#include "pages/network_section.hpp"
 #include "pages/parts.hpp"
 #include "pages/time_picture.hpp"
 #include "tactile_net/drawing/html.hpp"
@@ -28,12 +29,10 @@ using drawing::Curve;
 using drawing::element;
 using drawing::Figure;
 using drawing::Figures;
-using drawing::html_list;
 using drawing::Page;
 using drawing::Plot;
 using report::answers;
 using report::comparison_cells;
-using report::elements_in_words;
 using report::failure_in_words;
 using report::in_unit;
 using report::in_words;
@@ -302,17 +301,6 @@ std::vector<Figure> figures_of(const lab::Experiment& experiment) {
   }
   add_readings(figures, experiment);
   return figures;
-}
-
-std::string network_section(const lab::Relaxation& relaxation) {
-  const std::optional<lab::Disagreement> disagreement = relaxation.disagreement();
-  return element("h2", "The circuit") +
-         element("p", "Realisation " + std::string(name(relaxation.realization)) + ": " +
-                          std::to_string(relaxation.nodes) + " nodes, " +
-                          elements_in_words(relaxation.elements) + ".") +
-         "<p>Its deck: <a href=\"network.cir\">network.cir</a>, to be run by ngspice -b.</p>\n" +
-         html_list(in_words(relaxation)) +
-         (disagreement ? element("p", in_words(*disagreement), "bad") : "");
 }
 
 std::string methods_section(const lab::Experiment& experiment) {

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "pages/network_section.hpp"
 #include "pages/parts.hpp"
 #include "pages/skin_figures.hpp"
 #include "pages/time_picture.hpp"
@@ -132,6 +133,12 @@ drawing::Page run_page(const lab::SkinExperiment& experiment, const std::string&
     html += element("p", experiment.refusal, "bad");
   }
   html += readings_figure(experiment);
+  if (const auto& network = experiment.network) {
+    html += network->relaxation
+                ? network_section(*network->relaxation)
+                : element("h2", "The circuit") + element("p", network->refusal, "bad");
+    if (network->relaxation) html += element("p", report::network_errors_in_words(*network));
+  }
   html += colophon("The scene, the files, the command", scene_html(scene), page.files,
                    Made{.by = by, .files = {"result.json"}});
   page.html = page_html(scene.file + " - tactile-net", html);

@@ -34,7 +34,7 @@ CalibrationColumns read_calibration_file(const std::filesystem::path& path,
   CalibrationColumns columns;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto& [line, fields] = table.rows[i];
-    if (i == readings.size()) throw error_in_line(line, "there is no reading left for this row");
+    if (i == readings.size()) break;
     for (std::size_t k = 0; k < fields.size(); ++k) {
       const std::string& name = table.header.fields[k];
       double number = 0.0;

@@ -1,3 +1,5 @@
+#include "scene/calibration_section.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +12,7 @@
 
 #include "scene/calibration_file.hpp"
 #include "scene/references.hpp"
-#include "scene/sections.hpp"
+#include "tactile_net/calibration/calibration_options.hpp"
 
 namespace tactile_net {
 namespace {
@@ -39,16 +41,11 @@ constexpr Column sensor_offsets{"offsets", &Calibration::baseline, any_number, f
 
 class Reader {
  public:
-  Reader(const Read& read, const SensorArray& array)
-      : array_(array), known_(read.reads_complete && read.depths_complete && array.count > 0) {
-    for (const Site& site : sites(array)) {
-      units_.push_back(unit_of(read.units, traits(SignalQuantity(site.quantity)).kind));
-      quantities_.push_back(site.quantity);
-    }
-  }
+  explicit Reader(const CalibratedReadings& readings)
+      : names_(readings.names), units_(readings.units), quantities_(readings.quantities) {}
 
-  /// Whether the sensor is understood: how many readings there are.
-  [[nodiscard]] bool known() const noexcept { return known_; }
+  /// How many readings there are; 0: the sensor was not understood.
+  [[nodiscard]] bool known() const noexcept { return !units_.empty(); }
   [[nodiscard]] bool any_unit() const {
     return std::any_of(units_.begin(), units_.end(),
                        [](const Unit& unit) { return !unit.is_si(); });
@@ -144,9 +141,9 @@ class Reader {
   }
 
   void read_quantities(Table table, const Column& column, std::vector<double>& numbers) const {
-    for (const Quantity quantity : array_.reads) {
+    for (const std::string_view quantity : names_) {
       const auto value =
-          table.required(name(quantity), "the table names every quantity that sensor.reads does");
+          table.required(quantity, "the table names every quantity that sensor.reads does");
       if (!value) continue;
       const auto first = std::find(quantities_.begin(), quantities_.end(), quantity);
       const auto number = value->number(
@@ -157,10 +154,9 @@ class Reader {
     table.finish();
   }
 
-  const SensorArray& array_;
-  bool known_;
-  std::vector<Unit> units_;           // of each reading
-  std::vector<Quantity> quantities_;  // of each reading
+  std::span<const std::string_view> names_;       // as sensor.reads has them
+  std::span<const Unit> units_;                   // of each reading
+  std::span<const std::string_view> quantities_;  // of each reading
 };
 
 /// Where gains and offsets come from: facts that are kept and not computed with.
@@ -181,7 +177,7 @@ void read_origin(Table& table) {
 
 /// The columns of a file beside the scene.
 CalibrationColumns columns_of(const Value& value, const std::filesystem::path& folder,
-                              const SensorArray& array) {
+                              std::span<const std::string> readings) {
   const References references{folder.empty() ? "." : folder};
   const std::string file = value.text().value_or("");
   if (file.empty()) {
@@ -197,7 +193,7 @@ CalibrationColumns columns_of(const Value& value, const std::filesystem::path& f
   std::transform(columns.begin(), columns.end(), names.begin(),
                  [](const Column& column) { return column.name; });
   try {
-    return read_calibration_file(references.folder / file, names, reading_names(array));
+    return read_calibration_file(references.folder / file, names, readings);
   } catch (const std::runtime_error& error) {
     value.problem("names a file that is not in order: " + std::string(error.what()),
                   "a header with gain, baseline, offset, or some of them, then a row per reading");
@@ -207,19 +203,17 @@ CalibrationColumns columns_of(const Value& value, const std::filesystem::path& f
 
 }  // namespace
 
-void read_calibration(const std::optional<Table>& given, const std::filesystem::path& folder,
-                      const Read& read, Scene& scene) {
-  const Reader reader(read, scene.sensor);
-  if (!given) {
-    if (reader.known() && reader.any_unit()) scene.calibration = reader.without_table();
-    return;
-  }
+std::optional<Calibration> read_calibration(const std::optional<Table>& given,
+                                            const std::filesystem::path& folder,
+                                            const CalibratedReadings& readings) {
+  const Reader reader(readings);
+  if (!given) return reader.any_unit() ? std::optional(reader.without_table()) : std::nullopt;
   Table table = *given;
   Calibration calibration = reader.without_table();
   const auto file = table.value("file");
   CalibrationColumns from;
   if (file && reader.known()) {
-    from = columns_of(*file, folder, scene.sensor);
+    from = columns_of(*file, folder, readings.ids);
     reader.read(from, *file, calibration);
   }
   for (const Column& column : columns) {
@@ -253,7 +247,7 @@ void read_calibration(const std::optional<Table>& given, const std::filesystem::
   }
   read_origin(table);
   table.finish();
-  if (reader.known()) scene.calibration = std::move(calibration);
+  return reader.known() ? std::optional(std::move(calibration)) : std::nullopt;
 }
 
 }  // namespace tactile_net

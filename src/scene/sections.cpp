@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "scene/calibration_section.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
@@ -285,7 +286,10 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
   if (const auto contacts = root.value("contact"))
     if (auto tables = contacts->tables()) read_contacts(std::move(*tables), read, scene);
   read_sensor_effects(root, effects_sensor(read, scene.sensor), scene.time, scene);
-  read_calibration(table_of(root.value("calibration")), folder, read, scene);
+  const bool understood = read.reads_complete && read.depths_complete && scene.sensor.count > 0;
+  scene.calibration = read_calibration(
+      table_of(root.value("calibration")), folder,
+      understood ? calibrated_readings(scene.sensor, read.units) : CalibratedReadings{});
   if (const auto table = table_of(root.value("calibrate")))
     static_cast<void>(read_calibrate(*table, read.units, scene.material.layer.has_value()));
   if (const auto table = table_of(root.value("forward")))

@@ -35,10 +35,6 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
 /// with.
 void read_contacts(std::vector<Table> tables, const Read& read, Scene& scene);
 
-/// The table [calibration], if there is one, and the units of readings.
-void read_calibration(const std::optional<Table>& table, const std::filesystem::path& folder,
-                      const Read& read, Scene& scene);
-
 /// The table [calibrate]: how well what the scene states is known.
 [[nodiscard]] CalibrationOptions read_calibrate(Table table, const Units& units, bool has_layer);
 

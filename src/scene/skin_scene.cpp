@@ -56,19 +56,9 @@ SkinScene at_frame(SkinScene scene, std::size_t frame) {
   return scene;
 }
 
-std::optional<Calibration> calibration(const SkinScene& scene) {
-  if (!scene.units) return std::nullopt;
-  Calibration result;
-  for (const SkinSite& site : sites(scene.sensor))
-    result.gain.push_back(unit_of(*scene.units, traits(site.quantity).kind).to_si(1.0));
-  result.baseline.resize(result.gain.size());
-  result.offset.resize(result.gain.size());
-  return result;
-}
-
 std::vector<double> raw_numbers(const SkinScene& scene, std::span<const double> readings) {
   std::vector<double> raw(readings.begin(), readings.end());
-  if (const auto units = calibration(scene)) uncalibrate(*units, raw);
+  if (scene.calibration) uncalibrate(*scene.calibration, raw);
   return raw;
 }
 

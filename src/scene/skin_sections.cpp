@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "scene/calibration_section.hpp"
 #include "scene/references.hpp"
 #include "scene/taxel_table.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
@@ -16,13 +17,11 @@
 namespace tactile_net {
 namespace {
 
-/// What scenes of lines have, and skins not yet.
+/// What reconstructions of lines have, and skins not.
 struct Absent {
   std::string_view key;
   std::string_view why;
 };
-constexpr Absent absent_tables[] = {
-    {"calibration", "is of line arrays: a skin's recording holds readings"}};
 constexpr Absent absent_keys[] = {
     {"surface", "has one kind for skins, a grid of cells"},
     {"contact_friction", "is of the method \"dft\", which is for line arrays"},
@@ -290,6 +289,9 @@ void read_skin_sections(Table& root, const std::filesystem::path& folder, SkinSc
   if (const auto contacts = root.value("contact"))
     if (auto tables = contacts->tables()) read_skin_contacts(std::move(*tables), read, scene);
   read_sensor_effects(root, effects_sensor(read, scene), scene.time, scene);
+  scene.calibration = read_calibration(
+      table_of(root.value("calibration")), folder,
+      is_whole(scene) ? calibrated_readings(scene.sensor, read.units) : CalibratedReadings{});
   if (const auto table = table_of(root.value("forward")))
     scene.forward = read_forward(*table, true);
   const auto depths = depths_in(sensor);
@@ -301,7 +303,6 @@ void read_skin_sections(Table& root, const std::filesystem::path& folder, SkinSc
                                [&](const Value& value, double spacing) {
                                  check_circuit_spacing(value, spacing, read.units.length, scene);
                                });
-  for (const Absent& absent : absent_tables) root.not_here(absent.key, absent.why, "remove it");
   check_reads(read, scene);
   root.finish();
   scene = at_frame(std::move(scene), scene.time ? scene.time->frames - 1 : 0);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/catch.hpp"
@@ -216,4 +217,47 @@ TEST_CASE("certify draws an unstable circuit too, and fails", "[cli]") {
   const std::string settling = read_text(folder / "out/settling.csv");
   const std::size_t last = settling.rfind('\n', settling.size() - 2) + 1;
   CHECK(std::stod(settling.substr(settling.find(',', last) + 1)) > 10.0);  // it grows
+}
+
+TEST_CASE("run of a skin has its circuit beside the answer, where it is asked for",
+          "[cli][spice][skin]") {
+  using Json = nlohmann::json;
+  const Folder folder;
+  const std::string path = scene("skins/circuit.toml");
+  const ProcessResult alone = tool({"run", path, "--json", "-"});
+  CAPTURE(alone.errors);
+  CHECK_FALSE(Json::parse(alone.output).contains("circuit"));
+  for (const std::string realization : {"ideal", "least_squares"}) {
+    const ProcessResult run =
+        tool({"run", path, "--realization", realization, "--out", folder / realization});
+    CAPTURE(realization, run.output, run.errors);
+    REQUIRE(run.code == 0);
+    CHECK_THAT(run.output, ContainsSubstring("network: " + realization) &&
+                               ContainsSubstring("The circuit is off the true p"));
+    const Json json = Json::parse(read_text(folder / (realization + "/result.json")));
+    const Json& circuit = json["circuit"];
+    CHECK(circuit["verdict"] == "ok");
+    CHECK(circuit["network"]["realization"] == realization);
+    // The same functional, solved by a circuit: as far off the truth as the direct solve.
+    for (std::size_t i = 0; i < 3; ++i)
+      CHECK_THAT(circuit["relative_error"][i].get<double>(),
+                 WithinRel(json["answer"]["relative_error"][i].get<double>(), 1e-2));
+    CHECK_THAT(read_text(folder / (realization + "/report.html")),
+               ContainsSubstring("The circuit") && ContainsSubstring("network.cir"));
+    const ProcessResult relaxed = tool({"relax", folder / (realization + "/network.cir")});
+    CHECK_THAT(relaxed.output, ContainsSubstring("48 nodes") && ContainsSubstring("(agrees)"));
+  }
+}
+
+TEST_CASE("a skin that makes no circuit has its answer, and says why there is none",
+          "[cli][spice][skin]") {
+  const Folder folder;
+  std::string text = read_text(scene("skins/circuit.toml"));
+  text.replace(text.find("alpha = 1e-3"), 12, "alpha = 1e-3\nnonnegative = true");
+  const std::string path = folder.write("s.toml", text);
+  const ProcessResult run = tool({"run", path, "--realization", "crossbar"});
+  CHECK(run.code == 1);
+  CHECK_THAT(run.output, ContainsSubstring("force into the skin") &&
+                             ContainsSubstring("network: FAILED: a circuit of resistors"));
+  CHECK_THAT(run.errors, ContainsSubstring("the circuit has no answer that holds"));
 }

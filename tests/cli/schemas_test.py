@@ -65,7 +65,7 @@ def shortened(value):
 maps = [lambda key: key.startswith(("stress_", "strain_", "shear_")), lambda key: key in verdicts]
 verdicts = set()
 # What is there only where it means something.
-optional = {"frame", "constraints", "failure", "parts", "tangential", "replayed", "replay_difference", "units", "baseline"}
+optional = {"frame", "constraints", "failure", "parts", "tangential", "replayed", "replay_difference", "units", "baseline", "circuit"}
 
 
 def check_strict(document, valid):
@@ -119,6 +119,8 @@ with tempfile.TemporaryDirectory() as place:
         check("run", written("run", scenes / f"{name}.toml"), name)
     for name in ("sphere", "pressure-pad"):  # three tractions, and one
         check("skin_run", written("run", scenes / "skins" / f"{name}.toml"), name)
+    circuit = written("run", scenes / "skins/circuit.toml", "--realization", "ideal")
+    check("skin_run", circuit, "a skin's circuit")
     for name in ("sphere", "pressure-alone", "palm", "row"):  # all told, half of it, taxels anywhere, in a row
         check("skin_identify", written("identify", scenes / "skins" / f"{name}.toml"), name)
     pad = (recorded / "skin-pad-uneven.toml", "--readings", recorded / "skin-pad-uneven.csv")

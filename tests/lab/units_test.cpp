@@ -3,12 +3,15 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "tactile_net/frames/frame_of.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/planned_controller.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -117,4 +120,72 @@ TEST_CASE("a plan without the frames of its baseline asks for one", "[lab][units
   CHECK(plan_controller(SceneProblem(scene), {.value = 1e-8}).needs_baseline);
   scene.calibration->baseline_frames.reset();
   CHECK_FALSE(plan_controller(SceneProblem(scene), {.value = 1e-8}).needs_baseline);
+}
+
+namespace {
+
+/// Gains and offsets that differ from reading to reading of 5 x 4 taxels.
+std::string sensor_of_counts() {
+  std::string gains;
+  std::string offsets;
+  for (int i = 0; i < 60; ++i) {
+    gains += (i > 0 ? ", " : "") + std::to_string((i % 7 == 3 ? -1.0 : 1.0) * (0.8 + 0.01 * i));
+    offsets += (i > 0 ? ", " : "") + std::to_string(2.0 - 0.1 * i);
+  }
+  return "[calibration]\ngains = [" + gains + "]\noffsets = [" + offsets + "]\n";
+}
+
+SkinScene skin_of(const std::string& more) {
+  return std::get<SkinScene>(
+      parse_any_scene("[sensor]\nrows = 5\ncolumns = 4\npitch = 1.0\ndepth = 1.0\n"
+                      "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
+                      "[material]\nyoungs_modulus = 10.0\npoisson_ratio = 0.45\n"
+                      "[[contact]]\nshape = \"sphere\"\nradius = 1.5\nforce = 3.0\nfriction = 0.3\n"
+                      "place = [0.3, -0.2]\n[reconstruct]\nalpha = 1e-6\n" +
+                          more,
+                      "skin.toml"));
+}
+
+}  // namespace
+
+TEST_CASE("counts of a skin give the tractions of the readings that they were made of",
+          "[lab][units][skin]") {
+  const SkinScene plain = skin_of("");
+  const SkinScene raw = skin_of(sensor_of_counts());
+  const std::vector<double> readings = simulate(raw).readings;
+  CHECK(readings == simulate(plain).readings);
+  const std::vector<double> numbers = raw_numbers(raw, readings);
+  // number = gains reading + offsets
+  CHECK_THAT(numbers[3], WithinRel(-0.83 * readings[3] + 1.7, 1e-12));
+  CHECK_THAT(numbers[59], WithinRel(1.39 * readings[59] - 3.9, 1e-12));
+  std::vector<double> back = numbers;
+  calibrate(*raw.calibration, back);
+  const std::vector<double> expected = solve(SkinSceneProblem(plain), readings).tractions;
+  CHECK(relative_l2_error(solve(SkinSceneProblem(raw), back).tractions, expected) < 1e-10);
+  // Who takes counts for readings finds something else.
+  CHECK(relative_l2_error(solve(SkinSceneProblem(raw), numbers).tractions, expected) > 0.1);
+}
+
+TEST_CASE("a skin's controller finds in counts what solve finds in readings, and their end",
+          "[lab][units][skin]") {
+  SkinScene raw = skin_of(sensor_of_counts());
+  raw.quantization = Quantization{.bits = 12};
+  for (const SkinQuantity quantity : raw.sensor.reads) raw.quantization->range[quantity] = {-4, 9};
+  const SkinSceneProblem problem(raw);
+  const PlannedController planned = plan_controller(problem, {.value = 1e-6}, {.accuracy = 1e-10});
+  CHECK(planned.for_raw_numbers);
+  CHECK_FALSE(planned.needs_baseline);
+  ContactEstimator estimator(planned.estimator.plan);
+  std::vector<double> f(estimator.tractions());
+  ContactEstimate estimate{.tractions = f};
+  const std::vector<double> readings = simulate(skin_of("")).readings;
+  REQUIRE(estimator.update(raw_numbers(raw, readings), estimate) == FrameStatus::ok);
+  CHECK(relative_l2_error(f, solve(SkinSceneProblem(skin_of("")), readings).tractions) < 1e-8);
+  CHECK_FALSE(estimate.saturated);
+  std::vector<double> end = readings;
+  end[20] = 9.0;
+  REQUIRE(estimator.update(raw_numbers(raw, end), estimate) == FrameStatus::ok);
+  CHECK(estimate.saturated);
+  raw.calibration->baseline_frames = FrameRange{0, 9};
+  CHECK(plan_controller(SkinSceneProblem(raw), {.value = 1e-6}).needs_baseline);
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "tactile_net/scene/reader.hpp"
@@ -172,7 +173,7 @@ TEST_CASE("what is wrong in a calibration's file is said by its line, and not qu
       {{"secret\n1\n", "line 1: a column has another name than reading, gain, baseline, offset"},
        {"gain,gain\n", "line 1: a column stands there twice"},
        {"gain\n1\n2\n", "it has 2 rows, the array 6 readings"},
-       {"gain\n1\n1\n1\n1\n1\n1\n1\n", "line 8: there is no reading left"},
+       {"gain\n1\n1\n1\n1\n1\n1\n1\n", "it has 7 rows, the array 6 readings"},
        {"gain\n1\nsecret\n", "line 3: gain is not a finite number"},
        {"gain\n1\ninf\n", "line 3: gain is not a finite number"},
        {"gain,baseline\n1\n", "line 2: it has 1 fields, the header 2"},
@@ -200,4 +201,96 @@ TEST_CASE("a scene names a calibration beside it or below alone", "[calibration]
                ContainsSubstring("must name a file beside the scene's or below its folder"));
   }
   CHECK_THAT(refusal("[calibration]\nfile = \".\"\n", inner), ContainsSubstring("is a folder"));
+}
+
+namespace {
+
+/// Two rows, three columns, two quantities: stress_x_0_0 ... stress_x_1_2, displacement_y_0_0 ...
+const std::string skin =
+    "[sensor]\nrows = 2\ncolumns = 3\npitch = 0.5\ndepth = 1.5\n"
+    "reads = [\"stress_x\", \"displacement_y\"]\n"
+    "[material]\nyoungs_modulus = 1\npoisson_ratio = 0.4\n"
+    "[noise]\nrms = { stress_x = 1.0, displacement_y = 1.0 }\n";
+
+SkinScene skin_with(const std::string& more, const std::string& file = "scene.toml") {
+  return std::get<SkinScene>(parse_any_scene(skin + more, file));
+}
+
+std::string skin_refusal(const std::string& more, const std::string& file = "scene.toml") {
+  try {
+    (void)parse_any_scene(skin + more, file);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::vector<double> twelve(double stress, double displacement) {
+  std::vector<double> all(6, stress);
+  all.insert(all.end(), 6, displacement);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a skin has the calibration of a line, a number a taxel and quantity",
+          "[calibration][skin]") {
+  CHECK_FALSE(skin_with("").calibration);
+  const Calibration units =
+      skin_with("[units]\nstress = \"kPa\"\nlength = \"mm\"\n").calibration.value();
+  CHECK(units.gain == twelve(1000.0, 1e-3));
+  const Calibration each =
+      skin_with("[calibration]\ngain = { stress_x = 2, displacement_y = 1e-6 }\noffset = 0.25\n")
+          .calibration.value();
+  CHECK(each.gain == twelve(2.0, 1e-6));
+  CHECK(each.offset == Numbers(12, 0.25));
+  const Calibration listed =
+      skin_with(
+          "[calibration]\ngains = [1, 2, 4, 1, 2, 4, 0.5, 0.25, 1, 1, 1, -1]\noffsets = "
+          "[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12]\n")
+          .calibration.value();
+  CHECK(listed.gain == Numbers{1, 0.5, 0.25, 1, 0.5, 0.25, 2, 4, 1, 1, 1, -1});
+  CHECK(listed.baseline == Numbers{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+  CHECK(
+      skin_with("[calibration]\nbaseline_frames = [2, 99]\n").calibration->baseline_frames->last ==
+      99);
+}
+
+TEST_CASE("a skin's calibration that does not fit is refused with both counts",
+          "[calibration][skin]") {
+  const auto [more, wanted] = GENERATE(table<std::string, std::string>(
+      {{"gain = [1, 2, 3]", "one value per reading, channel after channel: 12 (got 3)"},
+       {"gain = { stress_x = 1 }", "calibration.gain.displacement_y is missing"},
+       {"gain = { stress_x = 1, displacement_y = 1, shear_xy = 1 }", "unknown key"},
+       {"gain = 0", "calibration.gain must not be 0"},
+       {"gains = 2\noffset = 1", "calibration.offset exclude each other"},
+       {"gian = 1", "unknown key \"calibration.gian\""}}));
+  CAPTURE(more);
+  CHECK_THAT(skin_refusal("[calibration]\n" + more + "\n"), ContainsSubstring(wanted));
+}
+
+TEST_CASE("a skin's file of calibration names its readings by row and column",
+          "[calibration][skin]") {
+  const Folder folder;
+  std::string file = "reading,gain\n";
+  for (const std::string quantity : {"stress_x", "displacement_y"})
+    for (const std::string place : {"0_0", "0_1", "0_2", "1_0", "1_1", "1_2"})
+      file += quantity + "_" + place + (quantity == "stress_x" ? ",2\n" : ",3\n");
+  folder.write("c.csv", file);
+  const std::string table = "[calibration]\nfile = \"c.csv\"\n";
+  CHECK(skin_with(table, folder.scene()).calibration->gain == twelve(2.0, 3.0));
+  folder.write("c.csv", "gain\n1\n1\n");
+  CHECK_THAT(skin_refusal(table, folder.scene()),
+             ContainsSubstring("it has 2 rows, the array 12 readings"));
+  folder.write(
+      "c.csv", "gain\n" + [] {
+        std::string rows;
+        for (int i = 0; i < 14; ++i) rows += "1\n";
+        return rows;
+      }());
+  CHECK_THAT(skin_refusal(table, folder.scene()),
+             ContainsSubstring("it has 14 rows, the array 12 readings"));
+  folder.write("c.csv", "reading,gain\nstress_x_0_1,1\n");
+  CHECK_THAT(skin_refusal(table, folder.scene()),
+             ContainsSubstring("line 2: this row is that of stress_x_0_0"));
 }

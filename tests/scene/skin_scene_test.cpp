@@ -229,7 +229,6 @@ TEST_CASE("what is wrong with a skin's scene is said at its place", "[scene]") {
       {"margin = 2.0", "margin = 2.0\ntangential_weight = \"evidense\"", "45:21",
        "unknown way to estimate a weight"},
       {"margin = 2.0", "margin = 2.0\nsurface = \"grid\"", "45:11", "has one kind for skins"},
-      {"[dead_taxels]", "[calibration]\n[dead_taxels]", "35:1", "is of line arrays"},
       {"[dead_taxels]", "[network]\nrealization = \"mesh\"\n[dead_taxels]", "36:15",
        "unknown realization"},
       {"[dead_taxels]", "[network]\nspacing = 0.1\n[dead_taxels]", "36:11",

@@ -8,6 +8,7 @@
 
 #include "tactile_net/lab/observer.hpp"
 #include "tactile_net/lab/scene_circuit.hpp"
+#include "tactile_net/lab/verdict.hpp"
 #include "tactile_net/network/tolerance.hpp"
 #include "tactile_net/simulator/simulator.hpp"
 #include "tactile_net/simulator/step_response.hpp"
@@ -81,6 +82,8 @@ struct Relaxation {
   [[nodiscard]] bool resolved() const noexcept { return explained.limit <= 1e-3; }
   /// Why this is no answer that holds; absent if it is.
   [[nodiscard]] std::optional<Disagreement> disagreement() const noexcept;
+  /// Failed where it disagrees; else whether the answer is one to use.
+  [[nodiscard]] Verdict verdict() const noexcept;
 };
 
 /// Runs the simulator: the operating point always, transients where settling is asked for, draws

@@ -114,4 +114,7 @@ class SceneCircuit {
 ///                               `circuit_source` and `too_large`
 [[nodiscard]] SceneCircuit simulated_circuit(const AnyScene& scene);
 
+/// Of a skin, for these readings, with alpha and weight as they choose them. @throw  as above
+[[nodiscard]] SceneCircuit skin_circuit(const SkinScene& scene, std::vector<double> readings);
+
 }  // namespace tactile_net::lab

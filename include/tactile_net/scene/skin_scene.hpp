@@ -49,6 +49,8 @@ struct SkinScene : SensorEffects {
   std::size_t frame = 0;             ///< that `run` reconstructs: the reader sets the last
   std::vector<SkinLoad> contacts{};  ///< as they are at that frame
   std::vector<SkinContactTrajectory> trajectories{};  ///< one per contact, empty where it stands
+  /// As of a line's scene: [calibration] and [units] in one.
+  std::optional<Calibration> calibration{};
   ForwardModel forward = ForwardModel::exact;
   SkinReconstructOptions reconstruct{};
   NetworkOptions network{};
@@ -86,10 +88,7 @@ inline constexpr std::size_t most_skin_tractions = 8192;
 /// @throw std::invalid_argument  there is no such frame
 [[nodiscard]] SkinScene at_frame(SkinScene scene, std::size_t frame);
 
-/// From the numbers of a file to readings in SI; absent where they are the same.
-[[nodiscard]] std::optional<Calibration> calibration(const SkinScene& scene);
-
-/// Readings as a file of this scene has them: in its units.
+/// Readings as a file of this scene has them: in its units, before its calibration.
 [[nodiscard]] std::vector<double> raw_numbers(const SkinScene& scene,
                                               std::span<const double> readings);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tactile_net/frames/csv.hpp"
+#include "tactile_net/report/words/deck_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -48,7 +49,11 @@ std::string tractions_csv(const lab::SkinExperiment& experiment) {
 }  // namespace
 
 drawing::Files run_files(const lab::SkinExperiment& experiment) {
-  return {{"readings.csv", readings_csv(experiment)}, {"tractions.csv", tractions_csv(experiment)}};
+  drawing::Files files = {{"readings.csv", readings_csv(experiment)},
+                          {"tractions.csv", tractions_csv(experiment)}};
+  if (experiment.network && experiment.network->circuit)
+    files.emplace_back("network.cir", deck_text(*experiment.network->circuit, Answer::printed));
+  return files;
 }
 
 std::vector<std::string> traction_columns(const SkinGrid& grid, std::size_t components) {

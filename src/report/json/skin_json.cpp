@@ -5,6 +5,7 @@
 
 #include "report/json/data_json.hpp"
 #include "report/json/document.hpp"
+#include "report/json/network_values.hpp"
 #include "report/json/scene_json.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
@@ -128,6 +129,17 @@ Json answer_json(const lab::SkinExperiment& experiment) {
   return json;
 }
 
+Json circuit_json(const lab::SkinCircuitResult& circuit) {
+  Json json = {{"verdict", name(circuit.verdict())},
+               {"relative_error",
+                {finite_or_null(circuit.relative[0]), finite_or_null(circuit.relative[1]),
+                 finite_or_null(circuit.relative[2])}},
+               {"network", nullptr}};
+  if (circuit.relaxation) json["network"] = network_json(*circuit.relaxation);
+  if (!circuit.refusal.empty()) json["failure"] = circuit.refusal;
+  return json;
+}
+
 }  // namespace
 
 std::string experiment_json(const lab::SkinExperiment& experiment) {
@@ -142,6 +154,7 @@ std::string experiment_json(const lab::SkinExperiment& experiment) {
   json["answer"] = experiment.answer ? answer_json(experiment) : Json(nullptr);
   json["warnings"] = warnings(experiment);
   if (!experiment.refusal.empty()) json["failure"] = experiment.refusal;
+  if (experiment.network) json["circuit"] = circuit_json(*experiment.network);
   return text_of(json);
 }
 

@@ -12,6 +12,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/data_words.hpp"
+#include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
@@ -338,6 +339,33 @@ std::vector<std::vector<std::string>> found_cells(const lab::SkinExperiment& exp
   return rows;
 }
 
+std::string network_errors_in_words(const lab::SkinCircuitResult& network) {
+  if (!network.relaxation) return {};
+  std::string text = "The circuit is off the true p " + percent(network.relative[0]);
+  if (!std::isnan(network.relative[1]))
+    text += ", q_y " + percent(network.relative[1]) + ", q_z " + percent(network.relative[2]) +
+            " of it";
+  return text + ".";
+}
+
+namespace {
+
+void print_network(std::ostream& out, const lab::SkinExperiment& experiment) {
+  const auto& network = experiment.network;
+  if (!network) return;
+  out << '\n';
+  if (!network->relaxation) {
+    out << "network: FAILED: " << network->refusal << '\n';
+    return;
+  }
+  print_relaxation(out, *network->relaxation);
+  out << "  " << network_errors_in_words(*network) << '\n';
+  if (const auto disagreement = network->relaxation->disagreement())
+    out << "  FAILED: " << report::in_words(*disagreement) << '\n';
+}
+
+}  // namespace
+
 void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
   out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n  ")
@@ -346,6 +374,7 @@ void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment) 
   out << "  " << grid_in_words(scene, experiment.grid) << "\n\n";
   if (!experiment.answer) {
     out << "FAILED: " << experiment.refusal << '\n';
+    print_network(out, experiment);
     return;
   }
   const lab::SkinAnswer& answer = *experiment.answer;
@@ -361,6 +390,7 @@ void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment) 
         << ", touch nothing " << answer.cone->apart << " (" << answer.cone->iterations
         << " iterations, residual " << brief(answer.cone->residual, 2) << ")\n";
   for (const std::string& warning : warnings(experiment)) out << "warning: " << warning << '\n';
+  print_network(out, experiment);
 }
 
 }  // namespace tactile_net::report

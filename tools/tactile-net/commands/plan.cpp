@@ -37,11 +37,6 @@ PlannerOptions planner_options(const PlanOptions& options) {
   return planner;
 }
 
-bool has_baseline_frames(const Scene& scene) {
-  return scene.calibration && scene.calibration->baseline_frames;
-}
-bool has_baseline_frames(const SkinScene&) { return false; }
-
 std::size_t readings_of(const Scene& scene) { return reading_count(scene.sensor); }
 std::size_t readings_of(const SkinScene& scene) { return reading_count(scene.sensor); }
 
@@ -51,7 +46,7 @@ lab::PlanAlpha alpha_of(const Problem& problem, const PlanOptions& options,
                         std::optional<Calibration>& calibration, const Streams& streams) {
   Progress progress(streams);
   const auto& scene = problem.scene();
-  const bool has_baseline = has_baseline_frames(scene);
+  const bool has_baseline = scene.calibration && scene.calibration->baseline_frames;
   if (!options.readings.empty() && (!scene.reconstruct.alpha || has_baseline)) {
     frames::ReadingsFile file(options.readings, scene, &streams.in,
                               {.columns = options.columns, .accept_missing = true});

@@ -50,20 +50,25 @@ void refuse_for_skins(const RunOptions& options) {
   };
   refuse(options.explain, "--explain", "counts the work for line arrays");
   refuse(options.compare_rules, "--compare-rules", "compares rules for line arrays");
-  refuse(options.network.any(), "--realization", "and its like make circuits of line arrays");
 }
 
 void run(SkinScene scene, const RunOptions& options, const Streams& streams) {
   refuse_for_skins(options);
   if (options.frame) scene = at_frame(std::move(scene), *options.frame);
+  apply(options.network, scene.network, streams.err);
   Results results(options.results, streams);
   Progress progress(streams);
-  const lab::SkinExperiment experiment = lab::run(scene, lab::monotonic_time, progress);
+  lab::SkinExperiment experiment = lab::run(scene, lab::monotonic_time, progress);
+  if (options.network.any())
+    lab::run_circuit(experiment, *lab::make_simulator(options.simulator), progress);
   results.write({.print = [&](std::ostream& out) { report::print_experiment(out, experiment); },
                  .json = [&] { return report::experiment_json(experiment); },
                  .page = [&] { return pages::run_page(experiment, streams.command); }},
                 progress);
-  if (!experiment.succeeded()) throw CheckFailed("there is no answer that holds");
+  if (!experiment.succeeded())
+    throw CheckFailed(experiment.answer && experiment.network
+                          ? "the circuit has no answer that holds"
+                          : "there is no answer that holds");
 }
 
 void run(Scene line, const RunOptions& options, const Streams& streams) {

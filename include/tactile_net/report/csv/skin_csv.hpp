@@ -12,7 +12,8 @@
 namespace tactile_net::report {
 
 /// readings.csv, one frame as `solve` takes it, and tractions.csv, a row per cell: y and z of its
-/// middle, the tractions found, their deviations where they are known, and the true ones.
+/// middle, the tractions found, their deviations where they are known, and the true ones;
+/// network.cir if there is a circuit.
 [[nodiscard]] drawing::Files run_files(const lab::SkinExperiment& experiment);
 
 /// Of every cell, "normal_3_5" of row 3 and column 5, component after component.

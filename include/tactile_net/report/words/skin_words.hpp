@@ -34,6 +34,9 @@ namespace tactile_net::report {
 [[nodiscard]] std::vector<std::vector<std::string>> found_cells(
     const lab::SkinExperiment& experiment);
 
+/// How far a circuit's tractions are off the truth; nothing without an answer.
+[[nodiscard]] std::string network_errors_in_words(const lab::SkinCircuitResult& network);
+
 /// The answer first, as `answers`; then how it was found, and how far it is to be trusted.
 void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment);
 

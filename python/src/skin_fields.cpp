@@ -1,0 +1,109 @@
+#include "skin_fields.hpp"
+
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.hpp"
+#include "tactile_net/report/csv/skin_csv.hpp"
+#include "tactile_net/report/words/data_words.hpp"
+
+namespace tactile_net::python {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// `size` values of every answer, one answer a row; what is not known is NaN.
+template <class Of>
+Array rows_of(Answers answers, std::size_t size, Of of) {
+  std::vector<double> all;
+  all.reserve(answers.size() * size);
+  for (const auto& answer : answers) {
+    const std::size_t end = all.size() + size;
+    if (answer) {
+      const auto& values = of(*answer);
+      all.insert(all.end(), values.begin(), values.end());
+    }
+    all.resize(end, unknown);
+  }
+  return owned(std::move(all), {answers.size(), size});
+}
+
+/// Components x cells, as `deviations` too.
+Array tractions_of(Answers answers, std::size_t width) {
+  return rows_of(
+      answers, width, [](const auto& one) -> const auto& { return one.tractions; });
+}
+
+Array deviations_of(Answers answers, std::size_t width) {
+  return rows_of(answers, width, [&](const lab::SkinAnswer& one) {
+    return one.deviations.empty() ? std::vector<double>(width, unknown) : one.deviations;
+  });
+}
+
+/// 1 for a cell that touches, else 0.
+Array touching_of(Answers answers, const SkinGrid& grid) {
+  std::vector<double> all(answers.size() * grid.count());
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    if (answers[i])
+      for (const std::size_t cell : answers[i]->cells) all[i * grid.count() + cell] = 1.0;
+  return owned(std::move(all), {answers.size(), grid.count()});
+}
+
+/// The columns of `report::wrench_columns`.
+Array wrenches_of(Answers answers) {
+  return rows_of(answers, report::wrench_columns().size(), &report::wrench_values);
+}
+
+Array covariances_of(Answers answers) {
+  return rows_of(
+      answers, 36, [](const auto& one) -> const auto& { return one.wrench.covariance; });
+}
+
+/// Radius, second radius and angle of the strongest contact, each with its deviation.
+Array ellipses_of(Answers answers) {
+  return rows_of(answers, 6, [](const lab::SkinAnswer& one) {
+    if (!one.ellipse) return std::vector<double>(6, unknown);
+    const ContactEllipse& found = *one.ellipse;
+    return std::vector{found.radius.value,        found.radius.deviation,
+                       found.second_radius.value, found.second_radius.deviation,
+                       found.angle.value,         found.angle.deviation};
+  });
+}
+
+}  // namespace
+
+nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinGrid& grid,
+                                                std::size_t width) {
+  nb::typed<nb::dict, nb::str, nb::any> found;
+  std::vector<std::string> verdicts;
+  std::vector<std::string> data;
+  std::vector<std::string> sources;
+  std::vector<double> alphas;
+  std::vector<std::size_t> contacts;
+  for (const auto& answer : answers) {
+    verdicts.emplace_back(answer ? lab::name(answer->verdict) : "missing");
+    data.emplace_back(answer ? report::data_word(answer->data) : "missing");
+    sources.emplace_back(answer ? lab::source(answer->alpha) : "");
+    alphas.push_back(answer ? answer->alpha.value : unknown);
+    contacts.push_back(answer ? answer->contacts : 0);
+  }
+  found["tractions"] = tractions_of(answers, width);
+  found["deviation"] = deviations_of(answers, width);
+  found["touching"] = touching_of(answers, grid);
+  found["wrench"] = wrenches_of(answers);
+  found["covariance"] = covariances_of(answers);
+  found["ellipse"] = ellipses_of(answers);
+  found["verdict"] = verdicts;
+  found["data"] = data;
+  found["alpha"] = owned(std::move(alphas));
+  found["alpha_source"] = sources;
+  found["contacts"] = contacts;
+  return found;
+}
+
+}  // namespace tactile_net::python

@@ -1,0 +1,24 @@
+/// @file
+/// The answers to a skin's frames, as Python makes its arrays of them.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "tactile_net/lab/skin_answer.hpp"
+
+namespace tactile_net::python {
+
+namespace nb = nanobind;
+
+/// One a frame; absent: readings are missing.
+using Answers = std::span<const std::optional<lab::SkinAnswer>>;
+
+/// Fields by name, a row a frame. @param width  components x cells
+[[nodiscard]] nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinGrid& grid,
+                                                              std::size_t width);
+
+}  // namespace tactile_net::python
