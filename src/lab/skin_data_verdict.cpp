@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace tactile_net::lab {
 namespace {
@@ -28,6 +29,17 @@ DataLimits data_limits(const SkinSceneProblem& problem) {
   for (const SkinSite& site : sites(scene.sensor))
     limits.largest_readings.push_back(largest_reading(site, scene.material));
   return limits;
+}
+
+std::vector<double> without_offsets(const SkinSceneProblem& problem,
+                                    std::span<const double> readings,
+                                    std::span<const double> tractions) {
+  std::vector<double> rest(readings.begin(), readings.end());
+  const std::vector<double> found = offsets(problem.problem(), readings, tractions);
+  if (found.empty()) return rest;
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    rest[i] -= found[problem.problem().sites[i].channel];
+  return rest;
 }
 
 double largest_force(const SkinSceneProblem& problem, std::span<const double> readings) {
@@ -59,7 +71,7 @@ SkinDataJudge data_judge(const SkinSceneProblem& problem) {
 
 DataVerdict data_verdict(const SkinSceneProblem& problem, std::span<const double> readings,
                          std::span<const double> tractions) {
-  return problem.data_judge().judge(readings, tractions);
+  return problem.data_judge().judge(without_offsets(problem, readings, tractions), tractions);
 }
 
 }  // namespace tactile_net::lab

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
@@ -16,8 +17,17 @@ namespace tactile_net::lab {
 /// Young's modulus, no strain above 1, no displacement beyond the taxel's depth.
 [[nodiscard]] DataLimits data_limits(const SkinSceneProblem& problem);
 
+/// What a contact must explain: the readings, less the constant that was found in each channel
+/// where offsets are not known. How large that is says nothing of what presses.
+///
+/// @param tractions  that a method found [Pa]
+[[nodiscard]] std::vector<double> without_offsets(const SkinSceneProblem& problem,
+                                                  std::span<const double> readings,
+                                                  std::span<const double> tractions);
+
 /// The force of a pad that the frame's largest strain presses all over [N]: no deviation of a force
 /// that the readings fix is as large.
+/// @param readings  as `without_offsets`
 [[nodiscard]] double largest_force(const SkinSceneProblem& problem,
                                    std::span<const double> readings);
 

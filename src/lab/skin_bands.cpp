@@ -1,0 +1,230 @@
+#include "lab/skin_bands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+#include "tactile_net/lab/skin_sight.hpp"
+#include "tactile_net/skin/covariance.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+/// Of the prior that sizes the bands: gml's alpha, or where that has no verdict the tractions' own.
+AlphaChoice prior_of(const FilterFrame& frame, const AlphaTables& tables, AlphaRule rule,
+                     double alpha, std::optional<double> stated) {
+  AlphaChoice prior = choose_alone(
+      frame, tables, rule == AlphaRule::evidence ? AlphaRule::evidence : AlphaRule::gml, stated);
+  if (prior.verdict != AlphaVerdict::ok) prior.alpha = alpha;
+  return prior;
+}
+
+/// Whether the sum over cells is certain, though no single one may be: cells that are narrow for
+/// their depth share what is told of them. Under constraints noise can only push: of it the sum is
+/// some deviations, and not as many as are asked for.
+bool is_certain(const Uncertain& force) {
+  constexpr double deviations = 6.0;
+  return force.value > deviations * force.deviation;
+}
+bool is_felt(const Uncertain& force) {
+  constexpr double deviations = 2.0;
+  return force.value > deviations * force.deviation;
+}
+
+/// Makes deviations small enough for the highest pressure to be certain.
+void scale_to_peak(std::vector<double>& deviations, std::span<const double> pressure) {
+  const auto peak = static_cast<std::size_t>(std::max_element(pressure.begin(), pressure.end()) -
+                                             pressure.begin());
+  const double certain = 0.2 * pressure[peak];
+  if (!(deviations[peak] > certain)) return;
+  const double factor = certain / deviations[peak];
+  for (double& deviation : deviations) deviation *= factor;
+}
+
+/// The variance of place that smoothing may have added to pressure: of a rectangle that stands for
+/// one degree of freedom of it.
+double smoothed_variance(const SkinSceneProblem& problem, double degrees_of_freedom) {
+  const SkinArray& skin = problem.scene().sensor;
+  const double depth = least_depth(skin);
+  const double y = is_even(skin) && skin.rows == 1 ? depth : skin.pitch_y;
+  const double z = is_even(skin) && skin.columns == 1 ? depth : skin.pitch_z;
+  const auto components = static_cast<double>(problem.problem().components);
+  const double each = degrees_of_freedom / components / static_cast<double>(taxel_count(skin));
+  return y * z / std::max(each, 1e-3) / 12.0;
+}
+
+/// A radius by second moments lies between what it would be if smoothing had added all of that
+/// variance, and none.
+Uncertain without_smoothing(const Uncertain& radius, double variance) {
+  constexpr double hertz = 5.0;  // the radius' square over the variance
+  const double least = std::sqrt(std::max(radius.value * radius.value - hertz * variance, 0.0));
+  return {0.5 * (radius.value + least),
+          std::hypot(radius.deviation, (radius.value - least) / std::sqrt(12.0))};
+}
+
+constexpr double far_apart = 1.75;  // taxels; what presses between them is little seen
+
+/// What noise adds to a cell that touches nothing, on average [Pa]: under constraints it can only
+/// push there.
+double pushed_by_noise(std::span<const double> tractions, std::span<const std::size_t> cells,
+                       const std::vector<bool>& unseen) {
+  std::vector<bool> empty(unseen.size(), true);
+  for (const std::size_t cell : cells) empty[cell] = false;
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t cell = 0; cell < empty.size(); ++cell) {
+    if (!empty[cell] || unseen[cell]) continue;
+    sum += tractions[cell];
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+/// What constraints let noise do to a contact.
+struct Pushed {
+  double taken = 0.0;  ///< from the pressure of each of its cells [Pa]
+  double doubt = 0.0;  ///< of its force, beside the deviation [N]
+};
+
+/// An unknown offset hides a pressure all over the skin, and where nothing may pull it can only be
+/// added: what cells that touch nothing hold of it is no contact's, and is taken away.
+Pushed pushed_in(const SkinSceneProblem& problem, std::span<const double> tractions,
+                 std::span<const std::size_t> cells) {
+  if (!problem.problem().unknown_offsets) return {};
+  const double each = pushed_by_noise(tractions, cells, problem.unseen());
+  return {each, 0.5 * each * problem.grid().area() * static_cast<double>(cells.size())};
+}
+
+/// A face on which the cells beside those that press may press too: which of them do nobody knows
+/// better than by a cell.
+ConeFace with_cells_beside(ConeFace face, const SkinGrid& grid) {
+  std::vector<bool> presses(grid.count());
+  for (const ConeFace::Direction& one : face.free)
+    if (one.along[0] != 0.0) presses[one.cell] = true;
+  std::vector<std::size_t> pressed;
+  for (std::size_t cell = 0; cell < presses.size(); ++cell)
+    if (presses[cell]) pressed.push_back(cell);
+  for (const std::size_t cell : with_neighbours(grid, pressed))
+    if (!presses[cell]) face.free.push_back({cell, {1.0, 0.0, 0.0}});
+  return face;
+}
+
+void doubt_force(SkinAnswer& answer, double doubt) {
+  Uncertain& force = answer.wrench.normal;
+  force.deviation = std::hypot(force.deviation, doubt);
+  answer.wrench.covariance[0] += doubt * doubt;
+  if (!answer.friction) return;
+  Uncertain& ratio = answer.friction->ratio;
+  ratio.deviation = std::hypot(ratio.deviation, ratio.value * (doubt / force.value));
+}
+
+/// Where constraints leave a single row or column of cells, its place is what they have decided,
+/// not what the readings tell: the deviations are those of the cells beside it too, without
+/// constraints, and of a place anywhere in the width of a cell.
+void widen_centre(UncertainWrench& wrench, const SkinGrid& grid, std::span<const double> tractions,
+                  std::span<const std::size_t> cells, const Covariance& free, double rms) {
+  if (!wrench.centre_y || !wrench.centre_z) return;
+  std::vector<std::size_t> pressed;
+  for (const std::size_t cell : cells)
+    if (tractions[cell] != 0.0) pressed.push_back(cell);
+  const bool one_row = is_one_line(grid, pressed, false);
+  const bool one_column = is_one_line(grid, pressed, true);
+  if (!one_row && !one_column) return;
+  const UncertainWrench wider =
+      resultant_of(grid, tractions, with_neighbours(grid, pressed), free, rms);
+  const auto widen = [&](std::optional<Uncertain>& centre, const std::optional<Uncertain>& of_more,
+                         double spacing) {
+    centre->deviation = std::hypot(std::max(centre->deviation, of_more ? of_more->deviation : 0.0),
+                                   spacing / std::sqrt(12.0));
+  };
+  if (one_row) widen(wrench.centre_y, wider.centre_y, grid.spacing_y);
+  if (one_column) widen(wrench.centre_z, wider.centre_z, grid.spacing_z);
+}
+
+}  // namespace
+
+double pitch_in_depths(const SkinArray& skin) {
+  const double y = !is_even(skin) || skin.rows > 1 ? skin.pitch_y : 0.0;
+  const double z = !is_even(skin) || skin.columns > 1 ? skin.pitch_z : 0.0;
+  return std::max(y, z) / least_depth(skin);
+}
+
+void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame,
+               const std::optional<SkinFamily>& face, std::span<const double> readings) {
+  const SkinGrid& grid = problem.grid();
+  const double alpha = answer.alpha.value;
+  // An error of the model counts for noise.
+  const double rms = answer.noise.model_rms > 0.0 ? answer.noise.residual_rms : answer.noise.rms();
+  const AlphaRule rule = problem.alpha_rule();
+  const double prior =
+      prior_of(frame, problem.alpha_tables(frame), rule, alpha, problem.stated_noise()).alpha;
+  const SkinCovariance own(problem.family(), alpha, prior);
+  answer.deviations = own.deviations();
+  for (double& deviation : answer.deviations) deviation *= rms;
+
+  const auto covariance_on = [&](const SkinFamily& some) {
+    const FilterFrame left = some.analyse(readings);
+    const AlphaTables tables(left.gamma, left.rows, left.shares);
+    return SkinCovariance(some, alpha,
+                          prior_of(left, tables, rule, alpha, problem.stated_noise()).alpha);
+  };
+  std::optional<SkinCovariance> of_face;
+  std::vector<double> touching = answer.deviations;
+  if (face) {
+    of_face.emplace(covariance_on(*face));
+    touching = of_face->deviations();
+    for (double& deviation : touching) deviation *= rms;
+  }
+  const Covariance& covariance = of_face ? *of_face : own;
+  const std::span<const double> f = answer.tractions;
+  // Under constraints the cells around a contact hold what noise pushes there, and nothing pulls.
+  const double rim = (face ? 0.5 : 1.0) * least_depth(problem.scene().sensor);
+  answer.cells = contact_cells(grid, f, touching, rim);
+  std::vector<std::size_t> summed(grid.count());
+  std::iota(summed.begin(), summed.end(), std::size_t{0});
+  answer.wrench = resultant_of(grid, f, summed, covariance, rms);
+  if (answer.cells.empty() && is_certain(answer.wrench.normal)) {
+    scale_to_peak(touching, f.first(grid.count()));
+    answer.cells = contact_cells(grid, f, touching, rim);
+  }
+  if (answer.cells.empty()) {
+    // What no cell is certain of may press beside the taxels that see.
+    widen_centre(answer.wrench, grid, f, summed, own, rms);
+    if (is_felt(answer.wrench.normal)) answer.unseen = unseen_share(f, summed, problem.unseen());
+    return;
+  }
+  answer.unseen = unseen_share(f, answer.cells, problem.unseen());
+  const bool seen = answer.unseen <= most_unseen;
+  // Where no taxel sees, what constraints hold is not certain either.
+  const SkinCovariance of_contact(problem.family(), alpha,
+                                  contact_prior(prior, answer.cells.size(), grid.count(), seen));
+  // Nor between taxels that lie far apart, where they decide how much presses.
+  const bool held = seen && pitch_in_depths(problem.scene().sensor) <= far_apart;
+  // Friction's limit holds a contact together; where nothing but pulling is forbidden its rim is
+  // not certain.
+  std::optional<SkinCovariance> of_rim;
+  if (face && held && !problem.constraints()->friction_limit)
+    of_rim.emplace(
+        covariance_on(SkinFamily(problem.problem(), with_cells_beside(answer.cone->face, grid))));
+  const Covariance& known = of_rim ? *of_rim : of_face && held ? covariance : of_contact;
+  std::vector<double> contact(f.begin(), f.end());
+  const Pushed pushed = face ? pushed_in(problem, f, answer.cells) : Pushed{};
+  for (const std::size_t cell : answer.cells) contact[cell] -= pushed.taken;
+  answer.wrench = resultant_of(grid, contact, answer.cells, known, rms);
+  widen_centre(answer.wrench, grid, f, answer.cells, of_contact, rms);
+  answer.friction = friction_of(grid, contact, answer.cells, known, rms,
+                                problem.scene().reconstruct.friction_limit);
+  doubt_force(answer, pushed.doubt);
+  const auto apart = separate_contacts(grid, f, answer.cells);
+  answer.contacts = apart.size();
+  answer.ellipse = contact_ellipse(grid, contact, apart.front(), known, rms);
+  if (!answer.ellipse) return;
+  // Of tractions without constraints: these change little of what the readings tell of a size.
+  const double variance = smoothed_variance(problem, problem.family().degrees_of_freedom(alpha));
+  answer.ellipse->radius = without_smoothing(answer.ellipse->radius, variance);
+  answer.ellipse->second_radius = without_smoothing(answer.ellipse->second_radius, variance);
+}
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,23 @@
+/// @file
+/// How far a skin's tractions may be off, the cells that touch, and what these amount to. Private.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "tactile_net/lab/skin_answer.hpp"
+
+namespace tactile_net::lab {
+
+/// Bands, the cells that touch, and what the tractions amount to. Under constraints the contacts
+/// are judged by what these leave free; the bands of cells are those without constraints, which
+/// hold what the constraints have moved.
+///
+/// @param face  what constraints leave free; absent: there are none, or they leave nothing
+void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame,
+               const std::optional<SkinFamily>& face, std::span<const double> readings);
+
+/// How far apart a skin's taxels lie, in depths.
+[[nodiscard]] double pitch_in_depths(const SkinArray& skin);
+
+}  // namespace tactile_net::lab
