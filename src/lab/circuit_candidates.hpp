@@ -32,7 +32,8 @@ namespace tactile_net::lab {
 /// that its theorem speaks of; with more of them its poles are asked.
 [[nodiscard]] inline bool is_stable_with_its_opamps(const NetworkCircuit& circuit) {
   const OpAmp& opamp = circuit.options().opamp;
-  return (!opamp.second_pole && !opamp.input_capacitance) ||
+  return (!opamp.second_pole && !opamp.input_capacitance && !opamp.output_resistance &&
+          !opamp.common_mode_rejection) ||
          certify(circuit).stability != Stability::unstable;
 }
 

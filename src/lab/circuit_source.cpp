@@ -1,10 +1,13 @@
 #include "tactile_net/lab/circuit_source.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/lab/skin_network.hpp"
+#include "tactile_net/sensing/exact.hpp"
+#include "tactile_net/skin/forward.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -14,6 +17,37 @@ SceneFrame frame_of_circuit(const SceneFrame& frame) {
   const Scene& scene = frame.problem().scene();
   if (!scene.network.spacing) return frame;
   return {SceneProblem(of_circuit(scene)), frame.readings()};
+}
+
+/// d(readings)/dy of contacts that move, by central differences over a share of the depth, below
+/// which readings do not vary.
+std::vector<double> rate_of(const auto& channels, const auto& readings_at) {
+  double depth = channels.front().depth;
+  for (const auto& channel : channels) depth = std::min(depth, channel.depth);
+  const double step = 1e-3 * depth;
+  std::vector<double> rate = readings_at(step);
+  const std::vector<double> before = readings_at(-step);
+  for (std::size_t i = 0; i < rate.size(); ++i) rate[i] = (rate[i] - before[i]) / (2.0 * step);
+  return rate;
+}
+
+Contact moved(Contact contact, double by) {
+  if (auto* rigid = std::get_if<RigidContact>(&contact))
+    rigid->center += by;
+  else
+    std::get<SampledTractions>(contact).first += by;
+  return contact;
+}
+
+SkinLoad moved(SkinLoad load, double by) {
+  std::visit([=](auto& one) { one.y += by; }, load);
+  return load;
+}
+
+template <typename Load>
+std::vector<Load> all_moved(std::vector<Load> loads, double by) {
+  for (Load& one : loads) one = moved(std::move(one), by);
+  return loads;
 }
 
 class LineSource final : public CircuitSource {
@@ -27,6 +61,14 @@ class LineSource final : public CircuitSource {
   }
   std::vector<double> direct(double alpha) const override {
     return tikhonov_solve(frame_.problem().problem(), alpha, frame_.readings());
+  }
+  std::vector<double> readings_per_length() const override {
+    const Scene& scene = frame_.problem().scene();
+    if (scene.contacts.empty()) return {};
+    return weighted(frame_.problem().problem(), rate_of(channels(scene.sensor), [&](double by) {
+                      return exact_readings(scene.sensor, scene.material,
+                                            all_moved(scene.contacts, by));
+                    }));
   }
   std::optional<std::string> refusal(Realization) const override { return std::nullopt; }
 
@@ -65,6 +107,14 @@ class SkinSource final : public CircuitSource {
   std::vector<double> direct(double alpha) const override {
     const SkinFamily& family = problem_.family();
     return family.solve(family.analyse(readings_), alpha);
+  }
+  std::vector<double> readings_per_length() const override {
+    const SkinScene& scene = problem_.scene();
+    if (scene.contacts.empty()) return {};
+    const ExactSkinModel model(scene.sensor, scene.material);
+    return weighted(problem_.problem(), rate_of(channels(scene.sensor), [&](double by) {
+                      return model.readings(all_moved(scene.contacts, by));
+                    }));
   }
   std::optional<std::string> refusal(Realization realization) const override {
     return too_large(realization, problem_.tractions(), problem_.problem().kernel.rows);

@@ -8,9 +8,11 @@
 #include <stdexcept>
 
 #include "network/lag_bound.hpp"
+#include "network/scale_proposal.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/named.hpp"
+#include "tactile_net/network/slewing.hpp"
 
 namespace tactile_net {
 namespace {
@@ -54,14 +56,22 @@ bool is_met(TheoremCondition condition, const NetworkCircuit& circuit, bool defi
       return ratio <= 0.5;
     case TheoremCondition::main_slow_enough:
       return false;
+    case TheoremCondition::no_output_resistance:
+      return !o.output_resistance;
+    case TheoremCondition::no_common_mode_error:
+      return !o.common_mode_rejection;
+    case TheoremCondition::no_node_capacitance:
+      return !options.node_capacitance;
   }
   return false;
 }
 
-Theorem theorem_of(const NetworkCircuit& circuit, bool definite) {
+const StabilityTheorem& theorem_on_stability(const NetworkCircuit& circuit) {
   const RealizationTraits& one = traits(circuit.realization());
-  const StabilityTheorem& said =
-      one.drives_nodes && circuit.options().inverters ? one.theorem_with_inverters : one.theorem;
+  return one.drives_nodes && circuit.options().inverters ? one.theorem_with_inverters : one.theorem;
+}
+
+Theorem judged(const StabilityTheorem& said, const NetworkCircuit& circuit, bool definite) {
   Theorem theorem{.name = said.name, .statement = said.statement, .unmet = {}};
   for (const TheoremCondition condition : said.needs) {
     UnmetCondition unmet{.condition = condition};
@@ -119,8 +129,9 @@ std::optional<double> margin_of(const Reduction& reduction, const Equations& equ
   return 2.0 * x / (1.0 + 2.0 * x + std::sqrt(1.0 + 4.0 * x));
 }
 
-Dynamics dynamics_of(const StateSpace& system, double accuracy) {
-  Dynamics dynamics{.states = system.states(), .poles = poles(system)};
+Dynamics dynamics_of(const NetworkCircuit& circuit, double accuracy) {
+  const StateSpace& system = circuit.state_space();
+  Dynamics dynamics{.states = system.states(), .poles = circuit.poles()};
   dynamics.slowest = dynamics.poles.front().real();
   for (const auto& pole : dynamics.poles)
     if (std::abs(pole) > 0.0)
@@ -129,13 +140,19 @@ Dynamics dynamics_of(const StateSpace& system, double accuracy) {
     dynamics.settling_seconds = settling_time(system, accuracy, dynamics.slowest);
   else
     dynamics.mode = slowest_mode(system);
+  if (!system.slewing.empty() && dynamics.settling_seconds &&
+      system.states() <= most_slewing_states) {
+    dynamics.unslewed_seconds = dynamics.settling_seconds;
+    dynamics.settling_seconds = slewing_settling_time(system, accuracy, dynamics.slowest);
+  }
   dynamics.rings = dynamics.poles.front().imag() != 0.0;
   return dynamics;
 }
 
 /// Where an output has neither capacitance nor a pole its white noise has no size: no number then.
 std::optional<CircuitNoise> noise_of(const NetworkCircuit& circuit) {
-  if (!circuit.options().opamp.noise_voltage) return std::nullopt;
+  const OpAmp& opamp = circuit.options().opamp;
+  if (!opamp.noise_voltage && !opamp.noise_current) return std::nullopt;
   OutputNoise noise;
   try {
     noise = output_noise(circuit.flat());
@@ -238,14 +255,42 @@ void add_equations(Certificate& c, const NetworkCircuit& circuit) {
   add_scale_remarks(c, options.scale);
 }
 
+void add_slewing_remarks(Certificate& c, const NetworkCircuit& circuit) {
+  using Kind = CircuitRemark::Kind;
+  const RealizationOptions& options = circuit.options();
+  if (!options.opamp.slew || !(c.dynamics->slowest < 0.0)) return;
+  if (circuit.state_space().states() > most_slewing_states) {
+    c.remarks.push_back({.kind = Kind::slewing_left_out});
+    return;
+  }
+  const double demand = slewing_demand(circuit.state_space());
+  if (demand > 1.0)
+    c.remarks.push_back({.kind = Kind::slews,
+                         .value = demand * *options.opamp.slew,
+                         .limit = *options.opamp.slew,
+                         .repair = options.scale.volts / demand});
+}
+
+/// What real inputs and outputs do to the answer at rest, of a load.
+void add_errors(Certificate& c, const NetworkCircuit& circuit) {
+  const OpAmp& o = circuit.options().opamp;
+  if (!has_amplifiers(c.realization) ||
+      !(o.offset || o.bias_current || o.common_mode_rejection || o.output_resistance))
+    return;
+  const std::vector<double>& b = circuit.problem().right_side;
+  if (std::all_of(b.begin(), b.end(), [](double value) { return value == 0.0; })) return;
+  c.errors = static_errors(circuit.flat());
+}
+
 /// From the poles where there are any, otherwise from the theorem.
 void add_stability(Certificate& c, const NetworkCircuit& circuit, bool definite) {
   const std::size_t states =
       takes_time(c.realization, circuit.options()) ? count_states(circuit.flat()) : 0;
   if (states > 0 && states <= most_states) {
-    c.dynamics = dynamics_of(circuit.state_space(), c.accuracy);
+    c.dynamics = dynamics_of(circuit, c.accuracy);
     c.stability = c.dynamics->slowest < 0.0 ? Stability::stable : Stability::unstable;
     if (c.dynamics->slowest < 0.0) c.noise = noise_of(circuit);
+    add_slewing_remarks(c, circuit);
   } else {
     if (states > 0) c.remarks.push_back({.kind = CircuitRemark::Kind::too_many_states});
     c.stability = c.theorem.holds() ? Stability::stable : Stability::not_modelled;
@@ -276,7 +321,9 @@ Certificate certify(const NetworkCircuit& circuit, double accuracy) {
   const bool definite = c.smallest_eigenvalue > rounding || realization.takes_readings;
   c.condition = c.smallest_eigenvalue > rounding ? eigenvalues.largest / c.smallest_eigenvalue
                                                  : std::numeric_limits<double>::infinity();
-  c.theorem = theorem_of(circuit, definite);
+  c.theorem = judged(theorem_on_stability(circuit), circuit, definite);
+  if (circuit.options().opamp.slew && !realization.theorem_of_slewing.name.empty())
+    c.slewing = judged(realization.theorem_of_slewing, circuit, definite);
   c.elements = count_elements(circuit.flat());
   for (const double ohm : resistances(circuit.flat())) {
     const double size = std::abs(ohm);
@@ -291,7 +338,9 @@ Certificate certify(const NetworkCircuit& circuit, double accuracy) {
     return c;
   }
   if (realization.linear()) add_equations(c, circuit);
+  add_errors(c, circuit);
   add_stability(c, circuit, definite);
+  c.proposal = scale_proposal(c, circuit);
   return c;
 }
 

@@ -24,6 +24,10 @@ const StateSpace& NetworkCircuit::state_space() const {
   return state_space_.get([&] { return tactile_net::state_space(flat()); });
 }
 
+const std::vector<std::complex<double>>& NetworkCircuit::poles() const {
+  return poles_.get([&] { return tactile_net::poles(state_space()); });
+}
+
 const EigenvalueRange& NetworkCircuit::eigenvalues() const {
   return eigenvalues_.get([&] { return eigenvalue_range(problem_->matrix); });
 }

@@ -22,8 +22,10 @@ std::string farad(double hertz) {
   return shortest(transconductance / (2.0 * std::numbers::pi * hertz));
 }
 
-/// Whose thermal noise is `volts` per square root of Hz at a simulator's 27 degrees: 4 k T R.
-double noise_resistor(double volts) { return volts * volts / (4.0 * 1.380649e-23 * 300.15); }
+constexpr double four_k_t = 4.0 * 1.380649e-23 * 300.15;  // at a simulator's 27 degrees
+
+/// Whose thermal noise is `volts` per square root of Hz: 4 k T R.
+double noise_resistor(double volts) { return volts * volts / four_k_t; }
 
 std::string description(const AmplifierModel& model) {
   const OpAmp& o = model.opamp;
@@ -38,13 +40,51 @@ std::string description(const AmplifierModel& model) {
     text = "* " + std::string(1, model.outputs == Outputs::complementary ? 'A' : 'O') +
            kind.substr(1) + " of finite gain" + (o.bandwidth ? ", one pole" : "") +
            (o.second_pole ? " and a second" : "") + (o.offset ? ", input offset" : "") +
-           (o.noise_voltage ? ", input noise" : "") + (o.rail ? ", clamped output" : "") + ".\n";
+           (o.bias_current ? ", bias current" : "") +
+           (o.common_mode_rejection ? ", finite common-mode rejection" : "") +
+           (o.noise_voltage || o.noise_current ? ", input noise" : "") + (o.slew ? ", slew" : "") +
+           (o.rail ? ", clamped output" : "") + (o.output_resistance ? ", output resistance" : "") +
+           ".\n";
   return text +
          "* Pins: p = non-inverting input, n = inverting input, out = output (against ground)" +
          (model.outputs == Outputs::complementary ? ", inv = -out" : "") + ".\n";
 }
 
+/// Of op-amps on the market: an inexpensive one, an accurate one, a fast one with two outputs.
+constexpr OpAmpClass classes[] = {{"general",
+                                   {.gain = 1e5,
+                                    .bandwidth = 1e6,
+                                    .second_pole = 3e6,
+                                    .offset = 2e-3,
+                                    .input_capacitance = 3e-12,
+                                    .noise_voltage = 30e-9,
+                                    .noise_current = 0.1e-12,
+                                    .bias_current = 20e-9,
+                                    .slew = 0.5e6}},
+                                  {"precision",
+                                   {.gain = 1e6,
+                                    .bandwidth = 10e6,
+                                    .second_pole = 25e6,
+                                    .offset = 50e-6,
+                                    .input_capacitance = 4e-12,
+                                    .noise_voltage = 5e-9,
+                                    .noise_current = 1e-12,
+                                    .bias_current = 1e-9,
+                                    .slew = 10e6}},
+                                  {"fast",
+                                   {.gain = 1e4,
+                                    .bandwidth = 200e6,
+                                    .second_pole = 400e6,
+                                    .offset = 1e-3,
+                                    .input_capacitance = 2e-12,
+                                    .noise_voltage = 5e-9,
+                                    .noise_current = 2e-12,
+                                    .bias_current = 1e-6,
+                                    .slew = 200e6}}};
+
 }  // namespace
+
+std::span<const OpAmpClass> opamp_classes() noexcept { return classes; }
 
 void check(const OpAmp& opamp) {
   check(opamp.gain, "gain");
@@ -53,17 +93,75 @@ void check(const OpAmp& opamp) {
   check(opamp.rail, "rail");
   check(opamp.input_capacitance, "input capacitance");
   check(opamp.noise_voltage, "noise voltage");
+  check(opamp.noise_current, "noise current");
+  check(opamp.common_mode_rejection, "common-mode rejection");
+  check(opamp.slew, "slew");
+  check(opamp.output_resistance, "output resistance");
+  if (opamp.bias_current && !std::isfinite(*opamp.bias_current))
+    throw std::invalid_argument("an op-amp's bias current must be finite");
   if (opamp.offset && !std::isfinite(*opamp.offset))
     throw std::invalid_argument("an op-amp's offset must be finite");
-  if (opamp.noise_voltage && !opamp.bandwidth)
+  if ((opamp.noise_voltage || opamp.noise_current) && !opamp.bandwidth)
     throw std::invalid_argument(
-        "an op-amp's noise voltage needs its bandwidth: white noise of any "
-        "frequency has no size");
+        "an op-amp's noise needs its bandwidth: white noise of any frequency has no size");
+  if (opamp.slew && !opamp.bandwidth)
+    throw std::invalid_argument("an op-amp's slew needs its bandwidth: it bends what that makes");
   if (opamp.second_pole && !opamp.bandwidth)
     throw std::invalid_argument("an op-amp's second pole needs its bandwidth, the first one");
   if (opamp.rail && *opamp.rail <= diode_drop)
     throw std::invalid_argument("an op-amp's rail must be > 0.6 V, what its clamp's diodes drop");
 }
+
+namespace {
+
+/// From the pin `p` to the node that its core sees, through what a real input adds.
+std::string input_text(const OpAmp& o, std::string& input) {
+  std::string text;
+  if (o.common_mode_rejection) {
+    const std::string half = shortest(0.5 / *o.common_mode_rejection);
+    text += "Ecp c p p 0 " + half + "\nEcn d c n 0 " + half + '\n';
+    input = "d";
+  }
+  if (o.offset) {
+    text += "Vo q " + input + ' ' + shortest(*o.offset) + '\n';
+    input = "q";
+  }
+  if (o.noise_voltage) {  // a resistor's own noise is the source
+    text += "Rn w 0 " + shortest(noise_resistor(*o.noise_voltage)) + "\nEn z " + input + " w 0 1\n";
+    input = "z";
+  }
+  for (const char* pin : {"p", "n"}) {
+    if (o.bias_current)
+      text += std::string("Ib") + pin + ' ' + pin + " 0 " + shortest(*o.bias_current) + '\n';
+    if (o.noise_current)  // of 1 ohm
+      text += std::string("Rm") + pin + " m" + pin + " 0 1\nGm" + pin + ' ' + pin + " 0 m" + pin +
+              " 0 " + shortest(*o.noise_current / std::sqrt(four_k_t)) + '\n';
+  }
+  return text;
+}
+
+/// The current into the core: a transconductance, bent by the slew.
+std::string core_text(const OpAmp& o, const std::string& input) {
+  if (!o.slew) return "Ga 0 x " + input + " n " + shortest(transconductance) + '\n';
+  const double ampere =
+      *o.slew * transconductance / (2.0 * std::numbers::pi * *o.bandwidth);  // slew Ca
+  const std::string difference = "(V(" + input + ")-V(n))";
+  return "Bg 0 x I=" + shortest(ampere) + "*tanh(" +
+         shortest((1.0 - slewing_leak) * transconductance / ampere) + '*' + difference + ")+" +
+         shortest(slewing_leak * transconductance) + '*' + difference + '\n';
+}
+
+/// From the core's voltage to `out`.
+std::string output_text(const OpAmp& o, const std::string& core, bool both) {
+  if (!o.output_resistance) return "E1 out 0 " + core + " 0 1\n";
+  const std::string source = "E1 e 0 " + core + " 0 1\nRo e ";
+  if (!both) return source + "out " + shortest(*o.output_resistance) + '\n';
+  // out = core - resistance (i_out - i_inv) / 2, the latter current measured by Vi
+  const std::string half = shortest(0.5 * *o.output_resistance);
+  return source + "o " + half + "\nHo out o Vi " + half + '\n';
+}
+
+}  // namespace
 
 std::string subcircuit_text(const AmplifierModel& model) {
   const OpAmp& o = model.opamp;
@@ -76,19 +174,11 @@ std::string subcircuit_text(const AmplifierModel& model) {
     text += "Vn p n 0\nH1 out 0 Vn 1e21\n";
   } else {
     std::string input = "p";
-    if (o.offset) {
-      text += "Vo q p " + shortest(*o.offset) + '\n';
-      input = "q";
-    }
-    if (o.noise_voltage) {  // a resistor's own noise is the source
-      text +=
-          "Rn w 0 " + shortest(noise_resistor(*o.noise_voltage)) + "\nEn z " + input + " w 0 1\n";
-      input = "z";
-    }
-    if (!o.bandwidth && !o.rail) {
+    text += input_text(o, input);
+    if (!o.bandwidth && !o.rail && !o.output_resistance) {
       text += "E1 out 0 " + input + " n " + shortest(o.dc_gain()) + '\n';
     } else {
-      text += "Ga 0 x " + input + " n " + shortest(transconductance) + '\n';
+      text += core_text(o, input);
       text += "Ra x 0 " + shortest(o.dc_gain() / transconductance) + '\n';
       if (o.bandwidth) text += "Ca x 0 " + farad(*o.bandwidth) + '\n';
       if (o.rail) {
@@ -99,7 +189,7 @@ std::string subcircuit_text(const AmplifierModel& model) {
       if (o.second_pole)
         text += "Gb 0 y x 0 " + shortest(transconductance) + "\nRb y 0 " +
                 shortest(1.0 / transconductance) + "\nCb y 0 " + farad(*o.second_pole) + '\n';
-      text += std::string("E1 out 0 ") + (o.second_pole ? "y" : "x") + " 0 1\n";
+      text += output_text(o, o.second_pole ? "y" : "x", both);
     }
   }
   if (o.input_capacitance) {
@@ -107,7 +197,7 @@ std::string subcircuit_text(const AmplifierModel& model) {
     text += "Cn n 0 " + value;
     if (both) text += "Cp p 0 " + value;
   }
-  if (both) text += "E2 inv 0 0 out 1\n";
+  if (both) text += o.output_resistance ? "E2 i 0 0 out 1\nVi i inv 0\n" : "E2 inv 0 0 out 1\n";
   return text + ".ends " + model.name + '\n';
 }
 

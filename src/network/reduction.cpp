@@ -85,7 +85,10 @@ void Reduction::number_rows(const Circuit& circuit, const Roles& roles) {
   for (const Roles::Amplifier& one : roles.amplifiers) {
     const std::size_t row = fixed_[one.out].i;
     amplifier_rows_[row] = true;
-    if (one.inverse != 0) fixed_[one.inverse] = {row, none, -1.0, 0.0};
+    if (one.inverse != 0) {
+      fixed_[one.inverse] = {row, none, -1.0, 0.0};
+      inverses_.push_back(one.inverse);
+    }
     if (one.plus == 0) {
       laws_[one.minus] = {Law{row, -1.0}};
       continue;
@@ -159,7 +162,11 @@ std::vector<Reduction::Voltage> Reduction::voltages(std::span<const double> siem
   return all;
 }
 
-void Reduction::assemble(std::span<const double> siemens, Equations& equations) const {
+void Reduction::assemble(std::span<const double> siemens, Equations& equations,
+                         std::span<const double> balance) const {
+  if (!balance.empty() && balance.size() != inverses_.size())
+    throw std::invalid_argument(
+        "a balance needs one value an amplifier with complementary outputs");
   const auto clear = [&](Matrix& matrix, std::size_t columns) {
     matrix.rows = rows_;
     matrix.columns = columns;
@@ -170,7 +177,8 @@ void Reduction::assemble(std::span<const double> siemens, Equations& equations) 
   equations.total.assign(rows_, 0.0);
   equations.right_side = sources_;
 
-  const std::vector<Voltage> all = voltages(siemens);
+  std::vector<Voltage> all = voltages(siemens);
+  for (std::size_t k = 0; k < balance.size(); ++k) all[inverses_[k]].a *= 1.0 + balance[k];
   const auto add = [](Matrix& matrix, std::size_t row, const Voltage& v, double conductance) {
     if (v.i != none) matrix(row, v.i) += conductance * v.a;
     if (v.j != none) matrix(row, v.j) += conductance * v.b;
@@ -254,6 +262,20 @@ Matrix Reduction::sensitivities(std::span<const double> unknowns) const {
       }
     }
   }
+  return result;
+}
+
+Matrix Reduction::balance_sensitivities(std::span<const double> unknowns) const {
+  Matrix result{inverses_.size(), rows_, std::vector<double>(inverses_.size() * rows_)};
+  std::vector<std::size_t> amplifier(fixed_.size(), none);
+  for (std::size_t k = 0; k < inverses_.size(); ++k) amplifier[inverses_[k]] = k;
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    at_ends(parts_[p], [&](const Law& law, Node, Node there) {
+      if (amplifier[there] == none) return;
+      const Voltage& v = fixed_[there];
+      result(amplifier[there], law.row) -=
+          law.factor * siemens_[part_resistor_[p]] * v.a * unknowns[v.i];
+    });
   return result;
 }
 

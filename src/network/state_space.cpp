@@ -1,291 +1,13 @@
 #include "tactile_net/network/state_space.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
-#include <utility>
 
-#include "numeric/decompositions.hpp"
+#include "network/stamps.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/lyapunov.hpp"
 
 namespace tactile_net {
-namespace {
-
-double radians(double hertz) { return 2.0 * std::numbers::pi * hertz; }
-
-Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
-
-constexpr auto none = static_cast<std::size_t>(-1);
-
-/// Those that a capacitor stands at: the inverting one, and both of an amplifier whose outputs are
-/// complementary.
-std::vector<Node> inputs_with_capacitance(const FlatCircuit::Amplifier& x, const OpAmp& opamp) {
-  std::vector<Node> inputs;
-  if (!opamp.input_capacitance) return inputs;
-  if (x.minus != 0) inputs.push_back(x.minus);
-  if (x.inverse != 0 && x.plus != 0) inputs.push_back(x.plus);
-  return inputs;
-}
-
-/// Kirchhoff's laws of a circuit, part by part: first what holds charge (amplifiers, capacitors),
-/// then `number`, then what carries current (resistors, sources), then `system`.
-class Stamps {
- public:
-  explicit Stamps(const FlatCircuit& circuit)
-      : circuit_(circuit.circuit()),
-        capacitance_(nodes()),
-        sign_(nodes()),
-        source_(nodes()),
-        state_of_(nodes(), none),
-        other_of_(nodes(), none) {}
-
-  void amplifier(const FlatCircuit::Amplifier& x, const OpAmp& opamp, const std::string& name) {
-    if (!opamp.bandwidth)
-      throw std::invalid_argument("element " + name + ": an amplifier without bandwidth");
-    for (const Node input : inputs_with_capacitance(x, opamp))
-      capacitance_[input] += *opamp.input_capacitance;
-    drive(x.out, 1.0);
-    if (x.inverse != 0) drive(x.inverse, -1.0);
-    amplifiers_.push_back({opamp, x.plus, x.minus});
-  }
-
-  void capacitor(const Capacitor& c) {
-    if (c.from != 0 && c.to != 0)
-      throw std::invalid_argument("element " + c.name + ": a capacitor not to ground");
-    capacitance_[c.from + c.to] += c.farad;
-  }
-
-  /// Nodes with capacitance are states, and so are the amplifiers' poles; other nodes follow.
-  void number() {
-    for (Node node = 1; node < nodes(); ++node) {
-      if (sign_[node] != 0.0) continue;
-      if (capacitance_[node] > 0.0)
-        state_of_[node] = states_++;
-      else
-        other_of_[node] = others_++;
-    }
-    const Eigen::Index held = index(states_);
-    for (Amplifier& one : amplifiers_) {
-      one.state = states_;
-      states_ += one.opamp.second_pole ? 2U : 1U;
-    }
-    of_held_ = Eigen::MatrixXd::Zero(held, index(states_ + others_));
-    of_others_ = Eigen::MatrixXd::Zero(index(others_), index(states_ + others_));
-    into_held_ = Eigen::VectorXd::Zero(held);
-    into_others_ = Eigen::VectorXd::Zero(index(others_));
-  }
-
-  void resistor(Node from, Node to, double siemens) {
-    leave(from, to, siemens);
-    leave(to, from, siemens);
-  }
-
-  void source(const CurrentSource& i) {
-    if (state_of_[i.into] != none)
-      into_held_(index(state_of_[i.into])) += i.ampere;
-    else if (other_of_[i.into] != none)
-      into_others_(index(other_of_[i.into])) += i.ampere;
-  }
-
-  [[nodiscard]] bool outputs_are_states() const {
-    return std::all_of(circuit_.outputs.begin(), circuit_.outputs.end(),
-                       [&](Node node) { return node == 0 || other_of_[node] == none; });
-  }
-
-  /// What noise drives the states with, as intensities of white noise [two-sided].
-  struct Intensity {
-    Eigen::MatrixXd thermal, amplifiers;
-  };
-
-  /// @pre `system` was called
-  [[nodiscard]] Intensity noise(const std::vector<Resistor>& resistors, double kelvin) const {
-    constexpr double boltzmann = 1.380649e-23;
-    const Eigen::Index held = of_held_.rows();
-    // The currents' covariance at nodes that nothing drives, and what they do to the states.
-    Eigen::MatrixXd currents = Eigen::MatrixXd::Zero(held + index(others_), held + index(others_));
-    const auto place = [&](Node node) -> Eigen::Index {
-      if (state_of_[node] != none) return index(state_of_[node]);
-      return other_of_[node] != none ? held + index(other_of_[node]) : -1;
-    };
-    for (const Resistor& r : resistors) {
-      const double density = 2.0 * boltzmann * kelvin * std::abs(r.siemens);
-      const Eigen::Index a = place(r.from);
-      const Eigen::Index b = place(r.to);
-      if (a >= 0) currents(a, a) += density;
-      if (b >= 0) currents(b, b) += density;
-      if (a >= 0 && b >= 0) {
-        currents(a, b) -= density;
-        currents(b, a) -= density;
-      }
-    }
-    const Eigen::MatrixXd into = by_current();
-    Eigen::VectorXd voltages = Eigen::VectorXd::Zero(index(states_));
-    for (const Amplifier& one : amplifiers_)
-      if (one.opamp.noise_voltage)
-        voltages(index(one.state)) =
-            0.5 * std::pow(radians(*one.opamp.bandwidth) * *one.opamp.noise_voltage, 2);
-    return {into * currents * into.transpose(), voltages.asDiagonal()};
-  }
-
-  [[nodiscard]] StateSpace system() {
-    eliminate_others();
-    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(index(states_), index(states_));
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(index(states_));
-    for (Node node = 1; node < nodes(); ++node)
-      if (state_of_[node] != none) add_node_row(node, a, b);
-    for (const Amplifier& one : amplifiers_) add_amplifier_rows(one, a, b);
-
-    StateSpace system{
-        .dynamics = from_eigen(a), .drive = {b.begin(), b.end()}, .output = {}, .direct = {}};
-    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(std::ssize(circuit_.outputs), index(states_));
-    for (std::size_t k = 0; k < circuit_.outputs.size(); ++k) {
-      Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(index(states_));
-      double rest = 0.0;
-      add_voltage(circuit_.outputs[k], 1.0, row, rest);
-      c.row(index(k)) = row;
-      system.direct.push_back(rest);
-    }
-    system.output = from_eigen(c);
-    return system;
-  }
-
- private:
-  struct Amplifier {
-    OpAmp opamp;
-    Node plus, minus;
-    std::size_t state = 0;
-  };
-
-  [[nodiscard]] std::size_t nodes() const noexcept { return circuit_.nodes.size(); }
-
-  [[nodiscard]] static std::size_t output_state(const Amplifier& one) {
-    return one.state + (one.opamp.second_pole ? 1U : 0U);
-  }
-
-  /// The amplifier that comes next drives the node.
-  void drive(Node node, double sign) {
-    sign_[node] = sign;
-    source_[node] = amplifiers_.size();
-  }
-
-  /// The current that leaves a node through a conductance to another.
-  void leave(Node here, Node there, double siemens) {
-    if (here == 0 || sign_[here] != 0.0) return;
-    auto row = state_of_[here] != none ? of_held_.row(index(state_of_[here]))
-                                       : of_others_.row(index(other_of_[here]));
-    const auto add = [&](Node node, double value) {
-      if (node == 0) return;
-      if (sign_[node] != 0.0)
-        row(index(output_state(amplifiers_[source_[node]]))) += sign_[node] * value;
-      else
-        row(index(state_of_[node] != none ? state_of_[node] : states_ + other_of_[node])) += value;
-    };
-    add(here, siemens);
-    add(there, -siemens);
-  }
-
-  /// v_o = E x + e of the nodes that are no states.
-  void eliminate_others() {
-    e_ = Eigen::MatrixXd::Zero(index(others_), index(states_));
-    constant_ = Eigen::VectorXd::Zero(index(others_));
-    if (others_ == 0) return;
-    // In units of each node's own conductance, so that no scale decides what is singular.
-    const Eigen::VectorXd units =
-        of_others_.rightCols(index(others_)).rowwise().lpNorm<Eigen::Infinity>().cwiseInverse();
-    if (!units.allFinite())
-      throw std::domain_error("nodes without capacitance have no unique voltage");
-    of_others_ = units.asDiagonal() * of_others_;
-    into_others_ = units.cwiseProduct(into_others_);
-    const Lu lu(of_others_.rightCols(index(others_)));
-    if (!(lu.reciprocal_condition() > 1e-15))
-      throw std::domain_error("nodes without capacitance have no unique voltage");
-    const Eigen::MatrixXd of_states = of_others_.leftCols(index(states_));
-    e_ = -lu.solve(of_states);
-    constant_ = lu.solve(into_others_);
-    const Eigen::MatrixXd currents = units.asDiagonal();
-    by_others_ = lu.solve(currents);
-  }
-
-  /// x' by a current into each node with capacitance, then into each other one.
-  [[nodiscard]] Eigen::MatrixXd by_current() const {
-    const Eigen::Index held = of_held_.rows();
-    Eigen::MatrixXd into = Eigen::MatrixXd::Zero(index(states_), held + index(others_));
-    for (Node node = 1; node < nodes(); ++node)
-      if (state_of_[node] != none) {
-        const Eigen::Index row = index(state_of_[node]);
-        into(row, row) = 1.0 / capacitance_[node];
-        into.row(row).tail(index(others_)) =
-            -of_held_.row(row).tail(index(others_)) * by_others_ / capacitance_[node];
-      }
-    for (const Amplifier& one : amplifiers_) {
-      const double w = radians(*one.opamp.bandwidth);
-      for (const auto& [node, sign] : {std::pair(one.plus, w), std::pair(one.minus, -w)})
-        if (other_of_[node] != none)
-          into.row(index(one.state)).tail(index(others_)) +=
-              sign * by_others_.row(index(other_of_[node]));
-    }
-    return into;
-  }
-
-  /// Kirchhoff: G_hh v_h + G_ho v_o + G_hx x = i_h - C v_h'.
-  void add_node_row(Node node, Eigen::MatrixXd& a, Eigen::VectorXd& b) const {
-    const Eigen::Index row = index(state_of_[node]);
-    a.row(row) =
-        -(of_held_.row(row).head(index(states_)) + of_held_.row(row).tail(index(others_)) * e_) /
-        capacitance_[node];
-    b(row) = (into_held_(row) - of_held_.row(row).tail(index(others_)).dot(constant_)) /
-             capacitance_[node];
-  }
-
-  void add_amplifier_rows(const Amplifier& one, Eigen::MatrixXd& a, Eigen::VectorXd& b) const {
-    const Eigen::Index x = index(one.state);
-    const double w = radians(*one.opamp.bandwidth);
-    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(index(states_));
-    double rest = w * one.opamp.offset.value_or(0.0);
-    add_voltage(one.plus, w, row, rest);
-    add_voltage(one.minus, -w, row, rest);
-    row(x) -= w / one.opamp.dc_gain();
-    a.row(x) = row;
-    b(x) = rest;
-    if (one.opamp.second_pole) {
-      const double second = radians(*one.opamp.second_pole);
-      a(x + 1, x) = second;
-      a(x + 1, x + 1) = -second;
-    }
-  }
-
-  /// Adds factor * v(node), as row * x + rest.
-  void add_voltage(Node node, double factor, Eigen::RowVectorXd& row, double& rest) const {
-    if (node == 0) return;
-    if (sign_[node] != 0.0) {
-      row(index(output_state(amplifiers_[source_[node]]))) += factor * sign_[node];
-    } else if (state_of_[node] != none) {
-      row(index(state_of_[node])) += factor;
-    } else {
-      row += factor * e_.row(index(other_of_[node]));
-      rest += factor * constant_(index(other_of_[node]));
-    }
-  }
-
-  const Circuit& circuit_;
-  std::vector<double> capacitance_;
-  std::vector<double> sign_;         // of a node that an amplifier drives; 0: none does
-  std::vector<std::size_t> source_;  // that amplifier
-  std::vector<Amplifier> amplifiers_;
-  std::vector<std::size_t> state_of_, other_of_;
-  std::size_t states_ = 0, others_ = 0;
-  // Currents that leave nodes with capacitance and other nodes, per state and then per other node;
-  // those that sources send into them.
-  Eigen::MatrixXd of_held_, of_others_;
-  Eigen::VectorXd into_held_, into_others_;
-  Eigen::MatrixXd e_;
-  Eigen::MatrixXd by_others_;  // voltages of other nodes by currents into them
-  Eigen::VectorXd constant_;
-};
-
-}  // namespace
 
 std::size_t count_states(const FlatCircuit& circuit) {
   std::size_t states = circuit.circuit().capacitors.size();
@@ -310,7 +32,8 @@ Stamps stamps_of(const FlatCircuit& circuit) {
   stamps.number();
   for (const Resistor& r : flat.resistors) stamps.resistor(r.from, r.to, r.siemens);
   for (const NShapedDevice& b : flat.devices) stamps.resistor(b.from, b.to, -b.siemens);
-  for (const CurrentSource& i : flat.sources) stamps.source(i);
+  for (const CurrentSource& i : flat.sources) stamps.source(i.into, i.ampere);
+  stamps.bias_currents();
   return stamps;
 }
 
@@ -327,11 +50,12 @@ OutputNoise output_noise(const FlatCircuit& circuit, double kelvin) {
   const Eigen::MatrixXd c = as_eigen(system.output);
   if (!stamps.outputs_are_states())
     throw std::domain_error("white noise at an output without capacitance has no size");
-  if (!(eigenvalues(a).real().maxCoeff() < 0.0))
+  const Lyapunov equation(a);
+  if (!(equation.largest_real_part() < 0.0))
     throw std::domain_error("an unstable circuit's noise grows without end");
   const Stamps::Intensity noise = stamps.noise(circuit.circuit().resistors, kelvin);
   const auto at_outputs = [&](const Eigen::MatrixXd& intensity) {
-    return from_eigen(c * solve_lyapunov(a, intensity) * c.transpose());
+    return from_eigen(c * equation.solve(intensity) * c.transpose());
   };
   return {at_outputs(noise.thermal), at_outputs(noise.amplifiers)};
 }

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "network/deviation.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/network/state_space.hpp"
@@ -25,82 +27,40 @@ std::vector<double> slowest_mode(const StateSpace& system) {
   return {mode.begin(), mode.end()};
 }
 
-namespace {
-
-/// A^-1 b: minus where the states come to rest.
-Eigen::VectorXd driven(const StateSpace& system) {
+Eigen::VectorXd end_of(const StateSpace& system) {
   const Eigen::VectorXd drive = as_eigen(std::span(system.drive));
-  return Lu(as_eigen(system.dynamics)).solve(drive);
+  return -Lu(as_eigen(system.dynamics)).solve(drive);
 }
 
-}  // namespace
-
 std::vector<double> steady_state(const StateSpace& system) {
-  const Eigen::VectorXd x = -driven(system);
-  const Eigen::VectorXd v = as_eigen(system.output) * x + as_eigen(std::span(system.direct));
+  const Eigen::VectorXd v =
+      as_eigen(system.output) * end_of(system) + as_eigen(std::span(system.direct));
   return {v.begin(), v.end()};
 }
 
-namespace {
+Deviation::Deviation(const StateSpace& system, Eigen::VectorXd start)
+    : a_(as_eigen(system.dynamics)), c_(as_eigen(system.output)), start_(std::move(start)) {}
 
-/// How far the outputs are from their end: C (x - x_end), where x - x_end begins at -x_end and
-/// follows exp(A t).
-class Deviation {
- public:
-  explicit Deviation(const StateSpace& system)
-      : a_(as_eigen(system.dynamics)),
-        c_(as_eigen(system.output)),
-        start_(driven(system)),
-        end_((c_ * start_ - as_eigen(std::span(system.direct))).norm()) {}
-
-  /// |v_end|_2
-  [[nodiscard]] double end() const noexcept { return end_; }
-
-  /// |v - v_end|_2 at t = 0, step, ... : exact at each, however far apart they are.
-  [[nodiscard]] std::vector<double> sizes(double step, std::size_t steps) const {
-    const Eigen::MatrixXd advance = exponential(a_ * step);
-    Eigen::VectorXd x = start_;
-    std::vector<double> sizes = {(c_ * x).norm()};
-    while (sizes.size() <= steps) {
-      x = advance * x;
-      sizes.push_back((c_ * x).norm());
-    }
-    return sizes;
+std::vector<double> Deviation::sizes(double step, std::size_t steps) const {
+  const Eigen::MatrixXd advance = exponential(a_ * step);
+  Eigen::VectorXd x = start_;
+  std::vector<double> sizes = {(c_ * x).norm()};
+  while (sizes.size() <= steps) {
+    x = advance * x;
+    sizes.push_back((c_ * x).norm());
   }
-
- private:
-  Eigen::MatrixXd a_;
-  Eigen::MatrixXd c_;
-  Eigen::VectorXd start_;
-  double end_;
-};
-
-}  // namespace
-
-std::vector<double> step_errors(const StateSpace& system, double step, std::size_t steps) {
-  if (!(step > 0.0) || !std::isfinite(step)) throw std::invalid_argument("a step must be > 0");
-  const Deviation deviation(system);
-  if (deviation.end() == 0.0) throw std::domain_error("the outputs rest at 0: no relative error");
-  std::vector<double> errors = deviation.sizes(step, steps);
-  for (double& error : errors) error /= deviation.end();
-  return errors;
+  return sizes;
 }
 
-std::optional<double> settling_time(const StateSpace& system, double accuracy, double slowest) {
-  if (!(slowest < 0.0)) return std::nullopt;
-  const Deviation deviation(system);
-  if (deviation.end() == 0.0) return 0.0;
-
+std::optional<double> Deviation::within(double limit, double horizon) const {
   constexpr std::size_t points = 4000;
-  const double limit = accuracy * deviation.end();
-  double horizon = (4.0 - std::log(accuracy)) / -slowest;
   for (int refinement = 0; refinement < 40; ++refinement) {
     const double step = horizon / static_cast<double>(points);
-    const std::vector<double> sizes = deviation.sizes(step, points);
+    const std::vector<double> deviations = sizes(step, points);
     double settled = 0.0;
     for (std::size_t k = 1; k <= points; ++k) {
-      const double before = sizes[k - 1];
-      const double now = sizes[k];
+      const double before = deviations[k - 1];
+      const double now = deviations[k];
       const auto end = static_cast<double>(k);
       if (before > limit && now <= limit)  // on a straight line between logarithms
         settled = step *
@@ -117,6 +77,25 @@ std::optional<double> settling_time(const StateSpace& system, double accuracy, d
     }
   }
   return std::nullopt;
+}
+
+std::vector<double> step_errors(const StateSpace& system, double step, std::size_t steps) {
+  if (!(step > 0.0) || !std::isfinite(step)) throw std::invalid_argument("a step must be > 0");
+  const std::vector<double> rest = steady_state(system);
+  const double end = as_eigen(std::span(rest)).norm();
+  if (end == 0.0) throw std::domain_error("the outputs rest at 0: no relative error");
+  std::vector<double> errors = Deviation(system, -end_of(system)).sizes(step, steps);
+  for (double& error : errors) error /= end;
+  return errors;
+}
+
+std::optional<double> settling_time(const StateSpace& system, double accuracy, double slowest) {
+  if (!(slowest < 0.0)) return std::nullopt;
+  const std::vector<double> rest = steady_state(system);
+  const double end = as_eigen(std::span(rest)).norm();
+  if (end == 0.0) return 0.0;
+  return Deviation(system, -end_of(system))
+      .within(accuracy * end, (4.0 - std::log(accuracy)) / -slowest);
 }
 
 }  // namespace tactile_net

@@ -40,15 +40,18 @@ double preferred(int place, int series) {
 }
 
 /// Whether anything is random.
-bool draws(const ToleranceOptions& options) { return options.relative || !options.each.empty(); }
+bool draws(const ToleranceOptions& options) {
+  return options.relative || options.stabiliser || options.balance || !options.each.empty();
+}
 
 void check(const ToleranceOptions& options, std::size_t resistors) {
   if (!options.each.empty() && options.each.size() != resistors)
     throw std::invalid_argument("a tolerance of each resistor needs one value a resistor");
   for (const double one : options.each)
     if (!(one > 0.0 && one < 1.0)) throw std::invalid_argument("a tolerance must be > 0 and < 1");
-  if (options.relative && !(*options.relative > 0.0 && *options.relative < 1.0))
-    throw std::invalid_argument("a tolerance must be > 0 and < 1");
+  for (const auto& one : {options.relative, options.stabiliser, options.balance})
+    if (one && !(*one > 0.0 && *one < 1.0))
+      throw std::invalid_argument("a tolerance must be > 0 and < 1");
   if (!draws(options) && !options.series)
     throw std::invalid_argument("a tolerance needs relative errors or a series");
   if (!(options.accuracy > 0.0)) throw std::invalid_argument("the accuracy must be > 0");
@@ -93,12 +96,43 @@ Eigen::VectorXd outputs_of(const Reduction& reduction, const Equations& equation
 }
 
 /// Of one resistor.
-double tolerance_of(const ToleranceOptions& options, std::size_t resistor) {
-  return options.each.empty() ? options.relative.value_or(0.0) : options.each[resistor];
+double tolerance_of(const Reduction& reduction, const ToleranceOptions& options,
+                    std::size_t resistor) {
+  if (!options.each.empty()) return options.each[resistor];
+  if (options.stabiliser && reduction.resistors()[resistor].rfind("Rs", 0) == 0)
+    return *options.stabiliser;
+  return options.relative.value_or(0.0);
 }
 
 double quantile(const std::vector<double>& ascending, double q) {
   return ascending[static_cast<std::size_t>(q * static_cast<double>(ascending.size() - 1) + 0.5)];
+}
+
+/// The squares of the answer's relative changes by each row of what `errors` says of the equations.
+Eigen::VectorXd relative_squares(const Reduction& reduction, const auto& errors) {
+  const Equations nominal = reduction.equations();
+  const Lu lu(as_eigen(nominal.matrix));
+  const Eigen::VectorXd right = as_eigen(std::span(nominal.right_side));
+  const Eigen::VectorXd z = lu.solve(right);
+  const auto n = static_cast<Eigen::Index>(reduction.outputs());
+  const double size = z.head(n).squaredNorm();
+  if (!z.allFinite() || !(size > 0.0))
+    throw std::domain_error("without an answer there is nothing to err from");
+  // Rows of the inverse that lead to the outputs: |dv|^2 = u' (rows' rows) u.
+  const Eigen::MatrixXd rows = lu.inverse().topRows(n);
+  const Eigen::MatrixXd gram = rows.transpose() * rows;
+  const Matrix by_errors = errors(std::span(z.data(), static_cast<std::size_t>(z.size())));
+  const auto u = as_eigen(by_errors);
+  return (u * gram).cwiseProduct(u).rowwise().sum() / size;
+}
+
+/// The mean square that balances of 1 would make to first order.
+double of_balance(const Reduction& reduction) {
+  if (reduction.complementary() == 0) return 0.0;
+  return relative_squares(
+             reduction,
+             [&](std::span<const double> z) { return reduction.balance_sensitivities(z); })
+      .sum();
 }
 
 /// The first-order part of a result.
@@ -110,10 +144,11 @@ void predict(const Reduction& reduction, const ToleranceOptions& options, Tolera
   if (options.series)
     rounding = std::pow(std::log(10.0) / (2.0 * static_cast<double>(*options.series)), 2) / 3.0;
   for (Eigen::Index r = 0; r < squares.size(); ++r) {
-    const double relative = tolerance_of(options, static_cast<std::size_t>(r));
+    const double relative = tolerance_of(reduction, options, static_cast<std::size_t>(r));
     squares(r) *= relative * relative / 3.0 + rounding;
   }
-  const double sum = squares.sum();
+  double sum = squares.sum();
+  if (options.balance) sum += *options.balance * *options.balance / 3.0 * of_balance(reduction);
   result.predicted = std::sqrt(sum);
 
   std::vector<std::size_t> order(reduction.resistors().size());
@@ -129,21 +164,8 @@ void predict(const Reduction& reduction, const ToleranceOptions& options, Tolera
 }  // namespace
 
 std::vector<double> relative_sensitivities(const Reduction& reduction) {
-  const Equations nominal = reduction.equations();
-  const Lu lu(as_eigen(nominal.matrix));
-  const Eigen::VectorXd right = as_eigen(std::span(nominal.right_side));
-  const Eigen::VectorXd z = lu.solve(right);
-  const auto n = static_cast<Eigen::Index>(reduction.outputs());
-  const double size = z.head(n).squaredNorm();
-  if (!z.allFinite() || !(size > 0.0))
-    throw std::domain_error("without an answer there is nothing to err from");
-  // Rows of the inverse that lead to the outputs: |dv|^2 = u' (rows' rows) u.
-  const Eigen::MatrixXd rows = lu.inverse().topRows(n);
-  const Eigen::MatrixXd gram = rows.transpose() * rows;
-  const Matrix sensitivities =
-      reduction.sensitivities({z.data(), static_cast<std::size_t>(z.size())});
-  const auto u = as_eigen(sensitivities);
-  const Eigen::VectorXd squares = (u * gram).cwiseProduct(u).rowwise().sum() / size;
+  const Eigen::VectorXd squares = relative_squares(
+      reduction, [&](std::span<const double> z) { return reduction.sensitivities(z); });
   return {squares.begin(), squares.end()};
 }
 
@@ -178,10 +200,22 @@ std::vector<double> printed(const Reduction& reduction, const ToleranceOptions& 
 }
 
 /// One trial's errors on them.
-void spread(std::vector<double>& siemens, const ToleranceOptions& options, std::size_t trial) {
+void spread(const Reduction& reduction, std::vector<double>& siemens,
+            const ToleranceOptions& options, std::size_t trial) {
   if (!draws(options)) return;
   for (std::size_t r = 0; r < siemens.size(); ++r)
-    siemens[r] /= 1.0 + tolerance_of(options, r) * uniform(options.seed, trial, r);
+    siemens[r] /= 1.0 + tolerance_of(reduction, options, r) * uniform(options.seed, trial, r);
+}
+
+/// One trial's balances; none: all are exact.
+std::vector<double> balances(const Reduction& reduction, const ToleranceOptions& options,
+                             std::size_t trial) {
+  std::vector<double> balance;
+  if (!options.balance) return balance;
+  for (std::size_t k = 0; k < reduction.complementary(); ++k)
+    balance.push_back(*options.balance *
+                      uniform(options.seed, trial, reduction.resistors().size() + k));
+  return balance;
 }
 
 }  // namespace
@@ -196,7 +230,7 @@ Circuit with_parts_of(Series series, Circuit circuit) {
 std::vector<double> drawn(const Reduction& reduction, const ToleranceOptions& options,
                           std::size_t trial) {
   std::vector<double> siemens = printed(reduction, options);
-  spread(siemens, options, trial);
+  spread(reduction, siemens, options, trial);
   return siemens;
 }
 
@@ -231,8 +265,8 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
   Equations equations;
   for (std::size_t trial = 0; trial < result.trials; ++trial) {
     siemens = parts;
-    spread(siemens, options, trial);
-    reduction.assemble(siemens, equations);
+    spread(reduction, siemens, options, trial);
+    reduction.assemble(siemens, equations, balances(reduction, options, trial));
     if (!is_stable(reduction, equations)) {
       errors.push_back(std::numeric_limits<double>::infinity());
       continue;

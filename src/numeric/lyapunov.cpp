@@ -5,22 +5,27 @@
 
 namespace tactile_net {
 
-Eigen::MatrixXd solve_lyapunov(const Eigen::MatrixXd& a, const Eigen::MatrixXd& q) {
+Lyapunov::Lyapunov(const Eigen::MatrixXd& a) {
   const Eigen::ComplexSchur<Eigen::MatrixXd> schur(a);
-  const Eigen::MatrixXcd& u = schur.matrixU();
-  const Eigen::MatrixXcd& t = schur.matrixT();
+  u_ = schur.matrixU();
+  t_ = schur.matrixT();
+}
+
+double Lyapunov::largest_real_part() const { return t_.diagonal().real().maxCoeff(); }
+
+Eigen::MatrixXd Lyapunov::solve(const Eigen::MatrixXd& q) const {
   // T Y + Y T* = F, column by column from the last.
-  const Eigen::MatrixXcd f = -(u.adjoint() * q * u);
-  Eigen::MatrixXcd y = Eigen::MatrixXcd::Zero(a.rows(), a.cols());
-  for (Eigen::Index j = a.rows() - 1; j >= 0; --j) {
-    const Eigen::Index behind = a.rows() - 1 - j;
-    Eigen::VectorXcd right = f.col(j) - y.rightCols(behind) * t.row(j).tail(behind).adjoint();
-    Eigen::MatrixXcd shifted = t;
-    shifted.diagonal().array() += std::conj(t(j, j));
+  const Eigen::MatrixXcd f = -(u_.adjoint() * q * u_);
+  Eigen::MatrixXcd y = Eigen::MatrixXcd::Zero(t_.rows(), t_.cols());
+  for (Eigen::Index j = t_.rows() - 1; j >= 0; --j) {
+    const Eigen::Index behind = t_.rows() - 1 - j;
+    Eigen::VectorXcd right = f.col(j) - y.rightCols(behind) * t_.row(j).tail(behind).adjoint();
+    Eigen::MatrixXcd shifted = t_;
+    shifted.diagonal().array() += std::conj(t_(j, j));
     shifted.triangularView<Eigen::Upper>().solveInPlace(right);
     y.col(j) = right;
   }
-  const Eigen::MatrixXd x = (u * y * u.adjoint()).real();
+  const Eigen::MatrixXd x = (u_ * y * u_.adjoint()).real();
   return 0.5 * (x + x.transpose());
 }
 

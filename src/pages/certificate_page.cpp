@@ -10,6 +10,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
@@ -229,6 +230,13 @@ std::vector<Figure> figures_of(const lab::Certification& c) {
   return figures;
 }
 
+/// The certificate's lines, and what its scene adds.
+std::vector<std::string> known(const lab::Certification& c) {
+  std::vector<std::string> lines = in_words(c.certificate());
+  for (std::string& line : report::facts_in_words(c)) lines.push_back(std::move(line));
+  return lines;
+}
+
 }  // namespace
 
 Page certificate_html(const lab::Certification& c, const Made& made) {
@@ -250,8 +258,7 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   if (!page.missing.empty()) html += element("p", page.missing, "note");
 
   html += "<div class=\"two top\">" + figures.html("pad") + "<div>" +
-          element("h2", "What is known of it") + html_list(in_words(c.certificate())) +
-          "</div></div>\n";
+          element("h2", "What is known of it") + html_list(known(c)) + "</div></div>\n";
 
   html += element("h2", "Over time");
   if (!c.certificate().dynamics)

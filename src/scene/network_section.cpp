@@ -12,8 +12,38 @@ constexpr Rule below_one{"must be > 0 and < 1",
 constexpr Rule above_diodes{"must be > 0.6, what the clamp's diodes drop",
                             [](double x) noexcept { return x > 0.6; }};
 
+/// A class of op-amps by its name, where there is one.
+OpAmp opamp_of_class(const Value& value) {
+  std::vector<std::string_view> names;
+  for (const OpAmpClass& one : opamp_classes()) names.push_back(one.name);
+  const auto index = value.one_of("class", names);
+  return index ? opamp_classes()[*index].opamp : OpAmp{};
+}
+
+/// Beyond gain, bandwidth and second pole.
+struct OpAmpKey {
+  std::string_view name;
+  std::optional<double> OpAmp::*member;
+  Rule rule = positive;
+  Unit unit{};
+  std::string_view needs_bandwidth{};  ///< why; empty: it does not
+};
+
+constexpr std::string_view noise_needs = "has no size without a bandwidth that ends it";
+
+constexpr OpAmpKey opamp_keys[] = {
+    {"offset", &OpAmp::offset, any_number, in_volts},
+    {"noise_voltage", &OpAmp::noise_voltage, positive, {}, noise_needs},
+    {"noise_current", &OpAmp::noise_current, positive, {}, noise_needs},
+    {"bias_current", &OpAmp::bias_current, any_number, {}},
+    {"cmrr", &OpAmp::common_mode_rejection},
+    {"slew", &OpAmp::slew, positive, {}, "bends what the bandwidth makes"},
+    {"output_resistance", &OpAmp::output_resistance},
+    {"rail", &OpAmp::rail, above_diodes, in_volts}};
+
 OpAmp read_opamp(Table table) {
   OpAmp opamp;
+  if (const auto kind = table.value("class")) opamp = opamp_of_class(*kind);
   if (const auto gain = table.value("gain")) opamp.gain = gain->number(positive);
   if (const auto bandwidth = table.value("bandwidth"))
     opamp.bandwidth = bandwidth->number(positive, in_hertz);
@@ -22,14 +52,13 @@ OpAmp read_opamp(Table table) {
     if (!opamp.bandwidth)
       pole->problem("needs the first pole", "beside it, bandwidth = 10e6 (gain-bandwidth product)");
   }
-  if (const auto offset = table.value("offset"))
-    opamp.offset = offset->number(any_number, in_volts);
-  if (const auto noise = table.value("noise_voltage")) {
-    opamp.noise_voltage = noise->number(positive);
-    if (!opamp.bandwidth)
-      noise->problem("has no size without a bandwidth that ends it", "beside it, bandwidth = 10e6");
+  for (const OpAmpKey& key : opamp_keys) {
+    const auto value = table.value(key.name);
+    if (!value) continue;
+    opamp.*key.member = value->number(key.rule, key.unit);
+    if (!key.needs_bandwidth.empty() && !opamp.bandwidth)
+      value->problem(std::string(key.needs_bandwidth), "beside it, bandwidth = 10e6");
   }
-  if (const auto rail = table.value("rail")) opamp.rail = rail->number(above_diodes, in_volts);
   if (opamp.is_nullor()) opamp.gain = opamp.dc_gain();
   table.finish();
   return opamp;
@@ -42,6 +71,14 @@ ToleranceOptions read_tolerance(Table table) {
   const auto relative =
       table.required("relative", "how far a component may be off: relative = 0.01", {"series"});
   if (relative) tolerance.relative = relative->number(below_one);
+  const auto beside = [&](std::string_view key, std::optional<double>& target) {
+    const auto value = table.value(key);
+    if (!value) return;
+    target = value->number(below_one);
+    if (!relative) value->problem("needs the other parts' tolerance", "beside it, relative = 0.01");
+  };
+  beside("stabiliser", tolerance.stabiliser);
+  beside("balance", tolerance.balance);
   if (const auto value = table.value("series"))
     if (const auto index = value->one_of("series", names)) tolerance.series = series[*index];
   if (const auto trials = table.value("trials"))
@@ -101,7 +138,12 @@ NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
     parts.inverters = inverters->boolean().value_or(false);
   if (const auto device = table.value("device"))
     if (const auto index = device->one_of("device", curve_names)) parts.curve = curves[*index];
-  if (const auto opamp = table_of(table.value("opamp"))) parts.opamp = read_opamp(*opamp);
+  if (const auto opamp = table.value("opamp")) {
+    if (opamp->is_text())
+      parts.opamp = opamp_of_class(*opamp);
+    else if (const auto own = opamp->table())
+      parts.opamp = read_opamp(*own);
+  }
   if (const auto parasitic = table_of(table.value("parasitic"))) read_parasitic(*parasitic, parts);
   if (const auto tolerance = table_of(table.value("tolerance")))
     options.tolerance = read_tolerance(*tolerance);

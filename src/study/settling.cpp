@@ -113,7 +113,8 @@ StudySection settling(const StudyInput& input, Realization realization, Simulato
   const std::vector<WorkPoint> measured = section.points;
   const RealizationOptions& given = input.scene().network.parts;
   const bool alone =
-      !given.node_capacitance && !given.opamp.second_pole && !given.opamp.input_capacitance;
+      !given.node_capacitance && !given.opamp.second_pole && !given.opamp.input_capacitance &&
+      !given.opamp.slew;
   for (const double bandwidth : bandwidths) {
     if (bandwidth == compared_bandwidth) continue;
     if (!alone) {

@@ -50,6 +50,13 @@ const std::vector<Effect> effects = {
     {"second pole", "Cb", [](RealizationOptions& o) { o.opamp.second_pole = 5e6; }},
     {"offset", "Vo", [](RealizationOptions& o) { o.opamp.offset = 1e-3; }},
     {"rail", "Vh", [](RealizationOptions& o) { o.opamp.rail = 12.0; }},
+    {"bias current", "Ibn", [](RealizationOptions& o) { o.opamp.bias_current = 1e-9; }},
+    {"common-mode rejection", "Ecp",
+     [](RealizationOptions& o) { o.opamp.common_mode_rejection = 1e4; }},
+    {"noise voltage", "Rn", [](RealizationOptions& o) { o.opamp.noise_voltage = 5e-9; }},
+    {"noise current", "Rmn", [](RealizationOptions& o) { o.opamp.noise_current = 1e-12; }},
+    {"slew", "Bg", [](RealizationOptions& o) { o.opamp.slew = 1e7; }},
+    {"output resistance", "Ro", [](RealizationOptions& o) { o.opamp.output_resistance = 50.0; }},
     {"input capacitance", "Cn", [](RealizationOptions& o) { o.opamp.input_capacitance = 1e-12; }},
 };
 

@@ -112,3 +112,58 @@ TEST_CASE("a tolerance without sense is refused", "[tolerance]") {
   CHECK_THROWS_AS(tolerate(reduction, {.relative = 0.1, .trials = 0}), std::invalid_argument);
   CHECK_THROWS_AS(tolerate(reduction, {.relative = 0.1, .accuracy = 0.0}), std::invalid_argument);
 }
+
+TEST_CASE("outputs out of balance err as they were designed to", "[tolerance][balance]") {
+  // design: within 1 % 2.4e-3 and 3.7e-2 of a crossbar, 1.6e-3 of least_squares
+  const auto median = [](Realization one, double alpha, double balance) {
+    const NetworkProblem problem = array_network(21, alpha).problem;
+    const ToleranceResult result =
+        tolerate(Reduction(realize(one, problem)), {.balance = balance, .trials = 400});
+    CHECK(result.stable == result.trials);
+    // Of many errors the mean square is that of first order.
+    double squares = 0.0;
+    for (const double error : result.errors) squares += error * error / 400.0;
+    CHECK_THAT(std::sqrt(squares), WithinRel(result.predicted, 0.2));
+    return result.median;
+  };
+  CHECK_THAT(median(Realization::crossbar, 1e-3, 0.01), WithinRel(2.4e-3, 0.25));
+  CHECK_THAT(median(Realization::crossbar, 1e-5, 0.001), WithinRel(3.9e-3, 0.25));
+  CHECK_THAT(median(Realization::least_squares, 1e-3, 0.01), WithinRel(1.6e-3, 0.25));
+  CHECK(median(Realization::lattice, 1e-3, 0.01) < 5e-3);
+  // Without complementary outputs there is nothing to draw.
+  const NetworkProblem problem = array_network(7, 1e-3).problem;
+  CHECK(tolerate(Reduction(realize(Realization::nic, problem)), {.balance = 0.01, .trials = 3})
+            .errors.back() == 0.0);
+  CHECK_THROWS_AS(tolerate(Reduction(realize(Realization::nic, problem)), {.balance = 0.0}),
+                  std::invalid_argument);
+}
+
+TEST_CASE("balances are drawn beside the resistors, which stay as they were drawn",
+          "[tolerance][balance]") {
+  const NetworkProblem problem = array_network(11, 1e-3).problem;
+  const Reduction reduction(realize(Realization::lattice, problem));
+  CHECK(reduction.complementary() == 11);
+  const ToleranceOptions alone{.relative = 0.01, .trials = 20};
+  ToleranceOptions both = alone;
+  both.balance = 1e-9;
+  const ToleranceResult without = tolerate(reduction, alone);
+  const ToleranceResult with = tolerate(reduction, both);
+  for (std::size_t k = 0; k < 20; ++k)
+    CHECK_THAT(with.errors[k], WithinRel(without.errors[k], 1e-5));
+  Equations equations;
+  CHECK_THROWS_AS(reduction.assemble(reduction.siemens(), equations, std::vector<double>(3)),
+                  std::invalid_argument);
+}
+
+TEST_CASE("a better stabiliser is most of what better parts would be", "[tolerance]") {
+  // design: 41 taxels, 1 % parts: 7.4e-3 of least_squares, 2.0e-3 with 0.1 % in 121 of them
+  const NetworkProblem problem = array_network(41, 1e-3).problem;
+  const auto median = [&](Realization one, std::optional<double> stabiliser) {
+    return tolerate(Reduction(realize(one, problem)),
+                    {.relative = 0.01, .stabiliser = stabiliser, .trials = 100})
+        .median;
+  };
+  CHECK_THAT(median(Realization::least_squares, {}), WithinRel(7.4e-3, 0.1));
+  CHECK_THAT(median(Realization::least_squares, 0.001), WithinRel(2.0e-3, 0.1));
+  CHECK(median(Realization::lattice, 0.001) <= 1.5e-3);
+}

@@ -239,3 +239,37 @@ TEST_CASE("what is no file of text is refused, not read", "[scene]") {
   std::filesystem::resize_file(large.path(), 16U << 20);  // zeros: no text, but small enough
   CHECK_THAT(problem_of_file(large.path()).message, ContainsSubstring("zero byte"));
 }
+
+TEST_CASE("a class of op-amps is where its keys begin, and each may be another", "[scene]") {
+  const auto opamp = [](const std::string& text) {
+    return parse(smallest + "[network]\nrealization = \"lattice\"\n" + text).network.parts.opamp;
+  };
+  for (const OpAmpClass& one : opamp_classes()) {
+    const std::string name(one.name);
+    CHECK(opamp("opamp = \"" + name + "\"\n") == one.opamp);
+    CHECK(opamp("opamp = { class = \"" + name + "\" }\n") == one.opamp);
+  }
+  OpAmp expected = opamp_classes()[1].opamp;
+  expected.slew = 3e6;
+  expected.offset = -1e-4;
+  expected.input_capacitance = 1e-12;
+  CHECK(opamp("opamp = { class = \"precision\", slew = 3e6, offset = -1e-4 }\n"
+              "parasitic = { input = 1e-12 }\n") == expected);
+  const OpAmp real = opamp(
+      "opamp = { bandwidth = 1e6, noise_current = 1e-12, bias_current = -1e-9, cmrr = 1e4, "
+      "output_resistance = 50 }\n");
+  CHECK(real == OpAmp{.bandwidth = 1e6,
+                      .noise_current = 1e-12,
+                      .bias_current = -1e-9,
+                      .common_mode_rejection = 1e4,
+                      .output_resistance = 50.0});
+}
+
+TEST_CASE("tolerances of their own: the stabiliser's resistors, and balance", "[scene]") {
+  const auto options = parse(smallest +
+                             "[network]\nrealization = \"lattice\"\n"
+                             "tolerance = { relative = 0.01, stabiliser = 1e-3, balance = 2e-3 }\n")
+                           .network.tolerance;
+  CHECK(options.value().stabiliser == 1e-3);
+  CHECK(options->balance == 2e-3);
+}

@@ -17,4 +17,10 @@ namespace tactile_net::circuits {
 /// Errors of N-shaped devices over their voltage.
 [[nodiscard]] std::string devices();
 
+/// Typical op-amps in three realisations, at two scales.
+[[nodiscard]] std::string opamp_classes_table();
+
+/// How far behind a moving contact they are; lengths taken for mm.
+[[nodiscard]] std::string motion_table();
+
 }  // namespace tactile_net::circuits

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "tactile_net/lab/contact_motion.hpp"
 #include "tactile_net/lab/observer.hpp"
 #include "tactile_net/lab/parts_list.hpp"
 #include "tactile_net/lab/recommendation.hpp"
@@ -12,6 +13,7 @@ namespace tactile_net::lab {
 
 struct Certification {
   SceneCircuit circuit;
+  std::optional<ContactMotion> motion{};       ///< of contacts, for a circuit that settles
   std::optional<ToleranceResult> tolerance{};  ///< where the scene gives one, for a linear circuit
   Recommendation recommendation{};
   std::optional<PartsList> parts{};  ///< where an accuracy is asked for

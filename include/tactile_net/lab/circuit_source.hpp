@@ -29,6 +29,10 @@ class CircuitSource {
   /// f of the direct solve of P f = b [Pa], by a method that does not form P.
   [[nodiscard]] virtual std::vector<double> direct(double alpha) const = 0;
 
+  /// How the problem's readings, weighted as they are, change per metre that the scene's contacts
+  /// move along y, without noise; empty: there are none.
+  [[nodiscard]] virtual std::vector<double> readings_per_length() const = 0;
+
   /// Why a realisation is none of it; absent: it is one.
   [[nodiscard]] virtual std::optional<std::string> refusal(Realization realization) const = 0;
 };

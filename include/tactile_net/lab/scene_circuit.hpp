@@ -69,6 +69,11 @@ class SceneCircuit {
   /// f of the direct solve of P f = b [Pa], by a method that does not form P.
   [[nodiscard]] const std::vector<double>& direct() const;
 
+  /// `CircuitSource::readings_per_length`
+  [[nodiscard]] std::vector<double> readings_per_length() const {
+    return source_->readings_per_length();
+  }
+
   /// A bound on P's condition number: largest row sum over the smallest eigenvalue; may be
   /// infinite.
   [[nodiscard]] Condition condition() const;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "tactile_net/network/network_circuit.hpp"
+#include "tactile_net/network/static_errors.hpp"
 
 namespace tactile_net {
 
@@ -84,6 +85,11 @@ struct CircuitRemark {
     beyond_digits,
     /// More than `most_states` states: poles and settling time are left out.
     too_many_states,
+    /// From rest op-amps would have to rise at `value` [V/s], more than their slew, `limit`;
+    /// `repair`: the `Scale::volts` from which they do not slew.
+    slews,
+    /// More than `most_slewing_states` states: the settling time is without the slew.
+    slewing_left_out,
   };
   Kind kind = Kind::clamps;
   double value = 0.0;
@@ -98,8 +104,10 @@ struct Dynamics {
   std::size_t states = 0;
   double slowest = 0.0;  ///< largest real part of a pole [1/s]
   double damping = 1.0;  ///< least -Re/|s| of the poles; 1: no ringing; < 0: growth
-  std::optional<double> settling_seconds{};   ///< absent: it does not settle
-  bool rings = false;                         ///< the slowest pole is one of a complex pair
+  std::optional<double> settling_seconds{};  ///< absent: it does not settle; slewing included
+  std::optional<double>
+      unslewed_seconds{};  ///< the same without the op-amps' slew, if they have one
+  bool rings = false;      ///< the slowest pole is one of a complex pair
   std::vector<std::complex<double>> poles{};  ///< [1/s], the slowest first
   std::vector<double> mode{};  ///< unstable: the growing mode in the outputs, 2-norm 1
 };
@@ -110,6 +118,21 @@ struct CircuitNoise {
   double total = 0.0;     ///< of all outputs, 2-norm [V]
   double relative = 0.0;  ///< `total` over the answer's 2-norm; infinite without a load
   double thermal = 0.0;   ///< the resistors' share of `total` squared
+};
+
+/// Volts and siemens at which what disturbs the answer is least for what the op-amps can give.
+struct ScaleProposal {
+  enum class Bound {
+    swing,      ///< a node would reach 0.8 of rail - 0.6 V
+    ten_volts,  ///< no rail is given: 10 V at the largest node
+    slew,       ///< slewing would make settling a fifth longer
+  };
+  double volts = 0.0;  ///< `Scale::volts`
+  Bound volts_by = Bound::ten_volts;
+  double siemens = 0.0;    ///< `Scale::siemens`: the resistors' noise is as large as the op-amps'
+  bool least_ohm = false;  ///< less than that: the least resistor would fall below 1 kilo-ohm
+  double noise = 0.0;      ///< of the answer, relative, at that scale; 0: none is asked for
+  double offset = 0.0;     ///< the same of offsets of either sign
 };
 
 struct Certificate {
@@ -128,8 +151,11 @@ struct Certificate {
   bool margin_for_one_bandwidth = false;  ///< the same, as long as the op-amps share it
   std::optional<Dynamics> dynamics{};     ///< absent: op-amps without bandwidth, or too many states
   std::optional<CircuitNoise>
-      noise{};             ///< absent: none is asked for, or the circuit does not settle
-  double accuracy = 1e-3;  ///< that settling is measured to
+      noise{};                       ///< absent: none is asked for, or the circuit does not settle
+  std::optional<Theorem> slewing{};  ///< absent: the op-amps have no slew, or nothing is proven
+  std::optional<StaticErrors> errors{};  ///< absent: nothing of the op-amps makes any, or no load
+  std::optional<ScaleProposal> proposal{};  ///< absent: no noise and no offset to balance
+  double accuracy = 1e-3;                   ///< that settling is measured to
   ElementCounts elements{};
   double least_ohm = 0.0;        ///< smallest resistor [ohm], in size; 0: there is none
   double greatest_ohm = 0.0;     ///< largest resistor

@@ -2,7 +2,9 @@
 /// The circuit of a network problem, and what is derived from it.
 #pragma once
 
+#include <complex>
 #include <memory>
+#include <vector>
 
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/network/reduction.hpp"
@@ -32,6 +34,9 @@ class NetworkCircuit {
   [[nodiscard]] const Reduction& reduction() const;
   /// @throw std::invalid_argument, std::domain_error  as `tactile_net::state_space`
   [[nodiscard]] const StateSpace& state_space() const;
+  /// Of the state space, the one of largest real part first.
+  /// @throw std::invalid_argument, std::domain_error  as `tactile_net::state_space`
+  [[nodiscard]] const std::vector<std::complex<double>>& poles() const;
   /// Of P.
   [[nodiscard]] const EigenvalueRange& eigenvalues() const;
 
@@ -43,6 +48,7 @@ class NetworkCircuit {
   Once<FlatCircuit> flat_;
   Once<Reduction> reduction_;
   Once<StateSpace> state_space_;
+  Once<std::vector<std::complex<double>>> poles_;
   Once<EigenvalueRange> eigenvalues_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,9 +23,20 @@ struct OpAmp {
 
   /// White noise at the input [V per square root of Hz], > 0; absent: no noise is asked for.
   std::optional<double> noise_voltage{};
+  /// White noise of each input [A per square root of Hz], > 0; needs the bandwidth.
+  std::optional<double> noise_current{};
+  std::optional<double> bias_current{};  ///< that every input takes in [A], of either sign
+  /// How much more the output follows the inputs' difference than what they have in common, > 0:
+  /// 1e4 is 80 dB.
+  std::optional<double> common_mode_rejection{};
+  std::optional<double> slew{};  ///< the output's largest rate [V/s], > 0; needs the bandwidth
+  /// In series with every output [ohm], > 0. Complementary outputs stay each other's opposite: a
+  /// loop of their own holds their sum at 0 V.
+  std::optional<double> output_resistance{};
 
   [[nodiscard]] bool is_nullor() const noexcept {
-    return !gain && !bandwidth && !second_pole && !offset && !rail;
+    return !gain && !bandwidth && !second_pole && !offset && !rail && !bias_current &&
+           !common_mode_rejection && !slew && !output_resistance;
   }
   /// A0 of a model that is no nullor.
   [[nodiscard]] double dc_gain() const noexcept { return gain.value_or(1e6); }
@@ -32,8 +44,17 @@ struct OpAmp {
   friend bool operator==(const OpAmp&, const OpAmp&) = default;
 };
 
-/// @throw std::invalid_argument  a value is out of range, or a second pole has no first
+/// @throw std::invalid_argument  a value is out of range, or one that needs the bandwidth has none
 void check(const OpAmp& opamp);
+
+/// Op-amps as they are sold, figures typical of their data sheets.
+struct OpAmpClass {
+  std::string_view name{};
+  OpAmp opamp{};
+};
+
+/// "general", "precision", "fast".
+[[nodiscard]] std::span<const OpAmpClass> opamp_classes() noexcept;
 
 enum class Outputs {
   single,         ///< pins p n out
@@ -47,13 +68,21 @@ struct AmplifierModel {
   Outputs outputs = Outputs::single;
 };
 
+/// What is left of an amplifier's slope while it slews: without it a simulator's iterations have
+/// nothing to hold on to.
+inline constexpr double slewing_leak = 1e-3;
+
 /// The text of the sub-circuit: only the elements that the model calls for.
 ///
-///     x' = 2 pi bandwidth (p - n + offset) - 2 pi bandwidth / gain x    first pole
-///     y' = 2 pi second_pole (x - y)                                      second pole
-///     out = y (or x, or gain (p - n + offset)), inv = -out
+///     d = p - n + offset + (p + n) / (2 common_mode_rejection)
+///     x' = 2 pi bandwidth d - 2 pi bandwidth / gain x    first pole
+///     y' = 2 pi second_pole (x - y)                      second pole
+///     out = y (or x, or gain d) - output_resistance i, inv = -out
 ///
-/// with the input capacitance from n to ground, and from p where the outputs are complementary.
+/// with the input capacitance from n to ground, and from p where the outputs are complementary; of
+/// those, i is half the difference of what they give off. With a slew, r = 2 pi bandwidth d is
+/// bent: slew tanh((1 - leak) r / slew) + leak r, whose slope at 0 is 1 and never 0
+/// (`slewing_leak`).
 ///
 /// The rail is a pair of diodes at x: it converges where a tanh fails, and x does not wind up.
 ///

@@ -8,8 +8,9 @@
 
 namespace tactile_net {
 
-/// The outputs at rest with amplifiers of finite gain (1e6 where a model gives none) and their
-/// offsets [V], by a sparse elimination: for circuits of any size, and without bandwidths.
+/// The outputs at rest with amplifiers of finite gain (1e6 where a model gives none), their
+/// offsets, bias currents, output resistances and finite common-mode rejections [V], by a sparse
+/// elimination: for circuits of any size, and without bandwidths.
 ///
 /// @throw std::invalid_argument  the circuit has an inductor
 /// @throw std::domain_error      it has no unique operating point

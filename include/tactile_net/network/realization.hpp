@@ -84,6 +84,9 @@ enum class TheoremCondition {
   complementary_outputs,           ///< inverters are not covered: never met with them
   main_at_most_half_of_inverters,  ///< bandwidth of the main op-amps over the inverters'
   main_slow_enough,                ///< how slow is enough is not proven: never met
+  no_output_resistance,            ///< of the op-amps
+  no_common_mode_error,            ///< of the op-amps
+  no_node_capacitance,             ///< none at the network's nodes, or the residuals'
 };
 
 /// What is proven of a realisation's stability (proofs: docs/circuits.md).
@@ -122,6 +125,7 @@ struct RealizationTraits {
 
   StabilityTheorem theorem{};
   StabilityTheorem theorem_with_inverters{};  ///< if `drives_nodes`
+  StabilityTheorem theorem_of_slewing{};      ///< of op-amps that slew; no name: none is proven
   /// With inverters: default of `RealizationOptions::bandwidth_ratio`; nullptr: 1.
   double (*bandwidth_ratio)(const RealizationOptions&) = nullptr;
 

@@ -51,9 +51,15 @@ class Reduction {
   /// Their nominal conductances [S], in the same order.
   [[nodiscard]] std::span<const double> siemens() const noexcept { return siemens_; }
 
+  /// How many amplifiers have complementary outputs.
+  [[nodiscard]] std::size_t complementary() const noexcept { return inverses_.size(); }
+
   /// @param siemens  one value per resistor, as `siemens()`
   /// @param equations  overwritten; its storage is used again
-  void assemble(std::span<const double> siemens, Equations& equations) const;
+  /// @param balance  by how much each inverse output is more than its opposite, relative, in the
+  ///                 order of the instances; empty: all are exact
+  void assemble(std::span<const double> siemens, Equations& equations,
+                std::span<const double> balance = {}) const;
 
   /// With the nominal values.
   [[nodiscard]] Equations equations() const;
@@ -68,6 +74,9 @@ class Reduction {
   /// d(S z - h)/d(log g) of every resistor, in the order of `resistors()`: each a row of `rows()`
   /// currents [A]. Through -S^-1 they are what relative errors of components do to z.
   [[nodiscard]] Matrix sensitivities(std::span<const double> unknowns) const;
+
+  /// The same by the balance of every amplifier with complementary outputs.
+  [[nodiscard]] Matrix balance_sensitivities(std::span<const double> unknowns) const;
 
   /// What the parts carry, given the unknowns z.
   struct Load {
@@ -117,6 +126,7 @@ class Reduction {
   bool floating_ = false;  // every amplifier's '+' is a node
   std::vector<bool> amplifier_rows_;
   std::vector<Voltage> fixed_;  // of every node, ideal parts
+  std::vector<Node> inverses_;  // of the amplifiers that have one
   std::vector<Voltage> input_;  // floating: what half a volt between the inputs makes of it
   std::vector<Laws> laws_;      // of every node
   std::vector<Derived> derived_;

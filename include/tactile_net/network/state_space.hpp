@@ -21,6 +21,14 @@ struct StateSpace {
   std::vector<double> drive{};   ///< b [V/s]
   Matrix output{};               ///< C, one row per output of the circuit
   std::vector<double> direct{};  ///< d [V]
+  /// A state of an op-amp with a slew: r = (A x + b) of it + leak x is bent, `slewing_rate`, A x +
+  /// b is its rate where r is small.
+  struct Slewing {
+    std::size_t state = 0;
+    double leak = 0.0;   ///< [1/s], 2 pi bandwidth / gain
+    double limit = 0.0;  ///< the slew [V/s]
+  };
+  std::vector<Slewing> slewing{};
 
   [[nodiscard]] std::size_t states() const noexcept { return drive.size(); }
 };
@@ -40,7 +48,8 @@ struct OutputNoise {
   Matrix amplifiers{};  ///< of their `OpAmp::noise_voltage`
 };
 
-/// By Lyapunov's equation, exact for the linear circuit. O(states^3).
+/// By Lyapunov's equation, exact for the linear circuit: one Schur decomposition, O(states^3).
+/// Behind output resistances what the op-amps and capacitances leave of it is taken.
 ///
 /// @param kelvin  the resistors' temperature, >= 0; the default is what simulators take
 /// @throw std::invalid_argument  as `state_space`

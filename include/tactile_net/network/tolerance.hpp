@@ -27,6 +27,11 @@ enum class Series { e12 = 12, e24 = 24, e48 = 48, e96 = 96, e192 = 192 };
 
 struct ToleranceOptions {
   std::optional<double> relative{};  ///< uniform within +-relative, 0 < relative < 1
+  /// Of a circuit's stabiliser, its resistors Rs..., in place of `relative`.
+  std::optional<double> stabiliser{};
+  /// How far complementary outputs are off each other's opposite, uniform within +-balance, each
+  /// op-amp's own, 0 < balance < 1. Not in `drawn`, which is of resistors.
+  std::optional<double> balance{};
   /// Of each resistor, as `Reduction::resistors()`, in place of `relative`; empty: all alike.
   std::vector<double> each{};
   std::optional<Series> series{};  ///< rounded to the nearest value of the series, first

@@ -40,10 +40,16 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
 }
 
 constexpr TheoremCondition needs[] = {TheoremCondition::definite,
-                                      TheoremCondition::second_pole_beyond_bandwidth};
+                                      TheoremCondition::second_pole_beyond_bandwidth,
+                                      TheoremCondition::no_output_resistance};
 constexpr TheoremCondition needs_with_inverters[] = {
     TheoremCondition::definite, TheoremCondition::no_inverter_input_capacitance,
-    TheoremCondition::no_second_pole, TheoremCondition::main_at_most_half_of_inverters};
+    TheoremCondition::no_second_pole, TheoremCondition::main_at_most_half_of_inverters,
+    TheoremCondition::no_output_resistance};
+constexpr TheoremCondition needs_of_slewing[] = {
+    TheoremCondition::complementary_outputs, TheoremCondition::definite,
+    TheoremCondition::no_input_capacitance, TheoremCondition::no_second_pole,
+    TheoremCondition::no_output_resistance};
 
 }  // namespace
 
@@ -62,6 +68,11 @@ constexpr RealizationTraits crossbar_traits{
                                "Main op-amps of at most half the inverters' bandwidth: stable if P "
                                "is positive definite, for any capacitance at the summing nodes.",
                                needs_with_inverters},
+    .theorem_of_slewing =
+        {"T8",
+         "Op-amps of any slew, with complementary outputs: the circuit comes to its answer from "
+         "everywhere, however far it slews.",
+         needs_of_slewing},
     .bandwidth_ratio = [](const RealizationOptions&) { return 0.5; },
     .build = build};
 

@@ -88,9 +88,14 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
 }
 
 constexpr TheoremCondition needs[] = {
-    TheoremCondition::definite, TheoremCondition::no_input_capacitance, TheoremCondition::one_lag};
+    TheoremCondition::definite, TheoremCondition::no_input_capacitance, TheoremCondition::one_lag,
+    TheoremCondition::no_output_resistance};
 constexpr TheoremCondition needs_with_inverters[] = {TheoremCondition::complementary_outputs,
                                                      TheoremCondition::definite};
+constexpr TheoremCondition needs_of_slewing[] = {
+    TheoremCondition::complementary_outputs, TheoremCondition::definite,
+    TheoremCondition::no_input_capacitance,  TheoremCondition::no_second_pole,
+    TheoremCondition::no_node_capacitance,   TheoremCondition::no_output_resistance};
 
 constexpr std::string_view statement =
     "Op-amps of equal bandwidth with complementary outputs: stable for any second pole, or for any "
@@ -107,6 +112,10 @@ constexpr RealizationTraits lattice_traits{
     .passive_residuals = true,
     .theorem = {"T7", statement, needs},
     .theorem_with_inverters = {"T7", statement, needs_with_inverters},
+    .theorem_of_slewing = {"T8",
+                           "Op-amps of one slew and one bandwidth, with complementary outputs: the "
+                           "circuit comes to its answer from everywhere, however far it slews.",
+                           needs_of_slewing},
     .bandwidth_ratio = [](const RealizationOptions&) { return 0.5; },
     .build = build};
 

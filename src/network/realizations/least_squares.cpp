@@ -67,10 +67,12 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
 }
 
 constexpr TheoremCondition needs[] = {TheoremCondition::definite,
-                                      TheoremCondition::lag_within_bound};
+                                      TheoremCondition::lag_within_bound,
+                                      TheoremCondition::no_output_resistance};
 constexpr TheoremCondition needs_with_inverters[] = {
     TheoremCondition::main_slow_enough, TheoremCondition::definite,
-    TheoremCondition::no_input_capacitance, TheoremCondition::no_second_pole};
+    TheoremCondition::no_input_capacitance, TheoremCondition::no_second_pole,
+    TheoremCondition::no_output_resistance};
 
 }  // namespace
 

@@ -38,8 +38,9 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
   return circuit;
 }
 
-constexpr TheoremCondition needs[] = {TheoremCondition::definite,
-                                      TheoremCondition::divider_fast_enough};
+constexpr TheoremCondition needs[] = {
+    TheoremCondition::definite, TheoremCondition::divider_fast_enough,
+    TheoremCondition::no_output_resistance, TheoremCondition::no_common_mode_error};
 
 }  // namespace
 

@@ -50,9 +50,10 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
   return circuit;
 }
 
-constexpr TheoremCondition needs[] = {TheoremCondition::definite,
-                                      TheoremCondition::no_input_capacitance,
-                                      TheoremCondition::no_second_pole};
+constexpr TheoremCondition needs[] = {
+    TheoremCondition::definite, TheoremCondition::no_input_capacitance,
+    TheoremCondition::no_second_pole, TheoremCondition::no_output_resistance,
+    TheoremCondition::no_common_mode_error};
 
 }  // namespace
 

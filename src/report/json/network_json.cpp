@@ -3,6 +3,7 @@
 #include "report/json/network_values.hpp"
 #include "report/json/scene_json.hpp"
 #include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
 
 namespace tactile_net::report {
@@ -15,14 +16,36 @@ Json elements_of(const ElementCounts& elements) {
           {"sources", elements.sources}};
 }
 
+Json theorem_json(const Theorem& theorem) {
+  return {{"name", theorem.name},
+          {"statement", theorem.statement},
+          {"holds", theorem.holds()},
+          {"condition", condition_in_words(theorem)}};
+}
+
+Json errors_json(const StaticErrors& errors) {
+  const auto of_inputs = [](const InputErrors& one) -> Json {
+    return {{"either_sign", one.either_sign}, {"alike", one.alike}};
+  };
+  return {{"offset", of_inputs(errors.offset)},
+          {"bias_current", of_inputs(errors.bias_current)},
+          {"common_mode", errors.common_mode},
+          {"output_resistance", errors.output_resistance}};
+}
+
+Json motion_json(const lab::ContactMotion& motion) {
+  return {{"delay_seconds", motion.delay},
+          {"lag", lab::ContactMotion::lag},
+          {"speed", motion.speed},
+          {"slowest_hertz", motion.slowest_hertz},
+          {"sampling_hertz", lab::ContactMotion::sampling_hertz},
+          {"sampled_speed", motion.sampled_speed}};
+}
+
 Json certificate(const Certificate& c) {
   Json json = {{"realization", name(c.realization)},
                {"stability", name(c.stability)},
-               {"theorem",
-                {{"name", c.theorem.name},
-                 {"statement", c.theorem.statement},
-                 {"holds", c.theorem.holds()},
-                 {"condition", condition_in_words(c.theorem)}}},
+               {"theorem", theorem_json(c.theorem)},
                {"lambda_min", c.smallest_eigenvalue},
                {"condition", finite_or_null(c.condition)},
                {"tolerance_margin", number_or_null(c.tolerance_margin)},
@@ -33,6 +56,9 @@ Json certificate(const Certificate& c) {
                {"power", c.power},
                {"dynamics", nullptr},
                {"noise", nullptr},
+               {"slewing", c.slewing ? theorem_json(*c.slewing) : Json(nullptr)},
+               {"static_errors", c.errors ? errors_json(*c.errors) : Json(nullptr)},
+               {"proposal", nullptr},
                {"warnings", Json::array()}};
   for (const CircuitRemark& remark : c.remarks) json["warnings"].push_back(in_words(remark));
   if (c.noise)
@@ -40,12 +66,19 @@ Json certificate(const Certificate& c) {
                      {"total_volts", c.noise->total},
                      {"relative", finite_or_null(c.noise->relative)},
                      {"thermal_share", c.noise->thermal}};
+  if (c.proposal)
+    json["proposal"] = {{"volts", c.proposal->volts},
+                        {"volts_as_much_as", bound_in_words(c.proposal->volts_by)},
+                        {"siemens", c.proposal->siemens},
+                        {"noise", c.proposal->noise},
+                        {"offset", c.proposal->offset}};
   if (c.dynamics)
     json["dynamics"] = {{"states", c.dynamics->states},
                         {"slowest_pole", c.dynamics->slowest},
                         {"damping", c.dynamics->damping},
                         {"accuracy", c.accuracy},
                         {"settling_seconds", number_or_null(c.dynamics->settling_seconds)},
+                        {"unslewed_seconds", number_or_null(c.dynamics->unslewed_seconds)},
                         {"growing_mode", list_or_null(c.dynamics->mode)}};
   return json;
 }
@@ -147,6 +180,7 @@ std::string relaxation_json(const AnyScene& scene, const lab::Relaxation& relaxa
 std::string certificate_json(const lab::Certification& c) {
   Json json = any_scene_json(kind::certify, c.scene());
   json["certificate"] = certificate(c.certificate());
+  json["motion"] = c.motion ? motion_json(*c.motion) : Json(nullptr);
   json["tolerance"] = c.tolerance ? tolerance_json(*c.tolerance) : Json(nullptr);
   Json candidates = Json::array();
   for (const auto& one : c.recommendation.candidates) {

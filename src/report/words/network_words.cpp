@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "tactile_net/network/slewing.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
+#include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
@@ -102,6 +105,12 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
       return "main op-amps of " + brief(unmet.bandwidth_ratio) + " times the inverters' bandwidth";
     case TheoremCondition::main_slow_enough:
       return "how slow is enough is not proven";
+    case TheoremCondition::no_output_resistance:
+      return "output resistance";
+    case TheoremCondition::no_common_mode_error:
+      return "finite common-mode rejection";
+    case TheoremCondition::no_node_capacitance:
+      return "capacitance at the residuals' nodes";
   }
   return {};
 }
@@ -129,6 +138,12 @@ std::string condition_in_words(const Theorem& theorem) {
   return theorem.unmet ? unmet_in_words(*theorem.unmet) : std::string();
 }
 
+std::string in_words(const Theorem& theorem) {
+  return "theorem " + std::string(theorem.name) + ": " + std::string(theorem.statement) +
+         (theorem.holds() ? " Its conditions hold."
+                          : " It does NOT apply here: " + condition_in_words(theorem) + ".");
+}
+
 std::string in_words(const CircuitRemark& remark) {
   using Kind = CircuitRemark::Kind;
   const std::string range =
@@ -150,7 +165,7 @@ std::string in_words(const CircuitRemark& remark) {
       std::string repair;
       if (remark.repair > 0.0) repair = "siemens = " + brief(remark.repair) + " or more";
       if (remark.limit > 0.0)
-        repair += (repair.empty() ? "" : ", or ") + ("bandwidth_ratio = " + brief(remark.least)) +
+        repair += (repair.empty() ? "" : ", or ") + ("bandwidth_ratio = " + brief(remark.limit)) +
                   " or less";
       if (repair.empty()) repair = "faster op-amps, or realization = \"lattice\"";
       return "the lag of summing nodes and second poles is " + brief(remark.value) +
@@ -171,6 +186,13 @@ std::string in_words(const CircuitRemark& remark) {
     case Kind::too_many_states:
       return "more than " + std::to_string(most_states) +
              " states: poles and settling time are left out";
+    case Kind::slews:
+      return "the op-amps slew: from rest they would rise at " + brief(remark.value) +
+             " V/s, their slew is " + brief(remark.limit) +
+             " V/s; none slews from volts = " + brief(remark.repair) + " down";
+    case Kind::slewing_left_out:
+      return "more than " + std::to_string(most_slewing_states) +
+             " states: the settling time is without the op-amps' slew";
   }
   return {};
 }
@@ -178,19 +200,11 @@ std::string in_words(const CircuitRemark& remark) {
 std::vector<std::string> in_words(const Certificate& c) {
   std::vector<std::string> lines;
   lines.push_back(std::string(name(c.realization)) + ": " + stability_in_words(c));
-  lines.push_back(
-      "theorem " + std::string(c.theorem.name) + ": " + std::string(c.theorem.statement) +
-      (c.theorem.holds() ? " Its conditions hold."
-                         : " It does NOT apply here: " + condition_in_words(c.theorem) + "."));
+  lines.push_back(in_words(c.theorem));
   lines.push_back("P: smallest eigenvalue " + brief(c.smallest_eigenvalue) + ", condition number " +
                   brief(c.condition));
   if (c.dynamics) lines.push_back(dynamics_in_words(c));
-  if (c.noise)
-    lines.push_back("noise: " + brief(c.noise->largest) + " V rms at the noisiest output" +
-                    (std::isfinite(c.noise->relative)
-                         ? ", " + percent(c.noise->relative) + " of the answer"
-                         : "") +
-                    "; " + percent(c.noise->thermal) + " of its power is the resistors'");
+  for (std::string& line : opamps_in_words(c)) lines.push_back(std::move(line));
   if (c.tolerance_margin)
     lines.push_back("stable for every error of components up to " + percent(*c.tolerance_margin) +
                     (c.margin_for_any_bandwidth ? ", whatever the bandwidths"
@@ -216,6 +230,8 @@ std::vector<std::string> in_words(const ToleranceOptions& options, const Toleran
     drawn = "values of the series E" + std::to_string(static_cast<int>(*options.series));
   if (options.relative)
     drawn += (drawn.empty() ? "parts within " : ", within ") + percent(*options.relative);
+  if (options.balance) drawn += ", complementary outputs within " + percent(*options.balance);
+  if (options.stabiliser) drawn += ", the stabiliser's within " + percent(*options.stabiliser);
   lines.push_back(std::to_string(result.trials) +
                   (result.trials == 1 ? " build of " : " builds of ") + drawn + ": " +
                   std::to_string(result.stable) + " stable, yield " + percent(result.yield()) +

@@ -7,6 +7,7 @@
 #include "numeric/named.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -155,6 +156,7 @@ void print_certificate(std::ostream& out, const lab::Certification& c) {
     out << indent << line << '\n';
     indent = "  ";
   }
+  for (const std::string& line : facts_in_words(c)) out << "  " << line << '\n';
   if (c.tolerance)
     for (const std::string& line : tolerance_in_words(c)) out << "  " << line << '\n';
   out << '\n';

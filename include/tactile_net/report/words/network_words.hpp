@@ -17,6 +17,9 @@ namespace tactile_net::report {
 /// "a second pole": which of the theorem's conditions is not met; empty if it holds.
 [[nodiscard]] std::string condition_in_words(const Theorem& theorem);
 
+/// What it says, and whether it speaks of this circuit.
+[[nodiscard]] std::string in_words(const Theorem& theorem);
+
 /// A rule that is broken, and what to write in the scene to mend it.
 [[nodiscard]] std::string in_words(const CircuitRemark& remark);
 [[nodiscard]] std::string in_words(const lab::RelaxationRemark& remark);

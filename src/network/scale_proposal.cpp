@@ -1,0 +1,61 @@
+#include "network/scale_proposal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactile_net {
+namespace {
+
+constexpr double diode_drop = 0.6;    // [V], where a clamp's diodes begin to conduct
+constexpr double headroom = 0.8;      // of what is left
+constexpr double usual_swing = 10.0;  // [V], of supplies of 12 V and more
+constexpr double least_load = 1e3;    // [ohm], what the outputs of most op-amps still drive
+constexpr double most_delay = 0.2;    // by slewing, over the settling time without it
+
+}  // namespace
+
+std::optional<ScaleProposal> scale_proposal(const Certificate& c, const NetworkCircuit& circuit) {
+  const Scale& scale = circuit.options().scale;
+  const OpAmp& o = circuit.options().opamp;
+  const bool noisy = c.noise && std::isfinite(c.noise->relative) && c.noise->relative > 0.0;
+  const double offset =
+      c.errors ? std::hypot(c.errors->offset.either_sign, c.errors->bias_current.either_sign) : 0.0;
+  if (!(c.largest_voltage > 0.0) || !(noisy || offset > 0.0) || circuit.flat().had_subcircuits() ||
+      !traits(c.realization).linear())
+    return std::nullopt;
+
+  // All of them fall as 1/volts: as many volts as the op-amps can give.
+  ScaleProposal proposal;
+  const double swing = o.rail ? headroom * (*o.rail - diode_drop) : usual_swing;
+  proposal.volts_by = o.rail ? ScaleProposal::Bound::swing : ScaleProposal::Bound::ten_volts;
+  double most = swing / c.largest_voltage;  // over the volts that are
+  if (o.slew && c.dynamics && c.dynamics->unslewed_seconds.value_or(0.0) > 0.0) {
+    // Two full swings at the slew are the most that slewing adds.
+    const double by_slew =
+        0.5 * most_delay * *c.dynamics->unslewed_seconds * *o.slew / c.largest_voltage;
+    if (by_slew < most) {
+      most = by_slew;
+      proposal.volts_by = ScaleProposal::Bound::slew;
+    }
+  }
+  proposal.volts = most * scale.volts;
+
+  // Resistors' noise power falls as 1/siemens, the op-amps' noise voltage's does not.
+  double factor = 1.0;
+  if (noisy && c.noise->thermal > 0.0 && c.noise->thermal < 1.0)
+    factor = c.noise->thermal / (1.0 - c.noise->thermal);
+  const double by_load = c.least_ohm / least_load;
+  proposal.least_ohm = factor > by_load;
+  factor = std::min(factor, by_load);
+  proposal.siemens = factor * scale.siemens;
+  if (noisy)
+    proposal.noise =
+        c.noise->relative * std::sqrt(c.noise->thermal / factor + 1.0 - c.noise->thermal) / most;
+  if (c.errors)
+    proposal.offset =
+        std::hypot(c.errors->offset.either_sign, c.errors->bias_current.either_sign / factor) /
+        most;
+  return proposal;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,151 @@
+#include "tactile_net/network/slewing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include "network/deviation.hpp"
+#include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
+#include "tactile_net/network/opamp.hpp"
+
+namespace tactile_net {
+namespace {
+
+/// A rate below this share of the slew is bent by its square over 3: no more than digits that no
+/// settling time has.
+constexpr double straight = 0.01;
+
+Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+/// x' = A x + b with bent rates.
+class Slewing {
+ public:
+  explicit Slewing(const StateSpace& system)
+      : system_(system), a_(as_eigen(system.dynamics)), b_(as_eigen(std::span(system.drive))) {}
+
+  [[nodiscard]] Eigen::VectorXd rate(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd result = a_ * x + b_;
+    for (const StateSpace::Slewing& one : system_.slewing) {
+      const Eigen::Index k = index(one.state);
+      const double leak = one.leak * x(k);
+      result(k) = slewing_rate(result(k) + leak, one.limit) - leak;
+    }
+    return result;
+  }
+
+  /// d(rate)/dx
+  [[nodiscard]] Eigen::MatrixXd slope(const Eigen::VectorXd& x) const {
+    Eigen::MatrixXd result = a_;
+    const Eigen::VectorXd straight_rate = a_ * x + b_;
+    for (const StateSpace::Slewing& one : system_.slewing) {
+      const Eigen::Index k = index(one.state);
+      const double asked = straight_rate(k) + one.leak * x(k);
+      const double bent = std::tanh((1.0 - slewing_leak) * asked / one.limit);
+      const double factor = (1.0 - slewing_leak) * (1.0 - bent * bent) + slewing_leak;
+      result(k, k) += one.leak;
+      result.row(k) *= factor;
+      result(k, k) -= one.leak;
+    }
+    return result;
+  }
+
+  /// The steepest rate that is asked for, over its limit.
+  [[nodiscard]] double demand(const Eigen::VectorXd& x) const {
+    const Eigen::VectorXd straight_rate = a_ * x + b_;
+    double largest = 0.0;
+    for (const StateSpace::Slewing& one : system_.slewing) {
+      const Eigen::Index k = index(one.state);
+      largest = std::max(largest, std::abs(straight_rate(k) + one.leak * x(k)) / one.limit);
+    }
+    return largest;
+  }
+
+ private:
+  const StateSpace& system_;
+  Eigen::MatrixXd a_;
+  Eigen::VectorXd b_;
+};
+
+/// When a falling size passed the limit for good, between steps on a straight line of logarithms.
+class LastCrossing {
+ public:
+  explicit LastCrossing(double limit) : limit_(limit) {}
+
+  void add(double time, double size) {
+    if (size > limit_)
+      crossing_ = time;
+    else if (before_ > limit_)
+      crossing_ = time_ + (time - time_) * std::log(before_ / limit_) /
+                              std::log(before_ / std::max(size, 1e-300));
+    time_ = time;
+    before_ = size;
+  }
+  [[nodiscard]] double time() const noexcept { return crossing_; }
+
+ private:
+  double limit_;
+  double time_ = 0.0, before_ = 0.0, crossing_ = 0.0;
+};
+
+}  // namespace
+
+double slewing_rate(double rate, double slew) noexcept {
+  return slew * std::tanh((1.0 - slewing_leak) * rate / slew) + slewing_leak * rate;
+}
+
+double slewing_demand(const StateSpace& system) {
+  return Slewing(system).demand(Eigen::VectorXd::Zero(index(system.states())));
+}
+
+std::optional<double> slewing_settling_time(const StateSpace& system, double accuracy,
+                                            double slowest) {
+  if (system.states() > most_slewing_states)
+    throw std::invalid_argument("too many states to integrate");
+  if (!(slowest < 0.0)) return std::nullopt;
+  const Slewing slewing(system);
+  const Eigen::MatrixXd c = as_eigen(system.output);
+  const Eigen::VectorXd end = end_of(system);
+  const std::vector<double> rest = steady_state(system);
+  const double limit = accuracy * as_eigen(std::span(rest)).norm();
+  if (limit == 0.0) return 0.0;
+  const double horizon = (4.0 - std::log(accuracy)) / -slowest;
+
+  // Shampine and Reichelt 1997, "The MATLAB ODE suite": ode23s, stiffly stable.
+  const double d = 1.0 / (2.0 + std::sqrt(2.0));
+  const double e32 = 6.0 + std::sqrt(2.0);
+  const double tolerance = std::min(1e-5, 1e-2 * accuracy) * end.norm();
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(index(system.states()));
+  Eigen::VectorXd f0 = slewing.rate(x);
+  LastCrossing crossing(limit);
+  crossing.add(0.0, (c * end).norm());
+  double t = 0.0;
+  double h = 1e-6 * horizon;
+  for (int step = 0; step < 200'000 && slewing.demand(x) > straight; ++step) {
+    const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(x.size(), x.size());
+    const Lu w(identity - h * d * slewing.slope(x));
+    const Eigen::VectorXd k1 = w.solve(f0);
+    const Eigen::VectorXd f1 = slewing.rate(x + 0.5 * h * k1);
+    const Eigen::VectorXd of_k2 = f1 - k1;
+    const Eigen::VectorXd k2 = w.solve(of_k2) + k1;
+    const Eigen::VectorXd next = x + h * k2;
+    const Eigen::VectorXd f2 = slewing.rate(next);
+    const Eigen::VectorXd of_k3 = f2 - e32 * (k2 - f1) - 2.0 * (k1 - f0);
+    const Eigen::VectorXd k3 = w.solve(of_k3);
+    const double error = h / 6.0 * (k1 - 2.0 * k2 + k3).norm() / tolerance;
+    if (error <= 1.0) {
+      t += h;
+      x = next;
+      f0 = f2;
+      crossing.add(t, (c * (x - end)).norm());
+    }
+    h *= std::clamp(0.8 / std::cbrt(std::max(error, 1e-9)), 0.2, 4.0);
+  }
+  if (slewing.demand(x) > straight) return std::nullopt;
+  const std::optional<double> rest_of_it = Deviation(system, x - end).within(limit, horizon);
+  if (!rest_of_it) return std::nullopt;
+  return *rest_of_it > 0.0 ? t + *rest_of_it : crossing.time();
+}
+
+}  // namespace tactile_net

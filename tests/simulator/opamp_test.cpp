@@ -1,0 +1,214 @@
+// Real op-amps in ngspice: errors at rest, slewing, noise, and contacts that move.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+#include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/network/deck.hpp"
+#include "tactile_net/network/motion.hpp"
+#include "tactile_net/network/operating_voltages.hpp"
+#include "tactile_net/network/static_errors.hpp"
+#include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/sensing/exact.hpp"
+#include "tactile_net/simulator/ngspice.hpp"
+#include "tactile_net/simulator/step_response.hpp"
+#include "tests/catch.hpp"
+#include "tests/network/problems.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+const std::vector<Realization> of_opamps = {Realization::nic, Realization::rail,
+                                            Realization::crossbar, Realization::least_squares,
+                                            Realization::lattice};
+
+std::vector<double> at_rest(const Circuit& circuit) {
+  std::ostringstream deck;
+  write_deck(deck, circuit, {.title = "test"}, Answer::raw_file);
+  Ngspice ngspice;
+  return operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
+}
+
+}  // namespace
+
+TEST_CASE("every error of an op-amp is the same in ngspice's operating point", "[spice][opamp]") {
+  const ArrayNetwork network = array_network(11, 1e-3);
+  for (const Realization one : of_opamps) {
+    const auto circuit = [&](OpAmp opamp) {
+      opamp.gain = 1e6;
+      opamp.bandwidth = 1e7;
+      return realize(one, network.problem, {.scale = {1e-3, 3.0}, .opamp = opamp});
+    };
+    const std::vector<double> exact = at_rest(circuit({}));
+    const auto moved = [&](const OpAmp& opamp) {
+      return relative_l2_error(at_rest(circuit(opamp)), exact);
+    };
+    const OpAmp all{.offset = 1e-3,
+                    .noise_voltage = 5e-9,
+                    .noise_current = 1e-12,
+                    .bias_current = 1e-7,
+                    .common_mode_rejection = 1e5,
+                    .slew = 1e7,
+                    .output_resistance = 200.0};
+    CAPTURE(name(one));
+    const StaticErrors errors = static_errors(FlatCircuit(circuit(all)));
+    CHECK_THAT(moved({.offset = 1e-3}), WithinRel(errors.offset.alike, 0.01));
+    CHECK_THAT(moved({.bias_current = 1e-7}),
+               WithinRel(errors.bias_current.alike, 0.01) || WithinAbs(0.0, 1e-6));
+    CHECK_THAT(moved({.common_mode_rejection = 1e5}),
+               WithinRel(errors.common_mode, 0.01) || WithinAbs(0.0, 1e-6));
+    CHECK_THAT(moved({.output_resistance = 200.0}), WithinRel(errors.output_resistance, 0.01));
+    // All of them together are the linear equations'.
+    CHECK(relative_l2_error(at_rest(circuit(all)), operating_voltages(FlatCircuit(circuit(all)))) <
+          1e-5);
+  }
+}
+
+TEST_CASE("ngspice settles in the certificate's time with output resistances and real inputs",
+          "[spice][opamp]") {
+  const ArrayNetwork network = array_network(11, 1e-3);
+  for (const Realization one : {Realization::crossbar, Realization::lattice}) {
+    RealizationOptions options{.opamp = {.gain = 1e6,
+                                         .bandwidth = 1e7,
+                                         .second_pole = 5e7,
+                                         .input_capacitance = 1e-12,
+                                         .common_mode_rejection = 1e4,
+                                         .output_resistance = 300.0}};
+    const Certificate certificate = certify(one, network.problem, options);
+    const Circuit circuit = realize(one, network.problem, options);
+    Ngspice ngspice;
+    const Transient seen = settle(ngspice, circuit, certificate, at_rest(circuit));
+    CAPTURE(name(one));
+    REQUIRE(seen.end == TransientEnd::settles);
+    CHECK_THAT(*seen.settling_seconds, WithinRel(*certificate.dynamics->settling_seconds, 0.02));
+    // It is not the circuit without them.
+    options.opamp.output_resistance.reset();
+    CHECK(std::abs(*certify(one, network.problem, options).dynamics->settling_seconds /
+                       *certificate.dynamics->settling_seconds -
+                   1.0) > 0.03);
+  }
+}
+
+TEST_CASE("ngspice slews as the certificate does", "[spice][slewing]") {
+  const ArrayNetwork network = array_network(21, 1e-3);
+  for (const Realization one :
+       {Realization::crossbar, Realization::lattice, Realization::least_squares})
+    for (const double volts : {3.0, 30.0}) {
+      const RealizationOptions options{.scale = {1e-3, volts},
+                                       .opamp = {.gain = 1e6, .bandwidth = 1e7, .slew = 1e7}};
+      const Certificate certificate = certify(one, network.problem, options);
+      const Circuit circuit = realize(one, network.problem, options);
+      Ngspice ngspice;
+      const Transient seen = settle(ngspice, circuit, certificate, at_rest(circuit));
+      CAPTURE(name(one), volts);
+      REQUIRE(seen.end == TransientEnd::settles);
+      CHECK_THAT(*seen.settling_seconds, WithinRel(*certificate.dynamics->settling_seconds, 0.05));
+      if (volts > 10.0)
+        CHECK(*certificate.dynamics->settling_seconds >
+              1.3 * *certificate.dynamics->unslewed_seconds);
+    }
+}
+
+TEST_CASE("ngspice is as far behind a moving contact as the certificate's state space",
+          "[spice][motion]") {
+  // A cylinder that moves over the array: readings in 40 pieces, after a while at rest.
+  constexpr std::size_t count = 21;
+  constexpr int knots = 40;
+  constexpr double path = 0.4;
+  constexpr double rest = 5e-6;
+  const SensorArray array{count, 0.5, {1.5}, {Quantity::strain_x}};
+  const Material pad{1.0, 0.45};
+  const InverseProblem inverse = make_problem(array, pad, {.unknowns = 1, .smoothing_length = 1.0});
+  const auto at = [&](double y) {
+    const std::vector<Contact> contacts = {RigidContact{.center = y, .half_width = 2.0}};
+    return network_problem(inverse, 1e-3, exact_readings(array, pad, contacts));
+  };
+  const NetworkProblem middle = at(0.0);
+  std::vector<double> rate = at(1e-3).readings;
+  const std::vector<double> before = at(-1e-3).readings;
+  for (std::size_t i = 0; i < count; ++i) rate[i] = (rate[i] - before[i]) / 2e-3;
+  for (const Realization one :
+       {Realization::crossbar, Realization::lattice, Realization::least_squares}) {
+    CAPTURE(name(one));
+    const RealizationOptions options{.opamp = {.gain = 1e8, .bandwidth = 1e7}};
+    const NetworkCircuit circuit(one, std::make_shared<const NetworkProblem>(middle), options);
+    const MotionLag lag = motion_lag(circuit, rate);
+    const double speed = 0.5 * 0.01 / lag.relative;  // half of the speed at 1 %
+    std::vector<Circuit> places;
+    for (int k = 0; k <= knots; ++k)
+      places.push_back(realize(one, at(path * (static_cast<double>(k) / knots - 0.5)), options));
+    const double stop = rest + path / speed;
+    std::ostringstream out;
+    write_deck(out, circuit.circuit(), {.title = "moving"}, Answer::raw_file,
+               StepResponse{.step = stop / 4000.0, .stop = stop});
+    std::string deck = out.str();
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < circuit.circuit().sources.size(); ++i) {
+      std::string wave = "PWL(0 " + shortest(places[0].sources[i].ampere);
+      for (int k = 0; k <= knots; ++k)
+        wave += ' ' + shortest(rest + path / speed * k / knots) + ' ' +
+                shortest(places[static_cast<std::size_t>(k)].sources[i].ampere);
+      from = deck.find("PWL(", from);
+      REQUIRE(from != std::string::npos);
+      deck.replace(from, deck.find(')', from) + 1 - from, wave + ')');
+      from += 4;
+    }
+    Ngspice ngspice;
+    const Simulation seen = ngspice.run(deck);
+    const std::span<const double> time = seen.plot.vector("time");
+    // In the middle of its path: behind by what it has moved on since.
+    const double now = rest + 0.5 * path / speed;
+    const auto next =
+        static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), now) - time.begin());
+    const double share = (now - time[next - 1]) / (time[next] - time[next - 1]);
+    const double step = 0.01;
+    const std::vector<double> f = solve_symmetric(middle.matrix, middle.right_side);
+    const std::vector<double> ahead = solve_symmetric(middle.matrix, at(step).right_side);
+    const std::vector<double> back = solve_symmetric(middle.matrix, at(-step).right_side);
+    double behind = 0.0;
+    double moved = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::span<const double> v = seen.plot.vector("v(n" + std::to_string(i) + ")");
+      const double value = v[next - 1] + share * (v[next] - v[next - 1]);
+      behind += std::pow(f[i] - value, 2);
+      moved += std::pow(speed * (ahead[i] - back[i]) / (2.0 * step), 2);
+    }
+    CHECK_THAT(std::sqrt(behind / moved), WithinRel(lag.seconds, 0.05));
+    CHECK_THAT(std::sqrt(behind) / l2_norm(f), WithinRel(0.005, 0.05));
+  }
+}
+
+TEST_CASE("the noise of real inputs is ngspice's", "[spice][noise]") {
+  const ArrayNetwork network = array_network(11, 1e-3);
+  for (const Realization one : {Realization::crossbar, Realization::lattice}) {
+    const Circuit circuit = realize(
+        one, network.problem,
+        {.scale = {1e-3, 1.0},
+         .opamp = {.gain = 1e6, .bandwidth = 1e7, .noise_voltage = 5e-9, .noise_current = 1e-11}});
+    const OutputNoise expected = output_noise(FlatCircuit(circuit));
+    std::ostringstream out;
+    write_deck(out, circuit, {.title = "noise"}, Answer::raw_file);
+    std::string deck = out.str();
+    const std::size_t at = deck.find(".op\n");
+    deck.replace(at, 4,
+                 ".noise v(n5) I0" + std::string(one == Realization::lattice ? "p" : "") +
+                     " dec 40 1 1e10\n");
+    const std::size_t source = deck.find(one == Realization::lattice ? "I0p " : "I0 ");
+    deck.insert(deck.find('\n', source), " AC 1");
+    Ngspice ngspice;
+    const Simulation seen = ngspice.run(deck);
+    CAPTURE(name(one), seen.plot.plot);
+    const double all = expected.thermal(5, 5) + expected.amplifiers(5, 5);
+    const std::span<const double> hertz = seen.plot.vector("frequency");
+    const std::span<const double> density = seen.plot.vector("onoise_spectrum");
+    double square = 0.0;
+    for (std::size_t k = 1; k < hertz.size(); ++k)
+      square += 0.5 * (hertz[k] - hertz[k - 1]) *
+                (density[k] * density[k] + density[k - 1] * density[k - 1]);
+    CHECK_THAT(std::sqrt(square), WithinRel(std::sqrt(all), 0.03));
+    CHECK(expected.amplifiers(5, 5) > 0.1 * all);
+  }
+}
