@@ -66,10 +66,11 @@ SkinSceneProblem::SkinSceneProblem(SkinScene scene)
 
 const SkinScene& SkinSceneProblem::scene() const noexcept { return parts_->scene; }
 
+SkinProblemOptions SkinSceneProblem::options() const { return options_of(parts_->scene); }
+
 const SkinProblem& SkinSceneProblem::problem() const {
   if (!parts_->problem)
-    parts_->problem =
-        make_problem(parts_->scene.sensor, parts_->scene.material, options_of(parts_->scene));
+    parts_->problem = make_problem(parts_->scene.sensor, parts_->scene.material, options());
   return *parts_->problem;
 }
 
@@ -172,9 +173,9 @@ const SkinSceneProblem& SkinSceneProblem::reaching_beyond() const {
 }
 
 SkinProblem SkinSceneProblem::on(const SkinGridOptions& grid) const {
-  SkinProblemOptions options = options_of(parts_->scene);
-  options.grid = grid;
-  return make_problem(parts_->scene.sensor, parts_->scene.material, options);
+  SkinProblemOptions with_grid = options();
+  with_grid.grid = grid;
+  return make_problem(parts_->scene.sensor, parts_->scene.material, with_grid);
 }
 
 SkinSceneProblem SkinSceneProblem::without(std::span<const std::size_t> taxels) const {

@@ -5,10 +5,12 @@
 #include <limits>
 
 #include "pages/parts.hpp"
+#include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
 #include "tactile_net/study/work_precision.hpp"
@@ -244,6 +246,63 @@ Figure truth_figure(const study::Study& study, const std::vector<study::WorkPoin
       .type = "whole-row"};
 }
 
+/// A frame's time over the number of taxels, beside a circuit's and a loop's millisecond.
+std::vector<Curve> size_curves(const std::vector<study::WorkPoint>& points) {
+  std::vector<Curve> curves;
+  for (const study::WorkPoint& point : points) {
+    if (!point.measured() || point.knob.kind != study::Knob::Kind::array) continue;
+    const auto label = [&] {
+      if (point.curve.family == study::WorkCurve::Family::circuit)
+        return "circuit, to 1 %, one cell a taxel";
+      if (point.curve.family == study::WorkCurve::Family::coarse_cells)
+        return "classes, one cell a taxel";
+      if (point.curve.structure == Structure::dense) return "dense matrix";
+      return point.curve.precision == Precision::float32 ? "classes, single precision"
+                                                         : "classes, exact";
+    };
+    Curve& curve = curve_of(curves, label(), points, point);
+    if (curve.x.empty()) curve.colour = curves.size() + (curves.size() > 5 ? 1 : 0);
+    curve.x.push_back(static_cast<double>(point.knob.rows * point.knob.columns));
+    curve.y.push_back(point.seconds);
+    curve.width = point.curve.family == study::WorkCurve::Family::circuit ? 3.0 : 0.0;
+  }
+  if (curves.empty()) return curves;
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0.0;
+  for (const Curve& curve : curves) {
+    low = std::min(low, curve.x.front());
+    high = std::max(high, curve.x.back());
+  }
+  curves.push_back(level_line("a loop of 1 kHz", low, high, 1e-3, true));
+  return curves;
+}
+
+/// What the contacts do: of a line the pad in section, of a skin the map of its cells.
+Figure contact_figure(const study::StudyInput& input) {
+  const auto component = [&](std::size_t u) {
+    return u < input.truth.size() ? std::span<const double>(input.truth[u])
+                                  : std::span<const double>();
+  };
+  if (!input.is_skin())
+    return pad_figure(input.line().scene(), {component(0), component(1)}, "what the contacts do",
+                      "forward", "tradeoff.json");
+  const lab::SkinSceneProblem& skin = input.skin();
+  std::vector<double> truth;
+  for (const std::vector<double>& one : input.truth)
+    truth.insert(truth.end(), one.begin(), one.end());
+  Scales scales;
+  take(scales, truth, skin.grid());
+  return {.name = "pad",
+          .section = "forward",
+          .caption = "Seen from outside: what the contacts do, colours the pressure, mean of each "
+                     "cell, arrows the drag, dots the taxels.",
+          .plot = {},
+          .picture = maps({traction_map(skin.scene(), skin.grid(), truth, {}, scales, "")}) +
+                     traction_bar(skin.scene(), scales),
+          .data = "tradeoff.json",
+          .type = "skin"};
+}
+
 std::vector<Figure> figures_of(const study::Study& study) {
   const study::StudyInput& input = study.input;
   const std::vector<study::WorkPoint> points = study.points();
@@ -289,9 +348,18 @@ std::vector<Figure> figures_of(const study::Study& study) {
               "time [s]", crossover_curves(study, points)),
       "circuits");
 
-  figures.push_back(pad_figure(study.input.scene(),
-                               {study.input.truth.normal, study.input.truth.tangential},
-                               "what the contacts do", "forward", "tradeoff.json"));
+  Plot sizes = plot_of("A frame's time over the size of the array", "taxels",
+                       "time [s]", size_curves(points));
+  sizes.wide = true;
+  add("array-sizes",
+      "The same taxels on smaller and larger arrays: what a frame's product takes on this machine, "
+      "of the whole matrix, of the classes that the reflections make of it, which are as exact, and "
+      "with one cell a taxel, which is coarser. The heavy line is a circuit of two arrays with "
+      "op-amps of 10 MHz, until it has settled to 1 %: beyond the crossing it is faster. Below the "
+      "dashed line a loop of 1 kHz keeps up.",
+      std::move(sizes), "sizes");
+
+  figures.push_back(contact_figure(input));
   add("forward",
       "The way there: readings of the scene's contacts by the integral, with panels of more and "
       "more points, and by the thesis' discrete sum, against the integral itself.",
@@ -309,6 +377,10 @@ std::vector<std::vector<std::string>> simulator_cells(const study::Study& study)
           {in_words(point.curve), duration(point.seconds), brief(*point.error_to_solution)});
   return rows;
 }
+
+/// Which frame of a scene with [time] it is.
+std::string moment(const Scene& scene) { return time_in_words(scene); }
+std::string moment(const SkinScene& scene) { return "frame " + std::to_string(scene.frame); }
 
 }  // namespace
 
@@ -336,17 +408,16 @@ std::vector<std::string> failures_in_words(const study::Study& study) {
 }
 
 Page study_html(const study::Study& study, const Made& made) {
-  const Scene& scene = study.input.scene();
   const Figures figures(figures_of(study));
   Page page{.missing = figures.missing(), .files = figures.data()};
   for (const auto& picture : figures.pictures()) page.files.push_back(picture);
 
   std::string html = element("h1", "What accuracy costs in time");
-  html += element("p",
-                  (scene.title.empty() ? "" : scene.title + ". ") + scene.file + ": " +
-                      sensor_in_words(scene) + "; " + material_in_words(scene) + "; alpha " +
-                      brief(study.input.alpha) + "." +
-                      (scene.time ? " Studied is " + time_in_words(scene) + "." : ""),
+  html += element("p", study.input.with_scene([&](const auto& scene) {
+    return (scene.title.empty() ? "" : scene.title + ". ") + scene.file + ": " +
+           sensor_in_words(scene) + "; " + material_in_words(scene) + "; alpha " +
+           brief(study.input.alpha) + "." + (scene.time ? " Studied is " + moment(scene) + "." : "");
+  }),
                   "quiet");
   html += answer_box(answers(study));
   if (!study.complete)
@@ -355,6 +426,9 @@ Page study_html(const study::Study& study, const Made& made) {
   html += figures.html("");
   html += element("h2", "What nothing beats") + html_table(front_cells(study));
   html += html_list(in_words(study));
+  if (const auto sizes = report::size_cells(study); sizes.size() > 1)
+    html += element("h2", "Larger and smaller arrays") + figures.html("sizes") +
+            html_table(sizes);
   const auto circuits = circuit_cells(study);
   if (circuits.size() > 1) {
     html += element("h2", "When a circuit is faster");
@@ -386,9 +460,9 @@ Page study_html(const study::Study& study, const Made& made) {
                        brief(study.input.agreement) + ".");
   Made beside = made;
   beside.files.insert(beside.files.end(), {"tradeoff.csv", "tradeoff.json"});
-  html += colophon("How it was measured, the scene, the files", measured + scene_html(scene),
+  html += colophon("How it was measured, the scene, the files", measured + study.input.with_scene([](const auto& scene) { return scene_html(scene); }),
                    page.files, beside);
-  page.html = page_html(scene.file + " - tactile-net tradeoff", html);
+  page.html = page_html(study.input.file() + " - tactile-net tradeoff", html);
   return page;
 }
 

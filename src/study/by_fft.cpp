@@ -12,8 +12,8 @@ namespace tactile_net::study {
 namespace {
 
 WorkPoint ring_filter(const StudyInput& input, const WorkCurve& curve, const lab::Clock& clock) {
-  const Scene& scene = input.scene();
-  DftTikhonov inverse(scene.sensor, scene.material, input.problem.options());
+  const Scene& scene = input.line().scene();
+  DftTikhonov inverse(scene.sensor, scene.material, input.line().options());
   std::vector<double> f(input.solution.size());
   const lab::Seconds seconds =
       lab::time_of([&] { (void)inverse.solve(input.readings, input.alpha, f); }, 0.03, clock);
@@ -21,7 +21,7 @@ WorkPoint ring_filter(const StudyInput& input, const WorkCurve& curve, const lab
 }
 
 WorkPoint division(const StudyInput& input, const WorkCurve& curve, const lab::Clock& clock) {
-  const auto solver = lab::make_solver(input.problem, Method::dft, input.alpha);
+  const auto solver = lab::make_solver(input.line(), Method::dft, input.alpha);
   std::vector<double> f(solver->tractions());
   const lab::Seconds seconds =
       lab::time_of([&] { (void)solver->solve(input.readings, f); }, 0.03, clock);
@@ -33,8 +33,8 @@ WorkPoint division(const StudyInput& input, const WorkCurve& curve, const lab::C
 /// One more step for each point, until rounding is all that is left.
 void add_conjugate_gradients(StudySection& section, const StudyInput& input, const WorkCurve& curve,
                              const lab::Clock& clock) {
-  const Scene& scene = input.scene();
-  FftTikhonov inverse(scene.sensor, scene.material, input.problem.options(), input.alpha);
+  const Scene& scene = input.line().scene();
+  FftTikhonov inverse(scene.sensor, scene.material, input.line().options(), input.alpha);
   std::vector<double> f(inverse.tractions());
   double before = 1.0;
   for (std::size_t steps = 1; steps <= 20; ++steps) {
@@ -56,7 +56,7 @@ StudySection by_fft(const StudyInput& input, const lab::Clock& clock) {
   const WorkCurve ring{.family = Family::ring_filter};
   attempt(section, ring, {}, [&] { return ring_filter(input, ring, clock); });
   const WorkCurve quotient{.family = Family::division};
-  if (unknowns(input.scene()) == 1)
+  if (unknowns(input.line().scene()) == 1)
     attempt(section, quotient, {}, [&] { return division(input, quotient, clock); });
   const WorkCurve iteration{.family = Family::conjugate_gradients};
   try {

@@ -15,14 +15,27 @@ namespace tactile_net::study {
 using Stop = std::function<bool()>;
 
 /// The study's scene with that circuit, its op-amps of that bandwidth [Hz]; without: as the scene
-/// has them.
-[[nodiscard]] Scene with_circuit(const StudyInput& input, Realization realization,
-                                 std::optional<double> bandwidth = {});
+/// has them. Without constraints, which no circuit holds; of a skin on cells as wide as the pitch
+/// where its own make too many nodes.
+[[nodiscard]] AnyScene with_circuit(const StudyInput& input, Realization realization,
+                                    std::optional<double> bandwidth = {});
 
 /// That scene's circuit for the study's frame and alpha.
-[[nodiscard]] inline lab::SceneCircuit circuit_of(const StudyInput& input, const Scene& scene) {
-  return {lab::SceneFrame(lab::SceneProblem(scene), input.readings), {.value = input.alpha}};
-}
+[[nodiscard]] lab::SceneCircuit circuit_of(const StudyInput& input, const AnyScene& scene);
+
+/// The scene's options for circuits.
+[[nodiscard]] NetworkOptions& network_of(AnyScene& scene);
+
+/// The curve of such a circuit.
+[[nodiscard]] WorkCurve curve_of(const StudyInput& input, const AnyScene& scene,
+                                 std::optional<double> bandwidth = {});
+
+/// More resistors than this take the simulator minutes.
+inline constexpr std::size_t most_simulated_resistors = 40000;
+/// Whether parts are drawn for a circuit, and the simulator asked: not for skins of more than
+/// `most_drawn_amplifiers` nodes and residuals, of which either takes minutes.
+[[nodiscard]] bool is_small(const AnyScene& scene);
+inline constexpr std::size_t most_drawn_amplifiers = 200;
 
 /// One realisation's step response at every bandwidth.
 [[nodiscard]] StudySection settling(const StudyInput& input, Realization realization,
@@ -31,6 +44,10 @@ using Stop = std::function<bool()>;
 /// The thesis' own network: resistors, some negative, and the capacitance of its nodes.
 [[nodiscard]] StudySection passive_settling(const StudyInput& input, Simulator& simulator,
                                             const Stop& stop);
+
+/// How long two arrays of op-amps of 10 MHz take to settle to one percent, on skins of fewer and of
+/// more taxels, by their poles. @pre  the skin is even
+[[nodiscard]] StudySection circuit_sizes(const StudyInput& input, const Stop& stop);
 
 /// What the simulator takes for the operating point, and how well it agrees.
 [[nodiscard]] StudySection operating_points(const StudyInput& input, Simulator& simulator);

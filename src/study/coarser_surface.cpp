@@ -33,8 +33,8 @@ bool has_coarser_surface(const Scene& scene) { return !coarser_scenes(scene).emp
 StudySection coarser_surface(const StudyInput& input, const lab::Clock& clock) {
   StudySection section;
   const WorkCurve curve{.family = WorkCurve::Family::coarser_surface};
-  const Surface own = surface(input.scene());
-  for (const Scene& scene : coarser_scenes(input.scene())) {
+  const Surface own = surface(input.line().scene());
+  for (const Scene& scene : coarser_scenes(input.line().scene())) {
     const lab::SceneProblem coarse(scene);
     const Knob knob{.kind = Knob::Kind::surface_values, .count = coarse.surface().count};
     attempt(section, curve, knob, [&] {

@@ -12,8 +12,8 @@ namespace {
 /// One point for each limit of exchanges, until the optimum is found.
 void add_active_sets(StudySection& section, const StudyInput& input, const WorkCurve& curve,
                      const lab::Clock& clock) {
-  const ConstrainedTikhonov inverse(input.problem.problem(), input.alpha,
-                                    input.problem.constraints().value_or(Constraints{}));
+  const ConstrainedTikhonov inverse(input.line().problem(), input.alpha,
+                                    input.line().constraints().value_or(Constraints{}));
   for (std::size_t limit = 1; limit <= 64; limit *= 2) {
     ConstrainedSolution solution;
     const lab::Seconds seconds =

@@ -14,13 +14,13 @@ namespace {
 /// as many terms fewer.
 WorkPoint coarser(const StudyInput& input, std::size_t stride, const WorkCurve& curve,
                   const Knob& knob, const lab::Clock& clock) {
-  Scene scene = input.scene();
-  scene.sensor = every(input.scene().sensor, stride);
-  const Surface places = surface(input.scene());
+  Scene scene = input.line().scene();
+  scene.sensor = every(input.line().scene().sensor, stride);
+  const Surface places = surface(input.line().scene());
   const bool on_grid = places.basis == SurfaceBasis::hats;  // which stays as it is
   if (on_grid) scene.reconstruct.surface.spacing = places.spacing;
   std::vector<double> g;
-  for (std::size_t i = 0; const Site& site : sites(input.scene().sensor)) {
+  for (std::size_t i = 0; const Site& site : sites(input.line().scene().sensor)) {
     if (site.taxel % stride == 0) g.push_back(input.readings[i]);
     ++i;
   }
@@ -36,10 +36,10 @@ WorkPoint coarser(const StudyInput& input, std::size_t stride, const WorkCurve& 
 StudySection fewer_taxels(const StudyInput& input, const lab::Clock& clock) {
   StudySection section;
   const WorkCurve curve{.family = WorkCurve::Family::fewer_taxels};
-  const std::size_t n = input.scene().sensor.count;
+  const std::size_t n = input.line().scene().sensor.count;
   for (std::size_t stride = 2; stride <= (n - 1) / 4; ++stride) {
     if ((n - 1) % stride != 0) continue;
-    if (!input.scene().dead_taxels.empty()) {
+    if (!input.line().scene().dead_taxels.empty()) {
       section.points.push_back(
           failed(curve, {}, TimeOf::frame, {.kind = Failure::Kind::dead_taxels}));
       break;

@@ -13,7 +13,7 @@ namespace tactile_net::study {
 
 StudySection forward_models(const StudyInput& input, const lab::Clock& clock) {
   StudySection section;
-  const Scene& scene = input.scene();
+  const Scene& scene = input.line().scene();
   if (scene.contacts.empty()) return section;
   const std::vector<double> exact = exact_readings(scene.sensor, scene.material, scene.contacts,
                                                    {.points = 61, .error_limit = 1e-9});

@@ -10,13 +10,15 @@ StudySection operating_points(const StudyInput& input, Simulator& simulator) {
   StudySection section;
   for (const Realization realization : realizations) {
     if (!traits(realization).linear()) continue;
+    const AnyScene scene = with_circuit(input, realization);
+    if (!is_small(scene)) continue;
     WorkPoint result;
-    result.curve = {.family = WorkCurve::Family::circuit, .realization = realization};
+    result.curve = curve_of(input, scene);
     result.knob = {.kind = Knob::Kind::operating_point};
     result.time_of = TimeOf::simulator;
     try {
       const lab::Relaxation relaxation =
-          lab::relax(circuit_of(input, with_circuit(input, realization)), simulator);
+          lab::relax(circuit_of(input, scene), simulator);
       result.seconds = result.seconds_low = result.seconds_high = relaxation.ngspice_seconds;
       result.error_to_solution = relaxation.difference;
       if (const auto disagreement = relaxation.disagreement())

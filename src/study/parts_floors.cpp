@@ -10,8 +10,9 @@ StudySection parts_floors(const StudyInput& input, const Stop& stop) {
     if (!traits(realization).linear() || !traits(realization).uses_opamps) continue;
     for (const double relative : {0.01, 0.001}) {
       if (stop()) return section;
-      Scene scene = with_circuit(input, realization);
-      scene.network.tolerance = ToleranceOptions{.relative = relative, .trials = 40};
+      AnyScene scene = with_circuit(input, realization);
+      network_of(scene).tolerance = ToleranceOptions{.relative = relative, .trials = 40};
+      if (!is_small(scene)) continue;
       const lab::SceneCircuit circuit = circuit_of(input, scene);
       const ToleranceResult result = tolerate(circuit.network().reduction(), circuit.tolerance());
       PartsFloor floor{.realization = realization, .relative = relative};

@@ -1,20 +1,44 @@
 #include "study/planned_frame.hpp"
 
-#include "tactile_net/control/planner.hpp"
+#include <optional>
+
+#include "study/points.hpp"
+#include "tactile_net/control/fft_convolution.hpp"
+#include "tactile_net/control/skin_planner.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 
 namespace tactile_net::study {
+
+PlannedEstimator plan_of(const StudyInput& input, PlannerOptions options) {
+  options.diagnostics = false;
+  if (!input.is_skin()) return plan_estimator(input.line().problem(), input.alpha, options);
+  const lab::SkinSceneProblem& skin = input.skin();
+  std::optional<SkinProblem> whole;
+  if (!skin.scene().dead_taxels.empty()) whole = skin.without({}).problem();
+  return plan_estimator(skin.problem(), skin.family(), input.alpha, options,
+                        whole ? &*whole : nullptr);
+}
+
+PlannedFrame timed_frame(const EstimatorPlan& plan, std::span<const double> readings,
+                         const lab::Clock& clock) {
+  ContactEstimator estimator(plan, fft_convolutions());
+  PlannedFrame frame{.tractions = std::vector<double>(estimator.tractions()), .seconds = {}};
+  ContactEstimate estimate;
+  estimate.tractions = frame.tractions;
+  frame.seconds = lab::time_of(
+      [&] {
+        if (estimator.update(readings, estimate) != FrameStatus::ok)
+          throw Failed({.kind = Failure::Kind::no_frame});
+      },
+      0.03, clock);
+  return frame;
+}
 
 PlannedFrame planned_frame(const InverseProblem& problem, double alpha,
                            std::span<const double> readings, const lab::Clock& clock) {
   PlannerOptions options;
   options.diagnostics = false;
-  ContactEstimator estimator(plan_estimator(problem, alpha, options).plan);
-  PlannedFrame frame{.tractions = std::vector<double>(estimator.tractions()), .seconds = {}};
-  ContactEstimate estimate;
-  estimate.tractions = frame.tractions;
-  frame.seconds = lab::time_of([&] { (void)estimator.update(readings, estimate); }, 0.03, clock);
-  return frame;
+  return timed_frame(plan_estimator(problem, alpha, options).plan, readings, clock);
 }
 
 }  // namespace tactile_net::study

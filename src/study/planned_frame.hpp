@@ -5,15 +5,26 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/control/planner.hpp"
 #include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
+#include "tactile_net/study/input.hpp"
 
 namespace tactile_net::study {
+
+/// Of the study's problem, a line's or a skin's.
+/// @throw std::invalid_argument, std::domain_error  as `plan_estimator`
+[[nodiscard]] PlannedEstimator plan_of(const StudyInput& input, PlannerOptions options);
 
 struct PlannedFrame {
   std::vector<double> tractions;
   lab::Seconds seconds;
 };
+
+/// Without diagnostics.
+/// @throw Failed  the estimator refuses the frame
+[[nodiscard]] PlannedFrame timed_frame(const EstimatorPlan& plan, std::span<const double> readings,
+                                       const lab::Clock& clock);
 
 /// @throw std::invalid_argument, std::domain_error  as `plan_estimator`
 [[nodiscard]] PlannedFrame planned_frame(const InverseProblem& problem, double alpha,

@@ -17,15 +17,16 @@ Failure caught() {
 }
 
 std::vector<double> truth_of(const StudyInput& input) {
-  std::vector<double> truth = input.truth.normal;
-  if (unknowns(input.scene()) == 2) {
-    truth.insert(truth.end(), input.truth.tangential.begin(), input.truth.tangential.end());
-    truth.resize(2 * surface(input.scene()).count);
-  }
+  std::vector<double> truth;
+  for (const std::vector<double>& component : input.truth)
+    truth.insert(truth.end(), component.begin(), component.end());
+  truth.resize(input.solution.size());
   return truth;
 }
 
 std::optional<double> error_to_truth(const StudyInput& input, std::span<const double> f) {
+  if (input.truth.empty() || input.solution.size() % input.truth.front().size() != 0)
+    return std::nullopt;
   const std::vector<double> truth = truth_of(input);
   if (!(l2_norm(truth) > 0.0) || f.size() != truth.size()) return std::nullopt;
   return relative_l2_error(f, truth);

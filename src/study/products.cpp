@@ -1,35 +1,24 @@
 #include <algorithm>
-#include <cstddef>
-#include <span>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "study/digital.hpp"
+#include "study/planned_frame.hpp"
 #include "study/points.hpp"
-#include "tactile_net/control/fft_convolution.hpp"
-#include "tactile_net/control/planner.hpp"
-#include "tactile_net/realtime/contact_estimator.hpp"
 
 namespace tactile_net::study {
 namespace {
 
 /// Adds the product that these options plan; equal ranks would be the same point again.
-void add_product(StudySection& section, const StudyInput& input, PlannerOptions options,
+void add_product(StudySection& section, const StudyInput& input, const PlannerOptions& options,
                  const lab::Clock& clock) {
-  options.diagnostics = false;
   const WorkCurve curve{.family = WorkCurve::Family::product,
                         .structure = options.structure,
                         .precision = options.precision};
   attempt(section, curve, {}, [&] {
-    const PlannedEstimator planned = plan_estimator(input.problem.problem(), input.alpha, options);
-    ContactEstimator estimator(planned.plan, fft_convolutions());
-    std::vector<double> f(estimator.tractions());
-    ContactEstimate estimate;
-    estimate.tractions = f;
-    const auto frame = [&] {
-      if (estimator.update(input.readings, estimate) != FrameStatus::ok)
-        throw Failed({.kind = Failure::Kind::no_frame});
-    };
-    const lab::Seconds seconds = lab::time_of(frame, 0.03, clock);
+    const PlannedEstimator planned = plan_of(input, options);
+    const auto [f, seconds] = timed_frame(planned.plan, input.readings, clock);
     Knob knob{.ranks = planned.candidates.front().ranks};
     if (!knob.ranks.empty()) knob.kind = Knob::Kind::ranks;
     return point(input, curve, std::move(knob), f, seconds);
@@ -41,17 +30,31 @@ void add_product(StudySection& section, const StudyInput& input, PlannerOptions 
   if (points.size() >= 2 && same(points.back(), points[points.size() - 2])) points.pop_back();
 }
 
-bool is_symmetric(const InverseProblem& problem) {
-  return std::none_of(problem.weights.begin(), problem.weights.end(),
-                      [](double weight) { return weight == 0.0; });
+/// The structures that an array has, and how finely accuracies are gone through.
+struct Structures {
+  std::optional<Structure> exact{};  ///< by classes
+  Structure low_rank = Structure::low_rank;
+  bool fft = false;
+  double step = 0.2;
+};
+
+Structures structures_of(const StudyInput& input) {
+  using enum Structure;
+  if (input.is_skin()) {
+    constexpr double step = 0.1;  // each takes a decomposition of every class
+    if (!is_even(input.skin().scene().sensor)) return {.step = step};
+    return {.exact = reflections, .low_rank = reflections_low_rank, .step = step};
+  }
+  const std::vector<double>& weights = input.line().problem().weights;
+  if (std::find(weights.begin(), weights.end(), 0.0) != weights.end()) return {.fft = true};
+  return {.exact = parity, .low_rank = parity_low_rank, .fft = true};
 }
 
 }  // namespace
 
 StudySection products(const StudyInput& input, const lab::Clock& clock) {
   StudySection section;
-  using enum Structure;
-  const bool symmetric = is_symmetric(input.problem.problem());
+  const Structures structures = structures_of(input);
   const auto add = [&](Structure structure, Precision precision, double accuracy) {
     PlannerOptions options;
     options.accuracy = accuracy;
@@ -60,15 +63,16 @@ StudySection products(const StudyInput& input, const lab::Clock& clock) {
     add_product(section, input, options, clock);
   };
   for (const Precision precision : {Precision::float64, Precision::float32}) {
-    add(dense, precision, PlannerOptions{}.accuracy);
-    if (symmetric) add(parity, precision, PlannerOptions{}.accuracy);
-    for (double accuracy = 0.3; accuracy > 1e-13; accuracy *= 0.2) {
+    add(Structure::dense, precision, PlannerOptions{}.accuracy);
+    if (structures.exact) add(*structures.exact, precision, PlannerOptions{}.accuracy);
+    for (double accuracy = 0.3; accuracy > 1e-13; accuracy *= structures.step) {
       if (precision == Precision::float32 && accuracy < 1e-7) break;
-      add(symmetric ? parity_low_rank : low_rank, precision, accuracy);
+      add(structures.low_rank, precision, accuracy);
     }
   }
+  if (!structures.fft) return section;
   for (double accuracy = 0.3; accuracy > 1e-13; accuracy *= 0.1) {
-    add(fft, Precision::float64, accuracy);
+    add(Structure::fft, Precision::float64, accuracy);
     if (!section.points.back().measured()) break;
   }
   return section;

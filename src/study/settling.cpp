@@ -58,7 +58,7 @@ void add_simulated(StudySection& section, const WorkCurve& curve, const lab::Sce
   }
 }
 
-/// By the circuit's poles, where the simulator ran out of time.
+/// By the circuit's poles, where the simulator runs out of time.
 void add_by_poles(StudySection& section, const WorkCurve& curve, const StateSpace& system,
                   double slowest) {
   for (std::size_t level = 0; level < settling_levels.size(); ++level)
@@ -69,8 +69,8 @@ void add_by_poles(StudySection& section, const WorkCurve& curve, const StateSpac
 
 /// A circuit's answer to a step of all its inputs: when it has come within each level of f*.
 void add_settling(StudySection& section, const WorkCurve& curve, const StudyInput& input,
-                  Scene scene, Simulator& simulator, const Stop& stop) {
-  scene.network.settling_accuracy = settling_levels.back();
+                  AnyScene scene, Simulator& simulator, const Stop& stop) {
+  network_of(scene).settling_accuracy = settling_levels.back();
   const lab::SceneCircuit circuit = circuit_of(input, scene);
   const Certificate& certificate = circuit.certificate();
   if (auto failure = without_settling(certificate)) {
@@ -79,6 +79,10 @@ void add_settling(StudySection& section, const WorkCurve& curve, const StudyInpu
   }
   if (stop()) return;
   const Dynamics& dynamics = *certificate.dynamics;
+  if (certificate.elements.resistors > most_simulated_resistors) {
+    add_by_poles(section, curve, circuit.network().state_space(), dynamics.slowest);
+    return;
+  }
   try {
     add_simulated(section, curve, circuit, *dynamics.settling_seconds, simulator);
   } catch (const SimulatorError& error) {
@@ -104,14 +108,13 @@ StudySection settling(const StudyInput& input, Realization realization, Simulato
                       const Stop& stop) {
   StudySection section;
   const auto simulate = [&](double bandwidth) {
-    const WorkCurve curve{
-        .family = WorkCurve::Family::circuit, .realization = realization, .bandwidth = bandwidth};
-    add_settling(section, curve, input, with_circuit(input, realization, bandwidth), simulator,
-                 stop);
+    const AnyScene scene = with_circuit(input, realization, bandwidth);
+    add_settling(section, curve_of(input, scene, bandwidth), input, scene, simulator, stop);
   };
   simulate(compared_bandwidth);
   const std::vector<WorkPoint> measured = section.points;
-  const RealizationOptions& given = input.scene().network.parts;
+  AnyScene scene = with_circuit(input, realization);
+  const RealizationOptions& given = network_of(scene).parts;
   const bool alone =
       !given.node_capacitance && !given.opamp.second_pole && !given.opamp.input_capacitance &&
       !given.opamp.slew;
@@ -129,9 +132,10 @@ StudySection settling(const StudyInput& input, Realization realization, Simulato
 
 StudySection passive_settling(const StudyInput& input, Simulator& simulator, const Stop& stop) {
   StudySection section;
-  Scene scene = with_circuit(input, Realization::ideal);
-  const double farad = scene.network.parts.node_capacitance.value_or(10e-12);
-  scene.network.parts.node_capacitance = farad;
+  AnyScene scene = with_circuit(input, Realization::ideal);
+  std::optional<double>& capacitance = network_of(scene).parts.node_capacitance;
+  const double farad = capacitance.value_or(10e-12);
+  capacitance = farad;
   const WorkCurve curve{.family = WorkCurve::Family::circuit,
                         .realization = Realization::ideal,
                         .node_capacitance = farad};

@@ -17,7 +17,7 @@ void check_simulator(const lab::SimulatorChoice& choice) {
 
 }  // namespace
 
-Study tradeoff(const Scene& scene, const TradeoffOptions& options, StudyObserver& observer) {
+Study tradeoff(const AnyScene& scene, const TradeoffOptions& options, StudyObserver& observer) {
   if (options.circuits) check_simulator(options.simulator);
   Study study{.input = study_input(scene)};
   study.processor = processor_name();

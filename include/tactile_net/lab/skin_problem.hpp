@@ -28,6 +28,8 @@ class SkinSceneProblem {
   explicit SkinSceneProblem(SkinScene scene);
 
   [[nodiscard]] const SkinScene& scene() const noexcept;
+  /// Unknowns, smoothing length, weights, dead taxels and grid as the scene has them.
+  [[nodiscard]] SkinProblemOptions options() const;
   /// @throw std::invalid_argument  as `make_problem`, here and below
   [[nodiscard]] const SkinProblem& problem() const;
   [[nodiscard]] const SkinGrid& grid() const { return problem().grid; }

@@ -2,17 +2,25 @@
 /// What every method of a study starts from: one frame, its exact solution, and what noise does.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
+#include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
-#include "tactile_net/sensing/traction_field.hpp"
+#include "tactile_net/lab/skin_problem.hpp"
+#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::study {
 
 struct StudyInput {
-  lab::SceneProblem problem{Scene{}};
+  /// Of a skin with the frame's own tangential weight, where the scene has it estimated.
+  std::variant<lab::SceneProblem, lab::SkinSceneProblem> problem{lab::SceneProblem(Scene{})};
   double alpha = 0.0;  ///< the scene's or its rule's: all methods share it
-  TractionField truth{};
+  /// What presses [Pa]: the normal traction of every place, then each tangential one, as far as
+  /// there are; none: nothing is known of it.
+  std::vector<std::vector<double>> truth{};
   std::vector<double> readings{};
   /// f*, of a QR, without the scene's constraints; `agreement` from the one by singular values.
   std::vector<double> solution{};
@@ -22,13 +30,35 @@ struct StudyInput {
   bool noise_stated = false;    ///< by the scene; else one hundredth of the largest reading
   double noise_floor = 0.0;     ///< what that noise does to f*: root mean square, over |f*|
 
-  [[nodiscard]] const Scene& scene() const noexcept { return problem.scene(); }
+  [[nodiscard]] bool is_skin() const noexcept {
+    return std::holds_alternative<lab::SkinSceneProblem>(problem);
+  }
+  /// @pre  it is of a line
+  [[nodiscard]] const lab::SceneProblem& line() const { return std::get<0>(problem); }
+  /// @pre  it is of a skin
+  [[nodiscard]] const lab::SkinSceneProblem& skin() const { return std::get<1>(problem); }
+
+  /// `use` of the scene, a line's or a skin's.
+  decltype(auto) with_scene(const auto& use) const {
+    return std::visit([&](const auto& one) -> decltype(auto) { return use(one.scene()); }, problem);
+  }
+  [[nodiscard]] const std::string& file() const {
+    return with_scene([](const auto& scene) -> const std::string& { return scene.file; });
+  }
+  [[nodiscard]] const std::optional<Units>& units() const {
+    return with_scene([](const auto& scene) -> const std::optional<Units>& { return scene.units; });
+  }
+  [[nodiscard]] const std::optional<Constraints>& constraints() const {
+    return std::visit(
+        [](const auto& one) -> const std::optional<Constraints>& { return one.constraints(); },
+        problem);
+  }
 
   /// The smallest error that can be told: both references may err by more than they differ.
   [[nodiscard]] double resolution() const noexcept { return 10.0 * agreement; }
 };
 
 /// @throw std::invalid_argument  the scene cannot be studied: every reading is zero, ...
-[[nodiscard]] StudyInput study_input(const Scene& scene);
+[[nodiscard]] StudyInput study_input(const AnyScene& scene);
 
 }  // namespace tactile_net::study

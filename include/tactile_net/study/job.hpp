@@ -16,8 +16,12 @@ struct Job {
     constraints,       ///< the active set
     fewer_taxels,      ///< coarser arrays of the same aperture
     coarser_surface,   ///< fewer tractions from the same readings
+    kronecker,         ///< of skins: sums of Kronecker products
+    gradients,         ///< of skins: conjugate gradients, by FFT and with the matrix
+    array_sizes,       ///< of skins: what a frame takes on arrays of other sizes
     forward_model,     ///< readings of known tractions
     settling,          ///< the step response of a circuit of `realization`
+    circuit_sizes,     ///< of skins: how circuits of arrays of other sizes settle
     parts,             ///< what inaccurate components do to each circuit
     operating_points,  ///< what the simulator takes for one frame
   };

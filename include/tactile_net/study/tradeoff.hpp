@@ -33,7 +33,7 @@ inline StudyObserver silent_study;
 /// @throw std::invalid_argument  the scene cannot be studied, see `study_input`; the simulator's
 ///                               options are wrong
 /// @throw SimulatorError         circuits are asked for and the simulator does not work
-[[nodiscard]] Study tradeoff(const Scene& scene, const TradeoffOptions& options = {},
+[[nodiscard]] Study tradeoff(const AnyScene& scene, const TradeoffOptions& options = {},
                              StudyObserver& observer = silent_study);
 
 }  // namespace tactile_net::study

@@ -47,6 +47,11 @@ struct WorkCurve {
     active_set,           ///< tractions under the scene's constraints, f_v >= 0 where it has none
     fewer_taxels,         ///< the same aperture read at every second, third, ... taxel
     coarser_surface,      ///< the same readings on grids of steps twice, four times, ... as long
+    kronecker,            ///< a sum of Kronecker products of M, rows and columns by themselves
+    singular_values,      ///< by the decomposition that every alpha shares: another one each frame
+    matrix_gradients,     ///< conjugate gradients, with products by the matrix itself
+    friction_cone,        ///< a skin's constraints, by alternating directions
+    coarse_cells,         ///< `array` alone: cells as wide as the taxels' pitch
     integral,             ///< forward model: the thesis' integrals
     discrete_sum,         ///< forward model: sums over the taxels
     circuit,              ///< of `realization`, and of one `bandwidth` or `node_capacitance`
@@ -58,6 +63,9 @@ struct WorkCurve {
   std::optional<Realization> realization{};
   std::optional<double> bandwidth{};         ///< gain-bandwidth product of the op-amps [Hz]
   std::optional<double> node_capacitance{};  ///< of a circuit without op-amps [F]
+  /// Nodes of a circuit of cells wider than the study's own, which would be too many: errors are
+  /// against the exact solution on those.
+  std::optional<std::size_t> tractions{};
   std::optional<Job> job{};
 
   bool operator==(const WorkCurve&) const = default;
@@ -84,6 +92,8 @@ struct Knob {
     steps,            ///< `count` iterations
     exchanges,        ///< `count` exchanges of the active set, `optimal` or stopped
     taxels,           ///< `count` taxels that are read
+    terms,            ///< `count` Kronecker products, of all blocks together
+    array,            ///< another array, of `rows` x `columns` taxels
     surface_values,   ///< `count` values of each traction
     panel_points,     ///< `count` points of the quadrature on each panel
     halved_panels,    ///< panels halved until the integral is known to 1e-14
@@ -94,6 +104,8 @@ struct Knob {
   std::vector<std::size_t> ranks{};
   std::size_t count = 0;
   bool optimal = false;   ///< exchanges: the constraints' optimum was reached
+  std::size_t rows = 0;   ///< array
+  std::size_t columns = 0;
   std::size_t level = 0;  ///< settled: index into `settling_levels`
   bool by_poles = false;  ///< settled: by the state space; the simulator ran out of time
   bool scaled = false;    ///< settled: by the ratio of bandwidths, from `compared_bandwidth`

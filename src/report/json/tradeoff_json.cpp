@@ -89,7 +89,7 @@ std::string study_json(const study::Study& study, std::string_view scene_text) {
   }
   Json json = document(kind::tradeoff);
   json.update(Json{
-      {"scene", input.scene().file},
+      {"scene", input.file()},
       {"complete", study.complete},
       {"processor", study.processor},
       {"clock", study.clock},
@@ -102,7 +102,7 @@ std::string study_json(const study::Study& study, std::string_view scene_text) {
       {"pareto", std::move(fronts)},
       {"jobs", std::move(jobs)},
       {"scene_text", scene_text}});
-  if (input.scene().units) json["units"] = units_json(*input.scene().units);
+  if (input.units()) json["units"] = units_json(*input.units());
   return text_of(json, 2);
 }
 

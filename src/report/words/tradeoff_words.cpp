@@ -160,16 +160,20 @@ std::vector<std::string> in_words(const study::Study& study) {
     text.push_back(
         "the scene has no contact: its readings are noise, alpha too if a rule chose it; times and "
         "the errors against the exact solution stand, the rest says nothing of a touch");
-  if (input.problem.constraints())
+  if (input.constraints())
     text.push_back(
         "the exact solution is that without the scene's constraints; with them: the curve " +
-        in_words(study::WorkCurve{.family = study::WorkCurve::Family::active_set}));
-  text.push_back("noise of " +
-                 in_unit(input.scene(), residual_dimension(input.scene()), input.noise_rms) +
+        in_words(study::WorkCurve{.family = input.is_skin()
+                                                ? study::WorkCurve::Family::friction_cone
+                                                : study::WorkCurve::Family::active_set}));
+  const Dimension dimension =
+      input.with_scene([](const auto& scene) { return residual_dimension(scene); });
+  text.push_back("noise of " + in_unit(input.units(), dimension, input.noise_rms) +
                  (input.noise_stated ? " per weighted reading (the scene's)"
                                      : " per reading (1 % of the largest, an assumption)") +
                  " moves the solution by " + percent(input.noise_floor) +
                  ": more accuracy than that cannot be seen");
+  for (std::string& sentence : sizes_in_words(study)) text.push_back(std::move(sentence));
   add_circuits(text, study, points);
   return text;
 }

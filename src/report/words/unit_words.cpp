@@ -62,4 +62,10 @@ Dimension residual_dimension(const Scene& scene) noexcept {
                                                                         : Dimension::stress;
 }
 
+Dimension residual_dimension(const SkinScene& scene) noexcept {
+  // Kinds of readings are mixed only where they are divided by their noise.
+  const bool weighted = scene.noise && scene.noise->weights_rows;
+  return weighted ? Dimension::none : dimension_of(traits(scene.sensor.reads.front()).kind);
+}
+
 }  // namespace tactile_net::report

@@ -18,20 +18,24 @@ using Setting = study::Knob::Kind;
 
 // The words of which nothing is a number. Writers and readers below share every table.
 
-constexpr std::array<std::pair<study::Job::Kind, std::string_view>, 9> job_words = {{
+constexpr std::array<std::pair<study::Job::Kind, std::string_view>, 13> job_words = {{
     {study::Job::Kind::products, "products with M"},
     {study::Job::Kind::factorisations, "factorisations"},
     {study::Job::Kind::fft, "FFT"},
     {study::Job::Kind::constraints, "constraints"},
     {study::Job::Kind::fewer_taxels, "fewer taxels"},
     {study::Job::Kind::coarser_surface, "coarser surface"},
+    {study::Job::Kind::kronecker, "Kronecker products"},
+    {study::Job::Kind::gradients, "conjugate gradients"},
+    {study::Job::Kind::array_sizes, "array sizes"},
     {study::Job::Kind::forward_model, "forward model"},
+    {study::Job::Kind::circuit_sizes, "circuits over array sizes"},
     {study::Job::Kind::parts, "accuracy of parts"},
     {study::Job::Kind::operating_points, "ngspice, operating points"},
 }};
 constexpr std::string_view settling_job = "settling, ";  // and the realisation
 
-constexpr std::array<std::pair<Family, std::string_view>, 10> family_words = {{
+constexpr std::array<std::pair<Family, std::string_view>, 15> family_words = {{
     {Family::closed_form, "closed form (ch. 4)"},
     {Family::factorisation, "QR of every frame"},
     {Family::ring_filter, "FFT, array as a ring"},
@@ -40,11 +44,21 @@ constexpr std::array<std::pair<Family, std::string_view>, 10> family_words = {{
     {Family::active_set, "f_v >= 0, active set"},
     {Family::fewer_taxels, "fewer taxels"},
     {Family::coarser_surface, "coarser surface"},
+    {Family::kronecker, "sum of Kronecker products"},
+    {Family::singular_values, "singular values, any alpha"},
+    {Family::matrix_gradients, "conjugate gradients, matrix"},
+    {Family::friction_cone, "constraints, ADMM"},
+    {Family::coarse_cells, "one cell a taxel, reflections float64"},
     {Family::integral, "readings by the integral"},
     {Family::discrete_sum, "readings by the discrete sum"},
 }};
 constexpr std::string_view corrected_fft = "FFT, ends corrected";
 constexpr std::string_view capacitance_unit = " pF a node";
+// "least_squares of 300 tractions, 10 MHz", "16 x 16 taxels"
+constexpr std::string_view of_nodes = " of ";
+constexpr std::string_view nodes_unit = " tractions";
+constexpr std::string_view by = " x ";
+constexpr std::string_view array_unit = " taxels";
 
 /// A number stands before these.
 struct CountWords {
@@ -52,8 +66,10 @@ struct CountWords {
   bool optimal;
   std::string_view words;
 };
-constexpr std::array<CountWords, 6> count_words = {{
+constexpr std::array<CountWords, 8> count_words = {{
     {Setting::steps, false, " steps"},
+    {Setting::steps, true, " steps, converged"},
+    {Setting::terms, false, " terms"},
     {Setting::exchanges, false, " exchanges"},
     {Setting::exchanges, true, " exchanges, optimal"},
     {Setting::taxels, false, " taxels"},
@@ -99,6 +115,8 @@ std::string product_in_words(Structure structure, Precision precision) {
 /// "nic, 10 MHz", "ideal, 10 pF a node", "rail"
 std::string circuit_in_words(const study::WorkCurve& curve) {
   std::string text(name(*curve.realization));
+  if (curve.tractions)
+    text += std::string(of_nodes) + std::to_string(*curve.tractions) + std::string(nodes_unit);
   if (curve.bandwidth) text += ", " + brief(*curve.bandwidth / 1e6) + " MHz";
   if (curve.node_capacitance)
     text += ", " + brief(*curve.node_capacitance * 1e12) + std::string(capacitance_unit);
@@ -158,6 +176,35 @@ std::optional<study::WorkCurve> capacitive_circuit_named(std::string_view text) 
       .family = Family::circuit, .realization = realization, .node_capacitance = 1e-12 * picofarad};
 }
 
+/// A circuit whose nodes are counted: as if they were not, and their count.
+std::optional<study::WorkCurve> counted_circuit_named(std::string_view text) {
+  const std::size_t first = text.find(of_nodes);
+  const std::size_t last = text.find(nodes_unit);
+  if (first == text.npos || last == text.npos || last < first + of_nodes.size())
+    return std::nullopt;
+  const auto count = count_in(text.substr(first + of_nodes.size(), last - first - of_nodes.size()));
+  const std::string rest =
+      std::string(text.substr(0, first)) + std::string(text.substr(last + nodes_unit.size()));
+  if (!count) return std::nullopt;
+  for (study::WorkCurve& curve : circuits())
+    if (circuit_in_words(curve) == rest) {
+      curve.tractions = count;
+      return curve;
+    }
+  return std::nullopt;
+}
+
+std::optional<study::Knob> array_named(std::string_view text) {
+  const std::size_t middle = text.find(by);
+  if (middle == text.npos || !text.ends_with(array_unit)) return std::nullopt;
+  const std::size_t second = middle + by.size();
+  if (text.size() < second + array_unit.size()) return std::nullopt;
+  const auto rows = count_in(text.substr(0, middle));
+  const auto columns = count_in(text.substr(second, text.size() - second - array_unit.size()));
+  if (!rows || !columns) return std::nullopt;
+  return study::Knob{.kind = Setting::array, .rows = *rows, .columns = *columns};
+}
+
 }  // namespace
 
 std::string in_words(const study::Job& job) {
@@ -192,7 +239,8 @@ std::string in_words(const study::WorkCurve& curve) {
 std::optional<study::WorkCurve> curve_named(std::string_view text) {
   using enum Structure;
   for (const Precision precision : {Precision::float64, Precision::float32})
-    for (const Structure structure : {dense, low_rank, parity, parity_low_rank, fft})
+    for (const Structure structure :
+         {dense, low_rank, parity, parity_low_rank, fft, reflections, reflections_low_rank})
       if (product_in_words(structure, precision) == text)
         return study::WorkCurve{
             .family = Family::product, .structure = structure, .precision = precision};
@@ -200,6 +248,7 @@ std::optional<study::WorkCurve> curve_named(std::string_view text) {
   for (const study::WorkCurve& curve : circuits())
     if (circuit_in_words(curve) == text) return curve;
   if (const auto curve = capacitive_circuit_named(text)) return curve;
+  if (const auto curve = counted_circuit_named(text)) return curve;
   if (const auto job = job_named(text)) return study::WorkCurve{.family = Family::job, .job = job};
   return std::nullopt;
 }
@@ -216,6 +265,10 @@ std::string in_words(const study::Knob& knob) {
       return settled_in_words(knob);
     case Setting::operating_point:
       return std::string(operating_point);
+    case Setting::array:
+      return std::to_string(knob.rows) + std::string(by) + std::to_string(knob.columns) +
+             std::string(array_unit);
+    case Setting::terms:
     case Setting::steps:
     case Setting::exchanges:
     case Setting::taxels:
@@ -234,6 +287,7 @@ std::optional<study::Knob> knob_named(std::string_view text) {
   if (text.starts_with(rank)) return ranks_named(text);
   if (text == halved_panels) return study::Knob{.kind = Setting::halved_panels};
   if (text == operating_point) return study::Knob{.kind = Setting::operating_point};
+  if (const auto array = array_named(text)) return array;
   for (std::size_t level = 0; level < study::settling_levels.size(); ++level)
     for (const bool by_poles : {false, true})
       for (const bool scaled : {false, true}) {

@@ -79,6 +79,7 @@ void add_tradeoff(AllCommands& all) {
        .pages = {"accuracy.md", "results.md"},
        .examples = {
            {"tradeoff scenes/thesis/cylinder.toml --out out", "all of it, into out"},
+           {"tradeoff scenes/skins/sphere.toml --out out", "of a skin, and of larger ones"},
            {"tradeoff scenes/thesis/cylinder.toml --digital --deadline 100us",
             "without circuits: what is most accurate within 100 us"},
            {"tradeoff scenes/thesis/cylinder.toml --out out --resume", "goes on after Ctrl-C"}}});

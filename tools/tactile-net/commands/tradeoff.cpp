@@ -119,7 +119,7 @@ class Watcher final : public study::StudyObserver {
   Written written_;
 };
 
-study::Study study_of(const Scene& scene, const study::TradeoffOptions& options, Watcher& watcher) {
+study::Study study_of(const AnyScene& scene, const study::TradeoffOptions& options, Watcher& watcher) {
   try {
     return study::tradeoff(scene, options, watcher);
   } catch (const SimulatorError& error) {
@@ -131,6 +131,11 @@ void print(std::ostream& out, const study::Study& study, const study::Requiremen
   out << "nothing beats these, of " << study.points().size() << " points:\n";
   report::print_cells(out, pages::front_cells(study));
   out << '\n';
+  if (const auto sizes = report::size_cells(study); sizes.size() > 1) {
+    out << "a frame on arrays of other sizes:\n";
+    report::print_cells(out, sizes);
+    out << '\n';
+  }
   if (const auto circuits = report::circuit_cells(study); circuits.size() > 1) {
     out << "circuits of op-amps of 10 MHz:\n";
     report::print_cells(out, circuits);
@@ -167,7 +172,7 @@ void run(const TradeoffOptions& options, const Streams& streams) {
     throw WrongUsage("--resume", "needs --out, the folder that holds the study's part");
   const InputText input = input_text(options.scene, streams.in);
   const std::string& scene_text = input.text;
-  const Scene scene = parse_scene(scene_text, input.name);
+  const AnyScene scene = parse_any_scene(scene_text, input.name);
   Results results({.json = options.results.json}, streams);  // the folder is written job by job
   study::TradeoffOptions study_options{.circuits = !options.digital,
                                        .simulator = options.simulator,

@@ -24,6 +24,15 @@ namespace tactile_net::report {
 ///     parts of 1 % leave        its median error with parts within 1 % of their values
 [[nodiscard]] std::vector<std::vector<std::string>> circuit_cells(const study::Study& study);
 
+/// Of a skin: what a frame takes on arrays of other sizes, as rows, under their headings, which
+/// stand alone where none was timed. Circuits are two arrays of op-amps of 10 MHz with one cell a
+/// taxel, to 1 %.
+[[nodiscard]] std::vector<std::vector<std::string>> size_cells(const study::Study& study);
+
+/// Of a skin: whether 16 x 16 and 32 x 32 such taxels keep up with a loop of 1 kHz, and from which
+/// array on a circuit is faster than this machine. Empty where no array of another size was timed.
+[[nodiscard]] std::vector<std::string> sizes_in_words(const study::Study& study);
+
 /// The answer to a demand, with its margins.
 [[nodiscard]] std::string answer(const study::Study& study, const study::Requirement& requirement);
 

@@ -11,6 +11,7 @@
 
 #include "tactile_net/numeric/unit_text.hpp"
 #include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/skin_scene.hpp"
 #include "tactile_net/scene/units.hpp"
 
 namespace tactile_net::report {
@@ -38,5 +39,6 @@ namespace tactile_net::report {
 /// Of a residual, and of noise beside it: that of the readings, none where they are divided by
 /// their noise.
 [[nodiscard]] Dimension residual_dimension(const Scene& scene) noexcept;
+[[nodiscard]] Dimension residual_dimension(const SkinScene& scene) noexcept;
 
 }  // namespace tactile_net::report
