@@ -1,8 +1,7 @@
 # %% [markdown]
 # # A skin in MuJoCo: a ball, a box and a mesh lie on it, and one of them is pushed
 #
-# 16 x 16 taxels below the objects read three stresses each. A controller's call turns every frame into forces as the
-# simulation goes on; afterwards one frame is solved with all that is known of it.
+# A controller's call turns every frame into forces as the simulation goes on; the last frame is then solved in full.
 
 # %%
 import matplotlib.pyplot as plt
@@ -21,7 +20,6 @@ model = mujoco.MjModel.from_xml_string(f"""<mujoco><option timestep=".001" cone=
 <asset><mesh name="foot" vertex="-.006 -.004 -.006 .006 -.004 -.006 0 .006 -.006 0 0 .012"/></asset>
 <worldbody><geom type="box" size=".02 .02 .002"/><site name="skin" pos="0 0 .002"/>
 {"".join(BODY.format(name, *rest) for name, rest in OBJECTS.items())}</worldbody></mujoco>""")
-data = mujoco.MjData(model)
 
 # %%
 skin = tn.Skin(
@@ -31,19 +29,17 @@ skin = tn.Skin(
     units={},
 )
 pad = tn.mujoco.Pad(model, site="skin", scene=skin)
-mujoco.mj_step(model, data, 1000)
+mujoco.mj_step(model, data := mujoco.MjData(model), 1000)
 estimator = tn.Estimator(skin.plan(accuracy=1e-4, readings=pad.read(data)))
-t, push = 1e-3 * np.arange(300), np.zeros((300, 3))
-push[:, 1] = np.interp(t, [0.05, 0.25], [0.0, 0.6])  # along the site's x axis, which is the skin's y
-found = np.empty_like(push)
+t, found = 1e-3 * np.arange(300), np.empty((300, 3))
+push = np.interp(t, [0.05, 0.25], [0.0, 0.6])  # along the site's x axis, which is the skin's y
 for k in range(300):
-    data.body("box").xfrc_applied[0] = push[k, 1]
+    data.body("box").xfrc_applied[0] = push[k]
     mujoco.mj_step(model, data)
     estimator.update(pad.read(data))
-    contact = estimator.contact
-    found[k] = contact.normal_force, contact.tangential_y, contact.tangential_z
+    found[k] = (one := estimator.contact).normal_force, one.tangential_y, one.tangential_z
 weight = 9.81 * sum(mass for mass, *_ in OBJECTS.values())
-print(f"{found[40, 0]:.2f} N on the skin, of {weight:.2f}; pushed by {push[-1, 1]:.2f} N it drags by {found[-1, 1]:.2f} N")
+print(f"{found[40, 0]:.2f} N on the skin, of {weight:.2f}; pushed by {push[-1]:.2f} N it drags by {found[-1, 1]:.2f} N")
 
 # %%
 solution = skin.solve(pad.read(data))
@@ -57,7 +53,7 @@ for name, (mass, *_) in OBJECTS.items():
 figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained")
 tn.plot.tractions(solution, ax=left)
 right.plot(t, found, label=["into the skin", "along y", "along z"])
-right.plot(t, push[:, 1], "k:", label="push")
+right.plot(t, push, "k:", label="push")
 right.set(xlabel="t [s]", ylabel="force [N]")
 right.legend(frameon=False)
 figure.savefig("mujoco-skin.png", dpi=110)

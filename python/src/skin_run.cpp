@@ -39,8 +39,8 @@ std::vector<double> listed(const std::array<double, 3>& values) {
 }
 
 /// What the simulator has made of the circuit; None: nobody has asked.
-nb::object network_of(const lab::SkinExperiment& self) {
-  if (!self.network) return nb::none();
+std::optional<nb::typed<nb::dict, nb::str, nb::any>> network_of(const lab::SkinExperiment& self) {
+  if (!self.network) return std::nullopt;
   const lab::SkinCircuitResult& result = *self.network;
   nb::typed<nb::dict, nb::str, nb::any> found;
   found["verdict"] = lab::name(result.verdict());

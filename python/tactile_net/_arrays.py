@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -58,4 +59,4 @@ def lattice_frames_of(readings: Any, shape: tuple[int, ...], what: str = "readin
 
 def channels_first(frames: NDArray[Any]) -> NDArray[Any]:
     """(T, rows, columns, C) as (T, R), channel after channel."""
-    return np.moveaxis(frames, -1, 1).reshape(len(frames), -1)
+    return np.moveaxis(frames, -1, 1).reshape(len(frames), math.prod(frames.shape[1:]))

@@ -66,7 +66,7 @@ class SkinSurvey(Survey):
     is told worse. `hides`: waves too, whose tractions show at the skin's ends alone.
     """
 
-    _core: _core.SkinSurvey | None  # type: ignore[assignment]
+    _core: _core.SkinSurvey | None
     wavelengths: dict[str, float | None]
     """By "normal", "drag_along" the wave and "drag_across" it: the shortest that is told from noise [m]; None: none is."""
 

@@ -155,7 +155,8 @@ class Skin(Scene):
         if not self.even:
             return rows.reshape(*lead, *self.reading_shape)
         frames = rows.reshape(len(rows), len(self.channels), self.rows, self.columns)
-        return np.moveaxis(frames, 1, -1).reshape(*lead, *self.reading_shape)
+        # A frame is then memory as an estimator takes it.
+        return np.ascontiguousarray(np.moveaxis(frames, 1, -1)).reshape(*lead, *self.reading_shape)
 
     # What it does.
 

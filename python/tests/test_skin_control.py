@@ -124,7 +124,7 @@ def test_plans_of_skins_in_files(skin: tn.Skin, frames: np.ndarray, tmp_path: Pa
         for one in (known, pickle.loads(pickle.dumps(plan))):
             assert one == plan and one.reading_shape == (6, 5, 3)
             assert np.array_equal(tn.Estimator(one).update(frames[0]), expected)
-        with pytest.raises(ValueError, match="the scene of 96"):
+        with pytest.raises(ValueError, match="the plan is not of 8 x 4 taxels"):
             tn.Plan.load(tmp_path / "skin.plan", scene=skin.replace({"sensor.rows": 8, "sensor.columns": 4}))
     # Which knows of rows and columns by its symmetry, and which by its scene alone.
     assert tn.Plan.from_bytes(symmetric.to_bytes()).reading_shape == (6, 5, 3)
