@@ -35,8 +35,8 @@ std::vector<double> on_grid(std::span<const double> f, std::size_t components, c
         const Between y = between((to.y(row) - from.y(0)) / from.spacing_y, from.rows);
         const Between z = between((to.z(column) - from.z(0)) / from.spacing_z, from.columns);
         const auto along_z = [&](std::size_t at) {
-          return std::lerp(values[at * from.columns + z.first], values[at * from.columns + z.second],
-                           z.share);
+          return std::lerp(values[at * from.columns + z.first],
+                           values[at * from.columns + z.second], z.share);
         };
         result.push_back(std::lerp(along_z(y.first), along_z(y.second), y.share));
       }

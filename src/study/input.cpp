@@ -80,12 +80,12 @@ StudyInput input_of(const SkinScene& scene) {
   input.alpha = problem.alpha(input.readings).value;
   input.solution = tikhonov_solve(problem.problem(), input.alpha, input.readings);
   const SkinFamily& family = problem.family();
-  input.agreement = relative_l2_error(family.solve(family.analyse(input.readings), input.alpha),
-                                      input.solution);
+  input.agreement =
+      relative_l2_error(family.solve(family.analyse(input.readings), input.alpha), input.solution);
   take_noise(input, problem.stated_noise(), largest);
-  input.noise_floor = noise_of_solution(input, family.reconstruction(input.alpha),
-                                        problem.problem().weights) /
-                      l2_norm(input.solution);
+  input.noise_floor =
+      noise_of_solution(input, family.reconstruction(input.alpha), problem.problem().weights) /
+      l2_norm(input.solution);
   return input;
 }
 

@@ -17,8 +17,7 @@ StudySection operating_points(const StudyInput& input, Simulator& simulator) {
     result.knob = {.kind = Knob::Kind::operating_point};
     result.time_of = TimeOf::simulator;
     try {
-      const lab::Relaxation relaxation =
-          lab::relax(circuit_of(input, scene), simulator);
+      const lab::Relaxation relaxation = lab::relax(circuit_of(input, scene), simulator);
       result.seconds = result.seconds_low = result.seconds_high = relaxation.ngspice_seconds;
       result.error_to_solution = relaxation.difference;
       if (const auto disagreement = relaxation.disagreement())

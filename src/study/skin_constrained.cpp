@@ -19,10 +19,10 @@ StudySection skin_constrained(const StudyInput& input, const lab::Clock& clock) 
           lab::time_of([&] { solution = cone.solve(input.readings, limit); }, 0.03, clock);
       if (solution.status != FrameStatus::ok) throw Failed({.kind = Failure::Kind::no_frame});
       const bool optimal = solution.verdict == ConstrainedVerdict::ok;
-      WorkPoint result = point(
-          input, curve,
-          {.kind = Knob::Kind::steps, .count = solution.iterations, .optimal = optimal},
-          solution.tractions, seconds);
+      WorkPoint result =
+          point(input, curve,
+                {.kind = Knob::Kind::steps, .count = solution.iterations, .optimal = optimal},
+                solution.tractions, seconds);
       result.error_to_solution.reset();  // the constrained problem is another one
       section.points.push_back(std::move(result));
       if (optimal) break;

@@ -54,8 +54,7 @@ StudySection kronecker_sums(const StudyInput& input, const lab::Clock& clock) {
       if (sum.terms() == before) continue;
       before = sum.terms();
       std::vector<double> f(input.solution.size());
-      const lab::Seconds seconds =
-          lab::time_of([&] { sum.apply(input.readings, f); }, 0.03, clock);
+      const lab::Seconds seconds = lab::time_of([&] { sum.apply(input.readings, f); }, 0.03, clock);
       section.points.push_back(
           point(input, curve, {.kind = Knob::Kind::terms, .count = sum.terms()}, f, seconds));
     }

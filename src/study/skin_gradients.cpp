@@ -1,9 +1,8 @@
-#include "study/digital.hpp"
-
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
 
+#include "study/digital.hpp"
 #include "study/points.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
 #include "tactile_net/skin/matrix_gradients.hpp"

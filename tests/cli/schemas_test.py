@@ -177,6 +177,7 @@ with tempfile.TemporaryDirectory() as place:
                      'youngs_modulus = 1.0\npoisson_ratio = 0.3\n[[contact]]\nshape = "cylinder"\n'
                      'half_width = 1.0\nforce = 1.0\n[reconstruct]\nalpha = 1e-3\n')
     check("tradeoff", written("tradeoff", small), "tradeoff")
+    check("tradeoff", written("tradeoff", scenes / "skins/circuit.toml", "--digital"), "of a skin")
     study = place / "study.toml"
     study.write_text('scene = "small.toml"\nrepeats = 2\nkeep = ["error", "tractions"]\n'
                      '[[axis]]\nkey = "sensor.depth"\nvalues = [1, 2]\n'

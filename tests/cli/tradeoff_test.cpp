@@ -262,3 +262,89 @@ TEST_CASE("a study says which problem it studied", "[cli][tradeoff]") {
   CHECK(silent.code == 0);
   CHECK_THAT(silent.output, ContainsSubstring("the scene has no contact"));
 }
+
+TEST_CASE("a skin's study has its methods, arrays of other sizes, circuits, and a page",
+          "[cli][tradeoff][skin]") {
+  const Folder folder;
+  const std::string path = std::string(SCENES) + "/skins/circuit.toml";
+  const ProcessResult result = tool({"tradeoff", path, "--out", folder / "out"});
+  CAPTURE(result.errors);
+  REQUIRE(result.code == 0);
+  CHECK_THAT(result.output,
+             ContainsSubstring("a frame on arrays of other sizes:") &&
+                 ContainsSubstring("in a loop of 1 kHz a frame of 16 x 16 such taxels takes ") &&
+                 ContainsSubstring("; one of 32 x 32 such taxels takes ") &&
+                 ContainsSubstring("a circuit of two arrays with op-amps of 10 MHz settles"));
+  const Json study = Json::parse(read_text(folder / "out/tradeoff.json"));
+  CHECK(study.at("complete") == true);
+  CHECK(study.at("units").at("force") == "N");
+  std::set<std::string> curves;
+  std::map<std::string, std::map<double, double>> settling;
+  std::map<std::string, double> sizes;  // of circuits
+  for (const Json& job : study.at("jobs"))
+    for (const Json& point : job.at("points")) {
+      CAPTURE(point.dump());
+      const std::string curve = point.at("curve");
+      const double seconds = point.at("seconds").at("median").get<double>();
+      if (point.at("failure") != "") continue;
+      curves.insert(curve);
+      CHECK(seconds > 0.0);
+      if (point.at("time_of") != "settling") continue;
+      if (job.at("job") == "circuits over array sizes")
+        sizes[point.at("knob")] = seconds;
+      else
+        settling[curve][point.at("error_to_solution")] = seconds;
+    }
+  for (const char* curve :
+       {"dense float64", "reflections float64", "reflections float32", "singular values, any alpha",
+        "QR of every frame", "sum of Kronecker products", "conjugate gradients, FFT",
+        "conjugate gradients, matrix", "constraints, ADMM"})
+    CHECK(curves.contains(curve));
+  REQUIRE(settling.contains("least_squares, 10 MHz"));
+  REQUIRE(settling.contains("lattice, 10 MHz"));
+  for (const auto& [curve, times] : settling) {
+    double before = std::numeric_limits<double>::infinity();
+    for (const auto& [error, seconds] : times) {  // a smaller error takes longer
+      CHECK(seconds <= before);
+      before = seconds;
+    }
+  }
+  // ngspice on the scene's own array, and the poles of the same array among the others.
+  REQUIRE(sizes.contains("4 x 4 taxels"));
+  CHECK_THAT(sizes.at("4 x 4 taxels"),
+             WithinRel(settling.at("least_squares, 10 MHz").at(0.01), 0.5));
+
+  for (const char* name : {"report.html", "tradeoff.csv", "error-to-solution.svg",
+                           "array-sizes.svg", "array-sizes.csv"})
+    CHECK(std::filesystem::file_size((folder / "out/") + name) > 300);
+  CHECK_THAT(read_text(folder / "out/report.html"),
+             ContainsSubstring("Larger and smaller arrays") && ContainsSubstring("such taxels, ") &&
+                 !ContainsSubstring("nan"));
+  const ProcessResult again = tool({"tradeoff", path, "--out", folder / "out", "--resume"});
+  REQUIRE(again.code == 0);
+  CHECK(Json::parse(read_text(folder / "out/tradeoff.json")).at("jobs") == study.at("jobs"));
+}
+
+TEST_CASE("a skin's study takes a demand, and refuses what it cannot study",
+          "[cli][tradeoff][skin]") {
+  const Folder folder;
+  const std::string path = std::string(SCENES) + "/skins/circuit.toml";
+  const ProcessResult met =
+      tool({"tradeoff", path, "--digital", "--deadline", "1s", "--accuracy", "1e-6"});
+  CHECK(met.code == 0);
+  CHECK_THAT(met.output, ContainsSubstring("asked for 1e-06 error within 1 s: "));
+  const ProcessResult unmet =
+      tool({"tradeoff", path, "--digital", "--deadline", "1ns", "--accuracy", "1e-9"});
+  CHECK(unmet.code == 1);
+  CHECK_THAT(unmet.output, ContainsSubstring("none meets both"));
+  std::string scene = read_text(path);
+  scene.erase(scene.find("[[contact]]"), scene.find("[noise]") - scene.find("[[contact]]"));
+  scene.erase(scene.find("[noise]"), scene.find("[reconstruct]") - scene.find("[noise]"));
+  const ProcessResult silent = tool({"tradeoff", folder.write("silent.toml", scene), "--digital"});
+  CHECK(silent.code == 2);
+  CHECK_THAT(silent.errors, ContainsSubstring("every reading is zero"));
+  scene.replace(scene.find("columns = 4"), 11, "columns = 0");
+  const ProcessResult wrong = tool({"tradeoff", folder.write("wrong.toml", scene), "--digital"});
+  CHECK(wrong.code == 2);
+  CHECK_THAT(wrong.errors, ContainsSubstring("wrong.toml:") && ContainsSubstring("columns"));
+}

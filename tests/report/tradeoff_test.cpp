@@ -277,3 +277,47 @@ a controller of 100 MHz,1e+06,2.134035144568935e-06
 a controller of 100 MHz,1e+08,2.134035144568935e-06
 )text");
 }
+
+TEST_CASE("arrays of other sizes: a row each, a loop's verdict, and where a circuit is faster",
+          "[tradeoff]") {
+  Study study;
+  CHECK(report::size_cells(study).size() == 1);
+  CHECK(report::sizes_in_words(study).empty());
+  study.sections.push_back({.job = {Kind::array_sizes}});
+  const auto timed = [&](const WorkCurve& curve, std::size_t side, TimeOf time_of, double seconds) {
+    add(study, curve, {.kind = Setting::array, .rows = side, .columns = side}, time_of,
+        {seconds, seconds, seconds}, {}, {});
+  };
+  const WorkCurve exact = product(Structure::reflections, Precision::float64);
+  const WorkCurve single = product(Structure::reflections, Precision::float32);
+  const WorkCurve coarse{.family = Family::coarse_cells};
+  for (const auto& [side, seconds] :
+       {std::pair<std::size_t, double>{8, 4e-6}, {16, 40e-6}, {32, 4e-3}}) {
+    timed(exact, side, TimeOf::frame, seconds);
+    timed(single, side, TimeOf::frame, 0.5 * seconds);
+    timed(coarse, side, TimeOf::frame, 0.25 * seconds);
+  }
+  timed(product(Structure::dense, Precision::float64), 8, TimeOf::frame, 20e-6);
+  CHECK(
+      report::sizes_in_words(study) ==
+      std::vector<std::string>{
+          "in a loop of 1 kHz a frame of 16 x 16 such taxels takes 40 us exactly, 20 us in single "
+          "precision and 10 us with one cell a taxel: in time; one of 32 x 32 such taxels takes "
+          "4 ms exactly, 2 ms in single precision and 1 ms with one cell a taxel: in time with "
+          "one cell a taxel alone"});
+  CHECK(report::size_cells(study)[1] ==
+        std::vector<std::string>{"8 x 8", "20 us", "4 us", "2 us", "1 us", "-"});
+
+  const WorkCurve circuit_of_two = circuit(Realization::least_squares, 10e6);
+  const auto crossover = [&] { return report::sizes_in_words(study).back(); };
+  timed(circuit_of_two, 4, TimeOf::settling, 2e-6);  // no arithmetic beside it
+  timed(circuit_of_two, 8, TimeOf::settling, 3e-6);
+  CHECK_THAT(crossover(),
+             EndsWith("on none up to 8 x 8 (3 us beside 1 us); if it settles no slower "
+                      "there, from 16 x 16 on (10 us)"));
+  timed(circuit_of_two, 16, TimeOf::settling, 3e-6);
+  CHECK_THAT(crossover(), EndsWith("from 16 x 16 taxels on (3 us beside 10 us)"));
+  timed(circuit_of_two, 32, TimeOf::settling, 1.0);
+  CHECK_THAT(crossover(), EndsWith("on none up to 32 x 32 taxels"));
+  CHECK(in_words(study.points().front()) == "reflections float64, 8 x 8 taxels");
+}

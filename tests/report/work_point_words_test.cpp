@@ -19,7 +19,8 @@ TEST_CASE("every curve, knob and job that there is comes back from its words, an
           "[tradeoff]") {
   std::vector<WorkCurve> curves = {ideal_circuit(10e-12)};
   for (const Structure structure :
-       {Structure::dense, Structure::low_rank, Structure::parity, Structure::parity_low_rank})
+       {Structure::dense, Structure::low_rank, Structure::parity, Structure::parity_low_rank,
+        Structure::reflections, Structure::reflections_low_rank})
     for (const Precision precision : {Precision::float64, Precision::float32})
       curves.push_back(product(structure, precision));
   curves.push_back(product(Structure::fft, Precision::float64));
@@ -27,6 +28,8 @@ TEST_CASE("every curve, knob and job that there is comes back from its words, an
     curves.push_back({.family = static_cast<Family>(i)});
   for (const Realization realization : realizations) {
     curves.push_back(circuit(realization));
+    curves.push_back(circuit(realization, 10e6));
+    curves.back().tractions = 300;
     for (const double bandwidth : bandwidths) curves.push_back(circuit(realization, bandwidth));
   }
   std::set<std::string> seen;
@@ -40,10 +43,12 @@ TEST_CASE("every curve, knob and job that there is comes back from its words, an
                              {.kind = Setting::ranks, .ranks = {7}},
                              {.kind = Setting::ranks, .ranks = {24, 23}},
                              {.kind = Setting::exchanges, .count = 5, .optimal = true},
+                             {.kind = Setting::steps, .count = 5, .optimal = true},
+                             {.kind = Setting::array, .rows = 16, .columns = 8},
                              {.kind = Setting::halved_panels},
                              {.kind = Setting::operating_point}};
   for (const Setting kind : {Setting::steps, Setting::exchanges, Setting::taxels,
-                             Setting::surface_values, Setting::panel_points})
+                             Setting::surface_values, Setting::panel_points, Setting::terms})
     knobs.push_back({.kind = kind, .count = 12});
   for (std::size_t level = 0; level < settling_levels.size(); ++level)
     for (const bool by_poles : {false, true})
@@ -73,10 +78,11 @@ TEST_CASE("every curve, knob and job that there is comes back from its words, an
     CHECK(in_words(*curve_named(words)) == words);
   }
   for (const char* word :
-       {"", "nic, 20 MHz", "ideal,  pF a node", "nic, pF a node", "Dense float64"})
+       {"", "nic, 20 MHz", "ideal,  pF a node", "nic, pF a node", "Dense float64",
+        "nic of  tractions", "nic of 3 tractions, 20 MHz", "nic tractions of "})
     CHECK_FALSE(curve_named(word));
-  for (const char* word :
-       {"rank ", "rank 3 + ", "-1 steps", "1.5 steps", " steps", "settled to 0.5"})
+  for (const char* word : {"rank ", "rank 3 + ", "-1 steps", "1.5 steps", " steps",
+                           "settled to 0.5", "16 x taxels", " x 16 taxels", "16 x 16"})
     CHECK_FALSE(knob_named(word));
 }
 

@@ -212,7 +212,7 @@ TEST_CASE("by a clock of its own a study of the arithmetic is the same twice, ti
   CHECK(one.sections.size() == 6);
   CHECK(one.processor == processor_name());
   CHECK(one.input.agreement < 1e-12);
-  CHECK_FALSE(one.input.problem.constraints());
+  CHECK_FALSE(one.input.constraints());
   for (const WorkPoint& point : one.points()) {
     CHECK(point.measured());
     CHECK_THAT(point.seconds, WithinRel(tick, 1e-15));

@@ -41,9 +41,7 @@ std::optional<double>& place_of(SizeTimes& times, const study::WorkCurve& curve)
   return curve.precision == Precision::float32 ? times.single : times.exact;
 }
 
-bool fewer_taxels(const Size& a, const Size& b) {
-  return a.first * a.second < b.first * b.second;
-}
+bool fewer_taxels(const Size& a, const Size& b) { return a.first * a.second < b.first * b.second; }
 
 std::vector<std::pair<Size, SizeTimes>> times_of(const study::Study& study) {
   std::map<Size, SizeTimes> sizes;
@@ -51,9 +49,8 @@ std::vector<std::pair<Size, SizeTimes>> times_of(const study::Study& study) {
     if (point.measured() && point.knob.kind == study::Knob::Kind::array)
       place_of(sizes[{point.knob.rows, point.knob.columns}], point.curve) = point.seconds;
   std::vector<std::pair<Size, SizeTimes>> all(sizes.begin(), sizes.end());
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return fewer_taxels(a.first, b.first);
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return fewer_taxels(a.first, b.first); });
   return all;
 }
 

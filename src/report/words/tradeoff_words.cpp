@@ -50,6 +50,7 @@ std::string times(double factor) {
 struct SettledCircuit {
   Realization realization;
   double seconds;
+  std::optional<std::size_t> tractions{};  ///< of cells wider than the study's own
   std::optional<double> parts{};  ///< error that parts of 1 % leave (median); infinite: unstable
 };
 
@@ -59,7 +60,7 @@ std::vector<SettledCircuit> settled_circuits(const study::Study& study,
   for (const study::WorkPoint& point : points) {
     if (!point.settled_to_one_percent()) continue;
     if (point.curve.bandwidth != study::compared_bandwidth) continue;  // the others are the same
-    SettledCircuit circuit{*point.curve.realization, point.seconds};
+    SettledCircuit circuit{*point.curve.realization, point.seconds, point.curve.tractions};
     for (const study::StudySection& section : study.sections)
       for (const study::PartsFloor& floor : section.floors)
         if (floor.relative == study::one_percent && floor.realization == circuit.realization)
@@ -83,6 +84,9 @@ void add_circuits(std::vector<std::string>& text, const study::Study& study,
   if (circuits.empty()) return;
   const SettledCircuit& fastest = circuits.front();
   std::string sentence = "the fastest circuit, " + std::string(name(fastest.realization)) +
+                         (fastest.tractions ? " on " + std::to_string(*fastest.tractions) +
+                                                  " tractions, one cell a taxel,"
+                                            : std::string()) +
                          " with op-amps of 10 MHz, settles to 1 % in " + duration(fastest.seconds);
   if (const auto frame = study::fastest_frame(points)) {
     if (study.clock > 0.0)
