@@ -16,7 +16,7 @@ namespace tactile_net {
 [[nodiscard]] double slewing_demand(const StateSpace& system);
 
 /// More states than this are not integrated: they would take minutes.
-inline constexpr std::size_t most_slewing_states = 400;
+inline constexpr std::size_t most_slewing_states = 300;
 
 /// As `settling_time`, of x' = A x + b with its slewing states' rates bent: by a method of
 /// Rosenbrock's of second order until none of them slews any more, exactly from there on.
