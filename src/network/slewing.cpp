@@ -13,6 +13,10 @@
 namespace tactile_net {
 namespace {
 
+/// Of the answer: further from it than this a slewing circuit is not taken for a linear one, though
+/// none of its op-amps is asked for much yet.
+constexpr double near = 0.03;
+
 /// A rate below this share of the slew is bent by its square over 3: no more than digits that no
 /// settling time has.
 constexpr double straight = 0.01;
@@ -96,7 +100,23 @@ double slewing_rate(double rate, double slew) noexcept {
 }
 
 double slewing_demand(const StateSpace& system) {
-  return Slewing(system).demand(Eigen::VectorXd::Zero(index(system.states())));
+  if (system.slewing.empty()) return 0.0;
+  const Slewing slewing(system);
+  const Eigen::VectorXd end = end_of(system);
+  const Eigen::MatrixXd a = as_eigen(system.dynamics);
+  const double fastest = a.rowwise().lpNorm<1>().maxCoeff();
+  double largest = slewing.demand(Eigen::VectorXd::Zero(end.size()));
+  // Steps that double, twice: the steepest rise may come after what inputs' capacitance takes.
+  for (const double first : {0.01, 0.014}) {
+    Eigen::MatrixXd advance = exponential(a * (first / fastest));
+    for (int doubling = 0; doubling < 60; ++doubling) {
+      const Eigen::VectorXd left = advance * end;
+      largest = std::max(largest, slewing.demand(end - left));
+      if (left.norm() < near * end.norm()) break;
+      advance = advance * advance;
+    }
+  }
+  return largest;
 }
 
 std::optional<double> slewing_settling_time(const StateSpace& system, double accuracy,
@@ -122,7 +142,11 @@ std::optional<double> slewing_settling_time(const StateSpace& system, double acc
   crossing.add(0.0, (c * end).norm());
   double t = 0.0;
   double h = 1e-6 * horizon;
-  for (int step = 0; step < 200'000 && slewing.demand(x) > straight; ++step) {
+  const double distance = near * limit / accuracy;
+  const auto bent = [&] {
+    return slewing.demand(x) > straight || (c * (x - end)).norm() > distance;
+  };
+  for (int step = 0; step < 200'000 && bent(); ++step) {
     const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(x.size(), x.size());
     const Lu w(identity - h * d * slewing.slope(x));
     const Eigen::VectorXd k1 = w.solve(f0);
@@ -142,7 +166,7 @@ std::optional<double> slewing_settling_time(const StateSpace& system, double acc
     }
     h *= std::clamp(0.8 / std::cbrt(std::max(error, 1e-9)), 0.2, 4.0);
   }
-  if (slewing.demand(x) > straight) return std::nullopt;
+  if (bent()) return std::nullopt;
   const std::optional<double> rest_of_it = Deviation(system, x - end).within(limit, horizon);
   if (!rest_of_it) return std::nullopt;
   return *rest_of_it > 0.0 ? t + *rest_of_it : crossing.time();

@@ -65,6 +65,8 @@ bool is_complaint(std::string_view line) {
   if (line.substr(0, 8) == "Circuit:") return false;  // the deck's own title
   std::string lower(line);
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  // A step back of a search that says in the end whether it failed.
+  if (lower.find("further gmin increment") != std::string::npos) return false;
   for (const char* word :
        {"error", "warning", "singular", "aborted", "fatal", "timestep too small"})
     if (lower.find(word) != std::string::npos) return true;

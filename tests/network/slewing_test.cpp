@@ -118,6 +118,32 @@ TEST_CASE("slewing's settling times are those that were designed for", "[slewing
   CHECK_THAT(settles(Realization::least_squares, 10.0), WithinRel(3.13, 0.03));
 }
 
+TEST_CASE("capacitance at the inputs delays the slewing, and does not hide it", "[slewing]") {
+  const ArrayNetwork network = array_network(9, 1e-3);
+  for (const Realization one : {Realization::crossbar, Realization::lattice}) {
+    CAPTURE(name(one));
+    const auto certified = [&](double farad) {
+      RealizationOptions options{.scale = {2e-3, 10.0},
+                                 .opamp = {.gain = 1e6, .bandwidth = 1e7, .slew = 1e7}};
+      if (farad > 0.0) options.opamp.input_capacitance = farad;
+      return certify(one, network.problem, options);
+    };
+    const Certificate without = certified(0.0);
+    const Certificate with = certified(1e-15);
+    CHECK_THAT(*with.dynamics->settling_seconds,
+               WithinRel(*without.dynamics->settling_seconds, 1e-3));
+    const auto demand = [](const Certificate& c) {
+      for (const CircuitRemark& remark : c.remarks)
+        if (remark.kind == CircuitRemark::Kind::slews) return remark.value;
+      return 0.0;
+    };
+    CHECK(demand(without) > 1e7);
+    CHECK_THAT(demand(with), WithinRel(demand(without), 0.1));
+    CHECK(*certified(4e-12).dynamics->settling_seconds >
+          1.1 * *certified(4e-12).dynamics->unslewed_seconds);
+  }
+}
+
 TEST_CASE("T8: a circuit that slews loses energy from everywhere", "[slewing][theorem][property]") {
   std::mt19937 generator(7);
   for (unsigned seed = 0; seed < 20; ++seed) {

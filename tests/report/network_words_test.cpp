@@ -1,5 +1,6 @@
 #include "tactile_net/report/words/network_words.hpp"
 
+#include "tactile_net/report/words/opamp_words.hpp"
 #include "tests/catch.hpp"
 
 using namespace tactile_net;
@@ -10,9 +11,39 @@ TEST_CASE("a remark's sentence holds the number that mends the circuit", "[repor
                                   {Kind::divider_rings, "divider = 0.125 at most"},
                                   {Kind::summing_lag, "siemens = 0.125 or more"},
                                   {Kind::not_for_sale, "siemens = 0.125 would"},
-                                  {Kind::odd_voltage, "volts = 0.125 would"}})
+                                  {Kind::odd_voltage, "volts = 0.125 would"},
+                                  {Kind::slews, "volts = 0.125 down"}})
     CHECK_THAT(report::in_words(CircuitRemark{.kind = kind, .value = 7.0, .repair = 0.125}),
                ContainsSubstring(key));
+}
+
+TEST_CASE("a lag beyond its bound names the bandwidth ratio that mends it", "[report][network]") {
+  const CircuitRemark remark{
+      .kind = CircuitRemark::Kind::summing_lag, .value = 9.0, .limit = 0.25, .repair = 2e-3};
+  const std::string text = report::in_words(remark);
+  CHECK_THAT(text, ContainsSubstring("bandwidth_ratio = 0.25 or less"));
+  CHECK_THAT(text, ContainsSubstring("siemens = 0.002 or more"));
+}
+
+TEST_CASE("what op-amps do at rest is said as far as it is known", "[report][network]") {
+  Certificate certificate;
+  certificate.errors = StaticErrors{.offset = {.alike = 0.002, .either_sign = 0.01}};
+  const std::vector<std::string> lines = report::opamps_in_words(certificate);
+  REQUIRE(lines.size() == 1);
+  CHECK_THAT(lines[0], ContainsSubstring("offset 1 % of the answer"));
+  CHECK_THAT(lines[0], ContainsSubstring("0.2 % if all are alike"));
+  CHECK_THAT(lines[0], !ContainsSubstring("bias"));
+  CHECK(report::opamps_in_words(Certificate{}).empty());
+}
+
+TEST_CASE("a moving contact's sentence has units where the scene has them", "[report][network]") {
+  const lab::ContactMotion motion{
+      .delay = 1e-7, .speed = 134.0, .slowest_hertz = 3e5, .sampled_speed = 0.0146};
+  const std::string with = report::in_words(motion, Units{});
+  CHECK_THAT(with, ContainsSubstring("134 m/s"));
+  CHECK_THAT(with, ContainsSubstring("300 kHz"));
+  CHECK_THAT(with, ContainsSubstring("1 % at 14.6 mm/s"));
+  CHECK_THAT(report::in_words(motion, {}), !ContainsSubstring("m/s"));
 }
 
 TEST_CASE("a theorem that holds has no condition to name", "[report][network]") {

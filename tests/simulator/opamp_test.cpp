@@ -92,6 +92,22 @@ TEST_CASE("ngspice settles in the certificate's time with output resistances and
   }
 }
 
+TEST_CASE("ngspice slews as the certificate does with all else that a class has",
+          "[spice][slewing]") {
+  const ArrayNetwork network = array_network(9, 1e-3);
+  const RealizationOptions options{.scale = {2e-3, 6.0}, .opamp = opamp_classes()[1].opamp};
+  for (const Realization one : {Realization::crossbar, Realization::lattice}) {
+    CAPTURE(name(one));
+    const Certificate certificate = certify(one, network.problem, options);
+    const Circuit circuit = realize(one, network.problem, options);
+    Ngspice ngspice;
+    const Transient seen = settle(ngspice, circuit, certificate, at_rest(circuit));
+    REQUIRE(seen.end == TransientEnd::settles);
+    CHECK_THAT(*seen.settling_seconds, WithinRel(*certificate.dynamics->settling_seconds, 0.05));
+    CHECK(*certificate.dynamics->settling_seconds > 1.1 * *certificate.dynamics->unslewed_seconds);
+  }
+}
+
 TEST_CASE("ngspice slews as the certificate does", "[spice][slewing]") {
   const ArrayNetwork network = array_network(21, 1e-3);
   for (const Realization one :
@@ -210,5 +226,19 @@ TEST_CASE("the noise of real inputs is ngspice's", "[spice][noise]") {
                 (density[k] * density[k] + density[k - 1] * density[k - 1]);
     CHECK_THAT(std::sqrt(square), WithinRel(std::sqrt(all), 0.03));
     CHECK(expected.amplifiers(5, 5) > 0.1 * all);
+  }
+}
+
+TEST_CASE("an operating point that takes steps back of gmin is one all the same",
+          "[spice][opamp]") {
+  const ArrayNetwork network = array_network(9, 1e-3);
+  OpAmp opamp = opamp_classes()[1].opamp;
+  opamp.rail = 12.0;
+  opamp.output_resistance = 50.0;
+  for (const double volts : {1.0, 10.0, 20.0}) {
+    CAPTURE(volts);
+    const Circuit circuit =
+        realize(Realization::lattice, network.problem, {.scale = {2e-3, volts}, .opamp = opamp});
+    CHECK(relative_l2_error(at_rest(circuit), operating_voltages(FlatCircuit(circuit))) < 1e-4);
   }
 }

@@ -69,6 +69,8 @@ each by another share: a symmetric load leaves antisymmetric modes asleep. An un
 certificate's.
 
 **Yield** is counted on the reduced equations: op-amps fast against the network. Where the certificate's poles say otherwise, it says so beside it.
+Theorems and margins take complementary outputs for each other's exact opposites; `tolerance = { relative = 0.01, balance = 0.001 }` draws by how much they are not, and
+`stabiliser = 0.001` gives the stabiliser's resistors, where differences cancel, a tolerance of their own.
 
 **Noise**, where op-amps have a `noise_voltage` e: x' = A x + white noise of 2 k T g for every resistor and (W e)^2/2 for every op-amp (and i^2/2 at every input of a `noise_current` i) has the
 covariance X of A X + X A' + Q = 0 at rest (Lyapunov). Of a crossbar whose rows have the same total D it is W (k T + D e^2/4) P^-1, in siemens:

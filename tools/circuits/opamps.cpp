@@ -10,7 +10,6 @@
 #include "tactile_net/network/motion.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/unit_text.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
 #include "tactile_net/simulator/step_response.hpp"
@@ -74,9 +73,9 @@ std::string opamp_classes_table() {
         text += "| " + std::string(kind.name) + " | " + std::string(name(realization)) + " | " +
                 brief(volts) + " | " + settles(circuit, c) + " | " +
                 (c.dynamics->unslewed_seconds ? duration(*c.dynamics->unslewed_seconds) : "-") +
-                " | " + report::percent(c.errors->offset.either_sign) + " | " +
-                report::percent(c.errors->bias_current.either_sign) + " | " +
-                (c.noise ? report::percent(c.noise->relative) : "-") + " | " +
+                " | " + percent(c.errors->offset.either_sign) + " | " +
+                percent(c.errors->bias_current.either_sign) + " | " +
+                (c.noise ? percent(c.noise->relative) : "-") + " | " +
                 (c.proposal && c.noise ? brief(c.proposal->volts) : "-") + " |\n";
       }
   return text + '\n';

@@ -68,7 +68,7 @@ Json certificate(const Certificate& c) {
                      {"thermal_share", c.noise->thermal}};
   if (c.proposal)
     json["proposal"] = {{"volts", c.proposal->volts},
-                        {"volts_as_much_as", bound_in_words(c.proposal->volts_by)},
+                        {"volts_by", name(c.proposal->volts_by)},
                         {"siemens", c.proposal->siemens},
                         {"noise", c.proposal->noise},
                         {"offset", c.proposal->offset}};

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <variant>
 
+#include "numeric/named.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/unit_text.hpp"
@@ -29,17 +30,32 @@ std::string errors_in_words(const StaticErrors& errors) {
                        : "op-amps at rest: " + join(parts, ", ");
 }
 
-std::string proposal_in_words(const ScaleProposal& proposal) {
-  std::string text = "a scale to take: volts = " + brief(proposal.volts) + " (as much as " +
-                     bound_in_words(proposal.volts_by) + "), siemens = " + brief(proposal.siemens) +
-                     (proposal.least_ohm     ? " (no resistor below 1 kilo-ohm)"
-                      : proposal.noise > 0.0 ? " (resistors' noise as large as the op-amps')"
-                                             : "");
-  if (proposal.noise > 0.0) text += ": noise " + percent(proposal.noise);
-  if (proposal.offset > 0.0)
-    text += (proposal.noise > 0.0 ? ", " : ": ") + ("offset and bias " + percent(proposal.offset));
+std::string bound_in_words(ScaleProposal::Bound bound) {
+  switch (bound) {
+    case ScaleProposal::Bound::swing:
+      return "the rail leaves no more";
+    case ScaleProposal::Bound::ten_volts:
+      return "10 V at the largest node";
+    case ScaleProposal::Bound::slew:
+      return "with more of them slewing would take over a fifth of the settling time";
+  }
+  return {};
+}
+
+/// In ratios: what the scene writes is in its own units.
+std::string proposal_in_words(const ScaleProposal& proposal, const Scale& scale) {
+  std::string text = "a scale for these op-amps: " + brief(proposal.volts / scale.volts) +
+                     " times the volts (" + bound_in_words(proposal.volts_by) + "), " +
+                     brief(proposal.siemens / scale.siemens) + " times the siemens" +
+                     (proposal.least_ohm ? " (no resistor below 1 kilo-ohm)" : "");
+  if (proposal.noise > 0.0) text += "; noise then " + percent(proposal.noise);
+  if (proposal.offset > 0.0) text += "; offset and bias then " + percent(proposal.offset);
   return text + " of the answer";
 }
+
+constexpr Named<ScaleProposal::Bound> bounds[] = {{ScaleProposal::Bound::swing, "rail"},
+                                                  {ScaleProposal::Bound::ten_volts, "ten_volts"},
+                                                  {ScaleProposal::Bound::slew, "slew"}};
 
 /// "1.34 m/s", and a bare number where the scene states no units.
 std::string speed(double value, const std::optional<Units>& units) {
@@ -48,26 +64,16 @@ std::string speed(double value, const std::optional<Units>& units) {
 
 }  // namespace
 
-std::string bound_in_words(ScaleProposal::Bound bound) {
-  switch (bound) {
-    case ScaleProposal::Bound::swing:
-      return "the rail leaves";
-    case ScaleProposal::Bound::ten_volts:
-      return "10 V at a node leave";
-    case ScaleProposal::Bound::slew:
-      return "slewing by a fifth of the settling time leaves";
-  }
-  return {};
-}
+std::string_view name(ScaleProposal::Bound bound) noexcept { return name_in<bounds>(bound); }
 
 std::vector<std::string> opamps_in_words(const Certificate& c) {
   std::vector<std::string> lines;
   if (c.slewing) lines.push_back(in_words(*c.slewing));
   if (c.dynamics && c.dynamics->unslewed_seconds)
     lines.push_back(c.dynamics->settling_seconds
-                        ? "with its slew; without one it would settle in " +
+                        ? "the settling time has the op-amps' slew in it; without it " +
                               duration(*c.dynamics->unslewed_seconds)
-                        : "while it slews it does NOT come to rest; without slew it would in " +
+                        : "slewing, it does NOT come to rest; without slew it would in " +
                               duration(*c.dynamics->unslewed_seconds));
   if (c.errors) lines.push_back(errors_in_words(*c.errors));
   if (c.noise)
@@ -76,7 +82,6 @@ std::vector<std::string> opamps_in_words(const Certificate& c) {
                          ? ", " + percent(c.noise->relative) + " of the answer"
                          : "") +
                     "; " + percent(c.noise->thermal) + " of its power is the resistors'");
-  if (c.proposal) lines.push_back(proposal_in_words(*c.proposal));
   return lines;
 }
 
@@ -92,6 +97,8 @@ std::string in_words(const lab::ContactMotion& motion, const std::optional<Units
 
 std::vector<std::string> facts_in_words(const lab::Certification& c) {
   std::vector<std::string> lines;
+  if (const auto& proposal = c.certificate().proposal)
+    lines.push_back(proposal_in_words(*proposal, c.circuit.options().parts.scale));
   if (c.motion)
     lines.push_back(
         in_words(*c.motion, std::visit([](const auto& scene) { return scene.units; }, c.scene())));

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactile_net/lab/certification.hpp"
@@ -11,17 +12,17 @@
 
 namespace tactile_net::report {
 
-/// Slewing, errors at rest and noise, a scale to take: one fact a line, as far as they are known.
+/// Slewing, errors at rest and noise: one fact a line, as far as they are known.
 [[nodiscard]] std::vector<std::string> opamps_in_words(const Certificate& certificate);
 
 /// @param units  of the scene; absent: speeds are bare numbers
 [[nodiscard]] std::string in_words(const lab::ContactMotion& motion,
                                    const std::optional<Units>& units);
 
-/// `opamps_in_words` is part of the certificate's; these are the rest of what is known of it.
+/// A scale that suits the op-amps, and moving contacts: what a certificate's own lines leave out.
 [[nodiscard]] std::vector<std::string> facts_in_words(const lab::Certification& certification);
 
-/// "slew", "swing" or "10 V": what keeps the volts from being more.
-[[nodiscard]] std::string bound_in_words(ScaleProposal::Bound bound);
+/// "rail", "ten_volts" or "slew": what keeps the volts from being more.
+[[nodiscard]] std::string_view name(ScaleProposal::Bound bound) noexcept;
 
 }  // namespace tactile_net::report
