@@ -95,7 +95,7 @@ TEST_CASE("ngspice settles in the certificate's time with output resistances and
 TEST_CASE("ngspice slews as the certificate does with all else that a class has",
           "[spice][slewing]") {
   const ArrayNetwork network = array_network(9, 1e-3);
-  const RealizationOptions options{.scale = {2e-3, 6.0}, .opamp = opamp_classes()[1].opamp};
+  const RealizationOptions options{.scale = {2e-3, 20.0}, .opamp = opamp_classes()[1].opamp};
   for (const Realization one : {Realization::crossbar, Realization::lattice}) {
     CAPTURE(name(one));
     const Certificate certificate = certify(one, network.problem, options);
