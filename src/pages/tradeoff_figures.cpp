@@ -333,7 +333,8 @@ std::vector<Figure> tradeoff_figures(const study::Study& study) {
 
   add("circuits",
       "From a step of all inputs until the voltages stay within an error of the exact solution, by "
-      "ngspice's waveform, for op-amps of 10 MHz. The heavy line is the fastest arithmetic on this "
+      "ngspice's waveform, of large ones by their poles, for op-amps of 10 MHz. The heavy line is "
+      "the fastest arithmetic on this "
       "machine: a circuit is faster where it lies below. Dashed: with parts of 1 % a circuit comes "
       "no closer (median).",
       plot_of("Circuits: settling time over error", "|f - f*| / |f*|", "time to settle [s]",

@@ -52,6 +52,7 @@ std::vector<Timed> timed_plans(const StudyInput& input) {
     PlannerOptions options;
     options.structure = structure;
     options.precision = precision;
+    options.accuracy = one_percent;  // within which floats are proven: the cheapest is planned
     WorkCurve curve{.family = family};
     if (family == WorkCurve::Family::product) {
       curve.structure = structure;

@@ -312,7 +312,7 @@ TEST_CASE("a skin's study has its methods, arrays of other sizes, circuits, and 
   // ngspice on the scene's own array, and the poles of the same array among the others.
   REQUIRE(sizes.contains("4 x 4 taxels"));
   CHECK_THAT(sizes.at("4 x 4 taxels"),
-             WithinRel(settling.at("least_squares, 10 MHz").at(0.01), 0.5));
+             WithinRel(settling.at("least_squares, 10 MHz").at(0.01), 0.05));
 
   for (const char* name : {"report.html", "tradeoff.csv", "error-to-solution.svg",
                            "array-sizes.svg", "array-sizes.csv"})

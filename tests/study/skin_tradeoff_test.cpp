@@ -196,6 +196,7 @@ TEST_CASE("a plan of a shape streams the bytes of the real plan of that size", "
       PlannerOptions options;
       options.structure = structure;
       options.precision = precision;
+      options.accuracy = one_percent;
       const SkinScene twelve = with_size(scene, size_of(scene, 12), 2.0);
       const EstimatorPlan pattern =
           plan_of({.problem = lab::SkinSceneProblem(twelve), .alpha = input.alpha}, options).plan;
