@@ -71,6 +71,15 @@ def test_circuits_of_skins(command: Callable[..., str], tmp_path: Path) -> None:
         tn.Skin.load(PROJECT / "scenes/skins/pressure-pad.toml").netlist()
 
 
+@pytest.mark.parametrize("name", ["circuit", "row", "palm"])
+def test_plans_of_skins(command: Callable[..., str], name: str, tmp_path: Path) -> None:
+    path = PROJECT / f"scenes/skins/{name}.toml"
+    command("plan", path, "--accuracy", "1e-5", "-o", tmp_path / "skin.plan")
+    plan = tn.Skin.load(path).plan(accuracy=1e-5)
+    assert plan.to_bytes() == (tmp_path / "skin.plan").read_bytes()
+    assert tn.Plan.load(tmp_path / "skin.plan", scene=tn.Skin.load(path)) == plan
+
+
 needs_ngspice = pytest.mark.skipif(shutil.which("ngspice") is None, reason="ngspice is not installed")
 
 

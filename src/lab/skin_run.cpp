@@ -69,7 +69,7 @@ void run_circuit(SkinExperiment& experiment, Simulator& simulator, Observer& obs
     result.circuit.emplace(skin_circuit(experiment.scene, experiment.frame.readings));
     result.relaxation = relax(*result.circuit, simulator, observer);
     // The nodes may stand for larger cells than the answer's.
-    const SkinScene& own = std::get<SkinScene>(result.circuit->scene());
+    const auto& own = std::get<SkinScene>(result.circuit->scene());
     const std::vector<double> truth = cell_means(own.contacts, grid(own));
     result.relative = errors(result.relaxation->tractions, truth, grid(own));
   } catch (const SimulatorError& error) {

@@ -35,10 +35,10 @@ struct CalibratedReadings {
 
 /// What the numbers of a recording mean, by the table and the units of readings.
 ///
-/// @param table   absent: the units alone
+/// @param given   absent: the units alone
 /// @param folder  of the scene's file: of the file that the table names
 /// @return nothing: the numbers are readings in SI, or the sensor was not understood
-[[nodiscard]] std::optional<Calibration> read_calibration(const std::optional<Table>& table,
+[[nodiscard]] std::optional<Calibration> read_calibration(const std::optional<Table>& given,
                                                           const std::filesystem::path& folder,
                                                           const CalibratedReadings& readings);
 
