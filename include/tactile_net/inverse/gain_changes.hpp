@@ -7,18 +7,17 @@
 ///
 ///     g_t = (1 + d) (C z_t) + b + noise
 ///
-/// Nothing smooths z: what remains is noise, if the gains are right, or as little as that. So
-/// there is no bias to be taken for a change. A change is named where four things agree:
+/// Nothing smooths z: a sound array's frames leave noise, or less. So there is no bias to be taken
+/// for a change. All gains lie some `spread` about what the calibration says, which is what the
+/// frames make likeliest, and a few may have changed by more. Those are named where
 ///
-/// - d is over 5 of its standard deviations and over 2 %, those of all other gains free;
-/// - without it, the others being fitted again, the misfit is 30 larger (noise: 1);
-/// - either half of the frames says the same of it;
-/// - with the changes named alone the frames are explained to their noise: else not gains are
-///   wrong, but the pad, and no gain is named.
+/// - what the frames say of d lies 4.5 standard deviations from zero, the spread's among them, and
+///   d is over 2 %;
+/// - either half of the frames says the same of it, by 2 standard deviations;
+/// - the frames are explained to their noise then: else not gains are wrong, but the pad.
 ///
 /// What all gains, or those of many neighbours, do together is no different from other loads, and
-/// taxels further apart than their depth do not tell each other's gains: standard deviations say
-/// so.
+/// taxels further apart than their depth do not tell each other's gains: nothing is named then.
 #pragma once
 
 #include <cstddef>
