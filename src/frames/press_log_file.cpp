@@ -124,13 +124,13 @@ class Reader {
         double taxel = 0.0;
         if (name.size() > own.size() && name.compare(0, own.size(), own) == 0 &&
             read_number(name.substr(own.size()), taxel) &&
-            taxel >= static_cast<double>(channel.count))
+            taxel >= static_cast<double>(scene_.sensor.count))
           ++others;
       }
       if (others > 0)
         problem(table_.header.line,
                 "has " + std::to_string(channel.count + others) + " columns " + own +
-                    "0, ..., and the scene has " + std::to_string(channel.count) + " taxels",
+                    "0, ..., and the scene has " + std::to_string(scene_.sensor.count) + " taxels",
                 "a log of another scene? sensor.count says how many there are");
     }
   }

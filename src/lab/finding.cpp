@@ -24,6 +24,7 @@ constexpr std::array<std::string_view, std::variant_size_v<Finding>> names = {
     "noise_coloured",
     "residual_differs",
     "scale_by_1000",
+    "gains_changed",
     "whole_pad_pulled",
     "traction_exceeds_modulus",
     "deformation_tiny",

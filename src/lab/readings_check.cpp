@@ -186,6 +186,8 @@ ReadingsCheck ReadingsChecker::Parts::judged(Observer* of_loads) const {
       for (std::size_t c = 0; c < check.channels.size(); ++c)
         check.channels[c].noise = rest.noise.empty() ? noise.of_channel[c] : rest.noise[c];
     if (of_loads != nullptr) {
+      if (const auto* line = std::get_if<Scene>(&scene); line != nullptr && is_fathomable(by_scene))
+        judge_gains(evidence, *line, check);
       check.peak = PeakFrame{.frame = peak_frame};
       judge_loads(evidence, rest.baseline, peak, solver, *of_loads, check);
       judge_scale(check);

@@ -42,6 +42,16 @@ class EditedText {
   void replace(const toml::node& node, std::string with) {
     replace(at(node.source().begin), at(node.source().end), std::move(with));
   }
+  /// A key with its value, which begins its line.
+  /// @throw std::invalid_argument  it does not
+  void replace_line_part(const toml::source_position& from, const toml::source_position& to,
+                         std::string with) {
+    const std::size_t begin = at(from);
+    if (text_.find_first_not_of(" \t", starts_.at(from.line - 1)) != begin)
+      throw std::invalid_argument(
+          "calibrate writes sensor.taxels anew: let it begin a line of a table [sensor]");
+    replace(begin, at(to), std::move(with));
+  }
   /// A table from its header up to its last line that says something.
   void remove(const toml::table& table) {
     const std::size_t from = starts_.at(table.source().begin.line - 1);
@@ -174,6 +184,98 @@ std::string noise_of(const Scene& nominal, const PressLog& log, const PressFit& 
   return text + " }";
 }
 
+/// Lengths that were found [m], with their standard deviations: a factor on those that were stated.
+struct Lengths {
+  bool found = false;
+  std::vector<double> values{}, sds{};
+
+  [[nodiscard]] std::string text(std::size_t i, const Unit& unit) const {
+    return rounded(unit.from_si(values[i]), unit.from_si(sds[i]));
+  }
+  [[nodiscard]] std::string list(const Unit& unit) const {
+    std::string text = "[";
+    for (std::size_t i = 0; i < values.size(); ++i)
+      text += (i == 0 ? "" : i % 8 == 0 ? ",\n  " : ", ") + this->text(i, unit);
+    return text + "]";
+  }
+};
+
+Lengths scaled(std::vector<double> lengths, const FittedValue& value, double log_factor) {
+  Lengths result{.found = is_found(value.verdict), .values = std::move(lengths)};
+  for (double& length : result.values) {
+    if (result.found) length *= std::exp(log_factor);
+    result.sds.push_back(result.found ? std::abs(length * value.sd / value.value) : 0.0);
+  }
+  return result;
+}
+
+/// Of an even array the depths at which it reads, of an uneven one those of its taxels.
+Lengths found_depths(const SensorArray& array, const PressFit& fit) {
+  std::vector<double> depths = array.depths;
+  if (!is_even(array)) {
+    depths.clear();
+    for (const Taxel& taxel : array.taxels) depths.push_back(taxel.depth);
+  }
+  return scaled(std::move(depths), fit.at(PadParameter::depth), fit.pad.log_depth);
+}
+
+/// y of the taxels. A pitch has its own standard deviation; its factor on every place is the same.
+Lengths found_places(const SensorArray& array, const PressFit& fit) {
+  return scaled(positions(array), fit.at(PadParameter::pitch), fit.pad.log_pitch);
+}
+
+/// Where the scene's text has them: one depth, a list of them, a list of places.
+void put_lengths(const toml::table& sensor, const SensorArray& array, const Lengths& depths,
+                 const Lengths& places, const Unit& unit, EditedText& edited) {
+  const auto put_list = [&](const toml::array* list, const Lengths& lengths) {
+    for (std::size_t i = 0; list != nullptr && lengths.found && i < list->size(); ++i)
+      edited.replace(*list->get(i), lengths.text(i, unit));
+  };
+  const toml::node* depth = sensor.get("depth");
+  if (depth != nullptr && depth->is_number() && depths.found)
+    edited.replace(*depth, depths.text(0, unit));
+  put_list(depth == nullptr ? nullptr : depth->as_array(), depths);
+  put_list(sensor["depths"].as_array(), depths);
+  if (!is_even(array)) put_list(sensor["positions"].as_array(), places);
+}
+
+std::string quoted(const std::vector<Quantity>& quantities) {
+  std::string text = "[";
+  for (const Quantity quantity : quantities)
+    text += (text.size() > 1 ? ", \"" : "\"") + std::string(name(quantity)) + '"';
+  return text + "]";
+}
+
+/// Taxels of a file stand in the scene itself once their depths are others: the file stays as it
+/// is.
+void put_taxels(const toml::table& sensor, const SensorArray& array, const Lengths& depths,
+                const Lengths& places, const Unit& unit, EditedText& edited) {
+  if (!depths.found && !places.found) return;
+  Lengths widths{.found = true};
+  bool alike = true;
+  std::string reads = "[";
+  for (std::size_t i = 0; const Taxel& taxel : array.taxels) {
+    widths.values.push_back(taxel.width);
+    widths.sds.push_back(0.0);
+    alike = alike && taxel.reads == array.taxels.front().reads;
+    reads += (i == 0 ? "" : i % 4 == 0 ? ",\n  " : ", ") + quoted(taxel.reads);
+    ++i;
+  }
+  std::string text = "positions = " + places.list(unit);
+  const auto put = [&](std::string_view key, const std::string& value) {
+    if (const toml::node* stated = sensor.get(key))
+      edited.replace(*stated, value);
+    else
+      text += '\n' + std::string(key) + " = " + value;
+  };
+  put("depth", depths.list(unit));
+  if (std::any_of(widths.values.begin(), widths.values.end(), [](double w) { return w > 0.0; }))
+    put("width", widths.list(unit));
+  put("reads", alike ? quoted(array.taxels.front().reads) : reads + "]");
+  for (const auto& [key, node] : sensor)
+    if (key == "taxels") edited.replace_line_part(key.source().begin, node.source().end, text);
+}
+
 }  // namespace
 
 SensorScale sensor_scale(const Scene& nominal, const PressFit& fit) {
@@ -202,10 +304,6 @@ bool is_found(ValueVerdict verdict) noexcept {
 
 std::string calibrated_scene(std::string_view toml, const Scene& nominal, const PressLog& log,
                              const PressFit& fit, std::string_view from) {
-  if (!is_even(nominal.sensor))
-    throw std::invalid_argument(
-        "the scene's taxels are placed by a file or one by one: calibrate writes arrays with count "
-        "and pitch alone");
   const std::string_view text = without_byte_order_mark(toml);
   Problems problems(nominal.file, text);
   const toml::table root = parse_document(text, nominal.file, problems);
@@ -217,16 +315,15 @@ std::string calibrated_scene(std::string_view toml, const Scene& nominal, const 
       edited.replace(*node, rounded(unit.from_si(value.value), unit.from_si(value.sd)));
   };
   const Units units = nominal.units.value_or(Units{});
-  put(root.at_path("sensor.depth").node(), PadParameter::depth, units.length);
-  if (const toml::array* depths = root.at_path("sensor.depths").as_array();
-      depths != nullptr && is_found(fit.at(PadParameter::depth).verdict))
-    for (std::size_t i = 0; i < depths->size(); ++i) {
-      const double factor = std::exp(fit.pad.log_depth);
-      const double sd = fit.at(PadParameter::depth).sd / fit.at(PadParameter::depth).value;
-      const double depth = nominal.sensor.depths[i] * factor;
-      edited.replace(*depths->get(i),
-                     rounded(units.length.from_si(depth), units.length.from_si(sd * depth)));
-    }
+  if (const toml::table* sensor = root["sensor"].as_table(); sensor != nullptr) {
+    const Lengths depths = found_depths(nominal.sensor, fit);
+    if (root.at_path("sensor.taxels"))
+      put_taxels(*sensor, nominal.sensor, depths, found_places(nominal.sensor, fit), units.length,
+                 edited);
+    else
+      put_lengths(*sensor, nominal.sensor, depths, found_places(nominal.sensor, fit), units.length,
+                  edited);
+  }
   put(root.at_path("sensor.pitch").node(), PadParameter::pitch, units.length);
   put(root.at_path("material.youngs_modulus").node(), PadParameter::youngs_modulus, units.modulus);
   put(root.at_path("material.poisson_ratio").node(), PadParameter::poisson_ratio, {});

@@ -60,7 +60,19 @@ struct Common {
   std::optional<Value> depth;
   std::optional<Value> width;
   std::vector<Quantity> reads;
+  std::vector<std::vector<Quantity>> reads_of_each;  ///< of positions: where taxels differ
 };
+
+/// One list for all taxels, or one for each. @return  it was understood as a whole
+bool read_reads(const Value& value, bool may_differ, Common& common) {
+  const auto list = value.list("quantities, such as \"strain_x\"");
+  const bool differ = may_differ && list && !list->empty() && list->front().is_list();
+  if (!differ) return read_quantities(value, quantities, common.reads);
+  bool complete = true;
+  for (const Value& item : *list)
+    complete = read_quantities(item, quantities, common.reads_of_each.emplace_back()) && complete;
+  return complete;
+}
 
 std::vector<Taxel> read_positions(const Value& positions, const Common& common,
                                   const Unit& length) {
@@ -79,10 +91,18 @@ std::vector<Taxel> read_positions(const Value& positions, const Common& common,
                           ? one_or_each(*common.width, places->size(), not_negative, length)
                           : std::vector<double>(places->size(), 0.0);
   if (!depths || !widths) return {};
+  const auto& each = common.reads_of_each;
+  if (!each.empty() && each.size() != places->size()) {
+    positions.problem("and sensor.reads are of " + std::to_string(places->size()) + " and " +
+                          std::to_string(each.size()) + " taxels",
+                      "reads = [\"strain_x\"] for all, or a list for each taxel");
+    return {};
+  }
   std::vector<Taxel> taxels;
   std::size_t misfits = 0;
   for (std::size_t i = 0; i < places->size(); ++i) {
-    taxels.push_back({(*places)[i], (*depths)[i], common.reads, (*widths)[i]});
+    taxels.push_back(
+        {(*places)[i], (*depths)[i], each.empty() ? common.reads : each[i], (*widths)[i]});
     if (i == 0 || misfits == most_misfits) continue;
     const double before = (*places)[i - 1];
     if ((*places)[i] < before || ((*places)[i] == before && (*depths)[i] == (*depths)[i - 1])) {
@@ -121,17 +141,16 @@ SensorArray read_uneven(Table& table, const std::optional<Value>& positions,
                    "remove it");
   table.not_here("depths", "is of even arrays, which have every taxel at each depth",
                  "depth = [1.5, 1.2, ...], one for each taxel");
-  SensorArray named;
   Common common{.depth = positions ? table.required("depth",
                                                     "how far below the surface the taxels are: "
                                                     "depth = 1.5, or one number for each")
                                    : table.value("depth"),
                 .width = table.value("width"),
-                .reads = {}};
+                .reads = {},
+                .reads_of_each = {}};
   read.reads = positions ? table.required("reads", "what each taxel reads: reads = [\"strain_x\"]")
                          : table.value("reads");
-  if (read.reads) read.reads_complete = read_quantities(*read.reads, quantities, named.reads);
-  common.reads = named.reads;
+  if (read.reads) read.reads_complete = read_reads(*read.reads, positions.has_value(), common);
   if (read.reads && !read.reads_complete) return {};
   if (positions && (!read.reads || file)) {
     if (file) file->problem("and sensor.positions exclude each other", "keep one of the two");

@@ -97,6 +97,13 @@ struct ScaleBy1000 {
   double times = 0.0;  ///< noise or residual over the noise stated: about 1000 or 1/1000
 };
 
+// The calibration.
+struct GainsChanged {
+  std::vector<std::size_t> readings{};  ///< channel after channel, rising
+  std::vector<double> changes{};        ///< of each of them: -0.03 reads 3 % less than calibrated
+  std::vector<double> sds{};            ///< of the changes
+};
+
 // The sign.
 struct WholePadPulled {
   std::size_t pulled = 0;  ///< frames whose tractions nearly all pull
@@ -132,7 +139,7 @@ using Finding = std::variant<
     finding::ValuesMissing, finding::DeadTaxels, finding::StuckTaxels, finding::NoisyTaxels,
     finding::SingleFrameSpikes, finding::SaturatedTaxels, finding::Baseline, finding::Drift,
     finding::NoiseTaken, finding::NoiseDiffers, finding::NoiseColoured, finding::ResidualDiffers,
-    finding::ScaleBy1000, finding::WholePadPulled, finding::TractionExceedsModulus,
+    finding::ScaleBy1000, finding::GainsChanged, finding::WholePadPulled, finding::TractionExceedsModulus,
     finding::DeformationTiny, finding::MixedUnits, finding::DepthBeyondArray, finding::PitchCoarse>;
 using Findings = std::vector<Finding>;
 

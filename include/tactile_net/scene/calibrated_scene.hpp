@@ -30,7 +30,10 @@ struct SensorScale {
 ///
 /// @param toml   the text that `nominal` was read from
 /// @param from   name of the log, for [calibration]
-/// @throw std::invalid_argument  taxels that a file of their own places: their depths are there
+/// Taxels of a file of their own stand in the scene then, one by one, with their depths: the file
+/// is not changed.
+///
+/// @throw std::invalid_argument  `taxels` shares its line with other keys
 /// @throw InputError  the text is not that of a scene
 [[nodiscard]] std::string calibrated_scene(std::string_view toml, const Scene& nominal,
                                            const PressLog& log, const PressFit& fit,

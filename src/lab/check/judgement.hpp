@@ -67,6 +67,12 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
                  std::span<const double> peak, PatternSolver& solver, Observer& observer,
                  ReadingsCheck& check);
 
+/// Gains that are no longer what [calibration] says, by frames under loads that nobody knows. Of
+/// recordings that are sound otherwise, of up to 128 readings.
+///
+/// @param check  with the noise of its channels
+void judge_gains(const Evidence& evidence, const Scene& scene, ReadingsCheck& check);
+
 /// The noise and the residual beside the noise stated: their scale, before
 /// anything else.
 void judge_scale(ReadingsCheck& check);

@@ -49,6 +49,9 @@ Json numbers(const finding::NoiseDiffers& f) {
 Json numbers(const finding::NoiseColoured& f) { return {{"correlation", f.correlation}}; }
 Json numbers(const finding::ResidualDiffers& f) { return {{"times", f.times}}; }
 Json numbers(const finding::ScaleBy1000& f) { return {{"times", f.times}}; }
+Json numbers(const finding::GainsChanged& f) {
+  return {{"readings", f.readings}, {"changes", f.changes}, {"sds", f.sds}};
+}
 Json numbers(const finding::WholePadPulled& f) {
   return {{"pulled", f.pulled}, {"loaded", f.loaded}};
 }

@@ -253,6 +253,20 @@ Words say(const finding::ScaleBy1000& f, const auto& scene) {
   return words;
 }
 
+// --- calibration
+// --------------------------------------------------------------------------------
+
+Words say(const finding::GainsChanged& f, const auto& scene) {
+  const std::vector<std::string> names = reading_names(scene.sensor);
+  std::vector<std::string> each;
+  for (std::size_t i = 0; i < f.readings.size(); ++i)
+    each.push_back(names[f.readings[i]] + (f.changes[i] > 0.0 ? " +" : " ") +
+                   fixed(100.0 * f.changes[i], 1) + " ± " + fixed(100.0 * f.sds[i], 1) + " %");
+  return {"recalibrate: " + join(each, ", ") +
+              ": no load explains these beside the other readings with the gains of [calibration]",
+          "press again, and calibrate: docs/calibration.md; gains about 1 % apart stay unseen"};
+}
+
 // --- sign, stiffness, geometry
 // ------------------------------------------------------------------
 
