@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "tactile_net/lab/beyond_curves.hpp"
 #include "tactile_net/lab/workload.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 
@@ -81,9 +82,14 @@ bool Relaxation::transient_as_certified() const noexcept {
   return (transient->end == TransientEnd::settles) == stable_by_certificate;
 }
 
+std::optional<Disagreement> beyond_curves(const ExplainedDifference& explained) noexcept {
+  if (!(explained.curves > 0.5)) return std::nullopt;
+  return Disagreement{.kind = Disagreement::Kind::curves, .value = explained.curves};
+}
+
 std::optional<Disagreement> Relaxation::disagreement() const noexcept {
   using Kind = Disagreement::Kind;
-  if (explained.curves > 0.5) return Disagreement{.kind = Kind::curves, .value = explained.curves};
+  if (const auto curves = beyond_curves(explained)) return curves;
   if (!agrees())
     return Disagreement{.kind = Kind::difference, .value = difference, .explained = explained};
   if (!transient_as_certified())
