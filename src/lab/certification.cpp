@@ -1,5 +1,6 @@
 #include "tactile_net/lab/certification.hpp"
 
+#include "tactile_net/lab/beyond_curves.hpp"
 #include "tactile_net/lab/workload.hpp"
 
 namespace tactile_net::lab {
@@ -10,6 +11,8 @@ Certification certify(const AnyScene& scene, Observer& observer, std::optional<d
   observer.step({Step::Kind::certificate});
   result.motion = contact_motion(result.circuit);
   const NetworkOptions& options = result.circuit.options();
+  if (traits(options.realization).parts == RealizationTraits::Parts::curved)
+    result.curves = beyond_curves(result.circuit.explained());
   if (result.circuit.loaded() && calls_for_tolerance(options)) {
     observer.step({Step::Kind::draws});
     result.tolerance = tolerate(result.circuit.network().reduction(), *options.tolerance);

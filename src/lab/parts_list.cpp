@@ -1,100 +1,232 @@
 #include "tactile_net/lab/parts_list.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "lab/circuit_candidates.hpp"
+#include "lab/circuit_loads.hpp"
+#include "tactile_net/network/arrays.hpp"
+#include "tactile_net/network/soldered_error.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
 constexpr std::size_t draws = 200;
 
-PartsList::Candidate priced(const NetworkCircuit& circuit, const PartsList& parts) {
-  const Reduction& reduction = circuit.reduction();
-  PartsList::Candidate result{.realization = circuit.realization(),
-                              .opamps = circuit.flat().amplifiers().size(),
-                              .stable = is_stable_with_its_opamps(circuit),
-                              .list = allocate(relative_sensitivities(reduction), parts.wanted)};
-  result.price = result.list.price + static_cast<double>(result.opamps) * parts.opamp_price;
-  if (!result.stable || !result.list.met) return result;
-  ToleranceOptions drawn{.trials = draws};
-  for (const std::size_t one : result.list.class_of)
-    drawn.each.push_back(parts.wanted.classes[one].tolerance);
-  result.p95 = tolerate(reduction, drawn).p95;
-  return result;
+/// Rounded values may take so much of the error's budget: of the squares, so that 3 % are left to
+/// gain by exacter ones.
+constexpr double rounding_share = 0.25;
+
+/// One realisation, under all loads.
+struct Offer {
+  std::shared_ptr<const NetworkCircuit> circuit;
+  std::vector<Load> loads{};
+  PartsList::Candidate candidate{};
+  std::vector<PartValue> values{};
+};
+
+using Problems = std::vector<std::shared_ptr<const NetworkProblem>>;
+
+Offer offer_of(Realization realization, const SceneCircuit& circuit, const Problems& problems) {
+  Offer offer{.circuit = std::make_shared<const NetworkCircuit>(candidate(realization, circuit))};
+  for (const auto& problem : problems) {
+    const Circuit other = realize(realization, *problem, offer.circuit->options());
+    offer.loads.push_back(Reduction(other).equations().right_side);
+  }
+  return offer;
 }
 
-/// What a resistor belongs to, by the first letters of its name (src/network/realizations).
-std::string array_of(const std::string& resistor) {
-  if (resistor.find('.') != std::string::npos) return "converters and inverters";
-  static const std::map<std::string, std::string> arrays = {{"Rk", "K"},
-                                                            {"Rt", "K transposed"},
-                                                            {"Rs", "stabiliser"},
-                                                            {"Re", "residuals' feedback"},
-                                                            {"Rg", "to ground"}};
-  const auto letters = std::find_if(resistor.begin(), resistor.end(), [](char one) {
-    return std::isdigit(static_cast<unsigned char>(one)) != 0;
-  });
-  const auto found = arrays.find(std::string(resistor.begin(), letters));
-  return found == arrays.end() ? "P" : found->second;
+/// Makes pairs of resistors, those that count most first, until values take no more than they may.
+class Rounding {
+ public:
+  Rounding(const LoadedNetwork& network, const Reduction& reduction, Series series)
+      : network_(network), choice_(reduction, series), pairs_(choice_.groups().size()) {
+    const std::vector<double> printed = siemens_of(choice_.values(pairs_));
+    std::vector<std::vector<ResistorChange>> changes;
+    for (const std::vector<std::size_t>& group : choice_.groups()) {
+      std::vector<ResistorChange>& change = changes.emplace_back();
+      for (const std::size_t r : group)
+        change.push_back({r, printed[r] / reduction.siemens()[r] - 1.0});
+    }
+    const std::vector<double> squares = network_.squared_errors(changes);
+    order_.resize(squares.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::size_t a, std::size_t b) { return squares[a] > squares[b]; });
+  }
+
+  /// A part that is better than the coarsest is not spoilt by its value.
+  void pair_better(const Allocation& list) {
+    for (std::size_t g = 0; g < pairs_.size(); ++g)
+      for (const std::size_t r : choice_.groups()[g])
+        if (list.class_of[r] > 0) pairs_[g] = true;
+  }
+
+  void pair_until(double allowed) {
+    if (error(0) <= allowed) return;
+    std::size_t few = 0;
+    std::size_t enough = order_.size();
+    while (enough - few > 1) {
+      const std::size_t middle = few + (enough - few) / 2;
+      (error(middle) <= allowed ? enough : few) = middle;
+    }
+    pairs_ = with_first(enough);
+  }
+
+  [[nodiscard]] std::vector<PartValue> values() const { return choice_.values(pairs_); }
+  [[nodiscard]] double error() const { return error(0); }
+
+ private:
+  [[nodiscard]] std::vector<bool> with_first(std::size_t count) const {
+    std::vector<bool> pairs = pairs_;
+    for (std::size_t k = 0; k < count; ++k) pairs[order_[k]] = true;
+    return pairs;
+  }
+  [[nodiscard]] double error(std::size_t first) const {
+    return network_.error(siemens_of(choice_.values(with_first(first))));
+  }
+
+  const LoadedNetwork& network_;
+  PartChoice choice_;
+  std::vector<bool> pairs_;         // of every group
+  std::vector<std::size_t> order_;  // of groups, those whose rounding counts most first
+};
+
+double second_parts(const Offer& offer, const AllocationOptions& wanted) {
+  double price = 0.0;
+  for (std::size_t r = 0; r < offer.values.size(); ++r)
+    if (offer.values[r].joint != PartValue::Joint::single)
+      price += wanted.classes[offer.candidate.list.class_of[r]].price;
+  return price;
 }
 
-NetworkCircuit chosen_circuit(const PartsList& list, const SceneCircuit& circuit) {
-  return candidate(list.chosen().realization, circuit);
+/// What is left of a target when values take their part: squares add up.
+AllocationOptions after_rounding(AllocationOptions wanted, double rounding) {
+  const double taken = p95_over_rms * rounding;
+  wanted.target = std::sqrt(std::max(wanted.target * wanted.target - taken * taken, 0.0));
+  return wanted;
 }
 
-}  // namespace
-
-PartsList parts_list(const SceneCircuit& circuit, double target) {
-  if (!circuit.loaded())
-    throw std::invalid_argument("there is no load: nothing for errors of components to change");
-  PartsList result{.wanted = {.target = target}};
-  for (const Realization one : candidates(circuit))
-    result.candidates.push_back(priced(candidate(one, circuit), result));
-  std::stable_sort(result.candidates.begin(), result.candidates.end(),
-                   [](const auto& a, const auto& b) {
-                     return a.good() != b.good() ? a.good() : a.price < b.price;
-                   });
-  const auto& all = result.candidates;
-  const auto found = std::find_if(
-      all.begin(), all.end(), [&](const auto& one) { return one.good() && *one.p95 <= target; });
-  if (found != all.end()) result.choice = static_cast<std::size_t>(found - all.begin());
-  return result;
+void choose_parts(Offer& offer, const LoadedNetwork& network, const PartsList& parts) {
+  PartsList::Candidate& result = offer.candidate;
+  const std::vector<double> counts = network.sensitivities();
+  Rounding rounding(network, offer.circuit->reduction(), parts.series);
+  result.list = allocate(counts, parts.wanted);
+  if (result.list.met) {
+    rounding.pair_better(result.list);
+    rounding.pair_until(rounding_share * parts.wanted.target / p95_over_rms);
+    const AllocationOptions left = after_rounding(parts.wanted, rounding.error());
+    if (left.target > 0.0) result.list = allocate(counts, left);
+    rounding.pair_better(result.list);
+    result.list.met = result.list.met && left.target > 0.0;
+  }
+  result.rounding = rounding.error();
+  offer.values = rounding.values();
+  for (const PartValue& one : offer.values)
+    if (one.joint != PartValue::Joint::single) ++result.pairs;
+  const double seconds = second_parts(offer, parts.wanted);
+  result.resistors_price = result.list.price + seconds;
+  result.resistors_bound = result.list.price_bound + seconds;
+  result.price = result.resistors_price + static_cast<double>(result.opamps) * parts.opamp_price;
 }
 
-std::vector<OrderedPart> order_of(const PartsList& list, const SceneCircuit& circuit) {
-  const NetworkCircuit built = chosen_circuit(list, circuit);
-  const Reduction& reduction = built.reduction();
+std::vector<double> tolerances(const Offer& offer, const AllocationOptions& wanted) {
+  std::vector<double> each;
+  for (const std::size_t one : offer.candidate.list.class_of)
+    each.push_back(wanted.classes[one].tolerance);
+  return each;
+}
+
+Offer priced(Realization realization, const SceneCircuit& circuit, const Problems& problems,
+             const PartsList& parts) {
+  Offer offer = offer_of(realization, circuit, problems);
+  PartsList::Candidate& result = offer.candidate;
+  result.realization = realization;
+  result.opamps = offer.circuit->flat().amplifiers().size();
+  result.stable = is_stable_with_its_opamps(*offer.circuit);
+  const LoadedNetwork network(offer.circuit->reduction(), offer.loads);
+  choose_parts(offer, network, parts);
+  if (!result.stable || !result.list.met) return offer;
+  const std::vector<double> errors =
+      network.builds(siemens_of(offer.values), tolerances(offer, parts.wanted), draws, 1);
+  result.p95 = errors[errors.size() * 95 / 100];
+  return offer;
+}
+
+std::vector<OrderedPart> order_of(const SolderedCircuit& soldered) {
   std::map<std::pair<double, double>, OrderedPart> order;
-  for (std::size_t r = 0; r < reduction.resistors().size(); ++r) {
-    const double tolerance = list.wanted.classes[list.chosen().list.class_of[r]].tolerance;
-    const double ohm = 1.0 / reduction.siemens()[r];
+  for (std::size_t r = 0; r < soldered.parts.size(); ++r) {
+    const auto& [ohm, tolerance] = soldered.parts[r];
     OrderedPart& part =
         order.try_emplace({tolerance, ohm}, OrderedPart{ohm, tolerance}).first->second;
-    part.references.push_back(reduction.resistors()[r]);
+    part.references.push_back(soldered.circuit.resistors[r].name);
   }
   std::vector<OrderedPart> parts;
   for (auto& [key, part] : order) parts.push_back(std::move(part));
   return parts;
 }
 
-std::vector<PartsOfArray> by_array(const PartsList& list, const SceneCircuit& circuit) {
-  const NetworkCircuit built = chosen_circuit(list, circuit);
+std::vector<PartsOfArray> by_array(const Offer& offer, std::size_t classes) {
   std::vector<PartsOfArray> arrays;
-  for (std::size_t r = 0; r < built.reduction().resistors().size(); ++r) {
-    const std::string array = array_of(built.reduction().resistors()[r]);
+  const auto names = offer.circuit->reduction().resistors();
+  for (std::size_t r = 0; r < names.size(); ++r) {
+    const std::string array(name(place_of(names[r]).array));
     auto at = std::find_if(arrays.begin(), arrays.end(),
                            [&](const PartsOfArray& one) { return one.array == array; });
-    if (at == arrays.end())
-      at = arrays.insert(at, {array, std::vector<std::size_t>(list.wanted.classes.size())});
-    ++at->counts[list.chosen().list.class_of[r]];
+    if (at == arrays.end()) at = arrays.insert(at, {array, std::vector<std::size_t>(classes)});
+    ++at->counts[offer.candidate.list.class_of[r]];
   }
   return arrays;
+}
+
+PartsList list_of(const SceneCircuit& circuit, double target,
+                  const std::vector<Realization>& realizations) {
+  if (!circuit.loaded())
+    throw std::invalid_argument("there is no load: nothing for errors of components to change");
+  const Problems problems = circuit_loads(circuit);
+  PartsList result{.wanted = {.target = target}, .loads = problems.size()};
+  result.series = circuit.tolerance().series.value_or(Series::e96);
+  std::vector<Offer> offers;
+  for (const Realization one : realizations)
+    offers.push_back(priced(one, circuit, problems, result));
+  std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
+    return a.candidate.good() != b.candidate.good() ? a.candidate.good()
+                                                    : a.candidate.price < b.candidate.price;
+  });
+  for (const Offer& offer : offers) {
+    result.candidates.push_back(offer.candidate);
+    if (result.choice || !offer.candidate.good() || !(*offer.candidate.p95 <= target)) continue;
+    result.chosen_at = result.candidates.size() - 1;
+    PartsList::Choice choice{
+        .soldered = soldered(offer.circuit->flat(), offer.values, tolerances(offer, result.wanted)),
+        .arrays = by_array(offer, result.wanted.classes.size())};
+    choice.order = order_of(choice.soldered);
+    result.choice = std::make_shared<const PartsList::Choice>(std::move(choice));
+  }
+  return result;
+}
+
+}  // namespace
+
+PartsList parts_list(const SceneCircuit& circuit, double target) {
+  return list_of(circuit, target, candidates(circuit));
+}
+
+PartsList own_parts_list(const SceneCircuit& circuit, double target) {
+  const Realization own = circuit.network().realization();
+  if (!traits(own).uses_opamps || !traits(own).linear())
+    throw std::invalid_argument(
+        "the realization " + std::string(name(own)) +
+        " is not built of resistors and op-amps: there is no list to order");
+  if (circuit.options().parts.inverters)
+    throw std::invalid_argument(
+        "a list of parts is of op-amps with complementary outputs: leave out inverters under "
+        "[network]");
+  return list_of(circuit, target, {own});
 }
 
 }  // namespace tactile_net::lab

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "tactile_net/lab/beyond_curves.hpp"
 #include "tactile_net/lab/workload.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 
@@ -87,9 +88,14 @@ Verdict Relaxation::verdict() const noexcept {
   return difference > 0.01 ? Verdict::inaccurate : Verdict::ok;
 }
 
+std::optional<Disagreement> beyond_curves(const ExplainedDifference& explained) noexcept {
+  if (!(explained.curves > 0.5)) return std::nullopt;
+  return Disagreement{.kind = Disagreement::Kind::curves, .value = explained.curves};
+}
+
 std::optional<Disagreement> Relaxation::disagreement() const noexcept {
   using Kind = Disagreement::Kind;
-  if (explained.curves > 0.5) return Disagreement{.kind = Kind::curves, .value = explained.curves};
+  if (const auto curves = beyond_curves(explained)) return curves;
   if (!agrees())
     return Disagreement{.kind = Kind::difference, .value = difference, .explained = explained};
   if (!transient_as_certified())

@@ -1,6 +1,7 @@
 #include "tactile_net/network/deck.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <ostream>
 #include <set>
@@ -9,6 +10,7 @@
 #include <unordered_set>
 
 #include "network/subcircuit_of.hpp"
+#include "tactile_net/network/dialect_deck.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
@@ -17,6 +19,14 @@ namespace {
 void check_line(const std::string& text) {
   if (text.find_first_of("\r\n") != std::string::npos)
     throw std::invalid_argument("a deck's header line must not contain a line break");
+}
+
+void check_name(const std::string& name) {
+  const auto in_name = [](char one) {
+    return std::isalnum(static_cast<unsigned char>(one)) != 0 || one == '_';
+  };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), in_name))
+    throw std::invalid_argument("a sub-circuit's name is of letters, digits and _");
 }
 
 /// Throws before anything is written.
@@ -89,7 +99,10 @@ void check(const Analysis& analysis) {
     throw std::invalid_argument("a transient needs 0 < step < stop");
 }
 
-void check(const Circuit& circuit, const DeckHeader& header, const Analysis& analysis) {
+void check(const Circuit& circuit, const DeckHeader& header, const Analysis& analysis,
+           const DeckForm& form) {
+  if (!form.parts.empty() && form.parts.size() != circuit.resistors.size())
+    throw std::invalid_argument("a deck's parts need a value for every resistor");
   check_line(header.title);
   for (const std::string& comment : header.comments) check_line(comment);
   if (!header.expected.empty() && header.expected.size() != circuit.outputs.size())
@@ -98,14 +111,24 @@ void check(const Circuit& circuit, const DeckHeader& header, const Analysis& ana
   check(analysis);
 }
 
+/// A sub-circuit of the library as a dialect writes its parameters.
+std::string in_dialect(std::string_view library, Dialect dialect) {
+  std::string text(library);
+  if (dialect != Dialect::xyce) return text;
+  const std::size_t card = text.find("\n.subckt ") + 1;
+  const std::size_t sign = text.find('=', card);
+  if (sign < text.find('\n', card)) text.insert(text.rfind(' ', sign) + 1, "PARAMS: ");
+  return text;
+}
+
 /// The sub-circuits that are used, the amplifiers in them included, each once.
-void append_subcircuits(std::string& deck, const Circuit& circuit) {
+void append_subcircuits(std::string& deck, const Circuit& circuit, Dialect dialect) {
   std::set<std::string_view> used;
   for (const Instance& instance : circuit.instances) used.insert(instance.subcircuit);
   std::string library;
   for (const Subcircuit& one : subcircuits())
     if (used.contains(one.name)) {
-      library += one.text;
+      library += in_dialect(one.text, dialect);
       used.insert("opamp");
     }
   for (const AmplifierModel& model : circuit.amplifiers)
@@ -141,23 +164,37 @@ std::string step_of(double ampere, const StepResponse& response, std::size_t pla
   return text + ')';
 }
 
-void append_elements(std::string& deck, const Circuit& circuit, const Analysis& analysis) {
+/// Everything but the sources.
+void append_parts(std::string& deck, const Circuit& circuit, const DeckForm& form) {
+  const auto& [dialect, parts] = form;
   const std::vector<std::string>& nodes = circuit.nodes;
   const auto card = [&](const auto& part, const std::string& value) {
     deck += part.name + ' ' + nodes[part.from] + ' ' + nodes[part.to] + ' ' + value + '\n';
   };
-  for (const Resistor& r : circuit.resistors) card(r, shortest(1.0 / r.siemens));
+  for (std::size_t r = 0; r < circuit.resistors.size(); ++r) {
+    if (parts.empty())
+      card(circuit.resistors[r], shortest(1.0 / circuit.resistors[r].siemens));
+    else
+      card(circuit.resistors[r], shortest(parts[r].ohm) + " ; " + percent(parts[r].tolerance));
+  }
   for (const Capacitor& c : circuit.capacitors) card(c, shortest(c.farad));
   for (const Inductor& l : circuit.inductors) card(l, shortest(l.henry));
-  for (const NShapedDevice& b : circuit.devices) card(b, "I=" + current_of(b, nodes));
+  for (const NShapedDevice& b : circuit.devices) {
+    const std::string current = current_of(b, nodes);
+    card(b, "I=" + (dialect == Dialect::xyce ? '{' + current + '}' : current));
+  }
   for (const Instance& x : circuit.instances) {
     deck += x.name;
     for (const Node node : x.pins) deck += ' ' + nodes[node];
     deck += ' ' + x.subcircuit;
     if (circuit.divider != Circuit{}.divider && amplifier(circuit, x.subcircuit) == nullptr)
-      deck += " r=" + shortest(circuit.divider);
+      deck += (dialect == Dialect::xyce ? " PARAMS: r=" : " r=") + shortest(circuit.divider);
     deck += '\n';
   }
+}
+
+void append_sources(std::string& deck, const Circuit& circuit, const Analysis& analysis) {
+  const std::vector<std::string>& nodes = circuit.nodes;
   for (const CurrentSource& i : circuit.sources) {  // SPICE: from the first node to the second
     deck += i.name + " 0 " + nodes[i.into];
     if (std::holds_alternative<DirectCurrent>(analysis))
@@ -178,19 +215,41 @@ std::string saved(const Circuit& circuit) {
   return text;
 }
 
+/// What Xyce prints.
+std::string printed_by_xyce(const Circuit& circuit, const char* analysis, const char* value) {
+  std::string text = ".print ";
+  text += analysis;
+  for (const Node node : circuit.outputs) {
+    text += ' ';
+    text += value;
+    text += '(' + circuit.nodes[node] + ')';
+  }
+  return text + '\n';
+}
+
 /// The card of an analysis, with the options it needs.
-std::string card_of(const Circuit& circuit, const Analysis& analysis) {
+std::string card_of(const Circuit& circuit, const Analysis& analysis, Dialect dialect) {
+  const bool xyce = dialect == Dialect::xyce;
   if (const auto* ac = std::get_if<SingleFrequency>(&analysis)) {
     const std::string hertz = shortest(ac->hertz);
     // Capacitors alone and loops of inductors have no operating point.
-    return ".options noopac\n.ac lin 1 " + hertz + ' ' + hertz + '\n';
+    return (dialect == Dialect::ngspice ? ".options noopac\n" : "") + (".ac lin 1 " + hertz) + ' ' +
+           hertz + '\n' + (xyce ? printed_by_xyce(circuit, "ac", "vr") : "");
   }
   if (const auto* tran = std::get_if<StepResponse>(&analysis)) {
     const std::string step = shortest(tran->step);
-    return ".options method=trap reltol=1e-5 chgtol=1e-18 abstol=1e-15 vntol=1e-9\n.tran " + step +
-           ' ' + shortest(tran->stop) + " 0 " + step + '\n' + saved(circuit);
+    return (xyce
+                ? ".options timeint method=trap reltol=1e-5 abstol=1e-9\n.tran "
+                : ".options method=trap reltol=1e-5 chgtol=1e-18 abstol=1e-15 vntol=1e-9\n.tran ") +
+           step + ' ' + shortest(tran->stop) + " 0 " + step + '\n' +
+           (xyce ? printed_by_xyce(circuit, "tran", "v") : saved(circuit));
   }
-  return ".op\n";
+  if (!xyce || circuit.sources.empty()) return ".op\n";
+  // Xyce prints no operating point; a sweep of one point is one.
+  const CurrentSource& first = circuit.sources.front();
+  const std::string value = shortest(first.ampere);
+  return ".dc " + first.name + ' ' + value + ' ' + value + " 1\n" +
+         printed_by_xyce(circuit, "dc", "v");
 }
 
 /// `*#` lines are commands to ngspice and comments to every other simulator. Without `quit 0` it
@@ -204,24 +263,121 @@ std::string commands_for(const Circuit& circuit, const Analysis& analysis) {
   return text + "*# quit 0\n";
 }
 
-}  // namespace
+constexpr double inductors_ohm = 1e-3;
+constexpr double outputs_ohm = 1e12;
 
-void write_deck(std::ostream& out, const Circuit& circuit, const DeckHeader& header, Answer answer,
-                const Analysis& analysis) {
-  check(circuit, header, analysis);
+/// The same circuit with an operating point.
+Circuit with_operating_point(Circuit circuit) {
+  for (Inductor& one : circuit.inductors) {
+    const Node between = add_node(circuit, 'm' + one.name);
+    circuit.resistors.push_back({"R" + one.name, between, one.to, 1.0 / inductors_ohm});
+    one.to = between;
+  }
+  for (const Node node : circuit.outputs)
+    circuit.resistors.push_back({"Ro" + circuit.nodes[node], node, 0, 1.0 / outputs_ohm});
+  return circuit;
+}
+
+std::string comments_of(const Circuit& circuit, const DeckHeader& header, Dialect dialect) {
+  std::string text;
+  for (const std::string& comment : header.comments) text += "* " + comment + '\n';
+  const bool negative = std::any_of(circuit.resistors.begin(), circuit.resistors.end(),
+                                    [](const Resistor& r) { return r.siemens < 0.0; });
+  if (negative && dialect != Dialect::ngspice)
+    text += "* " + std::string(negative_resistors_untested) + '\n';
+  return text;
+}
+
+std::string deck_of(const Circuit& circuit, const DeckHeader& header, Answer answer,
+                    const Analysis& analysis, const DeckForm& form) {
+  const Dialect dialect = form.dialect;
   std::string deck;
   deck.reserve(4096 + 48 * (circuit.resistors.size() + circuit.instances.size()));
   deck += "* " + header.title + '\n';  // line 1 is the title, whatever it holds
-  for (const std::string& comment : header.comments) deck += "* " + comment + '\n';
+  deck += comments_of(circuit, header, dialect);
   for (std::size_t i = 0; i < header.expected.size(); ++i)
     deck +=
         "* expect " + circuit.nodes[circuit.outputs[i]] + ' ' + shortest(header.expected[i]) + '\n';
   if (header.within) deck += "* within " + shortest(*header.within) + '\n';
-  append_subcircuits(deck, circuit);
-  append_elements(deck, circuit, analysis);
-  deck += card_of(circuit, analysis) + ".end\n";
-  if (answer == Answer::printed) deck += commands_for(circuit, analysis);
+  append_subcircuits(deck, circuit, dialect);
+  append_parts(deck, circuit, form);
+  append_sources(deck, circuit, analysis);
+  deck += card_of(circuit, analysis, dialect) + ".end\n";
+  if (answer == Answer::printed && dialect == Dialect::ngspice)
+    deck += commands_for(circuit, analysis);
+  return deck;
+}
+
+}  // namespace
+
+void write_deck(std::ostream& out, const Circuit& circuit, const DeckHeader& header, Answer answer,
+                const Analysis& analysis, const DeckForm& form) {
+  check(circuit, header, analysis, form);
+  const bool floats =
+      form.dialect != Dialect::ngspice && std::holds_alternative<SingleFrequency>(analysis);
+  const std::string deck =
+      deck_of(floats ? with_operating_point(circuit) : circuit, header, answer, analysis, form);
+  check_dialect(deck, form.dialect);
   out << deck;
+}
+
+void write_deck(std::ostream& out, const Circuit& circuit, const DeckHeader& header, Answer answer,
+                const Analysis& analysis) {
+  write_deck(out, circuit, header, answer, analysis, DeckForm{});
+}
+
+std::vector<Node> ports(const Circuit& circuit) {
+  std::vector<Node> nodes;
+  const auto add = [&](Node node) {
+    if (node != 0 && std::find(nodes.begin(), nodes.end(), node) == nodes.end())
+      nodes.push_back(node);
+  };
+  for (const CurrentSource& one : circuit.sources) add(one.into);
+  for (const Node node : circuit.outputs) add(node);
+  return nodes;
+}
+
+void write_subcircuit(std::ostream& out, const Circuit& circuit, const DeckHeader& header,
+                      const std::string& name, const DeckForm& form) {
+  check(circuit, header, DirectCurrent{}, form);
+  check_name(name);
+  std::string text = "* " + header.title + '\n' + comments_of(circuit, header, form.dialect);
+  text += "* Pins: the nodes that readings' currents flow into, then the outputs.\n.subckt " + name;
+  for (const Node node : ports(circuit)) text += ' ' + circuit.nodes[node];
+  text += '\n';
+  append_subcircuits(text, circuit, form.dialect);
+  append_parts(text, circuit, form);
+  text += ".ends " + name + '\n';
+  check_dialect(text, form.dialect);
+  out << text;
+}
+
+void write_symbol(std::ostream& out, const Circuit& circuit, const std::string& name,
+                  const std::string& file) {
+  check_name(name);
+  check_line(file);
+  const std::vector<Node> pins = ports(circuit);
+  const auto is_output = [&](Node node) {
+    return std::find(circuit.outputs.begin(), circuit.outputs.end(), node) != circuit.outputs.end();
+  };
+  constexpr int pitch = 16;
+  int left = 0;
+  int right = 0;
+  std::string text;
+  for (std::size_t k = 0; k < pins.size(); ++k) {
+    const bool output = is_output(pins[k]);
+    int& count = output ? right : left;
+    text += "PIN " + std::to_string(output ? 96 : -96) + ' ' + std::to_string(pitch * ++count) +
+            (output ? " RIGHT 8\n" : " LEFT 8\n");
+    text += "PINATTR PinName " + circuit.nodes[pins[k]] + "\nPINATTR SpiceOrder " +
+            std::to_string(k + 1) + '\n';
+  }
+  const int height = pitch * (std::max(left, right) + 1);
+  out << "Version 4\nSymbolType BLOCK\nRECTANGLE Normal -96 0 96 " << height
+      << "\nWINDOW 0 0 -8 Bottom 2\nWINDOW 3 0 " << height + 8
+      << " Top 2\nSYMATTR Prefix X\nSYMATTR Value " << name << "\nSYMATTR ModelFile " << file
+      << '\n'
+      << text;
 }
 
 }  // namespace tactile_net

@@ -6,25 +6,13 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "network/draw_stability.hpp"
+#include "network/random.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {
-
-/// Steele, Lea and Flood 2014 (SplitMix64): one independent number per counter.
-std::uint64_t mixed(std::uint64_t x) noexcept {
-  x += 0x9e3779b97f4a7c15ULL;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31);
-}
-
-/// Uniform in -1 ... 1.
-double uniform(std::uint64_t seed, std::uint64_t trial, std::uint64_t place) noexcept {
-  const std::uint64_t bits = mixed(mixed(mixed(seed) ^ trial) ^ place);
-  return std::ldexp(static_cast<double>(bits >> 11), -52) - 1.0;
-}
 
 /// Three digits up to E24's two, as the standard rounds them.
 double preferred(int place, int series) {
@@ -56,37 +44,6 @@ void check(const ToleranceOptions& options, std::size_t resistors) {
     throw std::invalid_argument("a tolerance needs relative errors or a series");
   if (!(options.accuracy > 0.0)) throw std::invalid_argument("the accuracy must be > 0");
   if (options.trials == 0) throw std::invalid_argument("a tolerance needs at least one trial");
-}
-
-/// Nodes that nothing drives, and inputs' common voltages, follow at once: they are eliminated.
-bool is_stable_floating(const Reduction& reduction, const Equations& equations) {
-  const Eigen::MatrixXd s = as_eigen(equations.matrix);
-  const Eigen::MatrixXd t = as_eigen(equations.input);
-  const auto n = static_cast<Eigen::Index>(reduction.outputs());
-  const Eigen::Index rest = s.rows() - n;
-  const Lu followers(s.bottomRightCorner(rest, rest));
-  const auto without_followers = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
-    const Eigen::MatrixXd below = columns.bottomRows(rest);
-    return columns.topRows(n) - s.topRightCorner(n, rest) * followers.solve(below);
-  };
-  const Eigen::MatrixXd stiffness = without_followers(s.leftCols(n));
-  const Eigen::MatrixXd inertia = without_followers(t);
-  return eigenvalues(Lu(inertia).solve(stiffness)).real().minCoeff() > 0.0;
-}
-
-bool is_stable(const Reduction& reduction, const Equations& equations) {
-  if (!equations.input.values.empty()) return is_stable_floating(reduction, equations);
-  const auto s = as_eigen(equations.matrix);
-  const Eigen::MatrixXd symmetric = 0.5 * (s + s.transpose());
-  if (is_positive_definite(symmetric)) return true;
-  // An odd number of real eigenvalues on the wrong side shows in the determinant's sign.
-  if (Lu(s).negative_determinant()) return false;
-  Eigen::VectorXd inverse(s.rows());
-  for (Eigen::Index i = 0; i < s.rows(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    inverse(i) = reduction.is_amplifier(row) ? 1.0 / equations.total[row] : 1.0;
-  }
-  return eigenvalues(inverse.asDiagonal() * s).real().minCoeff() > 0.0;
 }
 
 Eigen::VectorXd outputs_of(const Reduction& reduction, const Equations& equations) {
@@ -177,7 +134,10 @@ double nearest_in(Series series, double ohm) {
   double best = 0.0;
   for (int place = near - 2; place <= near + 2; ++place) {  // E24 strays a place from its formula
     const int decade = place >= 0 ? place / count : -((count - 1 - place) / count);
-    const double value = preferred(place - decade * count, count) * std::pow(10.0, decade);
+    // As it is printed: a whole number of hundredths times or over a power of ten, both exact.
+    const double hundredths = std::round(100.0 * preferred(place - decade * count, count));
+    const double value = decade >= 2 ? hundredths * std::pow(10.0, decade - 2)
+                                     : hundredths / std::pow(10.0, 2 - decade);
     if (best == 0.0 || std::abs(std::log(value / ohm)) < std::abs(std::log(best / ohm)))
       best = value;
   }

@@ -243,7 +243,9 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   const Figures figures(figures_of(c));
   Page page{.missing = figures.missing(), .files = figures.data()};
   if (c.parts && c.parts->choice)
-    page.files.emplace_back("parts.csv", report::order_csv(*c.parts, c.circuit));
+    page.files.insert(page.files.end(), {{"parts.csv", report::order_csv(*c.parts)},
+                                         {"BOM.csv", report::bill_csv(*c.parts)},
+                                         {"board.kicad_pcb", report::board_text(*c.parts)}});
 
   std::string html = std::visit(
       [](const auto& scene) {
@@ -255,6 +257,7 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   html += element("p", in_words(c.recommendation));
   for (const CircuitRemark& remark : c.certificate().remarks)
     html += element("p", in_words(remark), "note");
+  if (c.curves) html += element("p", in_words(*c.curves), "note");
   if (!page.missing.empty()) html += element("p", page.missing, "note");
 
   html += "<div class=\"two top\">" + figures.html("pad") + "<div>" +
@@ -273,7 +276,7 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   if (!c.recommendation.candidates.empty()) html += html_table(cells(c.recommendation));
   if (c.parts)
     html += element("h3", "What to order") + html_table(cells(*c.parts)) +
-            element("p", in_words(*c.parts, c.circuit));
+            element("p", in_words(*c.parts));
   html += figures.html("parts");
   html += colophon("The scene, the files, the command",
                    std::visit([](const auto& scene) { return scene_html(scene); }, c.scene()),

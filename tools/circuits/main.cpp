@@ -82,9 +82,32 @@ the resistors' part is equipartition and holds for any D. More siemens lower it 
 order a resistor's relative error t moves the squared answer by v t^2/3, v from the inverse of the reduced equations, so the cheapest list falls apart
 into one choice a resistor once squared error has a price (Lagrange); that price is found by halving, what is left over is spent on coarser parts, and the dual
 says what no list can be cheaper than. 95 of 100 builds lie within 1.55 times the root mean square: measured, and checked by draws with the list
-itself. It does so for every realisation, leaves out those that are unstable with the scene's own op-amps, and writes `parts.csv`: value, tolerance,
-quantity and references of the cheapest. Typical prices: 0.002, 0.05, 0.12 and 1 for a resistor within 1, 0.1, 0.05 and 0.01 %, 2 for an op-amp with two
-outputs. The better parts stand where differences cancel: in the stabiliser at alpha = 1e-3, in K at 1e-5.
+itself. It does so for every realisation, and leaves out those that are unstable with the scene's own op-amps. Typical prices: 0.002, 0.05, 0.12 and 1
+for a resistor within 1, 0.1, 0.05 and 0.01 %, 2 for an op-amp with two outputs. The better parts stand where differences cancel: in the stabiliser at
+alpha = 1e-3, in K at 1e-5.
+
+*Loads*: what a part counts is the mean over five loads, the scene's contacts where they are and moved along the sensor by an eighth and a quarter of its
+length either way; a build's error is the root mean square over them.
+
+*Values* are of the scene's series, E96 where it names none. One part is within 1.5 % of any value, two in series or in parallel within 2e-4. An entry of
+K' becomes what that of K became, times their ratio: an error that both share only changes the model. Parts of better classes are pairs, and as
+many of the others, those that count most first, until values take a sixteenth of the squared error; the rest is left to tolerances.
+
+The folder then holds, of the cheapest circuit whose draws meet the target, `parts.csv` (value, tolerance, quantity, references: to order from), `BOM.csv`
+(a resistor a row, with the other one of its pair and how many there are of its value), and `board.kicad_pcb`, which KiCad from 6 on opens: footprints
+with values, tolerances and nets, resistors in the rows and columns of their entries, 0402 and, for better classes, 0603; op-amps as SO-8 with the usual
+pins; a pin for each current of a reading, each output and the supply. Nothing is routed; capacitors of the supply are yours to place. The deck of the same
+parts, with each tolerance as a comment, is `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`.
+
+## Other simulators
+
+`gen --dialect ltspice` or `xyce` writes what those read, and nothing that breaks their rules as documented: no `^`, which LTspice takes for an exclusive
+or; `noopac` for ngspice alone, elsewhere 1 milliohm in series with each inductor of `lc` and 1 teraohm from each output to ground; for Xyce `.print`, currents
+of devices in braces, packages of options, and `PARAMS:` before a sub-circuit's. Negative resistors are marked as untried. Neither simulator was at hand:
+ngspice reads the decks for LTspice to the same answer, and gnucap those of every realisation of resistors and op-amps.
+
+`gen --subcircuit NAME -o x.lib --symbol x.asy` writes the circuit without its sources: its pins are the nodes that currents of readings flow into
+(of `lattice` a pair for each reading), then the outputs, in a circuit of your own; the symbol is LTspice's.
 
 ## ideal
 
@@ -269,6 +292,9 @@ the curve has no quadratic term, and no slope below -g anywhere.
 
 **Convexity.** The network's potential, the sum of the integrals of each branch's current over its voltage, has a second derivative of at least
 P everywhere: strictly convex if P > 0. One operating point, approached from everywhere with capacitance at the nodes.
+
+Beyond the device's own volts there is no such answer: where the curves may change it by more than half of itself, `gen` and `relax` refuse, and `certify`
+warns, since what it says is of the linear circuit.
 
 The error grows as the square of node voltages over the device's own (`device_volts`):
 

@@ -8,6 +8,7 @@
 #include "tactile_net/lab/observer.hpp"
 #include "tactile_net/lab/parts_list.hpp"
 #include "tactile_net/lab/recommendation.hpp"
+#include "tactile_net/lab/relaxation.hpp"
 
 namespace tactile_net::lab {
 
@@ -17,6 +18,9 @@ struct Certification {
   std::optional<ToleranceResult> tolerance{};  ///< where the scene gives one, for a linear circuit
   Recommendation recommendation{};
   std::optional<PartsList> parts{};  ///< where an accuracy is asked for
+
+  /// Stability is of the linear circuit: where devices' curves leave no answer of it, why.
+  std::optional<Disagreement> curves{};
 
   [[nodiscard]] const AnyScene& scene() const noexcept { return circuit.scene(); }
   [[nodiscard]] const Certificate& certificate() const { return circuit.certificate(); }

@@ -4,43 +4,16 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/network/allocation.hpp"
+#include "tactile_net/network/part_values.hpp"
 
 namespace tactile_net::lab {
-
-struct PartsList {
-  struct Candidate {
-    Realization realization = Realization::lattice;
-    std::size_t opamps = 0;
-    bool stable = true;  ///< with the scene's own op-amps
-    Allocation list{};
-    double price = 0.0;  ///< of the list and the op-amps
-    /// Of draws with the list; infinite: more than 1 of 20 is unstable; absent: none was drawn,
-    /// since the circuit is unstable or no list meets the target.
-    std::optional<double> p95{};
-
-    [[nodiscard]] bool good() const noexcept { return stable && list.met && p95.has_value(); }
-  };
-  AllocationOptions wanted{};
-  double opamp_price = 2.0;  ///< of one, with two outputs; typical
-  std::vector<Candidate> candidates{};
-  std::optional<std::size_t> choice{};  ///< the cheapest whose draws meet the target; absent: none
-
-  [[nodiscard]] const Candidate& chosen() const { return candidates[*choice]; }
-};
-
-/// For the scene's own load, which decides how much a part counts: others of its kind differ by
-/// some per cent. Under the same conditions as a recommendation: complementary outputs, resistors
-/// of their nominal values.
-///
-/// @param target  95 of 100 builds err by at most this, > 0
-/// @throw std::invalid_argument  the target is out of range, or there is no load
-[[nodiscard]] PartsList parts_list(const SceneCircuit& circuit, double target);
 
 /// One line of an order.
 struct OrderedPart {
@@ -49,17 +22,62 @@ struct OrderedPart {
   std::vector<std::string> references{};
 };
 
-/// The chosen candidate's resistors, equal ones together, by tolerance and value. The circuit is
-/// built anew. @pre  there is a choice
-[[nodiscard]] std::vector<OrderedPart> order_of(const PartsList& list, const SceneCircuit& circuit);
-
 /// How many resistors of each part of the circuit are of each class: "K", "stabiliser", ...
 struct PartsOfArray {
   std::string array{};
   std::vector<std::size_t> counts{};
 };
-/// @pre  there is a choice
-[[nodiscard]] std::vector<PartsOfArray> by_array(const PartsList& list,
-                                                 const SceneCircuit& circuit);
+
+struct PartsList {
+  struct Candidate {
+    Realization realization = Realization::lattice;
+    std::size_t opamps = 0;
+    bool stable = true;     ///< with the scene's own op-amps
+    Allocation list{};      ///< what is left for errors of parts once their values are rounded
+    std::size_t pairs = 0;  ///< resistors that are two parts, the second of the same class
+    double resistors_price = 0.0;  ///< of the list with its pairs
+    double resistors_bound = 0.0;  ///< no list with these values is cheaper
+    double rounding = 0.0;         ///< what values of the series do to the answer, relative
+    double price = 0.0;            ///< of resistors and op-amps
+    /// Of draws with the list; infinite: more than 1 of 20 is unstable; absent: none was drawn,
+    /// since the circuit is unstable or no list meets the target.
+    std::optional<double> p95{};
+
+    [[nodiscard]] bool good() const noexcept { return stable && list.met && p95.has_value(); }
+  };
+
+  /// The chosen candidate as it is soldered.
+  struct Choice {
+    SolderedCircuit soldered{};
+    std::vector<OrderedPart> order{};    ///< equal ones together, by tolerance and value
+    std::vector<PartsOfArray> arrays{};  ///< of resistors as they are wanted, a pair counted once
+  };
+
+  AllocationOptions wanted{};
+  Series series = Series::e96;
+  std::size_t loads = 1;     ///< the scene's contacts at so many places
+  double opamp_price = 2.0;  ///< of one, with two outputs; typical
+  std::vector<Candidate> candidates{};
+  std::optional<std::size_t> chosen_at{};  ///< the cheapest whose draws meet the target
+  std::shared_ptr<const Choice> choice{};  ///< null: there is none
+
+  /// @pre  there is a choice
+  [[nodiscard]] const Candidate& chosen() const { return candidates[*chosen_at]; }
+};
+
+/// Values are of the scene's series, E96 where it names none: two parts where one would take more
+/// of the target than it may. How much a part counts is the mean over the scene's contacts where
+/// they are and moved along the sensor, and a build's error the root mean square over them. Under
+/// the same conditions as a recommendation: complementary outputs.
+///
+/// @param target  95 of 100 builds err by at most this, > 0
+/// @throw std::invalid_argument  the target is out of range, or there is no load
+[[nodiscard]] PartsList parts_list(const SceneCircuit& circuit, double target);
+
+/// The same of the scene's own realisation alone.
+///
+/// @throw std::invalid_argument  as above, or the realisation is not of resistors and op-amps with
+///                               complementary outputs
+[[nodiscard]] PartsList own_parts_list(const SceneCircuit& circuit, double target);
 
 }  // namespace tactile_net::lab

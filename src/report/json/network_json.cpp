@@ -107,7 +107,7 @@ Json transient_json(const Transient& transient) {
           {"ngspice_seconds", transient.seconds}};
 }
 
-Json parts_json(const lab::PartsList& list, const lab::SceneCircuit& circuit) {
+Json parts_json(const lab::PartsList& list) {
   Json classes = Json::array();
   for (const PartClass& one : list.wanted.classes)
     classes.push_back({{"tolerance", one.tolerance}, {"price", one.price}});
@@ -119,12 +119,16 @@ Json parts_json(const lab::PartsList& list, const lab::SceneCircuit& circuit) {
                           {"met", one.list.met},
                           {"counts", one.list.counts},
                           {"price", one.price},
-                          {"resistors_price", one.list.price},
-                          {"resistors_price_bound", one.list.price_bound},
+                          {"pairs", one.pairs},
+                          {"rounding", one.rounding},
+                          {"resistors_price", one.resistors_price},
+                          {"resistors_price_bound", one.resistors_bound},
                           {"p95_error", one.p95 ? finite_or_null(*one.p95) : Json(nullptr)}});
   return {{"target", list.wanted.target},
-          {"text", in_words(list, circuit)},
+          {"text", in_words(list)},
           {"opamp_price", list.opamp_price},
+          {"series", "E" + std::to_string(static_cast<int>(list.series))},
+          {"loads", list.loads},
           {"classes", classes},
           {"candidates", candidates},
           {"choice", list.choice ? Json(name(list.chosen().realization)) : Json(nullptr)}};
@@ -191,7 +195,8 @@ std::string certificate_json(const lab::Certification& c) {
     candidates.push_back(row);
   }
   json["recommendation"] = {{"text", in_words(c.recommendation)}, {"candidates", candidates}};
-  json["parts"] = c.parts ? parts_json(*c.parts, c.circuit) : Json(nullptr);
+  json["curves_warning"] = c.curves ? Json(in_words(*c.curves)) : Json(nullptr);
+  json["parts"] = c.parts ? parts_json(*c.parts) : Json(nullptr);
   return text_of(json);
 }
 

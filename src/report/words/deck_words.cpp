@@ -1,12 +1,16 @@
 #include "tactile_net/report/words/deck_words.hpp"
 
 #include <cmath>
+#include <optional>
+#include <span>
 #include <sstream>
 #include <utility>
 #include <variant>
 
+#include "tactile_net/network/dialect_deck.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/words/parts_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/system/printable.hpp"
@@ -71,10 +75,10 @@ std::vector<std::string> comments_of(const SkinScene& scene, const lab::SceneCir
           ", z = " + place(on.z(0), on.spacing_z, "c") + "."};
 }
 
-DeckHeader header_of(const lab::SceneCircuit& circuit) {
+DeckHeader header_of(const lab::SceneCircuit& circuit, Realization realization) {
   DeckHeader header{
       .title = "tactile-net " + std::string(version()) + ": " + printable(circuit.file()) +
-               ", realization " + std::string(name(circuit.options().realization)),
+               ", realization " + std::string(name(realization)),
       .comments = std::visit([&](const auto& scene) { return comments_of(scene, circuit); },
                              circuit.scene()),
       .expected = circuit.direct()};
@@ -83,31 +87,94 @@ DeckHeader header_of(const lab::SceneCircuit& circuit) {
   if (std::visit([](const auto& scene) { return scene.reconstruct.offset; }, circuit.scene()))
     header.comments.push_back(
         "Offsets are not known: of K and g each channel's constant is left out.");
-  if (const auto& ordered = circuit.ordered())
+  return header;
+}
+
+/// A circuit as it is written down: of exact values, of a series', or soldered.
+struct Written {
+  const Circuit& circuit;
+  DeckHeader header;
+  std::span<const SoldPart> parts{};
+};
+
+Written written(const lab::SceneCircuit& circuit) {
+  const auto& ordered = circuit.ordered();
+  DeckHeader header = header_of(circuit, circuit.options().realization);
+  if (ordered)
     header.comments.push_back(
         "Resistors: the nearest values of the series E" +
         std::to_string(static_cast<int>(ordered->series)) +
         (ordered->moved ? ", which moves the answer by " + percent(*ordered->moved) + "." : "."));
-  return header;
+  return {ordered ? ordered->circuit : circuit.network().circuit(), std::move(header), {}};
+}
+
+Written written(const lab::SceneCircuit& circuit, const lab::PartsList& list) {
+  const SolderedCircuit& soldered = list.choice->soldered;
+  DeckHeader header = header_of(circuit, list.chosen().realization);
+  header.comments.push_back(in_words(list));
+  return {soldered.circuit, std::move(header), soldered.parts};
+}
+
+/// How far the voltages may be off what is expected.
+/// @param moved  the answer by the parts' values, relative
+std::optional<double> bound(const lab::SceneCircuit& circuit, double moved) {
+  // Without a load the difference is not relative, but in volts.
+  const double unit = circuit.loaded() ? 1.0 : circuit.options().parts.scale.volts;
+  const double within =
+      (circuit.explained().total() + lab::ExplainedDifference::allowed(moved)) * unit;
+  if (!std::isfinite(within)) return std::nullopt;
+  return within;
 }
 
 }  // namespace
 
-std::string deck_text(const lab::SceneCircuit& circuit, tactile_net::Answer answer) {
-  DeckHeader header = header_of(circuit);
+std::string deck_text(const lab::SceneCircuit& circuit, tactile_net::Answer answer,
+                      Dialect dialect) {
+  Written deck = written(circuit);
   const auto& ordered = circuit.ordered();
-  if (answer == tactile_net::Answer::printed) {
-    // Without a load the difference is not relative, but in volts.
-    const double unit = circuit.loaded() ? 1.0 : circuit.options().parts.scale.volts;
-    double within = circuit.explained().total();
-    if (ordered) within += lab::ExplainedDifference::allowed(ordered->moved.value_or(0.0));
-    within *= unit;
-    if (std::isfinite(within)) header.within = within;
-  }
-  std::ostringstream deck;
-  write_deck(deck, ordered ? ordered->circuit : circuit.network().circuit(), header, answer,
-             circuit.analysis());
-  return std::move(deck).str();
+  if (answer == tactile_net::Answer::printed)
+    deck.header.within = bound(circuit, ordered ? ordered->moved.value_or(0.0) : 0.0);
+  std::ostringstream text;
+  write_deck(text, deck.circuit, deck.header, answer, circuit.analysis(),
+             {.dialect = dialect, .parts = deck.parts});
+  return std::move(text).str();
+}
+
+std::string deck_text(const lab::SceneCircuit& circuit, const lab::PartsList& list,
+                      Dialect dialect) {
+  Written deck = written(circuit, list);
+  // The rounding is of several loads: one of them may be off by its share of all.
+  deck.header.within =
+      bound(circuit, list.chosen().rounding * std::sqrt(static_cast<double>(list.loads)));
+  std::ostringstream text;
+  write_deck(text, deck.circuit, deck.header, tactile_net::Answer::printed, DirectCurrent{},
+             {.dialect = dialect, .parts = deck.parts});
+  return std::move(text).str();
+}
+
+namespace {
+
+Written written(const lab::SceneCircuit& circuit, const lab::PartsList* list) {
+  return list != nullptr ? written(circuit, *list) : written(circuit);
+}
+
+}  // namespace
+
+std::string subcircuit_text(const lab::SceneCircuit& circuit, const lab::PartsList* list,
+                            const std::string& name, Dialect dialect) {
+  Written deck = written(circuit, list);
+  deck.header.expected.clear();
+  std::ostringstream text;
+  write_subcircuit(text, deck.circuit, deck.header, name,
+                   {.dialect = dialect, .parts = deck.parts});
+  return std::move(text).str();
+}
+
+std::string symbol_text(const lab::SceneCircuit& circuit, const lab::PartsList* list,
+                        const std::string& name, const std::string& file) {
+  std::ostringstream text;
+  write_symbol(text, written(circuit, list).circuit, name, file);
+  return std::move(text).str();
 }
 
 }  // namespace tactile_net::report

@@ -1,7 +1,11 @@
 #include "tactile_net/report/words/parts_words.hpp"
 
 #include <cmath>
+#include <map>
+#include <sstream>
+#include <utility>
 
+#include "tactile_net/network/board.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 
@@ -20,18 +24,19 @@ std::vector<std::vector<std::string>> cells(const lab::PartsList& list) {
   std::vector<std::vector<std::string>> rows = {{"realisation", "op-amps"}};
   for (const PartClass& one : list.wanted.classes)
     rows[0].push_back("R of " + percent(one.tolerance));
-  for (const std::string head : {"price", "95 of 100 builds"}) rows[0].push_back(head);
+  for (const std::string head : {"in pairs", "price", "95 of 100 builds"}) rows[0].push_back(head);
   for (const auto& one : list.candidates) {
     std::vector<std::string>& row = rows.emplace_back();
     row = {std::string(name(one.realization)), std::to_string(one.opamps)};
     for (const std::size_t count : one.list.counts) row.push_back(std::to_string(count));
+    row.push_back(std::to_string(one.pairs));
     row.push_back(brief(one.price));
     row.push_back(drawn(one));
   }
   return rows;
 }
 
-std::string in_words(const lab::PartsList& list, const lab::SceneCircuit& circuit) {
+std::string in_words(const lab::PartsList& list) {
   const std::string target = percent(list.wanted.target);
   if (!list.choice)
     return "No list of parts of these classes keeps 95 of 100 builds within " + target +
@@ -39,25 +44,55 @@ std::string in_words(const lab::PartsList& list, const lab::SceneCircuit& circui
   const lab::PartsList::Candidate& chosen = list.chosen();
   std::string text =
       "For " + target + " in 95 of 100 builds: " + std::string(name(chosen.realization)) + ", " +
-      std::to_string(chosen.opamps) + " op-amps and resistors for " + brief(chosen.list.price) +
-      " (no list is below " + brief(chosen.list.price_bound) + ").";
+      std::to_string(chosen.opamps) + " op-amps and resistors for " +
+      brief(chosen.resistors_price) + " (no list is below " + brief(chosen.resistors_bound) + ").";
   std::vector<std::string> better;
-  for (const lab::PartsOfArray& array : by_array(list, circuit))
+  for (const lab::PartsOfArray& array : list.choice->arrays)
     for (std::size_t c = 1; c < array.counts.size(); ++c)
       if (array.counts[c] > 0)
         better.push_back(std::to_string(array.counts[c]) + " of " +
                          percent(list.wanted.classes[c].tolerance) + " in " + array.array);
   const std::string coarsest = percent(list.wanted.classes.front().tolerance);
-  if (better.empty()) return text + " All are of " + coarsest + ".";
-  return text + " All are of " + coarsest + " but " + join(better, ", ") + ".";
+  text += " All are of " + coarsest;
+  if (!better.empty()) text += " but " + join(better, ", ");
+  text += ". Values are of the series E" + std::to_string(static_cast<int>(list.series));
+  if (chosen.pairs > 0)
+    text += ", " + std::to_string(chosen.pairs) + " of them two parts in series or in parallel";
+  text += ", which moves the answer by " + percent(chosen.rounding);
+  if (list.loads > 1)
+    text += ". Root mean squares over the contacts at " + std::to_string(list.loads) + " places";
+  return text + ".";
 }
 
-std::string order_csv(const lab::PartsList& list, const lab::SceneCircuit& circuit) {
+std::string order_csv(const lab::PartsList& list) {
   std::string text = "ohm,tolerance,quantity,references\n";
-  for (const lab::OrderedPart& part : order_of(list, circuit))
+  for (const lab::OrderedPart& part : list.choice->order)
     text += shortest(part.ohm) + ',' + shortest(part.tolerance) + ',' +
             std::to_string(part.references.size()) + ',' + join(part.references, " ") + '\n';
   return text;
+}
+
+std::string bill_csv(const lab::PartsList& list) {
+  const SolderedCircuit& soldered = list.choice->soldered;
+  const std::vector<Resistor>& resistors = soldered.circuit.resistors;
+  std::map<std::pair<double, double>, std::size_t> quantities;
+  for (const lab::OrderedPart& part : list.choice->order)
+    quantities[{part.tolerance, part.ohm}] = part.references.size();
+  std::string text = "reference,ohm,tolerance,pair_partner,quantity_of_value\n";
+  for (std::size_t r = 0; r < resistors.size(); ++r) {
+    const auto& [ohm, tolerance] = soldered.parts[r];
+    const std::size_t partner = soldered.partner[r];
+    text += resistors[r].name + ',' + shortest(ohm) + ',' + shortest(tolerance) + ',' +
+            (partner == r ? "" : resistors[partner].name) + ',' +
+            std::to_string(quantities.at({tolerance, ohm})) + '\n';
+  }
+  return text;
+}
+
+std::string board_text(const lab::PartsList& list) {
+  std::ostringstream text;
+  write_kicad_board(text, board_of(list.choice->soldered));
+  return std::move(text).str();
 }
 
 }  // namespace tactile_net::report

@@ -157,6 +157,7 @@ void print_certificate(std::ostream& out, const lab::Certification& c) {
     indent = "  ";
   }
   for (const std::string& line : facts_in_words(c)) out << "  " << line << '\n';
+  if (c.curves) out << "  warning: " << in_words(*c.curves) << '\n';
   if (c.tolerance)
     for (const std::string& line : tolerance_in_words(c)) out << "  " << line << '\n';
   out << '\n';
@@ -165,7 +166,7 @@ void print_certificate(std::ostream& out, const lab::Certification& c) {
   if (!c.parts) return;
   out << '\n';
   print_cells(out, cells(*c.parts));
-  out << in_words(*c.parts, c.circuit) << '\n';
+  out << in_words(*c.parts) << '\n';
 }
 
 void print_deck_answer(std::ostream& out, const std::string& file,

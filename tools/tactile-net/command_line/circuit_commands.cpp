@@ -12,10 +12,26 @@ void add_gen(AllCommands& all) {
        .examples = {{"gen scenes/nic.toml -o nic.cir", "the circuit that the scene asks for"},
                     {"gen scenes/nic.toml --realization crossbar",
                      "another one, on standard "
-                     "output"}}});
+                     "output"},
+                    {"gen scenes/circuits/board.toml --budget 0.3% -o board.cir",
+                     "of parts that are sold, and how exact each must be"},
+                    {"gen scenes/nic.toml --subcircuit pad -o pad.lib --symbol pad.asy",
+                     "a sub-circuit with pins for the readings, and its symbol"}}});
   add_scene(command, options.scene);
-  command.add_option("-o,--output", options.output, output_file({"cir"}),
+  command.add_option("-o,--output", options.output, output_file({"cir", "lib"}),
                      "Deck (default: standard output)");
+  command.add_choice(
+      "--dialect", options.dialect, dialects,
+      "The simulator that is to read it; a deck that breaks its rules is not written");
+  command.add_option(
+      "--budget", options.budget, text("SHARE"),
+      "Of resistors that are sold, the cheapest with which 95 of 100 builds err by at "
+      "most this, such as 0.3%, each with its tolerance as a comment");
+  command.add_option("--subcircuit", options.subcircuit, text("NAME"),
+                     "In place of a deck a sub-circuit of that name: its pins are the nodes that "
+                     "readings' currents flow into, then the outputs");
+  command.add_option("--symbol", options.symbol, output_file({"asy"}),
+                     "Symbol of the sub-circuit for LTspice");
   add_network(command, options.network);
 }
 
@@ -49,16 +65,18 @@ void add_certify(AllCommands& all) {
        .examples = {{"certify scenes/circuits/crossbar.toml --out out",
                      "with poles, settling and builds as plots"},
                     {"certify scenes/circuits/board.toml --budget 0.3% --out out",
-                     "what to order for it, in out/parts.csv"},
+                     "what to order for it in out/parts.csv, and the board in out/board.kicad_pcb"},
                     {"certify scenes/nic.toml --realization crossbar --bandwidth 10e6",
                      "another circuit, of op-amps of 10 MHz"}}});
   add_scene(command, options.scene);
   add_results(command, options.results,
               "Folder for report.html, certificate.json and the plots' data (CSV)",
               "Write the certificate as JSON");
-  command.add_option("--budget", options.budget, text("SHARE"),
-                     "The cheapest resistors with which 95 of 100 builds err by at most this, such "
-                     "as 0.3%, for each realisation; with --out, parts.csv to order from");
+  command.add_option(
+      "--budget", options.budget, text("SHARE"),
+      "The cheapest resistors with which 95 of 100 builds err by at most this, such "
+      "as 0.3%, for each realisation; with --out, of the cheapest: parts.csv to order "
+      "from, BOM.csv, board.kicad_pcb");
   add_network(command, options.network);
 }
 

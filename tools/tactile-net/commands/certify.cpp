@@ -1,5 +1,6 @@
 #include "commands/certify.hpp"
 
+#include "commands/budget.hpp"
 #include "commands/input.hpp"
 #include "failure.hpp"
 #include "tactile_net/decks/deck_file.hpp"
@@ -15,12 +16,7 @@ void run(const CertifyOptions& options, const Streams& streams) {
   const AnyScene scene = read_circuit_scene(options.scene, options.network, streams);
   Results results(options.results, streams);
   Progress progress(streams);
-  std::optional<double> budget;
-  if (options.budget) {
-    budget = options.budget->value;
-    if (!(*budget > 0.0 && *budget < 1.0))
-      throw WrongUsage("--budget", "must be > 0 and below 1 (100 %), such as 0.3%");
-  }
+  const std::optional<double> budget = share_of(options.budget);
   const lab::Certification c = lab::certify(scene, progress, budget);
   results.write({.print = [&](std::ostream& out) { report::print_certificate(out, c); },
                  .json = [&] { return report::certificate_json(c); },

@@ -1,19 +1,53 @@
 #include "commands/gen.hpp"
 
+#include <filesystem>
+
+#include "commands/budget.hpp"
 #include "commands/input.hpp"
+#include "commands/results.hpp"
+#include "failure.hpp"
 #include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/frames/output_file.hpp"
-#include "tactile_net/lab/scene_circuit.hpp"
+#include "tactile_net/lab/beyond_curves.hpp"
+#include "tactile_net/lab/parts_list.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/report/words/deck_words.hpp"
+#include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/parts_words.hpp"
 
 namespace tactile_net::tool {
 
 void run(const GenOptions& options, const Streams& streams) {
   decks::refuse_deck(options.scene);
   const AnyScene scene = read_circuit_scene(options.scene, options.network, streams);
+  if (!options.symbol.empty() && options.subcircuit.empty())
+    throw WrongUsage("--symbol", "is of a sub-circuit: give it a name, --subcircuit NAME");
+  if (!options.symbol.empty() && (options.output.empty() || options.output == "-"))
+    throw WrongUsage("--symbol",
+                     "names the sub-circuit's file: say where it is, --output FILE.lib");
+  const std::optional<double> budget = share_of(options.budget);
   frames::OutputFile output(options.output, &streams.out);
-  output.stream() << report::deck_text(lab::simulated_circuit(scene), Answer::printed);
+  const auto symbol = output_if(options.symbol, streams);
+
+  const lab::SceneCircuit circuit = lab::simulated_circuit(scene);
+  if (const auto curves = lab::beyond_curves(circuit.explained()))
+    throw CheckFailed(report::in_words(*curves));
+  std::optional<lab::PartsList> list;
+  if (budget) {
+    list = lab::own_parts_list(circuit, *budget);
+    if (!list->choice) throw CheckFailed(report::in_words(*list));
+  }
+  const lab::PartsList* const parts = list ? &*list : nullptr;
+  if (!options.subcircuit.empty())
+    output.stream() << report::subcircuit_text(circuit, parts, options.subcircuit, options.dialect);
+  else if (parts != nullptr)
+    output.stream() << report::deck_text(circuit, *parts, options.dialect);
+  else
+    output.stream() << report::deck_text(circuit, Answer::printed, options.dialect);
+  if (symbol) {
+    const std::string file = std::filesystem::path(options.output).filename().string();
+    write(symbol.get(), report::symbol_text(circuit, parts, options.subcircuit, file));
+  }
   output.commit();
 }
 

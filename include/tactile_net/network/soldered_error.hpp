@@ -1,0 +1,62 @@
+/// @file
+/// What the parts of one circuit do to its answer under several loads: to first order, exactly, and
+/// by draws.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tactile_net/network/reduction.hpp"
+
+namespace tactile_net {
+
+/// Currents of a load [A], as `Equations::right_side`.
+using Load = std::vector<double>;
+
+/// Relative changes of resistors' conductances.
+struct ResistorChange {
+  std::size_t resistor = 0;
+  double relative = 0.0;
+};
+
+/// A network's nominal answers under several loads, and what leads to them. Errors are relative to
+/// each answer's 2-norm; of several loads they are root mean squares.
+class LoadedNetwork {
+ public:
+  /// The reduction must outlive the object.
+  ///
+  /// @throw std::invalid_argument  there is no load, or one has another size
+  /// @throw std::domain_error      the network has no unique answer, or it is 0 under a load
+  LoadedNetwork(const Reduction& reduction, std::span<const Load> loads);
+  LoadedNetwork(LoadedNetwork&&) noexcept;
+  ~LoadedNetwork();
+
+  /// For every resistor the square of the error per relative change of the resistor, to first
+  /// order: of one load `relative_sensitivities`, of several their mean.
+  [[nodiscard]] std::vector<double> sensitivities() const;
+
+  /// For each set of changes the square of the error that they make together, to first order.
+  [[nodiscard]] std::vector<double> squared_errors(
+      std::span<const std::vector<ResistorChange>> changes) const;
+
+  /// Of the network with other conductances [S]; infinite where they leave no answer.
+  [[nodiscard]] double error(std::span<const double> siemens) const;
+
+  /// Errors of builds, ascending: each resistor within its tolerance of what is printed on it,
+  /// drawn as `tactile_net::drawn` does; infinite: unstable.
+  ///
+  /// @param printed     [S], as `Reduction::siemens()`
+  /// @param tolerances  as many, > 0 and < 1
+  [[nodiscard]] std::vector<double> builds(std::span<const double> printed,
+                                           std::span<const double> tolerances, std::size_t count,
+                                           std::uint64_t seed) const;
+
+ private:
+  struct Solved;
+  std::unique_ptr<const Solved> solved_;
+};
+
+}  // namespace tactile_net

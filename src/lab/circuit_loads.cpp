@@ -1,0 +1,62 @@
+#include "lab/circuit_loads.hpp"
+
+#include <array>
+#include <utility>
+#include <variant>
+
+namespace tactile_net::lab {
+namespace {
+
+constexpr std::array shares = {-0.25, -0.125, 0.125, 0.25};  // of the sensor's length
+
+template <class... Each>
+struct Overloaded : Each... {
+  using Each::operator()...;
+};
+
+void move(Contact& contact, double by) {
+  std::visit(Overloaded{[&](RigidContact& one) { one.center += by; },
+                        [&](SampledTractions& one) { one.first += by; }},
+             contact);
+}
+
+void move(SkinLoad& load, double by) {
+  std::visit([&](auto& one) { one.y += by; }, load);
+}
+
+double length(const Scene& scene) {
+  const Surface on = surface(scene);
+  return on.spacing * static_cast<double>(on.count);
+}
+
+double length(const SkinScene& scene) {
+  const SkinGrid on = grid(scene);
+  return on.spacing_y * static_cast<double>(on.rows);
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const NetworkProblem>> circuit_loads(const SceneCircuit& circuit) {
+  const std::shared_ptr<const NetworkProblem>& own = circuit.network().shared_problem();
+  std::vector<std::shared_ptr<const NetworkProblem>> loads{own};
+  for (const double share : shares) {
+    const auto moved = [&](auto scene) -> AnyScene {
+      for (auto& contact : scene.contacts) move(contact, share * length(scene));
+      for (auto& trajectory : scene.trajectories) trajectory = {};
+      scene.reconstruct.alpha = circuit.alpha().value;
+      return scene;
+    };
+    const SceneCircuit other = simulated_circuit(std::visit(moved, circuit.scene()));
+    if (!other.loaded()) continue;
+    NetworkProblem problem = *own;  // all but the readings, also where weights are estimated
+    problem.readings = other.network().problem().readings;
+    problem.right_side.assign(problem.kernel.columns, 0.0);
+    for (std::size_t i = 0; i < problem.kernel.rows; ++i)
+      for (std::size_t j = 0; j < problem.kernel.columns; ++j)
+        problem.right_side[j] += problem.kernel(i, j) * problem.readings[i];
+    loads.push_back(std::make_shared<const NetworkProblem>(std::move(problem)));
+  }
+  return loads;
+}
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,234 @@
+#include "tactile_net/network/board.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "tactile_net/network/arrays.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr double margin = 5.0;  // [mm], between blocks and to the edge
+
+/// The room that a resistor takes, and its pads.
+struct Chip {
+  const char* library;
+  double width, height;  // of its courtyard and what is left between two
+  double pad_x, pad_width, pad_height;
+};
+constexpr Chip chip_0402{"Resistor_SMD:R_0402_1005Metric", 2.2, 1.1, 0.51, 0.54, 0.64};
+constexpr Chip chip_0603{"Resistor_SMD:R_0603_1608Metric", 3.2, 1.7, 0.825, 0.8, 0.95};
+
+/// What pins of an SO-8 are for: a pin of the deck's amplifier, or of the supply.
+enum class Pin { plus, minus, out, inverse, ground, positive, negative, none };
+constexpr std::array one_output = {Pin::none, Pin::minus, Pin::plus,     Pin::negative,
+                                   Pin::none, Pin::out,   Pin::positive, Pin::none};
+constexpr std::array two_outputs = {Pin::minus,   Pin::ground,   Pin::positive, Pin::out,
+                                    Pin::inverse, Pin::negative, Pin::none,     Pin::plus};
+constexpr double so8_width = 8.0;
+constexpr double so8_height = 6.5;
+constexpr double header_pitch = 2.54;
+
+std::string in_ohm(double ohm) {
+  constexpr std::array<std::pair<double, const char*>, 4> units = {
+      {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, ""}}};
+  for (const auto& [unit, letter] : units)
+    if (ohm >= unit) {
+      // Three or four digits: what dividing adds beyond them is no part of the value.
+      double value = 0.0;
+      (void)read_number(shortest(std::round(ohm / unit * 1e6) / 1e6), value);
+      return shortest(value) + letter;
+    }
+  return shortest(ohm);
+}
+
+/// Puts footprints on the board, block under block.
+class Layout {
+ public:
+  explicit Layout(const SolderedCircuit& soldered)
+      : soldered_(soldered), circuit_(soldered.circuit) {
+    if (!circuit_.inductors.empty() || !circuit_.devices.empty())
+      throw std::invalid_argument("a board is of resistors and op-amps alone");
+    if (soldered.parts.size() != circuit_.resistors.size())
+      throw std::invalid_argument("a board needs a value and a tolerance of every resistor");
+    board_.nets = {"", "GND"};
+    board_.nets.insert(board_.nets.end(), circuit_.nodes.begin() + 1, circuit_.nodes.end());
+    positive_ = board_.nets.size();
+    board_.nets.insert(board_.nets.end(), {"VCC", "VEE"});
+    for (const SoldPart& part : soldered.parts) coarsest_ = std::max(coarsest_, part.tolerance);
+    pitch_ = chip_0402.width;
+    for (const SoldPart& part : soldered.parts) pitch_ = std::max(pitch_, chip(part).width);
+  }
+
+  Board board() && {
+    std::vector<std::size_t> entries;
+    std::vector<std::size_t> stabiliser;
+    for (std::size_t r = 0; r < circuit_.resistors.size(); ++r) {
+      const bool apart = place_of(circuit_.resistors[r].name).array == Array::stabiliser;
+      (apart ? stabiliser : entries).push_back(r);
+    }
+    add_grid(entries, false);
+    add_grid(stabiliser, true);
+    board_.width = std::max(board_.width, 100.0);
+    add_amplifiers();
+    add_pins();
+    return std::move(board_);
+  }
+
+ private:
+  [[nodiscard]] static std::size_t net(Node node) { return node + 1; }
+  [[nodiscard]] const Chip& chip(const SoldPart& part) const {
+    return part.tolerance < coarsest_ ? chip_0603 : chip_0402;
+  }
+
+  /// Resistors in the cells of their entries, one above the other.
+  /// @param packed  cells of a column move up, since most of a band's rows are empty
+  void add_grid(const std::vector<std::size_t>& resistors, bool packed) {
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> cells;
+    for (const std::size_t r : resistors) {
+      const ResistorPlace place = place_of(circuit_.resistors[r].name);
+      cells[{packed ? 0 : place.row, place.column}].push_back(r);
+    }
+    std::map<std::size_t, double> heights;  // of rows
+    for (const auto& [cell, list] : cells) {
+      double height = 0.0;
+      for (const std::size_t r : list) height += chip(soldered_.parts[r]).height;
+      heights[cell.first] = std::max(heights[cell.first], height);
+    }
+    std::map<std::size_t, double> tops;
+    for (const auto& [row, height] : heights) {
+      tops[row] = below_;
+      below_ += height + 0.4;
+    }
+    for (const auto& [cell, list] : cells) {
+      double y = tops[cell.first];
+      for (const std::size_t r : list) {
+        const double height = chip(soldered_.parts[r]).height;
+        add_resistor(r, margin + pitch_ * (static_cast<double>(cell.second) + 0.5),
+                     y + 0.5 * height);
+        y += height;
+      }
+      board_.width =
+          std::max(board_.width, 2.0 * margin + pitch_ * static_cast<double>(cell.second + 1));
+    }
+    if (!resistors.empty()) below_ += margin;
+  }
+
+  void add_resistor(std::size_t r, double x, double y) {
+    const Resistor& one = circuit_.resistors[r];
+    const SoldPart& part = soldered_.parts[r];
+    const Chip& kind = chip(part);
+    board_.footprints.push_back(
+        {.library = kind.library,
+         .reference = one.name,
+         .value = in_ohm(part.ohm),
+         .tolerance = percent(part.tolerance),
+         .x = x,
+         .y = y,
+         .pads = {{"1", -kind.pad_x, 0.0, kind.pad_width, kind.pad_height, net(one.from)},
+                  {"2", kind.pad_x, 0.0, kind.pad_width, kind.pad_height, net(one.to)}}});
+  }
+
+  /// The next place of a row of equal parts, and another row where it is full.
+  struct Row {
+    double width, height;
+    std::size_t count = 0;
+  };
+  std::pair<double, double> next(Row& row) const {
+    const double wide = std::max(1.0, std::floor((board_.width - 2.0 * margin) / row.width));
+    const auto in_row = static_cast<std::size_t>(wide);
+    const double x = margin + row.width * (static_cast<double>(row.count % in_row) + 0.5);
+    const double y = below_ + row.height * (static_cast<double>(row.count / in_row) + 0.5);
+    ++row.count;
+    return {x, y};
+  }
+  void end(const Row& row) {
+    if (row.count == 0) return;
+    Row last = row;
+    --last.count;
+    below_ = next(last).second + 0.5 * row.height + margin;
+  }
+
+  void add_amplifiers() {
+    Row row{so8_width, so8_height};
+    for (const Instance& x : circuit_.instances) {
+      const AmplifierModel* const model = amplifier(circuit_, x.subcircuit);
+      if (model == nullptr)
+        throw std::invalid_argument("element " + x.name + ": a board has no sub-circuits");
+      const auto& pins = model->outputs == Outputs::complementary ? two_outputs : one_output;
+      Footprint so8{.library = "Package_SO:SOIC-8_3.9x4.9mm_P1.27mm",
+                    .reference = x.name,
+                    .value = x.subcircuit};
+      std::tie(so8.x, so8.y) = next(row);
+      for (std::size_t k = 0; k < pins.size(); ++k) {
+        const bool left = k < 4;
+        const double along = static_cast<double>(left ? k : 7 - k);
+        so8.pads.push_back({std::to_string(k + 1), left ? -2.475 : 2.475, 1.27 * (along - 1.5),
+                            1.95, 0.6, net_of(pins[k], x)});
+      }
+      board_.footprints.push_back(std::move(so8));
+    }
+    end(row);
+  }
+
+  [[nodiscard]] std::size_t net_of(Pin pin, const Instance& x) const {
+    switch (pin) {
+      case Pin::plus:
+        return net(x.pins[0]);
+      case Pin::minus:
+        return net(x.pins[1]);
+      case Pin::out:
+        return net(x.pins[2]);
+      case Pin::inverse:
+        return net(x.pins[3]);
+      case Pin::ground:
+        return net(0);
+      case Pin::positive:
+        return positive_;
+      case Pin::negative:
+        return positive_ + 1;
+      case Pin::none:
+        break;
+    }
+    return 0;
+  }
+
+  void add_pins() {
+    Row row{header_pitch, header_pitch};
+    const auto add = [&](const std::string& reference, const std::string& value, std::size_t at) {
+      Footprint pin{.library = "Connector_PinHeader_2.54mm:PinHeader_1x01_P2.54mm_Vertical",
+                    .reference = reference,
+                    .value = value,
+                    .pads = {{"1", 0.0, 0.0, 1.7, 1.7, at, true}}};
+      std::tie(pin.x, pin.y) = next(row);
+      board_.footprints.push_back(std::move(pin));
+    };
+    for (const CurrentSource& one : circuit_.sources) add("J" + one.name, "reading", net(one.into));
+    for (const Node node : circuit_.outputs) add("J" + circuit_.nodes[node], "output", net(node));
+    add("JGND", "supply", net(0));
+    add("JVCC", "supply", positive_);
+    add("JVEE", "supply", positive_ + 1);
+    end(row);
+    board_.height = below_;
+  }
+
+  const SolderedCircuit& soldered_;
+  const Circuit& circuit_;
+  Board board_;
+  std::size_t positive_ = 0;  // net of VCC; VEE follows
+  double coarsest_ = 0.0;
+  double pitch_ = 0.0;     // of columns
+  double below_ = margin;  // where the next block begins
+};
+
+}  // namespace
+
+Board board_of(const SolderedCircuit& soldered) { return Layout(soldered).board(); }
+
+}  // namespace tactile_net

@@ -1,0 +1,85 @@
+#include <cmath>
+#include <ostream>
+#include <string>
+
+#include "tactile_net/network/board.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+
+namespace tactile_net {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char one : text) {
+    if (one == '"' || one == '\\') result += '\\';
+    result += one;
+  }
+  return result + '"';
+}
+
+/// KiCad counts nanometres.
+std::string millimetres(double value) { return shortest(std::round(value * 1e6) / 1e6 + 0.0); }
+
+std::string at(double x, double y) { return "(at " + millimetres(x) + ' ' + millimetres(y) + ')'; }
+
+constexpr const char* layers = R"(  (layers
+    (0 "F.Cu" signal)
+    (31 "B.Cu" signal)
+    (34 "B.Paste" user)
+    (35 "F.Paste" user)
+    (36 "B.SilkS" user "B.Silkscreen")
+    (37 "F.SilkS" user "F.Silkscreen")
+    (38 "B.Mask" user)
+    (39 "F.Mask" user)
+    (44 "Edge.Cuts" user)
+    (46 "B.CrtYd" user "B.Courtyard")
+    (47 "F.CrtYd" user "F.Courtyard")
+    (48 "B.Fab" user)
+    (49 "F.Fab" user)
+  )
+)";
+
+std::string text_of(const char* kind, const std::string& text, double y) {
+  return std::string("    (fp_text ") + kind + ' ' + quoted(text) + ' ' + at(0.0, y) +
+         " (layer \"F.Fab\") (effects (font (size 0.3 0.3) (thickness 0.05))))\n";
+}
+
+std::string text_of(const BoardPad& pad, const Board& board) {
+  std::string text = "    (pad " + quoted(pad.name);
+  text += pad.drilled ? " thru_hole rect " : " smd roundrect ";
+  text += at(pad.x, pad.y) + " (size " + millimetres(pad.width) + ' ' + millimetres(pad.height);
+  text += pad.drilled ? ") (drill 1) (layers \"*.Cu\" \"*.Mask\")"
+                      : ") (layers \"F.Cu\" \"F.Paste\" \"F.Mask\") (roundrect_rratio 0.25)";
+  if (pad.net != 0)
+    text += " (net " + std::to_string(pad.net) + ' ' + quoted(board.nets[pad.net]) + ')';
+  return text + ")\n";
+}
+
+}  // namespace
+
+void write_kicad_board(std::ostream& out, const Board& board) {
+  std::string text = "(kicad_pcb (version 20211014) (generator tactile-net)\n";
+  // A user's sheet: larger than any that has a name.
+  text += "  (general (thickness 1.6))\n  (paper \"User\" " + millimetres(board.width + 40.0) +
+          ' ' + millimetres(board.height + 40.0) + ")\n";
+  text += layers;
+  text += "  (setup (pad_to_mask_clearance 0))\n";
+  for (std::size_t net = 0; net < board.nets.size(); ++net)
+    text += "  (net " + std::to_string(net) + ' ' + quoted(board.nets[net]) + ")\n";
+  for (const Footprint& one : board.footprints) {
+    text += "  (footprint " + quoted(one.library) + " (layer \"F.Cu\") " +
+            at(one.x + 20.0, one.y + 20.0) + '\n';
+    if (!one.tolerance.empty())
+      text += "    (property \"Tolerance\" " + quoted(one.tolerance) + ")\n";
+    text += one.pads.front().drilled ? "    (attr through_hole)\n" : "    (attr smd)\n";
+    text += text_of("reference", one.reference, -0.2) + text_of("value", one.value, 0.2);
+    for (const BoardPad& pad : one.pads) text += text_of(pad, board);
+    text += "  )\n";
+  }
+  text += "  (gr_rect (start 20 20) (end " + millimetres(board.width + 20.0) + ' ' +
+          millimetres(board.height + 20.0) +
+          ") (layer \"Edge.Cuts\") (width 0.1) (fill none))\n)\n";
+  out << text;
+}
+
+}  // namespace tactile_net

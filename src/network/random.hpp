@@ -1,0 +1,25 @@
+/// @file
+/// Random numbers that are functions of a seed, a trial and a place alone. Private.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace tactile_net {
+
+/// Steele, Lea and Flood 2014 (SplitMix64): one independent number per counter.
+[[nodiscard]] inline std::uint64_t mixed(std::uint64_t x) noexcept {
+  x += 0x9e3779b97f4a7c15ULL;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+/// Uniform in -1 ... 1.
+[[nodiscard]] inline double uniform(std::uint64_t seed, std::uint64_t trial,
+                                    std::uint64_t place) noexcept {
+  const std::uint64_t bits = mixed(mixed(mixed(seed) ^ trial) ^ place);
+  return std::ldexp(static_cast<double>(bits >> 11), -52) - 1.0;
+}
+
+}  // namespace tactile_net

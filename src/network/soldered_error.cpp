@@ -1,0 +1,127 @@
+#include "tactile_net/network/soldered_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "network/draw_stability.hpp"
+#include "network/random.hpp"
+#include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
+
+namespace tactile_net {
+namespace {
+
+Eigen::MatrixXd right_sides(const Reduction& reduction, std::span<const Load> loads) {
+  if (loads.empty()) throw std::invalid_argument("a loaded network needs a load");
+  Eigen::MatrixXd all(static_cast<Eigen::Index>(reduction.rows()),
+                      static_cast<Eigen::Index>(loads.size()));
+  for (std::size_t load = 0; load < loads.size(); ++load) {
+    if (loads[load].size() != reduction.rows())
+      throw std::invalid_argument("a load needs a current for each of the network's equations");
+    all.col(static_cast<Eigen::Index>(load)) = as_eigen(std::span(loads[load]));
+  }
+  return all;
+}
+
+}  // namespace
+
+struct LoadedNetwork::Solved {
+  Solved(const Reduction& network, std::span<const Load> loads)
+      : reduction(network),
+        right(right_sides(network, loads)),
+        lu(as_eigen(network.equations().matrix)),
+        unknowns(lu.solve(right)),
+        outputs(unknowns.topRows(static_cast<Eigen::Index>(network.outputs()))),
+        sizes(outputs.colwise().norm()) {
+    if (!unknowns.allFinite()) throw std::domain_error("the network has no unique answer");
+    if (!(sizes.minCoeff() > 0.0))
+      throw std::domain_error("without an answer there is nothing to err from");
+  }
+
+  /// Of changes d(S z - h) made from the resistors', a row each.
+  [[nodiscard]] std::vector<double> squares(
+      std::size_t count,
+      const std::function<Eigen::MatrixXd(const Eigen::Map<const RowMajor>&)>& changes) const {
+    const Eigen::MatrixXd to_outputs = lu.inverse().topRows(outputs.rows()).transpose();
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count));
+    for (Eigen::Index load = 0; load < unknowns.cols(); ++load) {
+      const Eigen::VectorXd z = unknowns.col(load);
+      const Matrix each = reduction.sensitivities({z.data(), static_cast<std::size_t>(z.size())});
+      sum += (changes(as_eigen(each)) * to_outputs).rowwise().squaredNorm() /
+             (sizes(load) * sizes(load));
+    }
+    sum /= static_cast<double>(unknowns.cols());
+    return {sum.begin(), sum.end()};
+  }
+
+  /// @param equations  of other conductances
+  [[nodiscard]] double error(const Equations& equations) const {
+    const Eigen::MatrixXd z = Lu(as_eigen(equations.matrix)).solve(right);
+    const Eigen::MatrixXd off = z.topRows(outputs.rows()) - outputs;
+    const double square = (off.colwise().norm().array() / sizes.array()).square().mean();
+    return std::isfinite(square) ? std::sqrt(square) : std::numeric_limits<double>::infinity();
+  }
+
+  const Reduction& reduction;
+  Eigen::MatrixXd right;
+  Lu lu;
+  Eigen::MatrixXd unknowns;
+  Eigen::MatrixXd outputs;
+  Eigen::RowVectorXd sizes;
+};
+
+LoadedNetwork::LoadedNetwork(const Reduction& reduction, std::span<const Load> loads)
+    : solved_(std::make_unique<const Solved>(reduction, loads)) {}
+LoadedNetwork::LoadedNetwork(LoadedNetwork&&) noexcept = default;
+LoadedNetwork::~LoadedNetwork() = default;
+
+std::vector<double> LoadedNetwork::sensitivities() const {
+  return solved_->squares(solved_->reduction.resistors().size(),
+                          [](const auto& each) -> Eigen::MatrixXd { return each; });
+}
+
+std::vector<double> LoadedNetwork::squared_errors(
+    std::span<const std::vector<ResistorChange>> changes) const {
+  return solved_->squares(changes.size(), [&](const auto& each) -> Eigen::MatrixXd {
+    Eigen::MatrixXd sums =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(changes.size()), each.cols());
+    for (std::size_t c = 0; c < changes.size(); ++c)
+      for (const ResistorChange& one : changes[c])
+        sums.row(static_cast<Eigen::Index>(c)) +=
+            one.relative * each.row(static_cast<Eigen::Index>(one.resistor));
+    return sums;
+  });
+}
+
+double LoadedNetwork::error(std::span<const double> siemens) const {
+  Equations equations;
+  solved_->reduction.assemble(siemens, equations);
+  return solved_->error(equations);
+}
+
+std::vector<double> LoadedNetwork::builds(std::span<const double> printed,
+                                          std::span<const double> tolerances, std::size_t count,
+                                          std::uint64_t seed) const {
+  const std::size_t resistors = solved_->reduction.resistors().size();
+  if (printed.size() != resistors || tolerances.size() != resistors)
+    throw std::invalid_argument("builds need a conductance and a tolerance a resistor");
+  std::vector<double> errors;
+  std::vector<double> siemens(resistors);
+  Equations equations;
+  for (std::size_t build = 0; build < count; ++build) {
+    for (std::size_t r = 0; r < resistors; ++r)
+      siemens[r] = printed[r] / (1.0 + tolerances[r] * uniform(seed, build, r));
+    solved_->reduction.assemble(siemens, equations);
+    errors.push_back(is_stable(solved_->reduction, equations)
+                         ? solved_->error(equations)
+                         : std::numeric_limits<double>::infinity());
+  }
+  std::sort(errors.begin(), errors.end());
+  return errors;
+}
+
+}  // namespace tactile_net

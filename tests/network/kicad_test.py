@@ -1,0 +1,66 @@
+"""KiCad's own Python loads the board that `certify --budget` writes, and finds the deck's nets on its pads.
+
+usage: kicad_test.py COMMAND PYTHON SCENE
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+PADS = """
+import json, sys
+import pcbnew
+board = pcbnew.LoadBoard(sys.argv[1])
+pads = [[f.GetReference(), p.GetNumber(), p.GetNetname()] for f in board.GetFootprints() for p in f.Pads()]
+print(json.dumps({"nets": board.GetNetCount(), "pads": pads}))
+"""
+
+
+def nets_of(deck):
+    """Ends of every resistor of a deck without sub-circuits of its own but amplifiers."""
+    ends = {}
+    inside = False
+    for line in deck.splitlines()[1:]:
+        words = line.split(";")[0].split()
+        if not words or line.startswith("*"):
+            continue
+        if words[0] in (".subckt", ".ends"):
+            inside = words[0] == ".subckt"
+        elif not inside and words[0][0] == "R":
+            ends[words[0]] = tuple("GND" if node == "0" else node for node in words[1:3])
+    return ends
+
+
+def main(command, python, scene):
+    if subprocess.run([python, "-c", "import pcbnew"], capture_output=True).returncode != 0:
+        print("skipped: apt-get install kicad, whose Python module is pcbnew")
+        return 0
+    import json
+
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / "out"
+        run = lambda *words: subprocess.run([command, *words], check=True, capture_output=True, text=True).stdout
+        run("certify", scene, "--budget", "1%", "--out", str(out))
+        chosen = json.loads((out / "certificate.json").read_text())["parts"]["choice"]
+        expected = nets_of(run("gen", scene, "--budget", "1%", "--realization", chosen))
+        text = subprocess.run(
+            [python, "-c", PADS, str(out / "board.kicad_pcb")], check=True, capture_output=True, text=True
+        ).stdout
+        found = json.loads(text.splitlines()[-1])
+        pads = {}
+        for reference, number, net in found["pads"]:
+            pads.setdefault(reference, {})[number] = net
+        assert expected, "the deck has no resistors"
+        for name, (first, second) in expected.items():
+            assert pads[name] == {"1": first, "2": second}, (name, pads.get(name), first, second)
+        resistors = [name for name in pads if name.startswith("R")]
+        assert len(resistors) == len(expected), (len(resistors), len(expected))
+        names = {net for one in pads.values() for net in one.values()}
+        assert found["nets"] == len(names | {""}), (found["nets"], len(names))
+        print(f"{len(expected)} resistors, {found['nets']} nets of {chosen}: as in the deck")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
