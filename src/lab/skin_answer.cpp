@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lab/skin_method.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/lab/skin_data_verdict.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
@@ -15,20 +16,6 @@
 
 namespace tactile_net::lab {
 namespace {
-
-/// |W (K f - g)|
-double residual_of(const SkinProblem& problem, std::span<const double> readings,
-                   std::span<const double> tractions) {
-  const std::vector<double> explained = weighted(problem, readings);
-  double size = 0.0;
-  for (std::size_t i = 0; i < explained.size(); ++i) {
-    if (problem.weights[i] == 0.0) continue;
-    const std::span<const double> row = problem.kernel.row(i);
-    size = std::hypot(size,
-                      std::inner_product(row.begin(), row.end(), tractions.begin(), -explained[i]));
-  }
-  return size;
-}
 
 ChosenAlpha alpha_of(const SkinSceneProblem& problem, const FilterFrame& frame,
                      const SkinAlphaChooser& choose) {
@@ -69,25 +56,25 @@ remark::OffsetsFound with_names(std::span<const double> offsets, const SkinArray
   return found;
 }
 
-void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame,
-           std::span<const double> readings) {
-  const double left = residual_of(problem.problem(), readings, answer.tractions);
+void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
+           const FilterFrame& frame, std::span<const double> readings) {
+  const double left = method.residual(readings, answer.tractions);
   answer.noise =
       estimate_noise(left, frame.rows, answer.degrees_of_freedom, problem.stated_noise());
   double all = 0.0;  // without tractions
-  for (const double reading : weighted(problem.problem(), readings)) all = std::hypot(all, reading);
+  for (const double reading : weighted(problem.layout(), readings)) all = std::hypot(all, reading);
   if (all > 0.0 && left > 0.5 * all) {
     if (answer.verdict == Verdict::ok) answer.verdict = Verdict::oversmoothed;
     answer.remarks.emplace_back(remark::Unexplained{left / all});
   }
-  const double rounding =
-      rounding_bound(frame, answer.alpha.value, problem.family().condition(answer.alpha.value),
-                     problem.tractions());
+  const double rounding = rounding_bound(frame, answer.alpha.value,
+                                         method.condition(answer.alpha.value), problem.tractions());
   if (!(rounding <= 1e-3)) {
     if (answer.verdict == Verdict::ok) answer.verdict = Verdict::ill_conditioned;
     answer.remarks.emplace_back(remark::Rounding{rounding});
   }
-  answer.offsets = offsets(problem.problem(), readings, answer.tractions);
+  if (!problem.is_large())  // of which they are known
+    answer.offsets = offsets(problem.problem(), readings, answer.tractions);
   if (!answer.offsets.empty())
     answer.remarks.emplace_back(with_names(answer.offsets, problem.scene().sensor));
   if (answer.noise.model_rms > 0.0)
@@ -133,7 +120,7 @@ double smoothed_variance(const SkinSceneProblem& problem, double degrees_of_free
   const double depth = least_depth(skin);
   const double y = is_even(skin) && skin.rows == 1 ? depth : skin.pitch_y;
   const double z = is_even(skin) && skin.columns == 1 ? depth : skin.pitch_z;
-  const auto components = static_cast<double>(problem.problem().components);
+  const auto components = static_cast<double>(problem.layout().components);
   const double each = degrees_of_freedom / components / static_cast<double>(taxel_count(skin));
   return y * z / std::max(each, 1e-3) / 12.0;
 }
@@ -184,8 +171,9 @@ void widen_centre(UncertainWrench& wrench, const SkinGrid& grid, std::span<const
 /// hold what the constraints have moved.
 ///
 /// @param face  what constraints leave free; absent: there are none, or they leave nothing
-void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame,
-               const std::optional<SkinFamily>& face, std::span<const double> readings) {
+void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
+               const FilterFrame& frame, const std::optional<SkinFamily>& face,
+               std::span<const double> readings) {
   const SkinGrid& grid = problem.grid();
   const double alpha = answer.alpha.value;
   // An error of the model counts for noise.
@@ -193,7 +181,8 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   const AlphaRule rule = problem.alpha_rule();
   const double prior =
       prior_of(frame, problem.alpha_tables(frame), rule, alpha, problem.stated_noise()).alpha;
-  const SkinCovariance own(problem.family(), alpha, prior);
+  const std::unique_ptr<const Covariance> free = method.covariance(alpha, prior);
+  const Covariance& own = *free;
   answer.deviations = own.deviations();
   for (double& deviation : answer.deviations) deviation *= rms;
 
@@ -207,14 +196,17 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
     touching = of_face->deviations();
     for (double& deviation : touching) deviation *= rms;
   }
-  const Covariance& covariance = of_face ? *of_face : own;
+  const Covariance& covariance = of_face ? static_cast<const Covariance&>(*of_face) : own;
   const std::span<const double> f = answer.tractions;
   // Under constraints the cells around a contact hold what noise pushes there, and nothing pulls.
   const double rim = (face ? 0.5 : 1.0) * least_depth(problem.scene().sensor);
   answer.cells = contact_cells(grid, f, touching, rim);
-  std::vector<std::size_t> summed(grid.count());
-  std::iota(summed.begin(), summed.end(), std::size_t{0});
-  answer.wrench = resultant_of(grid, f, summed, covariance, rms);
+  std::vector<std::size_t> summed;
+  if (answer.cells.empty()) {
+    summed.resize(grid.count());
+    std::iota(summed.begin(), summed.end(), std::size_t{0});
+    answer.wrench = resultant_of(grid, f, summed, covariance, rms);
+  }
   if (answer.cells.empty() && is_certain(answer.wrench.normal)) {
     scale_to_peak(touching, f.first(grid.count()));
     answer.cells = contact_cells(grid, f, touching, rim);
@@ -228,11 +220,12 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   answer.unseen = unseen_share(f, answer.cells, problem.unseen());
   const bool seen = answer.unseen <= most_unseen;
   // Where no taxel sees, what constraints hold is not certain either.
-  const SkinCovariance of_contact(problem.family(), alpha,
-                                  contact_prior(prior, answer.cells.size(), grid.count(), seen));
+  const std::unique_ptr<const Covariance> contact =
+      method.covariance(alpha, contact_prior(prior, answer.cells.size(), grid.count(), seen));
+  const Covariance& of_contact = *contact;
   // Nor where offsets are free: what they take the constraints give back, all of it to one side;
   // nor between taxels that lie far apart, where they decide how much presses.
-  const bool held = seen && !problem.problem().unknown_offsets &&
+  const bool held = seen && !problem.layout().unknown_offsets &&
                     pitch_in_depths(problem.scene().sensor) <= far_apart;
   const Covariance& known = of_face && held ? covariance : of_contact;
   answer.wrench = resultant_of(grid, f, answer.cells, known, rms);
@@ -244,7 +237,7 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   answer.ellipse = contact_ellipse(grid, f, apart.front(), known, rms);
   if (!answer.ellipse) return;
   // Of tractions without constraints: these change little of what the readings tell of a size.
-  const double variance = smoothed_variance(problem, problem.family().degrees_of_freedom(alpha));
+  const double variance = smoothed_variance(problem, method.degrees_of_freedom(alpha));
   answer.ellipse->radius = without_smoothing(answer.ellipse->radius, variance);
   answer.ellipse->second_radius = without_smoothing(answer.ellipse->second_radius, variance);
 }
@@ -266,7 +259,7 @@ void take_from_beyond(SkinAnswer& answer, SkinAnswer beyond) {
 bool strongest_at_edge(const SkinSceneProblem& problem, std::span<const double> readings,
                        double noise) {
   constexpr double deviations = 4.0;  // of the largest of many honest readings
-  const SkinProblem& solved = problem.problem();
+  const SkinProblem& solved = problem.layout();
   std::size_t strongest = 0;
   double most = 0.0;
   for (std::size_t i = 0; i < readings.size(); ++i)
@@ -313,15 +306,15 @@ SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double
     answer.remarks.emplace_back(remark::EstimatedWeight{weight});
     return answer;
   }
-  const FilterFrame frame = problem.family().analyse(readings);
+  const std::unique_ptr<const SkinMethod> method = method_of(problem);
+  const FilterFrame frame = method->analyse(readings);
   SkinAnswer answer{.alpha = alpha_of(problem, frame, choose)};
   answer.verdict = verdict_of(answer.alpha.verdict);
-  answer.condition = problem.family().stacked_condition(answer.alpha.value);
-  require_full_rank(problem.family().condition(answer.alpha.value),
-                    problem.problem().kernel.rows + problem.tractions());
+  answer.condition = method->stacked_condition(answer.alpha.value);
+  require_full_rank(method->condition(answer.alpha.value), readings.size() + problem.tractions());
   std::optional<SkinFamily> face;
   if (problem.constraints()) {
-    answer.cone = problem.cone(answer.alpha.value).solve(readings);
+    answer.cone = method->solve_in_cones(readings, answer.alpha.value);
     if (answer.cone->status != FrameStatus::ok) throw FrameOverflow();
     answer.tractions = answer.cone->tractions;
     if (answer.cone->verdict == ConstrainedVerdict::iteration_limit) {
@@ -329,18 +322,31 @@ SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double
       answer.remarks.emplace_back(remark::IterationLimit{answer.cone->iterations});
     }
     if (!answer.cone->face.free.empty()) face.emplace(problem.problem(), answer.cone->face);
-    answer.degrees_of_freedom = face ? face->degrees_of_freedom(answer.alpha.value) : 0.0;
+    // Of a large skin those without constraints, which are more.
+    answer.degrees_of_freedom = face ? face->degrees_of_freedom(answer.alpha.value)
+                                : problem.is_large()
+                                    ? method->degrees_of_freedom(answer.alpha.value)
+                                    : 0.0;
   } else {
-    answer.tractions = problem.family().solve(frame, answer.alpha.value);
-    answer.degrees_of_freedom = problem.family().degrees_of_freedom(answer.alpha.value);
+    answer.tractions = method->solve(frame, readings, answer.alpha.value);
+    if (const auto reached = method->convergence()) {
+      const double off = std::min(reached->bound, reached->estimate);
+      answer.iteration = {.steps = reached->steps, .estimate = off};
+      if (!reached->converged) {
+        answer.verdict = Verdict::iteration_limit;
+        answer.remarks.emplace_back(remark::NotConverged{reached->steps, off});
+      }
+    }
+    answer.degrees_of_freedom = method->degrees_of_freedom(answer.alpha.value);
   }
   if (!std::all_of(answer.tractions.begin(), answer.tractions.end(),
                    [](double f) { return std::isfinite(f); }))
     throw FrameOverflow();
-  judge(answer, problem, frame, readings);
+  if (problem.is_large() && !answer.iteration) answer.iteration.emplace();
+  judge(answer, problem, *method, frame, readings);
   answer.data = data_verdict(problem, readings, answer.tractions);
   if (!answer.data.consistent()) answer.remarks.emplace_back(remark::DataDoubted{answer.data});
-  add_bands(answer, problem, frame, face, readings);
+  add_bands(answer, problem, *method, frame, face, readings);
   if (answer.unseen > most_unseen && !problem.scene().reconstruct.grid.margin)
     take_from_beyond(answer, solve_as_read(problem.reaching_beyond(), readings, {}));
   judge_force(answer, problem, readings);
@@ -365,9 +371,9 @@ std::span<const double> component(std::span<const double> values, const SkinGrid
 SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
                  const SkinAlphaChooser& choose) {
   const SkinScene& scene = problem.scene();
-  if (readings.size() != problem.problem().sites.size())
+  if (readings.size() != problem.layout().sites.size())
     return solve_as_read(problem, readings, choose);  // which refuses them
-  const ClippedTaxels clipped = clipped_taxels(scene, signal_readings(problem.problem()), readings);
+  const ClippedTaxels clipped = clipped_taxels(scene, signal_readings(problem.layout()), readings);
   if (clipped.taxels.empty()) return solve_as_read(problem, readings, choose);
   std::vector<std::size_t> dead = scene.dead_taxels;
   dead.insert(dead.end(), clipped.taxels.begin(), clipped.taxels.end());

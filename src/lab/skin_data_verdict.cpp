@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/skin_method.hpp"
+
 namespace tactile_net::lab {
 namespace {
 
@@ -31,7 +33,7 @@ DataLimits data_limits(const SkinSceneProblem& problem) {
 }
 
 double largest_force(const SkinSceneProblem& problem, std::span<const double> readings) {
-  const SkinProblem& solved = problem.problem();
+  const SkinProblem& solved = problem.layout();
   const DataLimits limits = data_limits(problem);
   double strain = 0.0;
   for (std::size_t i = 0; i < readings.size(); ++i)
@@ -59,7 +61,7 @@ SkinDataJudge data_judge(const SkinSceneProblem& problem) {
 
 DataVerdict data_verdict(const SkinSceneProblem& problem, std::span<const double> readings,
                          std::span<const double> tractions) {
-  return problem.data_judge().judge(readings, tractions);
+  return method_of(problem)->judge(readings, tractions);
 }
 
 }  // namespace tactile_net::lab

@@ -102,6 +102,15 @@ std::shared_ptr<LargeSkinSystem> make_large_skin_system(const SkinArray& skin,
 
 const SkinProblem& problem_of(const LargeSkinSystem& system) noexcept { return system.problem; }
 
+std::shared_ptr<LargeSkinSystem> without_taxels(const LargeSkinSystem& system,
+                                                const std::vector<std::size_t>& taxels) {
+  auto rest = std::make_shared<LargeSkinSystem>(system);
+  for (std::size_t i = 0; i < rest->problem.sites.size(); ++i)
+    if (std::find(taxels.begin(), taxels.end(), rest->problem.sites[i].taxel) != taxels.end())
+      rest->problem.weights[i] = 0.0;
+  return rest;
+}
+
 std::vector<double> weighted_product(LargeSkinSystem& system, std::span<const double> tractions) {
   std::vector<double> readings(system.readings());
   system.weighted_readings(tractions, readings);

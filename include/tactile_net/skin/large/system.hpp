@@ -32,6 +32,11 @@ struct LargeSkinSystem;
 /// All but the kernel, which is empty.
 [[nodiscard]] const SkinProblem& problem_of(const LargeSkinSystem& system) noexcept;
 
+/// The same where these taxels are dead too.
+/// @pre  they are taxels of the skin
+[[nodiscard]] std::shared_ptr<LargeSkinSystem> without_taxels(
+    const LargeSkinSystem& system, const std::vector<std::size_t>& taxels);
+
 /// W K f. @pre  there is one value per traction
 [[nodiscard]] std::vector<double> weighted_product(LargeSkinSystem& system,
                                                    std::span<const double> tractions);
