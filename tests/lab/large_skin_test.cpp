@@ -228,9 +228,9 @@ TEST_CASE("what takes more memory than is left is refused before it is taken",
           "[lab][skin][large]") {
   const SkinArray sensor = skin("", "rows = 400\ncolumns = 400").sensor;
   const Material silicone{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
-  CHECK_THROWS_WITH(lab::LargeSkin(sensor, silicone, {}, {}, 1e9),
+  CHECK_THROWS_WITH(lab::LargeSkin(sensor, silicone, {}, {}, 5e8),
                     ContainsSubstring("489648 unknown tractions take about") &&
-                        ContainsSubstring("1.0 GB are left") &&
+                        ContainsSubstring("0.5 GB are left") &&
                         ContainsSubstring("larger spacing"));
 }
 
