@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lab/skin_bands.hpp"
+#include "lab/skin_method.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/lab/skin_data_verdict.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
@@ -15,20 +16,6 @@
 
 namespace tactile_net::lab {
 namespace {
-
-/// |W (K f - g)|
-double residual_of(const SkinProblem& problem, std::span<const double> readings,
-                   std::span<const double> tractions) {
-  const std::vector<double> explained = weighted(problem, readings);
-  double size = 0.0;
-  for (std::size_t i = 0; i < explained.size(); ++i) {
-    if (problem.weights[i] == 0.0) continue;
-    const std::span<const double> row = problem.kernel.row(i);
-    size = std::hypot(size,
-                      std::inner_product(row.begin(), row.end(), tractions.begin(), -explained[i]));
-  }
-  return size;
-}
 
 ChosenAlpha alpha_of(const SkinSceneProblem& problem, const FilterFrame& frame,
                      const SkinAlphaChooser& choose) {
@@ -69,25 +56,25 @@ remark::OffsetsFound with_names(std::span<const double> offsets, const SkinArray
   return found;
 }
 
-void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame,
-           std::span<const double> readings) {
-  const double left = residual_of(problem.problem(), readings, answer.tractions);
+void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
+           const FilterFrame& frame, std::span<const double> readings) {
+  const double left = method.residual(readings, answer.tractions);
   answer.noise =
       estimate_noise(left, frame.rows, answer.degrees_of_freedom, problem.stated_noise());
   double all = 0.0;  // without tractions
-  for (const double reading : weighted(problem.problem(), readings)) all = std::hypot(all, reading);
+  for (const double reading : weighted(problem.layout(), readings)) all = std::hypot(all, reading);
   if (all > 0.0 && left > 0.5 * all) {
     if (answer.verdict == Verdict::ok) answer.verdict = Verdict::oversmoothed;
     answer.remarks.emplace_back(remark::Unexplained{left / all});
   }
-  const double rounding =
-      rounding_bound(frame, answer.alpha.value, problem.family().condition(answer.alpha.value),
-                     problem.tractions());
+  const double rounding = rounding_bound(frame, answer.alpha.value,
+                                         method.condition(answer.alpha.value), problem.tractions());
   if (!(rounding <= 1e-3)) {
     if (answer.verdict == Verdict::ok) answer.verdict = Verdict::ill_conditioned;
     answer.remarks.emplace_back(remark::Rounding{rounding});
   }
-  answer.offsets = offsets(problem.problem(), readings, answer.tractions);
+  if (!problem.is_large())  // of which they are known
+    answer.offsets = offsets(problem.problem(), readings, answer.tractions);
   if (!answer.offsets.empty())
     answer.remarks.emplace_back(with_names(answer.offsets, problem.scene().sensor));
   if (answer.noise.model_rms > 0.0)
@@ -112,7 +99,7 @@ void take_from_beyond(SkinAnswer& answer, SkinAnswer beyond) {
 bool strongest_at_edge(const SkinSceneProblem& problem, std::span<const double> readings,
                        double noise) {
   constexpr double deviations = 4.0;  // of the largest of many honest readings
-  const SkinProblem& solved = problem.problem();
+  const SkinProblem& solved = problem.layout();
   const std::vector<double> seen = weighted(solved, readings);
   std::size_t strongest = 0;
   double most = 0.0;
@@ -163,15 +150,15 @@ SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double
     answer.remarks.emplace_back(remark::EstimatedWeight{weight});
     return answer;
   }
-  const FilterFrame frame = problem.family().analyse(readings);
+  const std::unique_ptr<const SkinMethod> method = method_of(problem);
+  const FilterFrame frame = method->analyse(readings);
   SkinAnswer answer{.alpha = alpha_of(problem, frame, choose)};
   answer.verdict = verdict_of(answer.alpha.verdict);
-  answer.condition = problem.family().stacked_condition(answer.alpha.value);
-  require_full_rank(problem.family().condition(answer.alpha.value),
-                    problem.problem().kernel.rows + problem.tractions());
+  answer.condition = method->stacked_condition(answer.alpha.value);
+  require_full_rank(method->condition(answer.alpha.value), readings.size() + problem.tractions());
   std::optional<SkinFamily> face;
   if (problem.constraints()) {
-    answer.cone = problem.cone(answer.alpha.value).solve(readings);
+    answer.cone = method->solve_in_cones(readings, answer.alpha.value);
     if (answer.cone->status != FrameStatus::ok) throw FrameOverflow();
     answer.tractions = answer.cone->tractions;
     if (answer.cone->verdict == ConstrainedVerdict::iteration_limit) {
@@ -179,18 +166,31 @@ SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double
       answer.remarks.emplace_back(remark::IterationLimit{answer.cone->iterations});
     }
     if (!answer.cone->face.free.empty()) face.emplace(problem.problem(), answer.cone->face);
-    answer.degrees_of_freedom = face ? face->degrees_of_freedom(answer.alpha.value) : 0.0;
+    // Of a large skin those without constraints, which are more.
+    answer.degrees_of_freedom = face ? face->degrees_of_freedom(answer.alpha.value)
+                                : problem.is_large()
+                                    ? method->degrees_of_freedom(answer.alpha.value)
+                                    : 0.0;
   } else {
-    answer.tractions = problem.family().solve(frame, answer.alpha.value);
-    answer.degrees_of_freedom = problem.family().degrees_of_freedom(answer.alpha.value);
+    answer.tractions = method->solve(frame, readings, answer.alpha.value);
+    if (const auto reached = method->convergence()) {
+      const double off = std::min(reached->bound, reached->estimate);
+      answer.iteration = {.steps = reached->steps, .estimate = off};
+      if (!reached->converged) {
+        answer.verdict = Verdict::iteration_limit;
+        answer.remarks.emplace_back(remark::NotConverged{reached->steps, off});
+      }
+    }
+    answer.degrees_of_freedom = method->degrees_of_freedom(answer.alpha.value);
   }
   if (!std::all_of(answer.tractions.begin(), answer.tractions.end(),
                    [](double f) { return std::isfinite(f); }))
     throw FrameOverflow();
-  judge(answer, problem, frame, readings);
+  if (problem.is_large() && !answer.iteration) answer.iteration.emplace();
+  judge(answer, problem, *method, frame, readings);
   answer.data = data_verdict(problem, readings, answer.tractions);
   if (!answer.data.consistent()) answer.remarks.emplace_back(remark::DataDoubted{answer.data});
-  add_bands(answer, problem, frame, face, readings);
+  add_bands(answer, problem, *method, frame, face, readings);
   if (answer.unseen > most_unseen && !problem.scene().reconstruct.grid.margin)
     take_from_beyond(answer, solve_as_read(problem.reaching_beyond(), readings, {}));
   judge_force(answer, problem, readings);
@@ -215,9 +215,9 @@ std::span<const double> component(std::span<const double> values, const SkinGrid
 SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
                  const SkinAlphaChooser& choose) {
   const SkinScene& scene = problem.scene();
-  if (readings.size() != problem.problem().sites.size())
+  if (readings.size() != problem.layout().sites.size())
     return solve_as_read(problem, readings, choose);  // which refuses them
-  const ClippedTaxels clipped = clipped_taxels(scene, signal_readings(problem.problem()), readings);
+  const ClippedTaxels clipped = clipped_taxels(scene, signal_readings(problem.layout()), readings);
   if (clipped.taxels.empty()) return solve_as_read(problem, readings, choose);
   std::vector<std::size_t> dead = scene.dead_taxels;
   dead.insert(dead.end(), clipped.taxels.begin(), clipped.taxels.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numeric>
 #include <vector>
 
@@ -50,7 +51,7 @@ double smoothed_variance(const SkinSceneProblem& problem, double degrees_of_free
   const double depth = least_depth(skin);
   const double y = is_even(skin) && skin.rows == 1 ? depth : skin.pitch_y;
   const double z = is_even(skin) && skin.columns == 1 ? depth : skin.pitch_z;
-  const auto components = static_cast<double>(problem.problem().components);
+  const auto components = static_cast<double>(problem.layout().components);
   const double each = degrees_of_freedom / components / static_cast<double>(taxel_count(skin));
   return y * z / std::max(each, 1e-3) / 12.0;
 }
@@ -92,7 +93,7 @@ struct Pushed {
 /// added: what cells that touch nothing hold of it is no contact's, and is taken away.
 Pushed pushed_in(const SkinSceneProblem& problem, std::span<const double> tractions,
                  std::span<const std::size_t> cells) {
-  if (!problem.problem().unknown_offsets) return {};
+  if (!problem.layout().unknown_offsets) return {};
   const double each = pushed_by_noise(tractions, cells, problem.unseen());
   return {each, 0.5 * each * problem.grid().area() * static_cast<double>(cells.size())};
 }
@@ -151,8 +152,9 @@ double pitch_in_depths(const SkinArray& skin) {
   return std::max(y, z) / least_depth(skin);
 }
 
-void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame,
-               const std::optional<SkinFamily>& face, std::span<const double> readings) {
+void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
+               const FilterFrame& frame, const std::optional<SkinFamily>& face,
+               std::span<const double> readings) {
   const SkinGrid& grid = problem.grid();
   const double alpha = answer.alpha.value;
   // An error of the model counts for noise.
@@ -160,7 +162,8 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   const AlphaRule rule = problem.alpha_rule();
   const double prior =
       prior_of(frame, problem.alpha_tables(frame), rule, alpha, problem.stated_noise()).alpha;
-  const SkinCovariance own(problem.family(), alpha, prior);
+  const std::unique_ptr<const Covariance> free = method.covariance(alpha, prior);
+  const Covariance& own = *free;
   answer.deviations = own.deviations();
   for (double& deviation : answer.deviations) deviation *= rms;
 
@@ -177,14 +180,17 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
     touching = of_face->deviations();
     for (double& deviation : touching) deviation *= rms;
   }
-  const Covariance& covariance = of_face ? *of_face : own;
+  const Covariance& covariance = of_face ? static_cast<const Covariance&>(*of_face) : own;
   const std::span<const double> f = answer.tractions;
   // Under constraints the cells around a contact hold what noise pushes there, and nothing pulls.
   const double rim = (face ? 0.5 : 1.0) * least_depth(problem.scene().sensor);
   answer.cells = contact_cells(grid, f, touching, rim);
-  std::vector<std::size_t> summed(grid.count());
-  std::iota(summed.begin(), summed.end(), std::size_t{0});
-  answer.wrench = resultant_of(grid, f, summed, covariance, rms);
+  std::vector<std::size_t> summed;
+  if (answer.cells.empty()) {
+    summed.resize(grid.count());
+    std::iota(summed.begin(), summed.end(), std::size_t{0});
+    answer.wrench = resultant_of(grid, f, summed, covariance, rms);
+  }
   if (answer.cells.empty() && is_certain(answer.wrench.normal)) {
     scale_to_peak(touching, f.first(grid.count()));
     answer.cells = contact_cells(grid, f, touching, rim);
@@ -198,8 +204,9 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   answer.unseen = unseen_share(f, answer.cells, problem.unseen());
   const bool seen = answer.unseen <= most_unseen;
   // Where no taxel sees, what constraints hold is not certain either.
-  const SkinCovariance of_contact(problem.family(), alpha,
-                                  contact_prior(prior, answer.cells.size(), grid.count(), seen));
+  const std::unique_ptr<const Covariance> of_support =
+      method.covariance(alpha, contact_prior(prior, answer.cells.size(), grid.count(), seen));
+  const Covariance& of_contact = *of_support;
   // Nor between taxels that lie far apart, where they decide how much presses.
   const bool held = seen && pitch_in_depths(problem.scene().sensor) <= far_apart;
   // Friction's limit holds a contact together; where nothing but pulling is forbidden its rim is
@@ -208,7 +215,9 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   if (face && held && !problem.constraints()->friction_limit)
     of_rim.emplace(
         covariance_on(SkinFamily(problem.problem(), with_cells_beside(answer.cone->face, grid))));
-  const Covariance& known = of_rim ? *of_rim : of_face && held ? covariance : of_contact;
+  const Covariance& known = of_rim            ? static_cast<const Covariance&>(*of_rim)
+                            : of_face && held ? covariance
+                                              : of_contact;
   std::vector<double> contact(f.begin(), f.end());
   const Pushed pushed = face ? pushed_in(problem, f, answer.cells) : Pushed{};
   for (const std::size_t cell : answer.cells) contact[cell] -= pushed.taken;
@@ -222,7 +231,7 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const Filter
   answer.ellipse = contact_ellipse(grid, contact, apart.front(), known, rms);
   if (!answer.ellipse) return;
   // Of tractions without constraints: these change little of what the readings tell of a size.
-  const double variance = smoothed_variance(problem, problem.family().degrees_of_freedom(alpha));
+  const double variance = smoothed_variance(problem, method.degrees_of_freedom(alpha));
   answer.ellipse->radius = without_smoothing(answer.ellipse->radius, variance);
   answer.ellipse->second_radius = without_smoothing(answer.ellipse->second_radius, variance);
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "lab/skin_method.hpp"
 #include "tactile_net/lab/skin_answer.hpp"
 
 namespace tactile_net::lab {
@@ -14,8 +15,9 @@ namespace tactile_net::lab {
 /// hold what the constraints have moved.
 ///
 /// @param face  what constraints leave free; absent: there are none, or they leave nothing
-void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const FilterFrame& frame,
-               const std::optional<SkinFamily>& face, std::span<const double> readings);
+void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
+               const FilterFrame& frame, const std::optional<SkinFamily>& face,
+               std::span<const double> readings);
 
 /// How far apart a skin's taxels lie, in depths.
 [[nodiscard]] double pitch_in_depths(const SkinArray& skin);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "lab/skin_method.hpp"
+
 namespace tactile_net::lab {
 namespace {
 
@@ -35,15 +37,15 @@ std::vector<double> without_offsets(const SkinSceneProblem& problem,
                                     std::span<const double> readings,
                                     std::span<const double> tractions) {
   std::vector<double> rest(readings.begin(), readings.end());
+  if (!problem.layout().unknown_offsets) return rest;
   const std::vector<double> found = offsets(problem.problem(), readings, tractions);
-  if (found.empty()) return rest;
   for (std::size_t i = 0; i < rest.size(); ++i)
     rest[i] -= found[problem.problem().sites[i].channel];
   return rest;
 }
 
 double largest_force(const SkinSceneProblem& problem, std::span<const double> readings) {
-  const SkinProblem& solved = problem.problem();
+  const SkinProblem& solved = problem.layout();
   const DataLimits limits = data_limits(problem);
   double strain = 0.0;
   for (std::size_t i = 0; i < readings.size(); ++i)
@@ -71,7 +73,7 @@ SkinDataJudge data_judge(const SkinSceneProblem& problem) {
 
 DataVerdict data_verdict(const SkinSceneProblem& problem, std::span<const double> readings,
                          std::span<const double> tractions) {
-  return problem.data_judge().judge(without_offsets(problem, readings, tractions), tractions);
+  return method_of(problem)->judge(readings, tractions);
 }
 
 }  // namespace tactile_net::lab

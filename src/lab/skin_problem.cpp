@@ -2,14 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "lab/large_skin.hpp"
 #include "lab/pattern_cache.hpp"
+#include "lab/skin_crop.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/lab/skin_data_verdict.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
+#include "tactile_net/scene/skin_size.hpp"
 #include "tactile_net/skin/tangential_weight.hpp"
+#include "tactile_net/system/memory.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -37,6 +43,15 @@ SkinProblemOptions options_of(const SkinScene& scene) {
   return options;
 }
 
+/// A scene without a grid is refused where one is asked for.
+bool is_too_large(const SkinScene& scene, std::size_t most_dense) noexcept {
+  try {
+    return components(scene) * grid(scene).count() > most_dense;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 std::optional<Constraints> constraints_of(const SkinReconstructOptions& options) {
   if (!options.nonnegative && !options.friction_limit) return std::nullopt;
   return Constraints{.nonnegative = true, .friction_limit = options.friction_limit};
@@ -45,13 +60,19 @@ std::optional<Constraints> constraints_of(const SkinReconstructOptions& options)
 }  // namespace
 
 struct SkinSceneProblem::Parts {
-  explicit Parts(SkinScene given)
-      : scene(std::move(given)), constraints(constraints_of(scene.reconstruct)) {}
+  Parts(SkinScene given, std::size_t most)
+      : scene(std::move(given)),
+        most_dense(most),
+        is_large(is_too_large(scene, most)),
+        constraints(constraints_of(scene.reconstruct)) {}
 
   SkinScene scene;
+  std::size_t most_dense;
+  bool is_large;
   std::optional<Constraints> constraints;
   std::optional<SkinProblem> problem{};
   std::optional<SkinFamily> family{};
+  std::unique_ptr<LargeSkin> large{};
   std::optional<AlphaTables> alpha_tables{};
   std::optional<std::pair<double, SkinCone>> cone{};  // of its alpha
   std::optional<SkinDataJudge> data_judge{};
@@ -62,16 +83,43 @@ struct SkinSceneProblem::Parts {
 };
 
 SkinSceneProblem::SkinSceneProblem(SkinScene scene)
-    : parts_(std::make_shared<Parts>(std::move(scene))) {}
+    : SkinSceneProblem(std::move(scene), most_skin_tractions) {}
+SkinSceneProblem::SkinSceneProblem(SkinScene scene, std::size_t most_dense)
+    : parts_(std::make_shared<Parts>(std::move(scene), most_dense)) {}
 
 const SkinScene& SkinSceneProblem::scene() const noexcept { return parts_->scene; }
+bool SkinSceneProblem::is_large() const noexcept { return parts_->is_large; }
 
 SkinProblemOptions SkinSceneProblem::options() const { return options_of(parts_->scene); }
 
 const SkinProblem& SkinSceneProblem::problem() const {
+  if (is_large())
+    throw std::invalid_argument(
+        "the skin has more than " + std::to_string(most_skin_tractions) +
+        " unknown tractions, and this needs a matrix of them: run and solve take it, or choose a "
+        "larger spacing or a smaller margin");
   if (!parts_->problem)
     parts_->problem = make_problem(parts_->scene.sensor, parts_->scene.material, options());
   return *parts_->problem;
+}
+
+const SkinProblem& SkinSceneProblem::layout() const {
+  return is_large() ? large().problem() : problem();
+}
+
+LargeSkin& SkinSceneProblem::large() const {
+  if (!parts_->large)
+    parts_->large = std::make_unique<LargeSkin>(parts_->scene.sensor, parts_->scene.material,
+                                                options_of(parts_->scene), data_limits(*this),
+                                                available_memory());
+  return *parts_->large;
+}
+
+void SkinSceneProblem::prepare() const {
+  if (is_large())
+    (void)large().family();
+  else
+    (void)family();
 }
 
 const SkinFamily& SkinSceneProblem::family() const {
@@ -80,7 +128,8 @@ const SkinFamily& SkinSceneProblem::family() const {
 }
 
 const AlphaTables& SkinSceneProblem::alpha_tables(const FilterFrame& frame) const {
-  if (!parts_->alpha_tables) parts_->alpha_tables.emplace(frame.gamma, frame.rows, frame.shares);
+  if (is_large() || !parts_->alpha_tables)
+    parts_->alpha_tables.emplace(frame.gamma, frame.rows, frame.shares);
   return *parts_->alpha_tables;
 }
 
@@ -108,7 +157,8 @@ AlphaRule SkinSceneProblem::alpha_rule() const {
 
 ChosenAlpha SkinSceneProblem::alpha(std::span<const double> readings) const {
   if (const auto& given = parts_->scene.reconstruct.alpha) return {.value = *given};
-  const FilterFrame frame = family().analyse(readings);
+  const FilterFrame frame =
+      is_large() ? large().family().analyse(readings) : family().analyse(readings);
   const AlphaChoice choice = choose_alone(frame, alpha_tables(frame), alpha_rule(), stated_noise());
   return {.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
 }
@@ -122,7 +172,8 @@ SkinSceneProblem SkinSceneProblem::weighed(double tangential_weight) const {
   return (*parts_->weighed)(tangential_weight, [&] {
     SkinScene scene = parts_->scene;
     scene.reconstruct.tangential_weight = tangential_weight;
-    auto made = std::make_unique<SkinSceneProblem>(std::move(scene));
+    auto made = std::make_unique<SkinSceneProblem>(std::move(scene), parts_->most_dense);
+    if (is_large()) return made;
     made->parts_->problem = problem();  // kernels take longest, of layers above all
     made->parts_->problem->tangential_weight = tangential_weight;
     return made;
@@ -130,6 +181,10 @@ SkinSceneProblem SkinSceneProblem::weighed(double tangential_weight) const {
 }
 
 double SkinSceneProblem::likeliest_weight(std::span<const double> readings) const {
+  if (is_large()) {
+    const SkinCrop crop = strongest_part(*this, readings);
+    return SkinSceneProblem(crop.scene).likeliest_weight(crop.readings);
+  }
   return likeliest_tangential_weight([&](double weight) {
     const SkinSceneProblem one = weighed(weight);
     const FilterFrame frame = one.family().analyse(readings);
@@ -139,6 +194,10 @@ double SkinSceneProblem::likeliest_weight(std::span<const double> readings) cons
 }
 
 std::size_t SkinSceneProblem::bytes() const {
+  if (is_large())
+    return static_cast<std::size_t>(large_skin_bytes(layout().grid.count(), layout().components,
+                                                     channel_count(scene().sensor),
+                                                     layout().sites.size()));
   constexpr std::size_t matrices = 4;             // K twice, and its decomposition
   constexpr std::size_t numbers_of_rules = 1000;  // AlphaTables, per traction or reading
   const std::size_t rows = problem().kernel.rows;
@@ -167,7 +226,7 @@ const SkinSceneProblem& SkinSceneProblem::reaching_beyond() const {
   if (!parts_->beyond) {
     SkinScene scene = parts_->scene;
     scene.reconstruct.grid.margin = 2.0 * least_depth(scene.sensor);
-    parts_->beyond.emplace(std::move(scene));
+    parts_->beyond.emplace(std::move(scene), parts_->most_dense);
   }
   return *parts_->beyond;
 }
@@ -185,8 +244,9 @@ SkinSceneProblem SkinSceneProblem::without(std::span<const std::size_t> taxels) 
       scene.dead_taxels.begin(), scene.dead_taxels.end(),
       [&](std::size_t taxel) { return std::find(dead.begin(), dead.end(), taxel) != dead.end(); });
   scene.dead_taxels = dead;
-  SkinSceneProblem rest(std::move(scene));
-  if (!more_are_dead || !is_measured(rest.scene().sensor, dead, rest.scene().reconstruct.offset))
+  SkinSceneProblem rest(std::move(scene), parts_->most_dense);
+  if (is_large() || !more_are_dead ||
+      !is_measured(rest.scene().sensor, dead, rest.scene().reconstruct.offset))
     return rest;
   // Kernels take longest, of layers above all.
   rest.parts_->problem = problem();

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "lab/pattern_cache.hpp"
 #include "tactile_net/inverse/shared_alpha.hpp"
+#include "tactile_net/scene/skin_size.hpp"
 
 namespace tactile_net::lab {
-namespace {}  // namespace
-
 struct SkinRecordingSolver::Parts {
   Parts(SkinSceneProblem given, RecordingSolverOptions asked)
       : problem(std::move(given)), options(asked), patterns(problem.bytes()) {
@@ -22,6 +22,12 @@ struct SkinRecordingSolver::Parts {
       throw std::invalid_argument(
           "frames share an alpha of one functional, and here each has a tangential_weight of its "
           "own: state it");
+    if (options.share_alpha && problem.is_large())
+      throw std::invalid_argument(
+          "frames share an alpha of one decomposition, which a skin with more than " +
+          std::to_string(most_skin_tractions) +
+          " unknown tractions does not have: give reconstruct.alpha, or let each frame choose its "
+          "own");
     if (options.share_alpha == std::size_t{0})
       throw std::invalid_argument("an alpha is shared by at least one frame");
   }
@@ -39,7 +45,7 @@ struct SkinRecordingSolver::Parts {
   /// Absent: no taxel is left.
   std::optional<SkinAnswer> solve_rest(std::span<double> readings) {
     const SkinScene& scene = problem.scene();
-    const std::vector<SkinSite>& sites = problem.problem().sites;
+    const std::vector<SkinSite>& sites = problem.layout().sites;
     const std::vector<std::size_t> dead = dead_with_missing(scene.dead_taxels, sites, readings);
     if (!is_measured(scene.sensor, dead, scene.reconstruct.offset)) return std::nullopt;
     for (std::size_t i = 0; i < readings.size(); ++i)

@@ -46,7 +46,7 @@ SkinExperiment run(const SkinScene& scene, const std::function<double()>& clock,
     observer.step({.kind = Step::Kind::method});
     const double start = now();
     const SkinSceneProblem problem(scene);
-    (void)problem.family();
+    problem.prepare();
     const double ready = now();
     experiment.answer = solve(problem, experiment.frame.readings);
     experiment.setup_seconds = ready - start;

@@ -51,12 +51,45 @@ Stops stops_of(MapColours colours) {
 
 std::string px(double value) { return fixed(value, 1); }
 
-std::string image(const MapGrid& grid, std::span<const std::uint8_t> pixels,
+/// Along a map's longer side, at most: of more cells some share a pixel, and pages stay small.
+constexpr std::size_t most_pixels = 160;
+/// Dots of taxels, at most: more would be a grey sheet.
+constexpr std::size_t most_dots = 2048;
+
+/// Means over square blocks of cells.
+struct Pixels {
+  Pixels(const MapGrid& grid, std::span<const double> values)
+      : block((std::max(grid.rows, grid.columns) + most_pixels - 1) / most_pixels),
+        rows((grid.rows + block - 1) / block),
+        columns((grid.columns + block - 1) / block) {
+    for (std::size_t column = 0; column < columns; ++column)
+      for (std::size_t row = 0; row < rows; ++row) {
+        const std::size_t last_row = std::min((row + 1) * block, grid.rows);
+        const std::size_t last_column = std::min((column + 1) * block, grid.columns);
+        double sum = 0.0;
+        std::size_t cells = 0;
+        for (std::size_t i = row * block; i < last_row; ++i)
+          for (std::size_t j = column * block; j < last_column; ++j, ++cells)
+            sum += values[i * grid.columns + j];
+        means.push_back(sum / static_cast<double>(cells));
+      }
+  }
+
+  std::size_t block, rows, columns;
+  std::vector<double> means{};
+};
+
+/// What a last block has beyond the grid's end lies beyond the picture's.
+std::string image(const MapGrid& grid, const Pixels& of, std::span<const std::uint8_t> pixels,
                   std::span<const Colour> stops, std::string_view type) {
-  return "<image class=\"" + std::string(type) + "\" width=\"" + px(MapGrid::width) +
-         "\" height=\"" + px(grid.height()) +
+  const auto share = [&](std::size_t count, std::size_t cells) {
+    return static_cast<double>(count * of.block) / static_cast<double>(cells);
+  };
+  return "<image class=\"" + std::string(type) + "\" width=\"" +
+         px(share(of.rows, grid.rows) * MapGrid::width) + "\" height=\"" +
+         px(share(of.columns, grid.columns) * grid.height()) +
          "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," +
-         drawing::base64(drawing::png(grid.rows, grid.columns, pixels, drawing::ramp(stops))) +
+         drawing::base64(drawing::png(of.rows, of.columns, pixels, drawing::ramp(stops))) +
          "\"/>\n";
 }
 
@@ -86,15 +119,14 @@ MapGrid map_grid(const SkinArray& skin) {
 
 std::string map_image(const MapGrid& grid, std::span<const double> values, double most,
                       MapColours colours) {
+  const Pixels of(grid, values);
   std::vector<std::uint8_t> pixels;
-  for (std::size_t column = 0; column < grid.columns; ++column)
-    for (std::size_t row = 0; row < grid.rows; ++row) {
-      const double share = values[row * grid.columns + column] / most;
-      pixels.push_back(colours == MapColours::sizes ? drawing::ramp_index(share)
-                                                    : drawing::diverging_index(share));
-    }
+  for (const double mean : of.means)
+    pixels.push_back(colours == MapColours::sizes ? drawing::ramp_index(mean / most)
+                                                  : drawing::diverging_index(mean / most));
   const Stops stops = stops_of(colours);
-  return image(grid, pixels, stops.light, "in-light") + image(grid, pixels, stops.dark, "in-dark");
+  return image(grid, of, pixels, stops.light, "in-light") +
+         image(grid, of, pixels, stops.dark, "in-dark");
 }
 
 std::string map_arrows(const MapGrid& grid, std::span<const double> along_y,
@@ -158,6 +190,7 @@ std::string map_outline(const MapGrid& grid, const std::vector<bool>& inside) {
 }
 
 std::string map_taxels(const MapGrid& grid, const SkinArray& skin) {
+  if (taxel_count(skin) > most_dots) return {};
   const double radius =
       std::clamp(90.0 / std::sqrt(static_cast<double>(taxel_count(skin))) / 4.0, 1.5, 4.0);
   std::set<std::pair<double, double>> drawn;  // several quantities may be read at one place

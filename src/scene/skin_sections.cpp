@@ -11,6 +11,7 @@
 #include "scene/taxel_table.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/scene/skin_size.hpp"
 #include "tactile_net/skin/problem.hpp"
 #include "tactile_net/skin/signal_layout.hpp"
 
@@ -74,7 +75,7 @@ std::string fewer_cells(const SkinScene& scene, const Units& units) {
   const auto tractions = [&]() -> std::optional<std::size_t> {
     try {
       const std::size_t count = components(other) * grid(other).count();
-      return count <= most_skin_tractions ? std::optional(count) : std::nullopt;
+      return count <= most_tractions(scene) ? std::optional(count) : std::nullopt;
     } catch (const std::invalid_argument&) {
       return std::nullopt;
     }
@@ -112,10 +113,13 @@ void check_grid(const std::optional<Value>& at, const Units& units, const SkinSc
   try {
     const SkinGrid made = grid(scene);
     const std::size_t unknowns = components(scene) * made.count();
-    if (unknowns <= most_skin_tractions) return;
+    const std::size_t most = most_tractions(scene);
+    if (unknowns <= most) return;
     cells = std::to_string(made.rows) + " x " + std::to_string(made.columns) + " cells with " +
-            std::to_string(unknowns) + " unknown tractions, more than " +
-            std::to_string(most_skin_tractions);
+            std::to_string(unknowns) + " unknown tractions, more than " + std::to_string(most);
+    if (most == most_skin_tractions && unknowns <= most_large_skin_tractions)
+      cells += is_even(scene.sensor) ? " (more need reconstruct.offset = false)"
+                                     : " (more need rows and columns of taxels)";
   } catch (const std::invalid_argument& error) {
     cells = error.what();
     cells = cells.substr(0, cells.find(": choose"));

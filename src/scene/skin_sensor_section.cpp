@@ -62,11 +62,13 @@ std::vector<SkinTaxel> read_taxels(const std::filesystem::path& path, const Skin
   return taxels;
 }
 
+/// In rows and columns: what is more than dense matrices take is solved without them.
+constexpr std::int64_t most_even_taxels = std::int64_t{1} << 18;
+constexpr const char* fewer_taxels = "262144 taxels at most, 512 x 512";
+
 std::size_t read_count(Table& table, std::string_view key, std::string_view hint) {
   const auto value = table.required(key, hint);
-  const auto count =
-      value ? value->integer(1, most_taxels, "the matrices are dense: 4096 taxels at most")
-            : std::nullopt;
+  const auto count = value ? value->integer(1, most_even_taxels, fewer_taxels) : std::nullopt;
   return static_cast<std::size_t>(count.value_or(0));
 }
 
@@ -92,12 +94,12 @@ SkinArray read_even(Table& table, Read& read) {
   read.depths_complete = !array.depths.empty();
   read.reads = table.required("reads", "what each taxel reads: reads = [\"stress_x\"]");
   if (read.reads) read.reads_complete = read_quantities(*read.reads, skin_quantities, array.reads);
-  const bool too_many = array.rows * array.columns > static_cast<std::size_t>(most_taxels);
+  const bool too_many = array.rows * array.columns > static_cast<std::size_t>(most_even_taxels);
   if (too_many) {
     if (const auto rows = table.value("rows"))
       rows->problem("times columns makes " + std::to_string(array.rows * array.columns) +
-                        " taxels, more than " + std::to_string(most_taxels),
-                    "the matrices are dense: 4096 taxels at most");
+                        " taxels, more than " + std::to_string(most_even_taxels),
+                    fewer_taxels);
   }
   const bool complete = !too_many && array.rows > 0 && array.columns > 0 && array.pitch_y > 0.0 &&
                         array.pitch_z > 0.0 && read.depths_complete && read.reads_complete;

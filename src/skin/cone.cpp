@@ -8,6 +8,7 @@
 
 #include "inverse/checks.hpp"
 #include "numeric/eigen.hpp"
+#include "skin/cell_cones.hpp"
 #include "skin/family_factors.hpp"
 
 namespace tactile_net {
@@ -19,60 +20,6 @@ using Eigen::Index;
 constexpr double penalty = 2.0;
 constexpr double relaxation = 1.6;
 constexpr std::size_t steps_between_checks = 5;
-
-/// Where a projection onto the cone ends.
-enum class Part { apart, sliding, sticking };
-
-/// (p, q_y, q_z) of every cell, projected; without a limit p alone.
-class CellCones {
- public:
-  CellCones(Index cells, const Constraints& constraints)
-      : cells_(cells), constraints_(constraints) {}
-
-  /// @param visit  of each cell, and the part of the cone on which it ends
-  void project(Eigen::VectorXd& f, const auto& visit) const {
-    for (Index i = 0; i < cells_; ++i) visit(i, project_cell(f, i));
-  }
-  void project(Eigen::VectorXd& f) const {
-    project(f, [](Index, Part) {});
-  }
-
- private:
-  Part project_cell(Eigen::VectorXd& f, Index i) const {
-    double& p = f(i);
-    if (!constraints_.friction_limit) {
-      if (!constraints_.nonnegative || p > 0.0) return Part::sticking;
-      p = 0.0;
-      return Part::apart;
-    }
-    const double limit = *constraints_.friction_limit;
-    double& y = f(cells_ + i);
-    double& z = f(2 * cells_ + i);
-    const double drag = std::hypot(y, z);
-    if (drag < limit * p) return Part::sticking;
-    const double along = (p + limit * drag) / (1.0 + limit * limit);
-    if (!(along > 0.0)) {
-      p = y = z = 0.0;
-      return Part::apart;
-    }
-    p = along;
-    const double shrunk = drag > 0.0 ? limit * along / drag : 0.0;
-    y *= shrunk;
-    z *= shrunk;
-    return Part::sliding;
-  }
-
-  Index cells_;
-  Constraints constraints_;
-};
-
-void check(const SkinProblem& problem, const Constraints& constraints) {
-  if (!constraints.friction_limit) return;
-  if (!(*constraints.friction_limit > 0.0) || !std::isfinite(*constraints.friction_limit))
-    throw std::invalid_argument("friction_limit must be > 0 and finite");
-  if (problem.components != 3)
-    throw std::invalid_argument("a friction limit needs the tangential tractions as unknowns");
-}
 
 /// Factors that make numbers of K and of both tractions one size; cones stay cones.
 struct Scales {
@@ -194,7 +141,7 @@ struct SkinCone::System {
 
 SkinCone::SkinCone(const SkinProblem& problem, double alpha, const Constraints& constraints) {
   check_alpha(alpha);
-  check(problem, constraints);
+  check_cones(problem, constraints);
   const Scales scales(problem);
   system_ = std::make_unique<const System>(scales.applied(problem), scales.applied(alpha),
                                            scales.applied(constraints), scales);
@@ -241,16 +188,16 @@ SkinConeSolution SkinCone::solve(std::span<const double> readings, std::size_t i
     }
     solution.residual = residual();
     Eigen::VectorXd before = z + u;  // whose projection z is
-    s.cones.project(before, [&](Index i, Part part) {
+    s.cones.project(before, [&](Index i, ConePart part) {
       const auto cell = static_cast<std::size_t>(i);
       const auto add = [&](double p, double y, double t) {
         solution.face.free.push_back({cell, {p, y, t}});
       };
-      solution.apart += part == Part::apart;
-      solution.sliding += part == Part::sliding;
-      solution.sticking += part == Part::sticking;
+      solution.apart += part == ConePart::apart;
+      solution.sliding += part == ConePart::sliding;
+      solution.sticking += part == ConePart::sticking;
       const bool three = s.components == 3;
-      if (part == Part::sliding) {
+      if (part == ConePart::sliding) {
         const double limit = *s.constraints.friction_limit;
         const double y = z(s.cells + i) / (limit * z(i));
         const double t = z(2 * s.cells + i) / (limit * z(i));
@@ -260,8 +207,8 @@ SkinConeSolution SkinCone::solve(std::span<const double> readings, std::size_t i
         add(0.0, -t, y);
         return;
       }
-      if (part == Part::sticking) add(1.0, 0.0, 0.0);
-      if (three && (part == Part::sticking || !s.constraints.friction_limit)) {
+      if (part == ConePart::sticking) add(1.0, 0.0, 0.0);
+      if (three && (part == ConePart::sticking || !s.constraints.friction_limit)) {
         add(0.0, 1.0, 0.0);
         add(0.0, 0.0, 1.0);
       }

@@ -8,6 +8,7 @@
 #include "inverse/checks.hpp"
 #include "numeric/eigen.hpp"
 #include "skin/family_factors.hpp"
+#include "skin/scaled_deviation.hpp"
 
 namespace tactile_net {
 
@@ -52,12 +53,7 @@ std::vector<double> SkinCovariance::deviations() const {
 }
 
 double SkinCovariance::deviation(std::span<const double> weights) const {
-  double most = 0.0;  // a weight may be an area, whose square no number holds
-  for (const double weight : weights) most = std::max(most, std::abs(weight));
-  if (!(most > 0.0)) return 0.0;
-  std::vector<double> shares(weights.begin(), weights.end());
-  for (double& share : shares) share /= most;
-  return most * std::sqrt(std::max(covariance(shares, shares), 0.0));
+  return scaled_deviation(*this, weights);
 }
 
 double SkinCovariance::covariance(std::span<const double> a, std::span<const double> b) const {

@@ -23,8 +23,6 @@
 namespace tactile_net {
 namespace {
 
-constexpr double false_alarms = 1e-3;   ///< of honest frames, each test
-constexpr double usual_friction = 1.0;  ///< of rubber on what it touches, at most
 constexpr std::size_t most_suspects = 4;
 constexpr std::size_t iteration_limit = 1000;
 constexpr double converged = 1e-5;
@@ -71,16 +69,49 @@ class Cones {
 
 }  // namespace
 
+double noise_square_limit(double degrees, double alarms) {
+  return chi_squared_limit(degrees, alarms);
+}
+
+double frame_strain(const SkinProblem& problem, const DataLimits& limits,
+                    std::span<const double> readings, std::span<const double> tractions) {
+  double largest = 0.0;
+  const auto cells = static_cast<std::ptrdiff_t>(problem.grid.count());
+  if (limits.largest_traction)
+    largest = std::abs(std::accumulate(tractions.begin(), tractions.begin() + cells, 0.0)) /
+              static_cast<double>(cells) / *limits.largest_traction;
+  for (std::size_t i = 0; i < limits.largest_readings.size(); ++i)
+    if (problem.weights[i] > 0.0)
+      largest = std::max(largest, std::abs(readings[i]) / limits.largest_readings[i]);
+  return largest;
+}
+
+std::vector<double> pressing_part(const SkinProblem& problem, std::optional<double> friction_limit,
+                                  std::span<const double> f) {
+  std::vector<double> contact(f.begin(), f.end());
+  const std::size_t cells = problem.grid.count();
+  for (std::size_t i = 0; i < cells; ++i) {
+    contact[i] = std::max(contact[i], 0.0);
+    if (problem.components == 1 || !friction_limit) continue;
+    double& y = contact[cells + i];
+    double& z = contact[2 * cells + i];
+    const double drag = std::hypot(y, z);
+    const double most = *friction_limit * contact[i];
+    if (drag <= most) continue;
+    y *= most / drag;
+    z *= most / drag;
+  }
+  return contact;
+}
+
 struct SkinDataJudge::Parts {
   Parts(const SkinProblem& problem, std::function<SkinProblem()> sought, DataLimits given);
 
   /// Of W (K f - g) over the noise, by the best contact found: as soon as it is enough.
   [[nodiscard]] Eigen::VectorXd left_by_contact(Cones& of, std::span<const double> readings,
                                                 double enough) const;
-  [[nodiscard]] std::vector<double> nearest_contact(std::span<const double> tractions) const;
   [[nodiscard]] Eigen::VectorXd left(const SkinProblem& of, std::span<const double> readings,
                                      std::span<const double> tractions) const;
-  [[nodiscard]] double strain(std::span<const double> g, std::span<const double> f) const;
   [[nodiscard]] std::optional<std::size_t> bad_taxel(std::span<const double> readings,
                                                      const Eigen::VectorXd& residual) const;
   /// Of a residual's norm, where so many rows are taken by something else than noise.
@@ -163,36 +194,6 @@ Eigen::VectorXd SkinDataJudge::Parts::left_by_contact(Cones& of, std::span<const
   return best;
 }
 
-/// Of the tractions found, what presses: with no more friction than the cone allows.
-std::vector<double> SkinDataJudge::Parts::nearest_contact(std::span<const double> f) const {
-  std::vector<double> contact(f.begin(), f.end());
-  const std::size_t cells = problem.grid.count();
-  for (std::size_t i = 0; i < cells; ++i) {
-    contact[i] = std::max(contact[i], 0.0);
-    if (problem.components == 1) continue;
-    double& y = contact[cells + i];
-    double& z = contact[2 * cells + i];
-    const double drag = std::hypot(y, z);
-    const double most = *press.friction_limit * contact[i];
-    if (drag <= most) continue;
-    y *= most / drag;
-    z *= most / drag;
-  }
-  return contact;
-}
-
-double SkinDataJudge::Parts::strain(std::span<const double> g, std::span<const double> f) const {
-  double largest = 0.0;
-  const auto cells = static_cast<std::ptrdiff_t>(problem.grid.count());
-  if (limits.largest_traction)
-    largest = std::abs(std::accumulate(f.begin(), f.begin() + cells, 0.0)) /
-              static_cast<double>(cells) / *limits.largest_traction;
-  for (std::size_t i = 0; i < limits.largest_readings.size(); ++i)
-    if (problem.weights[i] > 0.0)
-      largest = std::max(largest, std::abs(g[i]) / limits.largest_readings[i]);
-  return largest;
-}
-
 /// Of the taxels with the largest residuals the one without which a contact explains the rest best.
 std::optional<std::size_t> SkinDataJudge::Parts::bad_taxel(std::span<const double> readings,
                                                            const Eigen::VectorXd& residual) const {
@@ -245,7 +246,7 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
   if (tractions.size() != p.problem.kernel.columns)
     throw std::invalid_argument("tractions need one value per column of the problem");
   DataVerdict verdict{.noise_known = p.limits.noise_rms.has_value()};
-  verdict.strain = p.strain(readings, tractions);
+  verdict.strain = frame_strain(p.problem, p.limits, readings, tractions);
   if (verdict.strain > 1.0) {  // in which unit the rest would be judged nobody knows
     verdict.doubts.push_back(DataDoubt::implausible);
     return verdict;
@@ -255,7 +256,8 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
   const double rms = p.unit / std::sqrt(p.rows);  // of a norm
   const double most = p.limit(0.0);
   verdict.residual_limit = most * rms;
-  Eigen::VectorXd residual = p.left(p.problem, readings, p.nearest_contact(tractions));
+  Eigen::VectorXd residual =
+      p.left(p.problem, readings, pressing_part(p.problem, p.press.friction_limit, tractions));
   if (!(residual.norm() <= most)) {
     const Eigen::VectorXd best = p.left_by_contact(p.contacts(), readings, most);
     if (best.size() > 0 && !(residual.norm() <= best.norm())) residual = best;

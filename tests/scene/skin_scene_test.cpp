@@ -201,7 +201,7 @@ TEST_CASE("a skin whose file of taxels is not in order is no line", "[scene]") {
 TEST_CASE("what is wrong with a skin's scene is said at its place", "[scene]") {
   CHECK(problems_of(std::string(good)).empty());
   check_each({
-      {"rows = 3", "rows = 0", "7:8", "must be from 1 to 4096"},
+      {"rows = 3", "rows = 0", "7:8", "must be from 1 to 262144"},
       {"columns = 4", "column = 4", "8:1", "unknown key \"sensor.column\""},
       {"pitch = [2.0, 1.5]", "pitch = [2.0]", "9:9", "must be two numbers"},
       {"pitch = [2.0, 1.5]", "pitch = nan", "9:9", "must be a finite number"},
@@ -214,7 +214,7 @@ TEST_CASE("what is wrong with a skin's scene is said at its place", "[scene]") {
       {"radii = [2.0, 1.0]", "", "28:15", "contact.trajectory.radii is missing"},
       {"normal = [[0.0, 1.0], [2.0, 3.0]]", "normal = []", "32:10", "at least one row"},
       {"normal = [[0.0, 1.0], [2.0, 3.0]]", "normal = [1, 2]", "32:10", "must be a list of rows"},
-      {"rows = 3", "rows = 2000", "7:8", "makes 8000 taxels, more than 4096"},
+      {"rows = 3", "rows = 200000", "7:8", "makes 800000 taxels, more than 262144"},
       {"t = 0.2,", "t = 0.0,", "28:47", "must be later than the knot before"},
       {"[2.0, 3.0]]", "[2.0]]", "32:23", "as many numbers as the first row"},
       {", shear_xz = 0.05", "", "34:7", "noise.rms.shear_xz is missing"},
@@ -222,7 +222,7 @@ TEST_CASE("what is wrong with a skin's scene is said at its place", "[scene]") {
       {"indices = [5]", "indices = [5, 5]", "36:15", "names a taxel twice"},
       {"methods = [\"tikhonov\"]", "methods = [\"dft\"]", "40:12", "unknown method of skins"},
       {"spacing = 1.0\nmargin", "spacing = 1e-300\nmargin", "43:11", "too many cells"},
-      {"spacing = 1.0\nmargin", "spacing = 0.1\nmargin", "43:11", "unknown tractions, more than"},
+      {"spacing = 1.0\nmargin", "spacing = 0.012\nmargin", "43:11", "unknown tractions, more than"},
       {"margin = 2.0", "margin = 2.0\nnonnegative = false", "45:15", "which friction_limit does"},
       {"margin = 2.0", "margin = 2.0\noffset = 1", "45:10", "must be true or false"},
       {"margin = 2.0", "margin = 2.0\ntangential_weight = 0", "45:21", "must be > 0 (got 0)"},

@@ -1,10 +1,13 @@
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "src/skin/large/lattice_products.hpp"
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/covariance.hpp"
 #include "tactile_net/skin/family.hpp"
+#include "tactile_net/skin/large/cone.hpp"
 #include "tactile_net/skin/large/covariance.hpp"
 #include "tactile_net/skin/large/family.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
@@ -232,6 +235,97 @@ TEST_CASE("bands of a large skin are those of its decomposition", "[skin][large]
       CHECK_THAT(large.covariance(force, moment), WithinRel(exact.covariance(force, moment), 1e-4));
     }
   }
+}
+
+TEST_CASE("sums that follow from sums before need no solve, and have their deviations",
+          "[skin][large]") {
+  const SkinArray skin = square_skin(12, 2e-3);
+  const SkinProblem dense = make_problem(skin, silicone);
+  const SkinFamily family(dense);
+  const double alpha = 1e-3 * size_of(dense);
+  LargeSkinTikhonov solver(skin, silicone, {}, alpha);
+  LargeSkinBands bands(solver, skin, silicone, {});
+  const LargeSkinCovariance large(bands, 0.5 * alpha, 1.0);
+  const SkinCovariance exact(family, alpha, 0.5 * alpha);
+  const std::size_t cells = dense.grid.count();
+  std::vector<double> press(3 * cells), drag(3 * cells), both(3 * cells);
+  for (std::size_t i = 0; i < cells; i += 3) press[i] = drag[cells + i] = 1e-6;
+  for (std::size_t i = 0; i < both.size(); ++i) both[i] = -2.0 * press[i] + 0.3 * drag[i];
+  CHECK_THAT(large.deviation(press), WithinRel(exact.deviation(press), 1e-5));
+  CHECK_THAT(large.deviation(drag), WithinRel(exact.deviation(drag), 1e-5));
+  const std::size_t before = solver.convergence().steps;
+  (void)solver.solve_normal(std::vector<double>(3 * cells, 0.0));  // leaves a mark
+  REQUIRE(solver.convergence().steps == 0);
+  CHECK_THAT(large.deviation(both), WithinRel(exact.deviation(both), 1e-5));
+  CHECK_THAT(large.covariance(both, press), WithinRel(exact.covariance(both, press), 1e-4));
+  CHECK(solver.convergence().steps == 0);
+  CHECK(before > 0);
+  // Weights of the size of an area's square hold no less.
+  std::vector<double> tiny = press;
+  for (double& weight : tiny) weight *= 1e-200;
+  CHECK_THAT(large.deviation(tiny), WithinRel(1e-200 * exact.deviation(press), 1e-5));
+  CHECK(large.deviation(std::vector<double>(3 * cells)) == 0.0);
+}
+
+TEST_CASE("a large skin's cone is that of the dense problem", "[skin][large][cone]") {
+  const SkinArray skin = square_skin(12, 2e-3);
+  for (const double weight : {1.0, 3.0})
+    for (const std::optional<double> limit :
+         {std::optional<double>{}, std::optional(0.3), std::optional(0.8)}) {
+      SkinProblemOptions options = with_dead({40, 41});
+      options.tangential_weight = weight;
+      const SkinProblem dense = make_problem(skin, silicone, options);
+      const double alpha = 1e-4 * size_of(dense);
+      const std::vector<double> readings = readings_of(dense, 7);
+      const Constraints constraints{.friction_limit = limit};
+      const SkinConeSolution expected =
+          SkinCone(dense, alpha, constraints).solve(readings, 20000, 1e-9);
+      const LargeSkinCone cone(make_large_skin_system(skin, silicone, options), alpha, constraints);
+      const SkinConeSolution found = cone.solve(readings, 20000, 1e-9);
+      CAPTURE(weight, limit.value_or(0.0), found.iterations, found.residual);
+      REQUIRE(found.status == FrameStatus::ok);
+      CHECK(found.verdict == ConstrainedVerdict::ok);
+      CHECK(distance(found.tractions, expected.tractions) < 1e-5 * norm(expected.tractions));
+      CHECK(found.apart + found.sliding + found.sticking == dense.grid.count());
+      CHECK(found.apart > 0);
+      const std::size_t cells = dense.grid.count();
+      for (std::size_t i = 0; i < cells; ++i) {
+        const double p = found.tractions[i];
+        const double q = std::hypot(found.tractions[cells + i], found.tractions[2 * cells + i]);
+        CHECK(p >= 0.0);
+        if (limit) CHECK(q <= *limit * p * (1.0 + 1e-12));
+      }
+      CHECK(cone.solve(readings, 20000, 1e-9).tractions == found.tractions);
+    }
+}
+
+TEST_CASE("a large cone says where it stopped early, and refuses what it cannot take",
+          "[skin][large][cone]") {
+  const SkinArray skin = square_skin(8, 2e-3);
+  const SkinProblem dense = make_problem(skin, silicone);
+  const double alpha = 1e-5 * size_of(dense);
+  const auto system = make_large_skin_system(skin, silicone, {});
+  const LargeSkinCone cone(system, alpha, {.friction_limit = 0.5});
+  const std::vector<double> readings = readings_of(dense, 8);
+  const SkinConeSolution early = cone.solve(readings, 3);
+  CHECK(early.verdict == ConstrainedVerdict::iteration_limit);
+  CHECK(early.iterations == 3);
+  CHECK(early.residual > 1e-6);
+  const SkinConeSolution whole = cone.solve(readings);
+  CHECK(whole.verdict == ConstrainedVerdict::ok);
+  CHECK(whole.residual <= 1e-6);
+  const SkinConeSolution explained = cone.solve(readings, 2000, 1e-6, 0.5 * norm(readings));
+  CHECK(explained.verdict == ConstrainedVerdict::ok);
+  CHECK(explained.iterations < whole.iterations);
+  const SkinConeSolution nothing = cone.solve(std::vector<double>(readings.size()));
+  CHECK(nothing.verdict == ConstrainedVerdict::ok);
+  CHECK(nothing.apart == dense.grid.count());
+  CHECK(norm(nothing.tractions) == 0.0);
+  CHECK(cone.solve(std::vector<double>(5)).status == FrameStatus::wrong_size);
+  CHECK(cone.solve(std::vector<double>(readings.size(), NAN)).status == FrameStatus::not_finite);
+  CHECK_THROWS_WITH(LargeSkinCone(system, 0.0, {}), ContainsSubstring("alpha must be > 0"));
+  CHECK_THROWS_WITH(LargeSkinCone(system, alpha, {.friction_limit = -1.0}),
+                    ContainsSubstring("friction_limit must be > 0"));
 }
 
 TEST_CASE("large skins refuse what FFT cannot multiply", "[skin][large]") {

@@ -5,6 +5,7 @@
 ///     const lab::SkinAnswer answer = lab::solve(problem, readings);
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,21 +23,35 @@
 
 namespace tactile_net::lab {
 
+class LargeSkin;
+
 /// A copy shares everything that was made. Not thread-safe.
 class SkinSceneProblem {
  public:
   explicit SkinSceneProblem(SkinScene scene);
+  /// @param most_dense  tractions that are solved for with dense matrices, at most
+  SkinSceneProblem(SkinScene scene, std::size_t most_dense);
 
   [[nodiscard]] const SkinScene& scene() const noexcept;
   /// Unknowns, smoothing length, weights, dead taxels and grid as the scene has them.
   [[nodiscard]] SkinProblemOptions options() const;
-  /// @throw std::invalid_argument  as `make_problem`, here and below
+  /// More tractions than dense matrices take: what needs one is refused.
+  [[nodiscard]] bool is_large() const noexcept;
+  /// @throw std::invalid_argument  as `make_problem`, here and below; it is large
   [[nodiscard]] const SkinProblem& problem() const;
-  [[nodiscard]] const SkinGrid& grid() const { return problem().grid; }
+  /// The same without its kernel where it is large.
+  /// @throw std::invalid_argument  where it is large: it would take more memory than is left
+  [[nodiscard]] const SkinProblem& layout() const;
+  [[nodiscard]] const SkinGrid& grid() const { return layout().grid; }
   [[nodiscard]] std::size_t tractions() const {
-    return problem().components * problem().grid.count();
+    return layout().components * layout().grid.count();
   }
+  /// @pre  it is large
+  [[nodiscard]] LargeSkin& large() const;
+  /// What all frames share and no frame is asked for.
+  void prepare() const;
   [[nodiscard]] const SkinFamily& family() const;
+  /// Of this frame's family; of a large skin each frame has its own, and the last one is kept.
   [[nodiscard]] const AlphaTables& alpha_tables(const FilterFrame& frame) const;
 
   /// The noise's rms of one weighted reading, as the scene states it; absent: not known, or none.

@@ -10,12 +10,35 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net {
+
+/// What the sum of squares of white noise of rms 1 exceeds in this share of frames.
+/// @pre  degrees > 0, 0 < alarms < 1
+[[nodiscard]] double noise_square_limit(double degrees, double alarms);
+
+/// The largest reading with a weight, or the mean normal traction, over its limit.
+/// @pre  sizes are the problem's
+[[nodiscard]] double frame_strain(const SkinProblem& problem, const DataLimits& limits,
+                                  std::span<const double> readings,
+                                  std::span<const double> tractions);
+
+/// Of honest frames each test doubts one in a thousand.
+inline constexpr double false_alarms = 1e-3;
+/// Of rubber on what it touches, at most, where nobody states a limit.
+inline constexpr double usual_friction = 1.0;
+
+/// Of tractions what presses, with no more friction than the limit.
+/// @param friction_limit  absent: any
+[[nodiscard]] std::vector<double> pressing_part(const SkinProblem& problem,
+                                                std::optional<double> friction_limit,
+                                                std::span<const double> tractions);
 
 /// Made once for a problem; const, so threads may share one.
 class SkinDataJudge {

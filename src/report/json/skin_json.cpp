@@ -119,6 +119,9 @@ Json answer_json(const lab::SkinExperiment& experiment) {
                {"seconds",
                 {{"setup", finite_or_null(experiment.setup_seconds)},
                  {"frame", finite_or_null(experiment.frame_seconds)}}}};
+  if (const auto& iteration = answer.iteration)
+    json["iteration"] = {{"steps", iteration->steps},
+                         {"estimate", finite_or_null(iteration->estimate)}};
   json["constraints"] = nullptr;
   if (const auto& cone = answer.cone)
     json["constraints"] = {{"residual", cone->residual},

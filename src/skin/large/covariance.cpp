@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <list>
-#include <numeric>
-#include <optional>
+#include <utility>
 
 #include "inverse/checks.hpp"
 #include "numeric/eigen.hpp"
 #include "skin/coordinates.hpp"
+#include "skin/scaled_deviation.hpp"
 #include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net {
@@ -30,27 +30,80 @@ std::size_t like(std::size_t cell, std::size_t cells, std::size_t fewer, std::si
 }  // namespace
 
 struct LargeSkinBands::Parts {
-  /// Where the solver's alpha is another one, what was solved is of no use.
-  const std::vector<double>& image(std::span<const double> weights) {
-    if (alpha != solver.alpha()) {
-      images.clear();
+  /// Weights, and [W K; sqrt(alpha) L] P^-1 times them.
+  struct Solved {
+    Eigen::VectorXd weights;
+    Eigen::VectorXd image;
+  };
+
+  /// [W K; sqrt(alpha) L] P^-1 weights, over the largest of them, and that one. Solved for is only
+  /// what the weights have beside all that was solved before: of forces, moments and what follows
+  /// from them few are new. Where the solver's alpha is another one, what was solved is of no use.
+  std::pair<Eigen::VectorXd, double> image(std::span<const double> weights) {
+    if (alpha != solver.alpha() || solved.size() >= most_solved) {
+      solved.clear();
       alpha = solver.alpha();
     }
-    for (const auto& [of, image] : images)
-      if (std::equal(of.begin(), of.end(), weights.begin(), weights.end())) return image;
-    return images
-        .emplace_back(std::vector<double>(weights.begin(), weights.end()),
-                      solver.stacked_product(solver.solve_normal(weights)))
-        .second;
+    Eigen::VectorXd left = as_eigen(weights);
+    const double most = left.cwiseAbs().maxCoeff();
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(solver.stacked_rows()));
+    if (!(most > 0.0)) return {sum, 0.0};
+    left /= most;
+    const double size = left.norm();
+    for (int again = 0; again < 2; ++again)  // once leaves what rounding has of the others
+      for (const Solved& one : solved) {
+        const double share = one.weights.dot(left);
+        left -= share * one.weights;
+        sum += share * one.image;
+      }
+    const double rest = left.norm();
+    if (rest > known * size) {
+      left /= rest;
+      const std::span<const double> right(left.data(), static_cast<std::size_t>(left.size()));
+      const auto read = solver.stacked_product(solver.solve_normal(right, residual));
+      solved.push_back({left, as_eigen(std::span(read))});
+      sum += rest * solved.back().image;
+    }
+    return {sum, most};
   }
+
+  /// Where a cell's like is among the piece's, and whether its nearest taxel is dead.
+  [[nodiscard]] std::size_t like_cell(std::size_t cell) const;
+  [[nodiscard]] bool is_dead(std::size_t cell) const;
 
   LargeSkinTikhonov& solver;
   SkinArray skin;
   SkinProblem piece;
   SkinFamily family;
+  std::vector<bool> dead;         // taxels
+  Eigen::VectorXd piece_squares;  // of the piece's prior
   double alpha = 0.0;
-  std::list<std::pair<std::vector<double>, std::vector<double>>> images{};
+  std::list<Solved> solved{};  // orthonormal weights
+
+  static constexpr std::size_t most_solved = 24;
+  static constexpr double known = 1e-10;  // of weights: no more than rounding
+  static constexpr double residual = 1e-6;
 };
+
+/// Of a cell of the whole the cell of the piece that is as far from the nearer ends.
+std::size_t LargeSkinBands::Parts::like_cell(std::size_t cell) const {
+  const SkinGrid& grid = solver.problem().grid;
+  const SkinGrid& small = piece.grid;
+  return like(cell / grid.columns, grid.rows, small.rows, grid.stride_rows) * small.columns +
+         like(cell % grid.columns, grid.columns, small.columns, grid.stride_columns);
+}
+
+bool LargeSkinBands::Parts::is_dead(std::size_t cell) const {
+  const SkinGrid& grid = solver.problem().grid;
+  const auto nearest = [](std::size_t at, std::size_t margin, std::size_t stride,
+                          std::size_t taxels) {
+    const std::size_t from = at < margin ? 0 : (at - margin + stride / 2) / stride;
+    return std::min(from, taxels - 1);
+  };
+  return dead[nearest(cell / grid.columns, grid.margin_rows, grid.stride_rows, skin.rows) *
+                  skin.columns +
+              nearest(cell % grid.columns, grid.margin_columns, grid.stride_columns, skin.columns)];
+}
 
 namespace {
 
@@ -69,7 +122,14 @@ LargeSkinBands::LargeSkinBands(LargeSkinTikhonov& solver, const SkinArray& skin,
                                const Material& material, const SkinProblemOptions& options) {
   SkinProblem piece = piece_of(skin, material, options, solver.problem());
   SkinFamily family(piece);
-  parts_ = std::make_unique<Parts>(Parts{solver, skin, std::move(piece), std::move(family)});
+  const SkinProblem& whole = solver.problem();
+  std::vector<bool> dead(whole.taxels);
+  for (std::size_t i = 0; i < whole.sites.size(); ++i)
+    if (whole.weights[i] == 0.0) dead[whole.sites[i].taxel] = true;
+  Eigen::VectorXd squares =
+      CosineCoordinates(piece, stabiliser_spectrum(piece).cwiseSqrt()).squares();
+  parts_ = std::make_unique<Parts>(Parts{solver, skin, std::move(piece), std::move(family),
+                                         std::move(dead), std::move(squares)});
 }
 LargeSkinBands::~LargeSkinBands() = default;
 
@@ -81,58 +141,57 @@ LargeSkinCovariance::LargeSkinCovariance(LargeSkinBands& bands, double prior_alp
 
 std::vector<double> LargeSkinCovariance::deviations() const {
   const LargeSkinBands::Parts& parts = *bands_.parts_;
-  const SkinProblem& whole = parts.solver.problem();
-  const SkinGrid& grid = whole.grid;
-  const SkinGrid& small = parts.piece.grid;
+  const std::size_t cells = parts.solver.problem().grid.count();
+  const std::size_t small = parts.piece.grid.count();
   const std::vector<double> own =
       SkinCovariance(parts.family, parts.solver.alpha(), prior_alpha_).deviations();
-  const Eigen::VectorXd prior =
-      CosineCoordinates(parts.piece, stabiliser_spectrum(parts.piece).cwiseSqrt()).squares();
-  std::vector<bool> dead(whole.taxels);
-  for (std::size_t i = 0; i < whole.sites.size(); ++i)
-    if (whole.weights[i] == 0.0) dead[whole.sites[i].taxel] = true;
-  const auto nearest = [](std::size_t cell, std::size_t margin, std::size_t stride,
-                          std::size_t taxels) {
-    const std::size_t from = cell < margin ? 0 : (cell - margin + stride / 2) / stride;
-    return std::min(from, taxels - 1);
-  };
-  std::vector<double> all(whole.components * grid.count());
-  for (std::size_t row = 0; row < grid.rows; ++row)
-    for (std::size_t column = 0; column < grid.columns; ++column) {
-      const std::size_t at = like(row, grid.rows, small.rows, grid.stride_rows) * small.columns +
-                             like(column, grid.columns, small.columns, grid.stride_columns);
-      const std::size_t taxel =
-          nearest(row, grid.margin_rows, grid.stride_rows, parts.skin.rows) * parts.skin.columns +
-          nearest(column, grid.margin_columns, grid.stride_columns, parts.skin.columns);
-      for (std::size_t u = 0; u < whole.components; ++u) {
-        const std::size_t from = u * small.count() + at;
-        all[u * grid.count() + row * grid.columns + column] =
-            dead[taxel] ? std::max(own[from],
-                                   std::sqrt(prior(static_cast<Eigen::Index>(from)) / prior_alpha_))
-                        : own[from];
-      }
-    }
+  std::vector<double> all(parts.solver.problem().components * cells);
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const std::size_t like = parts.like_cell(cell);
+    const bool dead = parts.is_dead(cell);
+    for (std::size_t from = like, to = cell; to < all.size(); from += small, to += cells)
+      all[to] = dead ? std::max(own[from], prior_deviation(from)) : own[from];
+  }
   return all;
 }
 
+double LargeSkinCovariance::prior_deviation(std::size_t of_piece) const {
+  return std::sqrt(bands_.parts_->piece_squares(static_cast<Eigen::Index>(of_piece)) /
+                   prior_alpha_);
+}
+
 double LargeSkinCovariance::deviation(std::span<const double> weights) const {
-  double most = 0.0;  // a weight may be an area, whose square no number holds
-  for (const double weight : weights) most = std::max(most, std::abs(weight));
-  if (!(most > 0.0)) return 0.0;
-  std::vector<double> shares(weights.begin(), weights.end());
-  for (double& share : shares) share /= most;
-  return most * std::sqrt(covariance(shares, shares));
+  const LargeSkinBands::Parts& parts = *bands_.parts_;
+  const std::size_t cells = parts.solver.problem().grid.count();
+  const auto first =
+      std::find_if(weights.begin(), weights.end(), [](double w) { return w != 0.0; });
+  if (first == weights.end()) return 0.0;
+  const std::size_t cell = static_cast<std::size_t>(first - weights.begin()) % cells;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] != 0.0 && i % cells != cell) return scaled_deviation(*this, weights);
+  // Of a single cell.
+  const std::size_t small = parts.piece.grid.count();
+  const std::size_t like = parts.like_cell(cell);
+  std::vector<double> of_piece(parts.piece.components * small);
+  double prior = 0.0;
+  for (std::size_t from = cell, to = like; from < weights.size(); from += cells, to += small) {
+    of_piece[to] = weights[from];
+    prior = std::hypot(prior, weights[from] * prior_deviation(to));
+  }
+  const double own =
+      SkinCovariance(parts.family, parts.solver.alpha(), prior_alpha_).deviation(of_piece);
+  return parts.is_dead(cell) ? std::max(own, prior) : own;
 }
 
 double LargeSkinCovariance::covariance(std::span<const double> a, std::span<const double> b) const {
-  const std::vector<double>& of_a = bands_.parts_->image(a);
-  const std::vector<double>& of_b = bands_.parts_->image(b);
+  const auto [of_a, largest_a] = bands_.parts_->image(a);
+  const auto [of_b, largest_b] = bands_.parts_->image(b);
   const LargeSkinTikhonov& solver = bands_.parts_->solver;
-  const auto read = static_cast<std::ptrdiff_t>(solver.problem().weights.size());
-  const double known = std::inner_product(of_a.begin(), of_a.begin() + read, of_b.begin(), 0.0);
-  const double smoothed =
-      std::inner_product(of_a.begin() + read, of_a.end(), of_b.begin() + read, 0.0);
-  return known + solver.alpha() / prior_alpha_ * smoothed;
+  const auto read = static_cast<Eigen::Index>(solver.problem().weights.size());
+  const double known = of_a.head(read).dot(of_b.head(read));
+  const Eigen::Index rest = of_a.size() - read;
+  const double smoothed = of_a.tail(rest).dot(of_b.tail(rest));
+  return largest_a * (largest_b * (known + solver.alpha() / prior_alpha_ * smoothed));
 }
 
 }  // namespace tactile_net

@@ -141,12 +141,14 @@ struct LargeSkinFamily::Parts {
   std::vector<Nodes> probes{};
 };
 
-LargeSkinFamily::LargeSkinFamily(const LargeSkinTikhonov& solver, std::size_t probes) {
-  auto parts = std::make_unique<Parts>(solver.system());
+LargeSkinFamily::LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, std::size_t probes) {
+  auto parts = std::make_unique<Parts>(std::move(system));
   for (std::size_t probe = 1; probe <= probes; ++probe)
-    parts->probes.push_back(parts->run(signs(solver.problem().weights, probe)));
+    parts->probes.push_back(parts->run(signs(parts->system->problem.weights, probe)));
   parts_ = std::move(parts);
 }
+LargeSkinFamily::LargeSkinFamily(const LargeSkinTikhonov& solver, std::size_t probes)
+    : LargeSkinFamily(solver.system(), probes) {}
 LargeSkinFamily::~LargeSkinFamily() = default;
 LargeSkinFamily::LargeSkinFamily(LargeSkinFamily&&) noexcept = default;
 LargeSkinFamily& LargeSkinFamily::operator=(LargeSkinFamily&&) noexcept = default;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "skin/large/lattice_products.hpp"
+#include "tactile_net/skin/large/system.hpp"
 #include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net {
@@ -43,6 +44,8 @@ struct LargeSkinSystem {
   LatticeProducts products;
 
  private:
+  void walk_stabiliser(double alpha, const auto& visit) const noexcept;
+
   std::vector<double> scratch_;  // W y
 };
 

@@ -114,7 +114,10 @@ LargeSkinTikhonov& LargeSkinTikhonov::operator=(LargeSkinTikhonov&&) noexcept = 
 
 LargeSkinTikhonov::LargeSkinTikhonov(const SkinArray& skin, const Material& material,
                                      const SkinProblemOptions& options, double alpha)
-    : parts_(std::make_unique<Parts>(std::make_shared<LargeSkinSystem>(skin, material, options))) {
+    : LargeSkinTikhonov(make_large_skin_system(skin, material, options), alpha) {}
+
+LargeSkinTikhonov::LargeSkinTikhonov(std::shared_ptr<LargeSkinSystem> system, double alpha)
+    : parts_(std::make_unique<Parts>(std::move(system))) {
   use_alpha(alpha);
 }
 
@@ -188,5 +191,7 @@ std::vector<double> LargeSkinTikhonov::stacked_product(std::span<const double> t
   parts_->system->apply(parts_->alpha, tractions, result);
   return result;
 }
+
+std::size_t LargeSkinTikhonov::stacked_rows() const noexcept { return parts_->system->rows(); }
 
 }  // namespace tactile_net

@@ -37,8 +37,8 @@ class Outputs {
           Results* results, const Streams& streams)
       : in_folder_(options.output.empty() && !options.results.folder.empty()),
         tractions_(in_folder_ ? results->place("tractions-of-frames.csv") : options.output,
-                   report::traction_columns(problem.grid(), problem.problem().components),
-                   with_time, streams.out),
+                   report::traction_columns(problem.grid(), problem.layout().components), with_time,
+                   streams.out),
         unknown_(problem.tractions(), std::numeric_limits<double>::quiet_NaN()) {
     if (!options.uncertainty.empty())
       wrenches_.emplace(options.uncertainty, report::wrench_columns(), with_time, streams.out);

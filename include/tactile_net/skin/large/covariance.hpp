@@ -2,8 +2,9 @@
 /// Bands of a large skin (target tactile_net::spectral): as skin/covariance.hpp, without a
 /// decomposition of the whole.
 ///
-/// Sums over cells, such as a contact's force, are exact, by one solve each: with x = P^-1 weights
-/// their variance is |W K x|^2 + alpha^2 / prior_alpha |L x|^2. The deviation of a single cell
+/// Sums over cells, such as a contact's force, are exact, by one solve each, and none where they
+/// follow from sums before: with x = P^-1 weights their variance is |W K x|^2 + alpha^2 /
+/// prior_alpha |L x|^2. The deviation of a single cell
 /// depends on what lies within a few depths: it is taken from a smaller skin of the same taxels, at
 /// the same distance from the nearest ends: an estimate, which the tests hold to be at most 2 % too
 /// wide and 10 % too narrow. A cell whose nearest taxel is dead gets the prior's deviation, which
@@ -51,12 +52,16 @@ class LargeSkinCovariance final : public Covariance {
   LargeSkinCovariance(LargeSkinBands& bands, double prior_alpha, double degrees_of_freedom);
 
   [[nodiscard]] std::vector<double> deviations() const override;
+  /// Of weights in a single cell as `deviations`.
   [[nodiscard]] double deviation(std::span<const double> weights) const override;
   [[nodiscard]] double covariance(std::span<const double> a,
                                   std::span<const double> b) const override;
   [[nodiscard]] double degrees_of_freedom() const noexcept override { return degrees_; }
 
  private:
+  /// Of a traction of the smaller skin, that nothing reads.
+  [[nodiscard]] double prior_deviation(std::size_t of_piece) const;
+
   LargeSkinBands& bands_;
   double prior_alpha_;
   double degrees_;

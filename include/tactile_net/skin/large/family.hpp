@@ -27,6 +27,7 @@ class LargeSkinFamily {
   /// Runs the probes: for each up to 300 products with K and its transposed.
   ///
   /// @param probes  >= 1
+  explicit LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, std::size_t probes = 4);
   explicit LargeSkinFamily(const LargeSkinTikhonov& solver, std::size_t probes = 4);
   ~LargeSkinFamily();
   LargeSkinFamily(LargeSkinFamily&&) noexcept;

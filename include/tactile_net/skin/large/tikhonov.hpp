@@ -17,11 +17,10 @@
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
 #include "tactile_net/skin/array.hpp"
+#include "tactile_net/skin/large/system.hpp"
 #include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net {
-
-struct LargeSkinSystem;
 
 /// What one frame's iteration came to.
 struct SkinConvergence {
@@ -47,6 +46,8 @@ class LargeSkinTikhonov {
   ///                               lattice
   LargeSkinTikhonov(const SkinArray& skin, const Material& material,
                     const SkinProblemOptions& options, double alpha);
+  /// @throw std::invalid_argument  of alpha, as above
+  LargeSkinTikhonov(std::shared_ptr<LargeSkinSystem> system, double alpha);
   ~LargeSkinTikhonov();
   LargeSkinTikhonov(LargeSkinTikhonov&&) noexcept;
   LargeSkinTikhonov& operator=(LargeSkinTikhonov&&) noexcept;
@@ -81,6 +82,7 @@ class LargeSkinTikhonov {
   /// [W K; sqrt(alpha) L] times tractions: the readings' part, then what smooths, of which the
   /// squares count. @pre  there is one value per traction
   [[nodiscard]] std::vector<double> stacked_product(std::span<const double> tractions);
+  [[nodiscard]] std::size_t stacked_rows() const noexcept;
 
   /// Of the last `solve` or `solve_normal`.
   [[nodiscard]] const SkinConvergence& convergence() const noexcept;

@@ -1,0 +1,82 @@
+#include "lab/large_skin.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/skin/data_verdict.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+/// Before anything is made that has the skin's size.
+void check_large_memory(const SkinArray& skin, const SkinProblemOptions& options,
+                        double available) {
+  constexpr double gigabyte = 1e9;
+  const SkinGrid grid = grid_of(skin, options.grid);
+  const double bytes =
+      large_skin_bytes(grid.count(), options.components, channel_count(skin), reading_count(skin));
+  if (bytes <= available) return;
+  throw std::invalid_argument(std::to_string(options.components * grid.count()) +
+                              " unknown tractions take about " + fixed(bytes / gigabyte, 1) +
+                              " GB, and " + fixed(available / gigabyte, 1) +
+                              " GB are left: choose a larger spacing or a smaller margin");
+}
+
+}  // namespace
+
+LargeSkin::LargeSkin(const SkinArray& skin, const Material& material, SkinProblemOptions options,
+                     DataLimits limits, double available)
+    : skin_(skin), material_(material), options_(std::move(options)), limits_(std::move(limits)) {
+  check(skin_, material_, options_);
+  check_large_memory(skin_, options_, available);
+  system_ = make_large_skin_system(skin_, material_, options_);
+}
+
+const LargeSkinFamily& LargeSkin::family() {
+  if (!family_) family_.emplace(system_);
+  return *family_;
+}
+
+LargeSkinTikhonov& LargeSkin::solver(double alpha) {
+  if (!solver_)
+    solver_ = std::make_unique<LargeSkinTikhonov>(system_, alpha);
+  else
+    solver_->use_alpha(alpha);
+  return *solver_;
+}
+
+std::vector<double> LargeSkin::solve(std::span<const double> readings, double alpha) {
+  std::vector<double> tractions(problem().components * problem().grid.count());
+  const FrameStatus status = solver(alpha).solve(readings, tractions);
+  if (status == FrameStatus::too_large) throw FrameOverflow();
+  if (status != FrameStatus::ok)
+    throw std::invalid_argument("readings have the wrong size or are not finite");
+  return tractions;
+}
+
+SkinConeSolution LargeSkin::solve_in_cones(std::span<const double> readings, double alpha,
+                                           const Constraints& constraints) {
+  return LargeSkinCone(system_, alpha, constraints).solve(readings);
+}
+
+std::unique_ptr<const Covariance> LargeSkin::covariance(double alpha, double prior_alpha) {
+  LargeSkinTikhonov& own = solver(alpha);
+  if (!bands_) bands_ = std::make_unique<LargeSkinBands>(own, skin_, material_, options_);
+  return std::make_unique<LargeSkinCovariance>(*bands_, prior_alpha,
+                                               family().degrees_of_freedom(alpha));
+}
+
+double LargeSkin::residual(std::span<const double> readings, std::span<const double> tractions) {
+  const std::vector<double> explained = weighted(problem(), readings);
+  const std::vector<double> found = weighted_product(*system_, tractions);
+  double size = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i) size = std::hypot(size, found[i] - explained[i]);
+  return size;
+}
+
+}  // namespace tactile_net::lab

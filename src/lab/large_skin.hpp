@@ -1,0 +1,57 @@
+/// @file
+/// What the frames of a large skin share: products, probes, tiles, bands. Private.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tactile_net/inverse/data_verdict.hpp"
+#include "tactile_net/skin/large/cone.hpp"
+#include "tactile_net/skin/large/covariance.hpp"
+#include "tactile_net/skin/large/family.hpp"
+#include "tactile_net/skin/large/tikhonov.hpp"
+
+namespace tactile_net::lab {
+
+/// Each part is made when it is first asked for. Not thread-safe.
+class LargeSkin {
+ public:
+  /// @throw std::invalid_argument  as `make_large_skin_system`; it would take more memory than
+  ///                               `available` [bytes]
+  LargeSkin(const SkinArray& skin, const Material& material, SkinProblemOptions options,
+            DataLimits limits, double available);
+
+  /// Without its kernel.
+  [[nodiscard]] const SkinProblem& problem() const noexcept { return problem_of(*system_); }
+  [[nodiscard]] const LargeSkinFamily& family();
+  /// With this alpha.
+  [[nodiscard]] LargeSkinTikhonov& solver(double alpha);
+  /// @throw FrameOverflow          the tractions overflow a double
+  /// @throw std::invalid_argument  readings have the wrong size or are not finite
+  [[nodiscard]] std::vector<double> solve(std::span<const double> readings, double alpha);
+  [[nodiscard]] SkinConeSolution solve_in_cones(std::span<const double> readings, double alpha,
+                                                const Constraints& constraints);
+  /// Refers to this object, until its alpha is another one.
+  [[nodiscard]] std::unique_ptr<const Covariance> covariance(double alpha, double prior_alpha);
+  /// |W (K f - g)|
+  [[nodiscard]] double residual(std::span<const double> readings,
+                                std::span<const double> tractions);
+  /// As `SkinDataJudge`, of contacts on the tractions' own cells; of taxels the one that fits worst
+  /// is tried alone.
+  [[nodiscard]] DataVerdict judge(std::span<const double> readings,
+                                  std::span<const double> tractions);
+
+ private:
+  SkinArray skin_;
+  Material material_;
+  SkinProblemOptions options_;
+  DataLimits limits_;
+  std::shared_ptr<LargeSkinSystem> system_;
+  std::optional<LargeSkinFamily> family_{};
+  std::unique_ptr<LargeSkinTikhonov> solver_{};
+  std::unique_ptr<LargeSkinBands> bands_{};
+};
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,71 @@
+/// @file
+/// What contact allows a cell, and the nearest to it. Private.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <stdexcept>
+
+#include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/skin/problem.hpp"
+
+namespace tactile_net {
+
+/// Where a projection onto the cone ends.
+enum class ConePart { apart, sliding, sticking };
+
+/// (p, q_y, q_z) of every cell, projected; without a limit p alone.
+class CellCones {
+ public:
+  using Index = Eigen::Index;
+
+  CellCones(Index cells, const Constraints& constraints)
+      : cells_(cells), constraints_(constraints) {}
+
+  /// @param visit  of each cell, and the part of the cone on which it ends
+  void project(Eigen::VectorXd& f, const auto& visit) const {
+    for (Index i = 0; i < cells_; ++i) visit(i, project_cell(f, i));
+  }
+  void project(Eigen::VectorXd& f) const {
+    project(f, [](Index, ConePart) {});
+  }
+
+ private:
+  ConePart project_cell(Eigen::VectorXd& f, Index i) const {
+    double& p = f(i);
+    if (!constraints_.friction_limit) {
+      if (!constraints_.nonnegative || p > 0.0) return ConePart::sticking;
+      p = 0.0;
+      return ConePart::apart;
+    }
+    const double limit = *constraints_.friction_limit;
+    double& y = f(cells_ + i);
+    double& z = f(2 * cells_ + i);
+    const double drag = std::hypot(y, z);
+    if (drag < limit * p) return ConePart::sticking;
+    const double along = (p + limit * drag) / (1.0 + limit * limit);
+    if (!(along > 0.0)) {
+      p = y = z = 0.0;
+      return ConePart::apart;
+    }
+    p = along;
+    const double shrunk = drag > 0.0 ? limit * along / drag : 0.0;
+    y *= shrunk;
+    z *= shrunk;
+    return ConePart::sliding;
+  }
+
+  Index cells_;
+  Constraints constraints_;
+};
+
+/// @throw std::invalid_argument  friction_limit is not > 0 and finite, or there is one component
+inline void check_cones(const SkinProblem& problem, const Constraints& constraints) {
+  if (!constraints.friction_limit) return;
+  if (!(*constraints.friction_limit > 0.0) || !std::isfinite(*constraints.friction_limit))
+    throw std::invalid_argument("friction_limit must be > 0 and finite");
+  if (problem.components != 3)
+    throw std::invalid_argument("a friction limit needs the tangential tractions as unknowns");
+}
+
+}  // namespace tactile_net

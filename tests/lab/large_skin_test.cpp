@@ -1,0 +1,247 @@
+// A large skin's answer beside the dense one of the same scene.
+#include "src/lab/large_skin.hpp"
+
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/skin_recording_solver.hpp"
+#include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tactile_net/scene/skin_size.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+SkinScene skin(const std::string& more = "",
+               const std::string& taxels = "rows = 12\ncolumns = 11") {
+  const std::string toml =
+      "[sensor]\n" + taxels +
+      "\npitch = 1e-3\ndepth = 2e-3\n"
+      "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
+      "[material]\nyoungs_modulus = 2e5\npoisson_ratio = 0.45\n"
+      "[[contact]]\nshape = \"sphere\"\nplace = [0.8e-3, -0.9e-3]\nradius = 2e-3\nforce = 0.5\n"
+      "friction = 0.4\ndirection = 30.0\n[noise]\nrms = 100.0\n";
+  return std::get<SkinScene>(parse_any_scene(toml + more, "skin.toml"));
+}
+
+double norm(const std::vector<double>& values) {
+  double size = 0.0;
+  for (const double value : values) size = std::hypot(size, value);
+  return size;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double size = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) size = std::hypot(size, a[i] - b[i]);
+  return size;
+}
+
+void check_like(const Uncertain& found, const Uncertain& expected) {
+  CAPTURE(found.value, found.deviation, expected.value, expected.deviation);
+  CHECK(std::abs(found.value - expected.value) < 0.1 * expected.deviation);
+  CHECK_THAT(found.deviation, WithinRel(expected.deviation, 0.05));
+}
+
+void check_like(const std::optional<Uncertain>& found, const std::optional<Uncertain>& expected) {
+  REQUIRE(found.has_value() == expected.has_value());
+  if (found) check_like(*found, *expected);
+}
+
+/// Everything large: no traction is solved for with a matrix.
+lab::SkinSceneProblem without_matrix(const SkinScene& scene) {
+  return lab::SkinSceneProblem(scene, 0);
+}
+
+}  // namespace
+
+TEST_CASE("with a given alpha a large skin's answer is the dense one", "[lab][skin][large]") {
+  for (const char* dead : {"", "[dead_taxels]\nindices = [20, 21, 97]\n"}) {
+    const SkinScene scene =
+        skin(std::string(dead) + "[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
+    const std::vector<double> readings = lab::simulate(scene).readings;
+    const lab::SkinAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
+    const lab::SkinAnswer large = lab::solve(without_matrix(scene), readings);
+    CHECK(distance(large.tractions, dense.tractions) < 1e-6 * norm(dense.tractions));
+    CHECK(large.verdict == dense.verdict);
+    CHECK(large.data.doubts == dense.data.doubts);
+    CHECK_THAT(large.data.residual_limit, WithinRel(dense.data.residual_limit, 1e-12));
+    CHECK_FALSE(dense.iteration);
+    REQUIRE(large.iteration);
+    CHECK(large.iteration->steps > 0);
+    CHECK(large.iteration->estimate <= 1e-8);
+    // The prior of the bands is a rule's, which hears probes.
+    CHECK(large.cells == dense.cells);
+    check_like(large.wrench.normal, dense.wrench.normal);
+    check_like(large.wrench.tangential_y, dense.wrench.tangential_y);
+    check_like(large.wrench.centre_y, dense.wrench.centre_y);
+    check_like(large.wrench.torsion, dense.wrench.torsion);
+    REQUIRE(large.friction);
+    check_like(large.friction->ratio, dense.friction->ratio);
+    REQUIRE(large.ellipse);
+    // Four probes of few readings.
+    CHECK_THAT(large.degrees_of_freedom, WithinRel(dense.degrees_of_freedom, 0.15));
+  }
+}
+
+TEST_CASE("with a rule for alpha a large skin finds what the dense one finds",
+          "[lab][skin][large]") {
+  for (const char* rule : {"evidence", "aicc"}) {
+    const SkinScene scene =
+        skin("[reconstruct]\ntangential_weight = 1.0\nalpha = \"" + std::string(rule) + "\"\n");
+    const std::vector<double> readings = lab::simulate(scene).readings;
+    const lab::SkinAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
+    const lab::SkinAnswer large = lab::solve(without_matrix(scene), readings);
+    CAPTURE(rule, dense.alpha.value, large.alpha.value);
+    // Four probes of few readings: on larger skins they agree to 15 %.
+    CHECK_THAT(large.alpha.value, WithinRel(dense.alpha.value, 0.35));
+    CHECK(distance(large.tractions, dense.tractions) < 0.05 * norm(dense.tractions));
+    CHECK(std::abs(large.wrench.normal.value - 0.5) < 4.0 * large.wrench.normal.deviation);
+    const lab::SkinAnswer again = lab::solve(without_matrix(scene), readings);
+    CHECK(again.tractions == large.tractions);
+    CHECK(again.deviations == large.deviations);
+    CHECK(again.wrench.normal.deviation == large.wrench.normal.deviation);
+  }
+}
+
+TEST_CASE("a large skin under a friction limit obeys it, as the dense one", "[lab][skin][large]") {
+  const SkinScene scene =
+      skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\nfriction_limit = 0.6\n");
+  const std::vector<double> readings = lab::simulate(scene).readings;
+  const lab::SkinAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
+  const lab::SkinAnswer large = lab::solve(without_matrix(scene), readings);
+  REQUIRE(large.cone);
+  CHECK(large.verdict == dense.verdict);
+  CHECK(large.cone->residual <= 1e-6);
+  CHECK(distance(large.tractions, dense.tractions) < 1e-3 * norm(dense.tractions));
+  // Bands are those without constraints.
+  CHECK(large.wrench.normal.deviation >= 0.99 * dense.wrench.normal.deviation);
+  CHECK(std::abs(large.wrench.normal.value - 0.5) < 4.0 * large.wrench.normal.deviation);
+}
+
+TEST_CASE("the weight of a large skin's drags is that of its strongest part",
+          "[lab][skin][large]") {
+  const SkinScene scene =
+      skin("[reconstruct]\ntangential_weight = \"evidence\"\n", "rows = 16\ncolumns = 16");
+  const std::vector<double> readings = lab::simulate(scene).readings;
+  const lab::SkinSceneProblem problem = without_matrix(scene);
+  REQUIRE(problem.estimates_weight());
+  const lab::SkinAnswer answer = lab::solve(problem, readings);
+  REQUIRE(answer.alpha.tangential_weight);
+  const double dense = lab::SkinSceneProblem(scene).likeliest_weight(readings);
+  CHECK(*answer.alpha.tangential_weight >= 0.49 * dense);
+  CHECK(*answer.alpha.tangential_weight <= 2.01 * dense);
+  CHECK(std::abs(answer.wrench.normal.value - 0.5) < 4.0 * answer.wrench.normal.deviation);
+}
+
+TEST_CASE("loads that mirror each other have answers that do", "[lab][skin][large]") {
+  SkinScene scene = skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
+  auto& contact = std::get<SkinContact>(scene.contacts.front());
+  contact.y = contact.z = 0.0;
+  contact.friction = 0.0;
+  scene.noise->rms.clear();
+  scene.reconstruct.tangential = true;
+  scene.noise.reset();
+  const std::vector<double> readings = lab::simulate(scene).readings;
+  const lab::SkinSceneProblem problem = without_matrix(scene);
+  const lab::SkinAnswer answer = lab::solve(problem, readings);
+  const SkinGrid& grid = problem.grid();
+  const std::size_t cells = grid.count();
+  double peak = 0.0;
+  for (std::size_t i = 0; i < cells; ++i) peak = std::max(peak, answer.tractions[i]);
+  for (std::size_t row = 0; row < grid.rows; ++row)
+    for (std::size_t column = 0; column < grid.columns; ++column) {
+      const std::size_t at = row * grid.columns + column;
+      const std::size_t mirror = (grid.rows - 1 - row) * grid.columns + column;
+      CHECK_THAT(answer.tractions[at], WithinAbs(answer.tractions[mirror], 1e-6 * peak));
+      CHECK_THAT(answer.tractions[cells + at],
+                 WithinAbs(-answer.tractions[cells + mirror], 1e-6 * peak));
+    }
+}
+
+TEST_CASE("a large skin doubts readings that no contact can cause", "[lab][skin][large]") {
+  const SkinScene scene = skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
+  const std::vector<double> honest = lab::simulate(scene).readings;
+  const lab::SkinSceneProblem problem = without_matrix(scene);
+  CHECK(lab::solve(problem, honest).data.consistent());
+
+  std::vector<double> spiked = honest;
+  spiked[40] += 2e4;
+  const DataVerdict bad = lab::solve(problem, spiked).data;
+  REQUIRE(bad.has(DataDoubt::bad_taxel));
+  CHECK(bad.taxel == 40);
+
+  std::vector<double> turned = honest;
+  for (double& reading : turned) reading = -reading;
+  CHECK(lab::solve(problem, turned).data.has(DataDoubt::pulls));
+
+  std::vector<double> strange = honest;
+  for (std::size_t i = 0; i < strange.size(); ++i) strange[i] += i % 2 == 0 ? 2e3 : -2e3;
+  CHECK(lab::solve(problem, strange).data.has(DataDoubt::misfit));
+
+  std::vector<double> beyond = honest;
+  for (double& reading : beyond) reading *= 1e3;
+  CHECK(lab::solve(problem, beyond).data.has(DataDoubt::implausible));
+}
+
+TEST_CASE("a recording of a large skin is solved frame by frame, gaps included",
+          "[lab][skin][large]") {
+  const SkinScene scene = skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
+  const std::vector<double> readings = lab::simulate(scene).readings;
+  lab::SkinRecordingSolver solver(without_matrix(scene), {.missing = lab::Missing::estimate});
+  std::vector<double> whole = readings;
+  const auto first = solver.solve(whole);
+  REQUIRE(first);
+  std::vector<double> gap = readings;
+  gap[100] = NAN;
+  const auto second = solver.solve(gap);
+  REQUIRE(second);
+  SkinScene dead = scene;
+  dead.dead_taxels = {100};
+  std::vector<double> without = readings;
+  for (std::size_t c = 0; c < 3; ++c) without[c * 132 + 100] = 0.0;
+  const lab::SkinAnswer expected = lab::solve(lab::SkinSceneProblem(dead), without);
+  CHECK(distance(second->tractions, expected.tractions) < 1e-6 * norm(expected.tractions));
+  std::vector<double> again = readings;
+  CHECK(solver.solve(again)->tractions == first->tractions);
+
+  SkinScene ruled = skin("[reconstruct]\ntangential_weight = 1.0\n");
+  CHECK_THROWS_WITH(lab::SkinRecordingSolver(without_matrix(ruled), {.share_alpha = 5}),
+                    ContainsSubstring("reconstruct.alpha"));
+}
+
+TEST_CASE("what a large skin cannot have is refused, with what to do", "[lab][skin][large]") {
+  const lab::SkinSceneProblem problem = without_matrix(skin());
+  CHECK(problem.is_large());
+  CHECK_THROWS_WITH(problem.problem(), ContainsSubstring("run and solve take it"));
+  CHECK_THROWS_WITH(problem.family(), ContainsSubstring("larger spacing"));
+  CHECK(problem.layout().kernel.values.empty());
+  CHECK_THROWS_WITH(lab::solve(problem, std::vector<double>(5)), ContainsSubstring("5"));
+  CHECK_THROWS(lab::solve(problem, std::vector<double>(396, NAN)));
+}
+
+TEST_CASE("what takes more memory than is left is refused before it is taken",
+          "[lab][skin][large]") {
+  const SkinArray sensor = skin("", "rows = 400\ncolumns = 400").sensor;
+  const Material silicone{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
+  CHECK_THROWS_WITH(lab::LargeSkin(sensor, silicone, {}, {}, 5e8),
+                    ContainsSubstring("489648 unknown tractions take about") &&
+                        ContainsSubstring("0.5 GB are left") &&
+                        ContainsSubstring("larger spacing"));
+}
+
+TEST_CASE("a scene says itself how it is solved", "[lab][skin][large]") {
+  CHECK_FALSE(is_large(skin()));
+  const SkinScene wide =
+      skin("[reconstruct]\ntangential_weight = 1.0\n", "rows = 60\ncolumns = 60");
+  CHECK(is_large(wide));
+  CHECK(most_tractions(wide) == most_large_skin_tractions);
+  CHECK_THROWS_WITH(skin("[reconstruct]\noffset = true\n", "rows = 60\ncolumns = 60"),
+                    ContainsSubstring("reconstruct.offset = false"));
+  CHECK_THROWS_WITH(skin("[reconstruct]\nspacing = 0.5e-3\n", "rows = 500\ncolumns = 500"),
+                    ContainsSubstring("unknown tractions"));
+}
