@@ -55,9 +55,12 @@ double SkinCovariance::deviation(std::span<const double> weights) const {
   double most = 0.0;  // a weight may be an area, whose square no number holds
   for (const double weight : weights) most = std::max(most, std::abs(weight));
   if (!(most > 0.0)) return 0.0;
-  std::vector<double> shares(weights.begin(), weights.end());
-  for (double& share : shares) share /= most;
-  return most * std::sqrt(std::max(covariance(shares, shares), 0.0));
+  const Eigen::MatrixXd coordinates = factors_->coordinates->sums(as_eigen(weights) / most);
+  const Eigen::MatrixXd components = factors_->components(coordinates);
+  const double known = (as_eigen(std::span(sizes_)).asDiagonal() * components).norm();
+  if (hidden_ == 0.0) return most * known;
+  const double left = (coordinates - factors_->from_components(components)).norm();
+  return most * std::hypot(known, hidden_ * left);
 }
 
 double SkinCovariance::covariance(std::span<const double> a, std::span<const double> b) const {
