@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <ostream>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -14,6 +15,7 @@
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
+#include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/report/words/verdict_words.hpp"
@@ -75,6 +77,15 @@ std::string depths_in_words(const SkinScene& scene) {
 
 std::string uncertain(const SkinScene& scene, Dimension dimension, const Uncertain& value) {
   return in_unit(scene.units, dimension, value.value, value.deviation);
+}
+
+std::string offsets_in_words(const SkinScene& scene, std::span<const double> offsets) {
+  std::vector<std::string> each;
+  for (const SkinChannel& channel : channels(scene.sensor))
+    each.push_back(
+        channel.name + ' ' +
+        in_unit(scene.units, dimension_of(traits(channel.quantity).kind), offsets[each.size()]));
+  return offsets_found(each);
 }
 
 /// Further from the truth than four deviations and two per cent of the force.
@@ -246,7 +257,10 @@ std::string grid_in_words(const SkinScene& scene, const SkinGrid& grid) {
 std::vector<std::string> warnings(const lab::SkinExperiment& experiment) {
   std::vector<std::string> all = in_words(experiment.frame);
   if (experiment.answer)
-    for (const std::string& remark : in_words(experiment.answer->remarks)) all.push_back(remark);
+    for (const lab::Remark& remark : experiment.answer->remarks)
+      all.push_back(std::holds_alternative<lab::remark::OffsetsFound>(remark)
+                        ? offsets_in_words(experiment.scene, experiment.answer->offsets)
+                        : in_words(remark));
   if (experiment.answer && experiment.answer->unseen > lab::most_unseen)
     all.push_back(percent(experiment.answer->unseen) +
                   " of the force found lies beyond the taxels, or where they are dead: how much "
@@ -293,6 +307,15 @@ std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
                     [](const auto& frame) { return frame.verdict == lab::Verdict::ok; }));
   all.push_back({std::to_string(good) + " of " + std::to_string(recording.frames.size()),
                  "frames have the verdict ok", good < recording.frames.size()});
+  const auto add_missing = [&](const lab::FrameRuns& runs, const char* what) {
+    if (runs.count() > 0)
+      all.push_back(
+          {std::to_string(runs.count()) + " of " + std::to_string(recording.frames.size()),
+           std::string(what) + in_words(runs), true});
+  };
+  add_missing(recording.skipped(), "frames miss readings and have no answer: ");
+  add_missing(recording.estimated(),
+              "frames miss readings and are solved without the taxels that miss: ");
   const auto doubted = static_cast<std::size_t>(
       std::count_if(recording.frames.begin(), recording.frames.end(),
                     [](const auto& frame) { return !frame.data.consistent(); }));
