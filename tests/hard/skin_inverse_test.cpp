@@ -122,8 +122,10 @@ TEST_CASE("skins of any shape are solved to their condition, against 50 digits",
   };
   for (const Material& material : materials)
     for (const Shape& shape : shapes(reads)) {
-      const SkinProblem problem =
-          make_problem(shape.skin, material, {.tangential_weight = 2.0, .dead_taxels = shape.dead});
+      const SkinProblem problem = make_problem(shape.skin, material,
+                                               {.tangential_weight = 2.0,
+                                                .dead_taxels = shape.dead,
+                                                .grid = {.spacing = 1.25, .margin = 1.0}});
       const SkinFamily family(problem);
       for (const auto& [place, alpha, unit] :
            {Frame{0.0, 1e-8, 1.0}, Frame{1.5, 1e-2, 1e-150}, Frame{6.0, 1e-6, 1e150}}) {
