@@ -5,17 +5,16 @@
 #include <cmath>
 #include <numbers>
 #include <ostream>
-#include <span>
 #include <utility>
 #include <variant>
 
+#include "report/words/skin_remark_words.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
-#include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/report/words/verdict_words.hpp"
@@ -77,15 +76,6 @@ std::string depths_in_words(const SkinScene& scene) {
 
 std::string uncertain(const SkinScene& scene, Dimension dimension, const Uncertain& value) {
   return in_unit(scene.units, dimension, value.value, value.deviation);
-}
-
-std::string offsets_in_words(const SkinScene& scene, std::span<const double> offsets) {
-  std::vector<std::string> each;
-  for (const SkinChannel& channel : channels(scene.sensor))
-    each.push_back(
-        channel.name + ' ' +
-        in_unit(scene.units, dimension_of(traits(channel.quantity).kind), offsets[each.size()]));
-  return offsets_found(each);
 }
 
 /// Further from the truth than four deviations and two per cent of the force.
@@ -203,10 +193,6 @@ std::pair<std::optional<double>, std::optional<double>> hertz_radii(const SkinSc
   return {std::max(body->radius, other), std::min(body->radius, other)};
 }
 
-}  // namespace
-
-namespace {
-
 /// Where cells are narrower than the scene asks: taxels stand in the middle of cells.
 std::string narrowed(const SkinScene& scene, const SkinGrid& grid) {
   const auto asked = scene.reconstruct.grid.spacing;
@@ -307,15 +293,7 @@ std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
                     [](const auto& frame) { return frame.verdict == lab::Verdict::ok; }));
   all.push_back({std::to_string(good) + " of " + std::to_string(recording.frames.size()),
                  "frames have the verdict ok", good < recording.frames.size()});
-  const auto add_missing = [&](const lab::FrameRuns& runs, const char* what) {
-    if (runs.count() > 0)
-      all.push_back(
-          {std::to_string(runs.count()) + " of " + std::to_string(recording.frames.size()),
-           std::string(what) + in_words(runs), true});
-  };
-  add_missing(recording.skipped(), "frames miss readings and have no answer: ");
-  add_missing(recording.estimated(),
-              "frames miss readings and are solved without the taxels that miss: ");
+  add_missing(all, recording);
   const auto doubted = static_cast<std::size_t>(
       std::count_if(recording.frames.begin(), recording.frames.end(),
                     [](const auto& frame) { return !frame.data.consistent(); }));
