@@ -36,9 +36,10 @@ void show(SkinRecordingAnswer& recording, const SkinAnswer& found) {
 }  // namespace
 
 void SkinRecordingAnswer::add(std::string time, std::span<const double> frame_readings,
-                              const SkinAnswer& found) {
+                              const SkinAnswer& found, bool estimated) {
   frames.push_back(
       {.time = std::move(time),
+       .estimated = estimated,
        .verdict = found.verdict,
        .alpha = found.alpha,
        .wrench = found.wrench,
@@ -55,6 +56,20 @@ void SkinRecordingAnswer::skip(std::string time) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   frames.push_back({.time = std::move(time), .missing = true, .verdict = Verdict::failed});
   frames.back().wrench.normal = {none, none};
+}
+
+FrameRuns SkinRecordingAnswer::skipped() const {
+  FrameRuns runs;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    if (frames[i].missing) runs.add(i);
+  return runs;
+}
+
+FrameRuns SkinRecordingAnswer::estimated() const {
+  FrameRuns runs;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    if (frames[i].estimated) runs.add(i);
+  return runs;
 }
 
 }  // namespace tactile_net::lab

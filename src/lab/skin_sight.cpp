@@ -2,16 +2,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace tactile_net::lab {
+namespace {
+
+/// How far apart taxels lie that are nowhere in rows: the mean distance to the third nearest place,
+/// which of a square lattice and of a triangular one is their pitch. The nearest ones lie closer
+/// the less even a skin is, though it leaves no gaps.
+double mean_spacing(std::span<const SkinSite> sites) {
+  std::vector<std::pair<double, double>> places;
+  for (const SkinSite& site : sites) places.emplace_back(site.y, site.z);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  constexpr std::size_t third = 3;  // the first is the place itself
+  double sum = 0.0;
+  std::vector<double> away(places.size());
+  for (const auto& [y, z] : places) {
+    std::transform(places.begin(), places.end(), away.begin(), [&](const auto& other) {
+      return std::hypot(other.first - y, other.second - z);
+    });
+    const auto at =
+        away.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(third, away.size() - 1));
+    std::nth_element(away.begin(), at, away.end());
+    sum += *at / static_cast<double>(places.size());
+  }
+  return sum;
+}
+
+}  // namespace
 
 std::vector<bool> unseen_cells(const SkinSceneProblem& problem) {
   const SkinArray& skin = problem.scene().sensor;
   const SkinGrid& grid = problem.grid();
+  const std::vector<SkinSite> all = sites(skin);
   // A row of taxels has no pitch across it.
-  const double pitch = std::max(!is_even(skin) || skin.rows > 1 ? skin.pitch_y : 0.0,
-                                !is_even(skin) || skin.columns > 1 ? skin.pitch_z : 0.0);
+  const double pitch = is_even(skin) ? std::max(skin.rows > 1 ? skin.pitch_y : 0.0,
+                                                skin.columns > 1 ? skin.pitch_z : 0.0)
+                                     : std::max(skin.pitch_y, mean_spacing(all));
   const double reach = std::max(0.75 * pitch, 0.5 * least_depth(skin));
   std::vector<bool> unseen(grid.count(), true);
   const SkinProblem& solved = problem.layout();

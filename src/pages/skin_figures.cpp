@@ -52,7 +52,7 @@ std::string traction_map(const SkinScene& scene, const SkinGrid& cells_of, const
   const auto of = [&](SkinTraction which) { return lab::component(values, cells_of, which); };
   std::string svg =
       map_image(grid, of(SkinTraction::normal), scales.pressure, MapColours::signed_values) +
-      map_taxels(grid, scene.sensor);
+      map_taxels(grid, scene.sensor, scene.dead_taxels);
   std::vector<bool> touches(cells_of.count());
   for (const std::size_t cell : cells) touches[cell] = true;
   const auto drag = [&](SkinTraction which) {
@@ -97,6 +97,7 @@ std::string readings_figure(const lab::SkinExperiment& experiment) {
   if (!is_even(scene.sensor)) return {};
   const MapGrid grid = map_grid(scene.sensor);
   std::string pictures;
+  const std::string dead = map_dead_taxels(grid, scene.sensor, scene.dead_taxels);
   for (const SkinChannel& channel : channels(scene.sensor)) {
     const auto values =
         std::span<const double>(experiment.frame.readings).subspan(channel.first, channel.count);
@@ -106,7 +107,7 @@ std::string readings_figure(const lab::SkinExperiment& experiment) {
     pictures += "<div>" +
                 map_picture(scene.units, grid, std::string(name(channel.quantity)) + " at " + depth,
                             "Map of the readings " + channel.name,
-                            map_image(grid, values, most, MapColours::signed_values)) +
+                            map_image(grid, values, most, MapColours::signed_values) + dead) +
                 colour_bar(MapColours::signed_values,
                            report::axis_unit(scene.units,
                                              dimension_of(traits(channel.quantity).kind), most),
@@ -116,7 +117,10 @@ std::string readings_figure(const lab::SkinExperiment& experiment) {
   return element("h2", "The readings") +
          figure_html("readings", "<div class=\"maps small\">" + pictures + "</div>",
                      "What the taxels read, a square each: all that the answer is made of. Blue is "
-                     "compression, or along +y and +z.",
+                     "compression, or along +y and +z." +
+                         std::string(dead.empty() ? ""
+                                                  : " Crosses are dead taxels, which say "
+                                                    "nothing."),
                      "readings.csv", "skin");
 }
 
@@ -143,8 +147,9 @@ std::string tractions_figure(const lab::SkinExperiment& experiment) {
   return figure_html(
       "tractions", maps(pictures) + traction_bar(experiment.scene, scales),
       std::string("Seen from outside: colours are the pressure, mean of each cell") +
-          (arrows ? ", arrows the drag" : "") +
-          ", dots the taxels; the line runs around the cells that touch, over which forces are "
+          (arrows ? ", arrows the drag" : "") + ", dots the taxels" +
+          (experiment.scene.dead_taxels.empty() ? "" : ", crosses those that are dead") +
+          "; the line runs around the cells that touch, over which forces are "
           "summed. What is narrower than the taxels are deep is smoothed, for the pad itself "
           "hides it.",
       "tractions.csv", "skin");
@@ -161,9 +166,9 @@ std::string errors_figure(const lab::SkinExperiment& experiment) {
     const double most = largest(values);
     if (!(most > 0.0)) return;
     pictures.push_back(
-        map_picture(
-            units, grid, title, title,
-            map_image(grid, values, most, colours) + map_taxels(grid, experiment.scene.sensor)) +
+        map_picture(units, grid, title, title,
+                    map_image(grid, values, most, colours) +
+                        map_taxels(grid, experiment.scene.sensor, experiment.scene.dead_taxels)) +
         colour_bar(colours, report::axis_unit(units, Dimension::stress, most), most, true, ""));
   };
   add("How far p may be off: one standard deviation",

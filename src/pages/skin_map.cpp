@@ -189,17 +189,49 @@ std::string map_outline(const MapGrid& grid, const std::vector<bool>& inside) {
   return d.empty() ? d : "<path class=\"support\" d=\"" + d + "\"/>\n";
 }
 
-std::string map_taxels(const MapGrid& grid, const SkinArray& skin) {
-  if (taxel_count(skin) > most_dots) return {};
-  const double radius =
-      std::clamp(90.0 / std::sqrt(static_cast<double>(taxel_count(skin))) / 4.0, 1.5, 4.0);
-  std::set<std::pair<double, double>> drawn;  // several quantities may be read at one place
+namespace {
+
+double taxel_radius(const SkinArray& skin) {
+  return std::clamp(90.0 / std::sqrt(static_cast<double>(taxel_count(skin))) / 4.0, 1.5, 4.0);
+}
+
+/// What `draw` makes of each place where taxels are that are dead, or where those are that are not;
+/// several quantities may be read at one.
+std::string at_taxels(const SkinArray& skin, std::span<const std::size_t> dead, bool of_dead,
+                      const auto& draw) {
+  std::set<std::pair<double, double>> drawn;
   std::string svg;
-  for (const SkinSite& site : sites(skin))
-    if (drawn.emplace(site.y, site.z).second)
-      svg += "<circle class=\"taxel-dot\" cx=\"" + px(grid.across(site.y)) + "\" cy=\"" +
-             px(grid.down(site.z)) + "\" r=\"" + px(radius) + "\"/>";
+  for (const SkinSite& site : sites(skin)) {
+    const bool is_dead = std::find(dead.begin(), dead.end(), site.taxel) != dead.end();
+    if (is_dead == of_dead && drawn.emplace(site.y, site.z).second) svg += draw(site.y, site.z);
+  }
   return svg + '\n';
+}
+
+}  // namespace
+
+std::string map_dead_taxels(const MapGrid& grid, const SkinArray& skin,
+                            std::span<const std::size_t> dead) {
+  if (dead.empty()) return {};
+  const double arm = 1.5 * taxel_radius(skin);
+  const std::string wide = px(2.0 * arm);
+  return at_taxels(skin, dead, true, [&](double y, double z) {
+    return "<path class=\"taxel-dead\" d=\"M" + px(grid.across(y) - arm) + ' ' +
+           px(grid.down(z) - arm) + 'l' + wide + ' ' + wide + "m0 -" + wide + "l-" + wide + ' ' +
+           wide + "\"/>";
+  });
+}
+
+std::string map_taxels(const MapGrid& grid, const SkinArray& skin,
+                       std::span<const std::size_t> dead) {
+  if (taxel_count(skin) > most_dots) return map_dead_taxels(grid, skin, dead);
+  const std::string radius = px(taxel_radius(skin));
+  return at_taxels(skin, dead, false,
+                   [&](double y, double z) {
+                     return "<circle class=\"taxel-dot\" cx=\"" + px(grid.across(y)) + "\" cy=\"" +
+                            px(grid.down(z)) + "\" r=\"" + radius + "\"/>";
+                   }) +
+         map_dead_taxels(grid, skin, dead);
 }
 
 std::string map_picture(const std::optional<Units>& units, const MapGrid& grid,

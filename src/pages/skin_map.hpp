@@ -62,8 +62,13 @@ enum class MapColours { signed_values, sizes };
 /// Around cells for which `inside` is true.
 [[nodiscard]] std::string map_outline(const MapGrid& grid, const std::vector<bool>& inside);
 
-/// Where taxels are.
-[[nodiscard]] std::string map_taxels(const MapGrid& grid, const SkinArray& skin);
+/// Where taxels are: a dot each, of dead ones a cross.
+/// @param dead  their numbers
+[[nodiscard]] std::string map_taxels(const MapGrid& grid, const SkinArray& skin,
+                                     std::span<const std::size_t> dead);
+/// The crosses alone.
+[[nodiscard]] std::string map_dead_taxels(const MapGrid& grid, const SkinArray& skin,
+                                          std::span<const std::size_t> dead);
 
 /// The map with its numbers around it.
 ///

@@ -90,7 +90,7 @@ figure.skin { max-width: none; margin: 0 0 2rem; } .frame[hidden] { display: non
 .maps > div { min-width: 0; max-width: 36rem; } .map-title { margin: 0 0 .4rem; font-weight: 600; }
 .map { display: grid; grid-template-columns: 2.6rem 1fr; } .map > svg { width: 100%; height: auto; display: block; border: 1px solid var(--rule); box-sizing: border-box; }
 .map .ends { display: flex; justify-content: space-between; padding-top: .3rem; font-size: .8rem; line-height: 1.1; color: var(--quiet); font-variant-numeric: tabular-nums; }
-.map image { image-rendering: pixelated; } .taxel-dot { fill: var(--ink); opacity: .35; }
+.map image { image-rendering: pixelated; } .taxel-dot { fill: var(--ink); opacity: .35; } .taxel-dead { fill: none; stroke: var(--ink); stroke-width: 1.6; opacity: .7; }
 .arrow, .arrow-rim { fill: none; stroke-linejoin: round; stroke-linecap: round; }
 .arrow { stroke: var(--orange); stroke-width: 3; } .arrow-rim { stroke: var(--paper); stroke-width: 6.5; opacity: .85; }
 .support { fill: none; stroke: var(--ink); stroke-width: 1.6; }

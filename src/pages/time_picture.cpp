@@ -30,6 +30,13 @@ std::string point(std::size_t column, double y) {
   return fixed(static_cast<double>(column) + 0.5, 1) + ' ' + fixed(y, 2);
 }
 
+/// Of a column between two gaps: a line of its own width, where a point would not be seen.
+constexpr double lone_width = 0.6;
+std::string lone_point(std::size_t column, double y) {
+  return fixed(static_cast<double>(column) + 0.5 - 0.5 * lone_width, 1) + ' ' + fixed(y, 2) + 'h' +
+         fixed(lone_width, 1);
+}
+
 }  // namespace
 
 std::string stretched_picture(std::size_t columns, const Range& range, const ScaledUnit& unit,
@@ -49,7 +56,11 @@ std::string path_of(std::size_t columns, const Range& range, const ColumnValue& 
   bool pen = false;
   for (std::size_t i = 0; i < columns; ++i) {
     const double y = range.at(value(i));
-    if (std::isfinite(y)) d += (pen ? "L" : "M") + point(i, y);
+    const bool ends = i + 1 == columns || !std::isfinite(range.at(value(i + 1)));
+    if (std::isfinite(y) && !pen && ends)
+      d += "M" + lone_point(i, y);
+    else if (std::isfinite(y))
+      d += (pen ? "L" : "M") + point(i, y);
     pen = std::isfinite(y);
   }
   return "<path class=\"" + std::string(type) + "\" d=\"" + d + "\"/>";
@@ -64,6 +75,12 @@ std::string area_of(std::size_t columns, const Range& range, const ColumnValue& 
   for (std::size_t first = 0; first < columns; ++first) {
     if (!known(first)) continue;
     std::size_t end = first;  // of a piece without a gap
+    if (first + 1 == columns || !known(first + 1)) {
+      const std::string low_end = fixed(range.at(low(first)), 2);
+      d += "M" + lone_point(first, range.at(high(first))) + "V" + low_end + "h-" +
+           fixed(lone_width, 1) + "Z";
+      continue;
+    }
     for (; end < columns && known(end); ++end)
       d += (end == first ? "M" : "L") + point(end, range.at(high(end)));
     for (std::size_t i = end; i-- > first;) d += "L" + point(i, range.at(low(i)));

@@ -8,6 +8,7 @@
 
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
+#include "skin/sparse_stabiliser.hpp"
 
 namespace tactile_net {
 namespace {
@@ -101,21 +102,32 @@ Eigen::VectorXd CosineCoordinates::squares() const {
 }
 
 FaceCoordinates::FaceCoordinates(const SkinProblem& problem, const ConeFace& face) {
-  const CosineCoordinates waves(problem, stabiliser_spectrum(problem).cwiseSqrt());
-  const Eigen::MatrixXd free = as_eigen(tactile_net::edges(problem, face));
-  if (free.cols() == 0)
+  if (face.free.empty())
     throw std::invalid_argument("every traction is held at zero: no family of any");
-  map_ = divide_upper(free, HouseholderQr(waves.coordinates(free)).triangle());
+  edges_ = as_eigen(tactile_net::edges(problem, face)).sparseView();
+  const double spacing = std::min(problem.grid.spacing_y, problem.grid.spacing_z);
+  if (spacing > too_narrow * problem.smoothing_length) {
+    const Eigen::SparseMatrix<double> stretched = sparse_stabiliser(problem) * edges_;
+    root_.emplace(Eigen::SparseMatrix<double>(edges_.transpose() * stretched));
+    if (root_->definite()) return;
+    root_.reset();
+  }
+  const CosineCoordinates waves(problem, stabiliser_spectrum(problem).cwiseSqrt());
+  triangle_ = HouseholderQr(waves.coordinates(Eigen::MatrixXd(edges_))).triangle();
 }
 
 Eigen::MatrixXd FaceCoordinates::tractions(const Eigen::MatrixXd& coordinates) const {
-  return map_ * coordinates;
+  return edges_ * (root_ ? root_->solve(coordinates) : solve_upper(triangle_, coordinates));
 }
 
 Eigen::MatrixXd FaceCoordinates::sums(const Eigen::MatrixXd& tractions) const {
-  return map_.transpose() * tractions;
+  const Eigen::MatrixXd along = edges_.transpose() * tractions;
+  if (root_) return root_->solve_transposed(along);
+  return divide_upper(along.transpose(), triangle_).transpose();
 }
 
-Eigen::VectorXd FaceCoordinates::squares() const { return map_.rowwise().squaredNorm(); }
+Eigen::VectorXd FaceCoordinates::squares() const {
+  return sums(Eigen::MatrixXd::Identity(edges_.rows(), edges_.rows())).colwise().squaredNorm();
+}
 
 }  // namespace tactile_net

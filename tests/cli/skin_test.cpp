@@ -118,6 +118,24 @@ TEST_CASE("what simulate records of a skin, solve finds as run does", "[cli][ski
   }
 }
 
+TEST_CASE("dead taxels of a skin are crossed out on its page", "[cli][skin]") {
+  const Folder folder;
+  const auto crosses = [&](const std::string& more) {
+    const ProcessResult result =
+        tool({"run", folder.write("skin.toml", skin + more), "--out", folder / "out"});
+    CAPTURE(result.errors);
+    REQUIRE(result.code == 0);
+    const std::string page = read_text(folder / "out/report.html");
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = page.find("class=\"taxel-dead\"", at)) != page.npos; ++at)
+      ++count;
+    return count;
+  };
+  CHECK(crosses("") == 0);
+  // Of what presses, what was found, both of its errors, and three maps of readings.
+  CHECK(crosses("[dead_taxels]\nindices = [3, 7]\n") == 2 * 7);
+}
+
 TEST_CASE("simulate and run of a skin go through its effects", "[cli][skin]") {
   const Folder folder;
   const std::string path =
@@ -170,6 +188,16 @@ TEST_CASE("solve of a skin: what --missing says becomes of frames", "[cli][skin]
   Json json = Json::parse(read_text(folder / "s"));
   CHECK(json["frames"][1]["verdict"] == "failed");
   CHECK(json["frames"][1]["resultant"].is_null());
+  CHECK(json["frames"][0]["missing"].is_null());
+  CHECK(json["frames"][1]["missing"] == "skipped");
+  CHECK_THAT(read_text(folder / "skip/report.html"),
+             ContainsSubstring("frames miss readings and have no answer: frame 1"));
+  // The frames at both sides of the gap stand alone, and are drawn.
+  CHECK_THAT(read_text(folder / "skip/report.html"),
+             ContainsSubstring("d=\"M0.2 ") && ContainsSubstring("h0.6M2.2 "));
+  const std::string forces = read_text(folder / "u.csv");
+  CHECK_THAT(forces, ContainsSubstring(",verdict\n") && ContainsSubstring(",missing\n") &&
+                         ContainsSubstring("angle_deviation,margin,margin_deviation,data,alpha"));
   CHECK(json["frames"][2]["resultant"] == json["frames"][0]["resultant"]);
   CHECK_THAT(read_text(folder / "skip/report.html"), !ContainsSubstring(" -L"));
   const std::string rows = read_text(folder / "t.csv");
@@ -180,6 +208,9 @@ TEST_CASE("solve of a skin: what --missing says becomes of frames", "[cli][skin]
   REQUIRE(estimated.code == 0);
   CHECK_THAT(estimated.errors, ContainsSubstring("solved from the other taxels: frame 1"));
   json = Json::parse(read_text(folder / "s"));
+  CHECK(json["frames"][1]["missing"] == "estimated");
+  CHECK_THAT(read_text(folder / "estimate/report.html"),
+             ContainsSubstring("are solved without the taxels that miss: frame 1"));
   const double whole = json["frames"][0]["resultant"]["normal"]["value"];
   CHECK_THAT(json["frames"][1]["resultant"]["normal"]["value"].get<double>(),
              WithinRel(whole, 0.1));

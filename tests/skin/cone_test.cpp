@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "tactile_net/skin/covariance.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
@@ -127,6 +128,57 @@ TEST_CASE("a family on the face finds the cone's tractions again", "[skin][cone]
   const SkinFamily flat(frame.problem, pressed.face);
   CHECK(distance(flat.solve(flat.analyse(frame.readings), alpha), pressed.tractions) <=
         1e-6 * norm(pressed.tractions));
+}
+
+TEST_CASE("a face's family is the least, whichever way its stabiliser is factored",
+          "[skin][cone][family]") {
+  // A thousand cells and more in a smoothing length go by a QR, fewer by a sparse root.
+  for (const double cells : {1.0, 900.0, 1100.0}) {
+    Frame frame = dragged(6, {.tangential_weight = 3.0});
+    frame.problem.smoothing_length = cells * frame.problem.grid.spacing_y;
+    const double alpha = 1e-3 / (1.0 + cells * cells);
+    ConeFace face;  // every other cell: half of them slide, half stick
+    for (std::size_t cell = 0; cell < frame.problem.grid.count(); cell += 2) {
+      if (cell % 4 == 0) {
+        face.free.push_back({cell, {0.8, 0.36, 0.48}});
+        face.free.push_back({cell, {0.0, -0.8, 0.6}});
+      } else {
+        for (std::size_t u = 0; u < 3; ++u) {
+          face.free.push_back({cell, {}});
+          face.free.back().along[u] = 1.0;
+        }
+      }
+    }
+    const SkinFamily family(frame.problem, face);
+    const std::vector<double> f = family.solve(family.analyse(frame.readings), alpha);
+    // P f = b along every direction that is free, and f holds no other.
+    const std::vector<double> image = product(normal_matrix(frame.problem, alpha), f);
+    const std::vector<double> right = normal_right_side(frame.problem, frame.readings);
+    const Matrix free = edges(frame.problem, face);
+    double left = 0.0;
+    double whole = 0.0;
+    for (std::size_t j = 0; j < free.columns; ++j) {
+      double gradient = 0.0;
+      double of_right = 0.0;
+      for (std::size_t i = 0; i < free.rows; ++i) {
+        gradient += free(i, j) * (image[i] - right[i]);
+        of_right += free(i, j) * right[i];
+      }
+      left = std::hypot(left, gradient);
+      whole = std::hypot(whole, of_right);
+    }
+    CAPTURE(cells);
+    CHECK(norm(f) > 0.0);
+    CHECK(left <= 1e-8 * whole);
+    for (std::size_t cell = 1; cell < frame.problem.grid.count(); cell += 2) CHECK(f[cell] == 0.0);
+    // And a sum's deviation is that of its own variance.
+    const SkinCovariance covariance(family, alpha, alpha);
+    const std::vector<double> deviations = covariance.deviations();
+    std::vector<double> one(f.size());
+    one[0] = 2.0;
+    CHECK_THAT(covariance.deviation(one), WithinRel(2.0 * deviations[0], 1e-9));
+    CHECK_THAT(std::sqrt(covariance.covariance(one, one)), WithinRel(2.0 * deviations[0], 1e-9));
+  }
 }
 
 TEST_CASE("without constraints that bind the cone's tractions are the family's", "[skin][cone]") {

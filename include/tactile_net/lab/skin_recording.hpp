@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/lab/frame_runs.hpp"
 #include "tactile_net/lab/skin_answer.hpp"
 
 namespace tactile_net::lab {
@@ -16,8 +17,9 @@ namespace tactile_net::lab {
 struct SkinRecordingAnswer {
   /// What is kept of every frame.
   struct Frame {
-    std::string time{};    ///< as the file has it; empty: it has none
-    bool missing = false;  ///< readings are, and there is no answer: what follows holds nothing
+    std::string time{};      ///< as the file has it; empty: it has none
+    bool missing = false;    ///< readings are, and there is no answer: what follows holds nothing
+    bool estimated = false;  ///< solved without the taxels whose readings are missing
     Verdict verdict = Verdict::ok;
     ChosenAlpha alpha{};
     UncertainWrench wrench{};
@@ -44,9 +46,14 @@ struct SkinRecordingAnswer {
   std::optional<SkinAnswer> answer{};  ///< of that one; absent: none has one
 
   /// Memory grows by what is kept of a frame alone.
-  void add(std::string time, std::span<const double> frame_readings, const SkinAnswer& found);
+  /// @param estimated  it was solved without the taxels whose readings are missing
+  void add(std::string time, std::span<const double> frame_readings, const SkinAnswer& found,
+           bool estimated = false);
   /// A frame without an answer.
   void skip(std::string time);
+  /// Frames without an answer, and those that were estimated.
+  [[nodiscard]] FrameRuns skipped() const;
+  [[nodiscard]] FrameRuns estimated() const;
 };
 
 }  // namespace tactile_net::lab

@@ -1,5 +1,7 @@
 #include "tactile_net/report/csv/skin_csv.hpp"
 
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
@@ -10,6 +12,8 @@
 
 namespace tactile_net::report {
 namespace {
+
+constexpr std::ptrdiff_t after_wrench = 2;  // `data` and `alpha`
 
 std::string readings_csv(const lab::SkinExperiment& experiment) {
   std::string text;
@@ -94,6 +98,36 @@ std::vector<double> wrench_values(const lab::SkinAnswer& answer) {
   values.push_back(
       answer.data.consistent() ? 0.0 : 1.0 + static_cast<double>(answer.data.doubts.front()));
   values.push_back(answer.alpha.value);
+  return values;
+}
+
+std::vector<std::string> uncertainty_columns(const SkinScene& scene) {
+  std::vector<std::string> names = wrench_columns();
+  std::vector<std::string> more = {"angle", "angle_deviation", "margin", "margin_deviation"};
+  if (scene.reconstruct.offset)
+    for (const SkinChannel& channel : channels(scene.sensor))
+      more.push_back("offset_" + channel.name);
+  names.insert(names.end() - after_wrench, more.begin(), more.end());
+  names.emplace_back("verdict");
+  return names;
+}
+
+std::vector<double> uncertainty_values(const lab::SkinAnswer& answer, const SkinScene& scene) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> more(4, none);
+  if (const auto& friction = answer.friction) {
+    const double ratio = friction->ratio.value;
+    more[0] = std::atan(ratio);
+    more[1] = friction->ratio.deviation / (1.0 + ratio * ratio);
+    if (friction->margin) {
+      more[2] = friction->margin->value;
+      more[3] = friction->margin->deviation;
+    }
+  }
+  if (scene.reconstruct.offset)
+    more.insert(more.end(), answer.offsets.begin(), answer.offsets.end());
+  std::vector<double> values = wrench_values(answer);
+  values.insert(values.end() - after_wrench, more.begin(), more.end());
   return values;
 }
 

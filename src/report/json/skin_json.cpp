@@ -183,6 +183,9 @@ std::string recording_json(const lab::SkinRecordingAnswer& recording, const std:
   for (const lab::SkinRecordingAnswer::Frame& frame : recording.frames) {
     Json one = {{"t", frame.time.empty() ? Json(nullptr) : Json(frame.time)},
                 {"verdict", name(frame.verdict)},
+                {"missing", frame.missing     ? Json("skipped")
+                            : frame.estimated ? Json("estimated")
+                                              : Json(nullptr)},
                 {"alpha", nullptr},
                 {"alpha_rule", nullptr},
                 {"tangential_weight", nullptr},

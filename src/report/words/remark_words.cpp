@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/mode_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -64,12 +65,9 @@ std::string say(const remark::EstimatedWeight& r) {
          "normal one";
 }
 std::string say(const remark::OffsetsFound& r) {
-  std::string text =
-      "each channel's readings have an offset that is not known, found with the "
-      "tractions:";
-  for (std::size_t i = 0; i < r.channels.size(); ++i)
-    text += (i == 0 ? " " : ", ") + r.channels[i].first + " " + brief(r.channels[i].second);
-  return text;
+  std::vector<std::string> each;
+  for (const auto& [channel, offset] : r.channels) each.push_back(channel + " " + brief(offset));
+  return offsets_found(each);
 }
 std::string say(const remark::ModelError& r) {
   return "the residual is larger than the noise stated explains: the model is off by about " +
@@ -139,6 +137,11 @@ std::vector<std::string> said_of(const auto& frame) {
 std::vector<std::string> in_words(const lab::SimulatedFrame& frame) { return said_of(frame); }
 
 std::vector<std::string> in_words(const lab::SkinFrame& frame) { return said_of(frame); }
+
+std::string offsets_found(const std::vector<std::string>& each) {
+  return "each channel's readings have an offset that is not known, found with the tractions: " +
+         join(each, ", ");
+}
 
 std::string in_words(const lab::Remark& remark) {
   return std::visit([](const auto& one) { return say(one); }, remark);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "report/words/skin_remark_words.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -192,10 +193,6 @@ std::pair<std::optional<double>, std::optional<double>> hertz_radii(const SkinSc
   return {std::max(body->radius, other), std::min(body->radius, other)};
 }
 
-}  // namespace
-
-namespace {
-
 /// Where cells are narrower than the scene asks: taxels stand in the middle of cells.
 std::string narrowed(const SkinScene& scene, const SkinGrid& grid) {
   const auto asked = scene.reconstruct.grid.spacing;
@@ -258,7 +255,10 @@ std::string grid_in_words(const SkinScene& scene, const SkinGrid& grid) {
 std::vector<std::string> warnings(const lab::SkinExperiment& experiment) {
   std::vector<std::string> all = in_words(experiment.frame);
   if (experiment.answer)
-    for (const std::string& remark : in_words(experiment.answer->remarks)) all.push_back(remark);
+    for (const lab::Remark& remark : experiment.answer->remarks)
+      all.push_back(std::holds_alternative<lab::remark::OffsetsFound>(remark)
+                        ? offsets_in_words(experiment.scene, experiment.answer->offsets)
+                        : in_words(remark));
   if (experiment.answer && experiment.answer->iteration)
     all.push_back(without_matrix(*experiment.answer));
   if (experiment.answer && experiment.answer->unseen > lab::most_unseen)
@@ -307,6 +307,7 @@ std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
                     [](const auto& frame) { return frame.verdict == lab::Verdict::ok; }));
   all.push_back({std::to_string(good) + " of " + std::to_string(recording.frames.size()),
                  "frames have the verdict ok", good < recording.frames.size()});
+  add_missing(all, recording);
   const auto doubted = static_cast<std::size_t>(
       std::count_if(recording.frames.begin(), recording.frames.end(),
                     [](const auto& frame) { return !frame.data.consistent(); }));

@@ -1,5 +1,7 @@
 #include "commands/solve_skin.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <ostream>
@@ -10,6 +12,7 @@
 #include "commands/frames_file.hpp"
 #include "commands/recording.hpp"
 #include "failure.hpp"
+#include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/lab/skin_recording.hpp"
 #include "tactile_net/lab/skin_recording_solver.hpp"
@@ -30,6 +33,40 @@ void refuse_for_skins(const SolveOptions& options, const SkinScene& scene) {
     throw WrongUsage("--share-alpha", "needs an alpha that a rule chooses");
 }
 
+/// How far what each frame amounts to may be off, one frame a row.
+class UncertaintyFile {
+ public:
+  UncertaintyFile(const std::string& path, const SkinScene& scene, bool with_time,
+                  const Streams& streams)
+      : scene_(scene),
+        columns_(report::uncertainty_columns(scene)),
+        output_(path, &streams.out),
+        sink_(output_.stream(), columns_, with_time) {}
+
+  void add(std::string_view time, const lab::SkinAnswer& answer) {
+    sink_.add(time, report::uncertainty_values(answer, scene_), lab::name(answer.verdict));
+  }
+  void skip(std::string_view time) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    sink_.add(time, std::vector<double>(columns_.size() - 1, unknown), "missing");
+  }
+  void flush() { sink_.flush(); }
+  void commit() {
+    sink_.finish();
+    output_.commit();
+  }
+  void commit_partial() {
+    sink_.finish();
+    (void)output_.commit_partial();
+  }
+
+ private:
+  const SkinScene& scene_;
+  std::vector<std::string> columns_;
+  frames::OutputFile output_;
+  frames::CsvSink sink_;
+};
+
 /// Where the answers go.
 class Outputs {
  public:
@@ -41,20 +78,18 @@ class Outputs {
                    streams.out),
         unknown_(problem.tractions(), std::numeric_limits<double>::quiet_NaN()) {
     if (!options.uncertainty.empty())
-      wrenches_.emplace(options.uncertainty, report::wrench_columns(), with_time, streams.out);
+      wrenches_.emplace(options.uncertainty, problem.scene(), with_time, streams);
   }
 
   void add(std::string_view time, const lab::SkinAnswer& answer) {
     tractions_.add(time, answer.tractions);
-    if (wrenches_) wrenches_->add(time, report::wrench_values(answer));
+    if (wrenches_) wrenches_->add(time, answer);
   }
   /// A frame without an answer: its row is there, so that row k of the answers is frame k of the
   /// recording.
   void skip(std::string_view time) {
     tractions_.add(time, unknown_);
-    if (wrenches_)
-      wrenches_->add(time, std::vector<double>(report::wrench_columns().size(),
-                                               std::numeric_limits<double>::quiet_NaN()));
+    if (wrenches_) wrenches_->skip(time);
   }
   void flush() {
     tractions_.flush();
@@ -75,7 +110,7 @@ class Outputs {
   bool in_folder_;
   FramesFile tractions_;
   std::vector<double> unknown_;
-  std::optional<FramesFile> wrenches_{};
+  std::optional<UncertaintyFile> wrenches_{};
 };
 
 lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::ReadingsFile& file,
@@ -86,10 +121,12 @@ lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::Rea
   frames::FrameSource& source = file.source();
   std::vector<double> readings(source.columns().size());
   while (source.next(readings)) {
+    const bool incomplete = std::any_of(readings.begin(), readings.end(),
+                                        [](double reading) { return std::isnan(reading); });
     try {
       if (const auto answer = solver.solve(readings)) {
         outputs.add(source.time(), *answer);
-        recording.add(std::string(source.time()), readings, *answer);
+        recording.add(std::string(source.time()), readings, *answer, incomplete);
       } else {
         outputs.skip(source.time());
         recording.skip(std::string(source.time()));

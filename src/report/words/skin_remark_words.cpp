@@ -1,0 +1,29 @@
+#include "report/words/skin_remark_words.hpp"
+
+#include "tactile_net/report/words/remark_words.hpp"
+#include "tactile_net/report/words/summary_words.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
+
+namespace tactile_net::report {
+
+std::string offsets_in_words(const SkinScene& scene, std::span<const double> offsets) {
+  std::vector<std::string> each;
+  for (const SkinChannel& channel : channels(scene.sensor))
+    each.push_back(
+        channel.name + ' ' +
+        in_unit(scene.units, dimension_of(traits(channel.quantity).kind), offsets[each.size()]));
+  return offsets_found(each);
+}
+
+void add_missing(std::vector<Answer>& all, const lab::SkinRecordingAnswer& recording) {
+  const auto add = [&](const lab::FrameRuns& runs, const char* what) {
+    if (runs.count() > 0)
+      all.push_back(
+          {std::to_string(runs.count()) + " of " + std::to_string(recording.frames.size()),
+           std::string(what) + in_words(runs), true});
+  };
+  add(recording.skipped(), "frames miss readings and have no answer: ");
+  add(recording.estimated(), "frames miss readings and are solved without the taxels that miss: ");
+}
+
+}  // namespace tactile_net::report

@@ -1,0 +1,20 @@
+/// @file
+/// What is to be said of a skin's answers beside the numbers. Private.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tactile_net/lab/skin_recording.hpp"
+#include "tactile_net/report/words/skin_words.hpp"
+
+namespace tactile_net::report {
+
+/// Each channel's constant, in the scene's unit.
+[[nodiscard]] std::string offsets_in_words(const SkinScene& scene, std::span<const double> offsets);
+
+/// Which frames miss readings, and what became of them.
+void add_missing(std::vector<Answer>& all, const lab::SkinRecordingAnswer& recording);
+
+}  // namespace tactile_net::report

@@ -1,0 +1,216 @@
+// What constraints let noise do to a contact is in its deviations, or taken away.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/skin_data_verdict.hpp"
+#include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/lab/skin_sight.hpp"
+#include "tactile_net/report/csv/skin_csv.hpp"
+#include "tactile_net/report/words/skin_words.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+constexpr double rms = 0.2;
+
+/// A sphere without drag on a square skin two deep, forces of about 500.
+SkinScene skin(const std::string& rows, const std::string& pitch, double y, double z,
+               const std::string& reconstruct) {
+  return std::get<SkinScene>(parse_any_scene(
+      "[sensor]\nrows = " + rows + "\ncolumns = " + rows + "\npitch = " + pitch +
+          "\ndepth = 2.0\nreads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
+          "[material]\nyoungs_modulus = 250.0\npoisson_ratio = 0.48\n"
+          "[[contact]]\nshape = \"sphere\"\nplace = [" +
+          std::to_string(y) + ", " + std::to_string(z) +
+          "]\nradius = 2.5\nforce = 500.0\n[noise]\nrms = 0.2\n[reconstruct]\n" + reconstruct,
+      "skin.toml"));
+}
+
+/// Errors of force and centre over their deviations, of contacts anywhere inside.
+struct Errors {
+  int draws = 0;
+  int held = 0;         ///< all three within two deviations
+  double sum = 0.0;     ///< of the force's
+  double square = 0.0;  ///< of the force's error
+  int doubted = 0;
+};
+
+Errors errors_of(int draws, const std::string& rows, const std::string& pitch, double half,
+                 const std::string& reconstruct, double baseline = 0.0) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-half, half);
+  std::normal_distribution<double> noise(0.0, rms);
+  Errors errors{.draws = draws};
+  std::optional<lab::SkinSceneProblem> problem;
+  for (int i = 0; i < draws; ++i) {
+    const double y = place(random);
+    const double z = place(random);
+    SkinScene scene = skin(rows, pitch, y, z, reconstruct);
+    if (!problem) problem.emplace(scene);
+    scene.noise.reset();
+    std::vector<double> readings = lab::simulate(scene).readings;
+    for (double& reading : readings) reading += noise(random) + baseline;
+    const lab::SkinAnswer answer = lab::solve(*problem, readings);
+    REQUIRE(answer.wrench.centre_y);
+    const double force = answer.wrench.normal.value - 500.0;
+    const double of_force = force / answer.wrench.normal.deviation;
+    const double of_y = (answer.wrench.centre_y->value - y) / answer.wrench.centre_y->deviation;
+    const double of_z = (answer.wrench.centre_z->value - z) / answer.wrench.centre_z->deviation;
+    CAPTURE(i, y, z, force, of_force, of_y, of_z);
+    CHECK(std::max({std::abs(of_force), std::abs(of_y), std::abs(of_z)}) < 4.0);
+    errors.held += std::max({std::abs(of_force), std::abs(of_y), std::abs(of_z)}) <= 2.0;
+    errors.sum += of_force;
+    errors.square += force * force;
+    errors.doubted += !answer.data.consistent();
+  }
+  return errors;
+}
+
+const std::string pressed = "tangential = false\nnonnegative = true\n";
+
+}  // namespace
+
+TEST_CASE("where nothing may pull deviations hold force and place",
+          "[lab][skin][constraints][long]") {
+  // With what constraints hold taken for certain 3 of 4 forces did, of a fine skin.
+  const Errors fine = errors_of(12, "14", "1.0", 3.5, pressed);
+  CHECK(fine.held >= 11);
+  CHECK(std::abs(fine.sum) / fine.draws < 1.0);
+  const Errors coarse = errors_of(12, "8", "2.0", 4.0, pressed);
+  CHECK(coarse.held >= 11);
+  CHECK(std::abs(coarse.sum) / coarse.draws < 1.0);
+}
+
+TEST_CASE("what an offset lets noise press everywhere is no contact's",
+          "[lab][skin][constraints][long]") {
+  // The force was a fifth too large, by 1.5 to 2 deviations in every frame.
+  const std::string unknown = pressed + "offset = true\n";
+  const Errors fine = errors_of(12, "14", "1.0", 3.5, unknown);
+  CHECK(fine.held >= 11);
+  CHECK(std::sqrt(fine.square / fine.draws) < 15.0);
+  const Errors coarse = errors_of(12, "8", "2.0", 4.0, unknown);
+  CHECK(coarse.held >= 11);
+  CHECK(std::sqrt(coarse.square / coarse.draws) < 20.0);
+  const Errors three = errors_of(6, "8", "2.0", 4.0, "friction_limit = 0.8\noffset = true\n");
+  CHECK(three.held >= 5);
+  CHECK(std::sqrt(three.square / three.draws) < 30.0);
+}
+
+TEST_CASE("a baseline that is no reading of a contact makes no frame doubtful",
+          "[lab][skin][offset]") {
+  // Twice Young's modulus: no pad reads that, and an amplifier does.
+  const Errors known = errors_of(3, "8", "2.0", 4.0, "tangential = false\n", 500.0);
+  CHECK(known.doubted == 3);
+  const Errors unknown =
+      errors_of(3, "8", "2.0", 4.0, "tangential = false\noffset = true\n", 500.0);
+  CHECK(unknown.doubted == 0);
+  // Nor does it move a reading that a contact is sought with.
+  const lab::SkinSceneProblem problem(skin("8", "2.0", 1.0, 0.0, "offset = true\nalpha = 1e-3\n"));
+  std::vector<double> readings = lab::simulate(problem.scene()).readings;
+  const std::vector<double> before =
+      lab::without_offsets(problem, readings, lab::solve(problem, readings).tractions);
+  for (double& reading : readings) reading += 1e5;
+  const std::vector<double> after =
+      lab::without_offsets(problem, readings, lab::solve(problem, readings).tractions);
+  for (std::size_t i = 0; i < before.size(); ++i) CHECK_THAT(after[i], WithinAbs(before[i], 1e-6));
+  // Found offsets are said in the scene's unit.
+  SkinScene units = problem.scene();
+  units.units.emplace();
+  lab::SkinExperiment experiment{.scene = units};
+  experiment.answer = lab::solve(problem, readings);
+  const std::vector<std::string> said = report::warnings(experiment);
+  CHECK(std::any_of(said.begin(), said.end(), [](const std::string& warning) {
+    return warning.find("offset that is not known") != std::string::npos &&
+           warning.find("Pa") != std::string::npos;
+  }));
+}
+
+TEST_CASE("a force that the readings do not fix is undetermined", "[lab][skin]") {
+  // Noise alone, and next to no smoothing: the deviation is larger than any force that it strains
+  // the pad by.
+  SkinScene scene = skin("6", "1.0", 0.0, 0.0, "tangential = false\nalpha = 1e-10\n");
+  scene.contacts.clear();
+  const lab::SkinSceneProblem free(scene);
+  std::vector<double> readings = lab::simulate(scene).readings;
+  CHECK(lab::solve(free, readings).verdict == lab::Verdict::undetermined);
+  scene.reconstruct.alpha = 10.0;
+  CHECK(lab::solve(lab::SkinSceneProblem(scene), readings).verdict != lab::Verdict::undetermined);
+  // A baseline is no strain.
+  scene.reconstruct.alpha = 1e-10;
+  scene.reconstruct.offset = true;
+  for (double& reading : readings) reading += 1e6;
+  CHECK(lab::solve(lab::SkinSceneProblem(scene), readings).verdict == lab::Verdict::undetermined);
+}
+
+TEST_CASE("taxels here and there see what lies among them", "[lab][skin][edge]") {
+  // A triangular lattice, jittered: the nearest neighbours are closer than its pitch.
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> jitter(-0.35, 0.35);
+  std::vector<SkinTaxel> taxels;
+  for (int i = -4; i <= 4; ++i)
+    for (int j = -4; j <= 4; ++j)
+      taxels.push_back({"",
+                        1.4 * (i + 0.5 * (j & 1)) + jitter(random),
+                        1.4 * std::sqrt(0.75) * j + jitter(random),
+                        1.0,
+                        {SkinQuantity::stress_x}});
+  SkinScene scene = skin("8", "2.0", 0.0, 0.0, "tangential = false\n");
+  scene.sensor = uneven_skin(taxels);
+  const lab::SkinSceneProblem problem(scene);
+  const SkinGrid& grid = problem.grid();
+  int beyond_nearest = 0;
+  int outside = 0;
+  for (std::size_t cell = 0; cell < grid.count(); ++cell) {
+    const double y = grid.y(cell / grid.columns);
+    const double z = grid.z(cell % grid.columns);
+    double nearest = 1e9;
+    for (const SkinTaxel& taxel : scene.sensor.taxels)
+      nearest = std::min(nearest, std::hypot(taxel.y - y, taxel.z - z));
+    if (std::max(std::abs(y), std::abs(z)) < 3.5) {
+      CHECK_FALSE(problem.unseen()[cell]);
+      beyond_nearest += nearest > 0.75 * scene.sensor.pitch_y;
+    }
+    if (nearest <= 1.5) continue;
+    ++outside;
+    CHECK(problem.unseen()[cell]);
+  }
+  CHECK(beyond_nearest > 0);
+  CHECK(outside > 0);
+}
+
+TEST_CASE("a row of --uncertainty has the names that its header has", "[lab][skin][report]") {
+  for (const char* more : {"friction_limit = 0.8\noffset = true\n", "tangential = false\n"}) {
+    const SkinScene scene = skin("6", "2.0", 0.0, 0.0, more);
+    const lab::SkinAnswer answer =
+        lab::solve(lab::SkinSceneProblem(scene), lab::simulate(scene).readings);
+    const std::vector<std::string> names = report::uncertainty_columns(scene);
+    const std::vector<double> values = report::uncertainty_values(answer, scene);
+    REQUIRE(values.size() + 1 == names.size());
+    CHECK(names.back() == "verdict");
+    const auto value = [&](const std::string& name) {
+      const auto at = std::find(names.begin(), names.end(), name);
+      REQUIRE(at != names.end());
+      return values[static_cast<std::size_t>(at - names.begin())];
+    };
+    CHECK(value("alpha") == answer.alpha.value);
+    CHECK(value("data") == 0.0);
+    if (!scene.reconstruct.offset) {
+      CHECK(std::isnan(value("angle")));
+      CHECK(std::find(names.begin(), names.end(), "offset_stress_x") == names.end());
+      continue;
+    }
+    CHECK_THAT(value("angle"), WithinAbs(std::atan(answer.friction->ratio.value), 1e-15));
+    CHECK(value("margin") == answer.friction->margin->value);
+    CHECK(value("offset_stress_x") == answer.offsets.front());
+    // What is left of the limit, and the angle, are of one force.
+    CHECK(value("margin") <= 1.0 - std::tan(value("angle")) / 0.8 + 1e-12);
+  }
+}
