@@ -102,7 +102,8 @@ std::string study_json(const study::Study& study, std::string_view scene_text) {
       {"pareto", std::move(fronts)},
       {"jobs", std::move(jobs)},
       {"scene_text", scene_text}});
-  if (input.units()) json["units"] = units_json(*input.units());
+  if (input.units())
+    json["units"] = input.is_skin() ? skin_units_json(*input.units()) : units_json(*input.units());
   return text_of(json, 2);
 }
 
