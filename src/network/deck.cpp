@@ -11,6 +11,7 @@
 
 #include "network/subcircuit_of.hpp"
 #include "tactile_net/network/dialect_deck.hpp"
+#include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
@@ -345,8 +346,10 @@ void write_subcircuit(std::ostream& out, const Circuit& circuit, const DeckHeade
   text += "* Pins: the nodes that readings' currents flow into, then the outputs.\n.subckt " + name;
   for (const Node node : ports(circuit)) text += ' ' + circuit.nodes[node];
   text += '\n';
-  append_subcircuits(text, circuit, form.dialect);
-  append_parts(text, circuit, form);
+  // ngspice knows sub-circuits with parameters inside others "only marginally": converters opened.
+  const Circuit flat = FlatCircuit(circuit).circuit();
+  append_subcircuits(text, flat, form.dialect);
+  append_parts(text, flat, form);
   text += ".ends " + name + '\n';
   check_dialect(text, form.dialect);
   out << text;

@@ -32,17 +32,19 @@ PartValue nearest_pair(Series series, double ohm) {
   const auto consider = [&](const PartValue& one) {
     if (off_by(one, ohm) < off_by(best, ohm)) best = one;
   };
-  // The first is the larger share, at least half: the second makes up for what is left of it.
-  const int count = static_cast<int>(series);
-  for (int step = 0; step <= count / 3 + 1; ++step) {
-    const double share = std::pow(10.0, -static_cast<double>(step) / count);
+  // The first is the larger share, at least half: the second makes up for what is left of it. Half
+  // steps, since values stray from their places, and the nearest in ratio need not be the best.
+  const int count = 2 * static_cast<int>(series);
+  const auto beside = [&](PartValue::Joint joint, double first, double rest) {
+    for (const int step : {-1, 0, 1})
+      consider({joint, first, nearest_in(series, rest * std::pow(10.0, 1.0 * step / count))});
+  };
+  for (int step = 0; step <= count / 3 + 2; ++step) {
+    const double share = std::pow(10.0, -1.0 * step / count);
     const double longer = nearest_in(series, ohm * share);
-    if (longer < ohm)
-      consider({PartValue::Joint::series, longer, nearest_in(series, ohm - longer)});
+    if (longer < ohm) beside(PartValue::Joint::series, longer, ohm - longer);
     const double wider = nearest_in(series, ohm / share);
-    if (wider > ohm)
-      consider(
-          {PartValue::Joint::parallel, wider, nearest_in(series, 1.0 / (1.0 / ohm - 1.0 / wider))});
+    if (wider > ohm) beside(PartValue::Joint::parallel, wider, 1.0 / (1.0 / ohm - 1.0 / wider));
   }
   return best;
 }

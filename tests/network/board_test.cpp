@@ -87,8 +87,9 @@ std::map<std::string, Pads> pads_in(const std::string& file) {
 SolderedCircuit soldered_network(Realization realization, bool pairs, bool inverters = false) {
   RealizationOptions options;
   options.inverters = inverters;
-  const FlatCircuit circuit(realize(realization, array_network(9, 1e-3).problem, options));
-  const PartChoice choice(Reduction(circuit.circuit()), Series::e96);
+  const Circuit wanted = realize(realization, array_network(9, 1e-3).problem, options);
+  const FlatCircuit circuit(wanted);
+  const PartChoice choice(Reduction(wanted), Series::e96);
   const std::vector<PartValue> values =
       choice.values(std::vector<bool>(choice.groups().size(), pairs));
   std::vector<double> tolerances(values.size(), 0.01);

@@ -36,7 +36,7 @@ struct PartValue {
 /// Chooses what is soldered in place of every resistor.
 ///
 /// Entries of K' become what those of K became, times their ratio: an error that both share only
-/// changes the model, and costs ten times less than two of their own.
+/// changes the model.
 class PartChoice {
  public:
   /// @throw std::invalid_argument  a resistor is negative
