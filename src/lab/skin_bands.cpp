@@ -98,6 +98,16 @@ Pushed pushed_in(const SkinSceneProblem& problem, std::span<const double> tracti
   return {each, 0.5 * each * problem.grid().area() * static_cast<double>(cells.size())};
 }
 
+/// How much further apart a force under constraints and the one without them are than noise makes
+/// them [N]. Constraints cut what noise and smoothing leave negative around a contact and keep what
+/// they leave positive, which no curvature at the answer tells.
+double moved_by_constraints(const Uncertain& held, const Uncertain& free) {
+  const double apart = std::abs(held.value - free.value);
+  return apart > free.deviation
+             ? std::sqrt(apart - free.deviation) * std::sqrt(apart + free.deviation)
+             : 0.0;
+}
+
 /// A face on which the cells beside those that press may press too: which of them do nobody knows
 /// better than by a cell.
 ConeFace with_cells_beside(ConeFace face, const SkinGrid& grid) {
@@ -225,7 +235,14 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   widen_centre(answer.wrench, grid, f, answer.cells, of_contact, rms);
   answer.friction = friction_of(grid, contact, answer.cells, known, rms,
                                 problem.scene().reconstruct.friction_limit);
-  doubt_force(answer, pushed.doubt);
+  double doubt = pushed.doubt;
+  if (answer.cone) {
+    const std::vector<double> free_tractions = method.solve(frame, readings, alpha);
+    const UncertainWrench free_wrench =
+        resultant_of(grid, free_tractions, answer.cells, of_contact, rms);
+    doubt = std::hypot(doubt, moved_by_constraints(answer.wrench.normal, free_wrench.normal));
+  }
+  doubt_force(answer, doubt);
   const auto apart = separate_contacts(grid, f, answer.cells);
   answer.contacts = apart.size();
   answer.ellipse = contact_ellipse(grid, contact, apart.front(), known, rms);

@@ -7,6 +7,7 @@
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/network/opamp.hpp"
 #include "tools/circuits/numbers.hpp"
+#include "tools/circuits/opamp_texts.hpp"
 
 namespace {
 
@@ -297,53 +298,6 @@ Beyond the device's own volts there is no such answer: where the curves may chan
 warns, since what it says is of the linear circuit.
 
 The error grows as the square of node voltages over the device's own (`device_volts`):
-
-)";
-
-constexpr const char* opamps_text =
-    R"(## Real op-amps
-
-What a data sheet says beyond gain and bandwidth, each a key of [`opamp`](scene.md#network), in the deck, the state space and the certificate.
-
-**At rest.** An offset v_i at amplifier i moves the answer as a current D_i v_i into row i: by P^-1 D v over the answer, to first order, so one over
-`volts`; a bias current i_b by P^-1 i_b over siemens and volts. `certify` takes both from the circuit's own sparse equations (one adjoint solve), so from any
-realisation: once with all op-amps alike, as the deck has them, and once of signs by chance, root mean square, as they are bought. A finite common-mode rejection counts where
-inputs follow the nodes (nic, rail), like errors of resistors of 1/cmrr; inputs at ground, and the lattice's, have nothing in common. An output resistance
-stands inside a loop of the op-amp's gain. Complementary outputs are held each other's opposite by a loop of their own, which is taken for ideal:
-out = core - resistance (i_out - i_inv)/2. Two outputs without that loop are loaded differently, and err at any volts.
-
-No theorem on stability speaks of output resistances, nor T1 and T2 of a finite common-mode rejection: the certificate says so, and its poles decide.
-
-**Slew.** The core integrates a bent rate: x' = slew tanh(r/slew), r what the inputs ask for (a thousandth of r passes straight on, without which a simulator finds no
-slope). The certificate's settling time then comes from these equations: a method of Rosenbrock's until no rate exceeds a hundredth of the slew, the exact exponential
-from there on.
-
-**T8.** With any bend phi of the rates that is odd, increasing and bounded, the crossbar without capacitance, whatever phi_i of its amplifiers,
-and the lattice with one phi and no capacitance come to their answer from everywhere; one pole, complementary outputs. *Proof.* Crossbar: with e = v - f and D s = P e
-(s the inputs' voltages), v' = -phi(s), so V = e'P e/2 falls: V' = -s'D phi(s) = -sum D_i s_i phi_i(s_i) < 0 unless s = 0, which is e = 0. Lattice:
-D~ s = (c H + w R) e with D~ = D_s - H(0) and V = e'(c H + w R) e/2, so V' = -s'D~ phi(s). D~ is symmetric, and as phi is odd and increasing,
-|s_i phi(s_j) + s_j phi(s_i)| <= s_i phi(s_i) + s_j phi(s_j): a pair of rows loses at most |D~_ij| of both. Rows of H sum to at most
-1/(1 + c) of D_s, so D~ is strictly diagonally dominant, and V' < 0. P > 0, so V has no other minimum and grows to all sides. Q.E.D.
-Finite gain subtracts (W/A) e'P e of V'. Of least_squares, nic and rail nothing is proven: their energies have parts that slewing couples.
-
-**A scale to take.** Noise, offsets and bias currents fall as 1/volts; volts end where a node reaches 0.8 of what the rail leaves (10 V where none is given), or where two full swings at the
-slew are a fifth of the settling time. More siemens lower the resistors' noise until the op-amps' own is left: the scale proposed is where both are equal, but no resistor below
-1 kilo-ohm. The certificate proposes; the scene decides.
-
-The classes of op-amps, alpha = 1e-3, 1 mS per unit (with the second poles and input capacitances of the classes):
-
-)";
-
-constexpr const char* motion_text =
-    R"(## Moving loads
-
-Readings that change steadily, g + g' t, are followed as they were `delay` ago: x settles at -A^-1 b(t) - A^-2 b', so the answer is behind by C A^-2 B g', and the delay is
-|C A^-2 B g'| over |C A^-1 B g'|. `certify` takes g' from the scene's own contacts, moved along y, and says the delay, the speed at which it is 1 % of the
-answer, and up to which frequency the slowest direction follows (its slowest pole; only loads that the stabiliser alone holds lie in it).
-While the shape of the readings changes as well, an edge that passes a taxel, the lag is up to three times as large. ngspice agrees within 5 %, with a contact
-that moves over the array in forty pieces at half that speed. A digital answer that is sampled and held at 1 kHz is up to 1 ms behind, whatever its arithmetic takes.
-
-Op-amps of gain 1e6 and 10 MHz, lengths in mm:
 
 )";
 

@@ -14,6 +14,10 @@ namespace tactile_net::report {
 /// Each channel's constant, in the scene's unit.
 [[nodiscard]] std::string offsets_in_words(const SkinScene& scene, std::span<const double> offsets);
 
+/// What an answer without dense matrices has not.
+/// @pre  it has been solved by products
+[[nodiscard]] std::string without_matrix(const lab::SkinAnswer& answer);
+
 /// Which frames miss readings, and what became of them.
 void add_missing(std::vector<Answer>& all, const lab::SkinRecordingAnswer& recording);
 

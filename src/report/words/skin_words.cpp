@@ -202,18 +202,6 @@ std::string narrowed(const SkinScene& scene, const SkinGrid& grid) {
          " was asked, and a whole number of cells lies between taxels";
 }
 
-/// What an answer without dense matrices has not.
-std::string without_matrix(const lab::SkinAnswer& answer) {
-  const bool constrained = answer.cone.has_value();
-  const std::size_t steps = constrained ? answer.cone->iterations : answer.iteration->steps;
-  return "more tractions than a dense matrix takes: solved by products, in " +
-         std::to_string(steps) + (constrained ? " projected gradients" : " conjugate gradients") +
-         "; alpha's traces are means over random probes, bands of forces are exact, those of "
-         "single "
-         "cells estimates, at most 2 % too wide and 10 % too narrow" +
-         (constrained ? "; all are those without constraints, wider than need be" : "");
-}
-
 }  // namespace
 
 std::string sensor_in_words(const SkinScene& scene) {

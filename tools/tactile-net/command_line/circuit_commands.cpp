@@ -10,9 +10,6 @@ void add_gen(AllCommands& all) {
                "voltages",
        .pages = {"circuits.md"},
        .examples = {{"gen scenes/nic.toml -o nic.cir", "the circuit that the scene asks for"},
-                    {"gen scenes/nic.toml --realization crossbar",
-                     "another one, on standard "
-                     "output"},
                     {"gen scenes/circuits/board.toml --budget 0.3% -o board.cir",
                      "of parts that are sold, and how exact each must be"},
                     {"gen scenes/nic.toml --subcircuit pad -o pad.lib --symbol pad.asy",

@@ -77,12 +77,11 @@ void add_tradeoff(AllCommands& all) {
        .text = "What accuracy costs in time: every method and every circuit, timed on this "
                "machine, and which to choose",
        .pages = {"accuracy.md", "results.md"},
-       .examples = {
-           {"tradeoff scenes/thesis/cylinder.toml --out out", "all of it, into out"},
-           {"tradeoff scenes/skins/sphere.toml --out out", "of a skin, and of larger ones"},
-           {"tradeoff scenes/thesis/cylinder.toml --digital --deadline 100us",
-            "without circuits: what is most accurate within 100 us"},
-           {"tradeoff scenes/thesis/cylinder.toml --out out --resume", "goes on after Ctrl-C"}}});
+       .examples = {{"tradeoff scenes/thesis/cylinder.toml --out out", "all of it, into out"},
+                    {"tradeoff scenes/skins/sphere.toml --out out --resume",
+                     "of a skin, and of larger ones; goes on after Ctrl-C"},
+                    {"tradeoff scenes/thesis/cylinder.toml --digital --deadline 100us",
+                     "without circuits: what is most accurate within 100 us"}}});
   add_scene(command, options.scene);
   add_results(command, options.results,
               "Folder for report.html, tradeoff.csv, tradeoff.json and the plots (SVG, CSV)",
