@@ -95,8 +95,8 @@ TEST_CASE("what constraints move a force by is in its deviation", "[lab][skin][c
   const auto gel = [](int seed) {
     return std::get<SkinScene>(parse_any_scene(
         R"([sensor]
-rows = 10
-columns = 10
+rows = 14
+columns = 14
 pitch = 1.2
 depth = 1.0
 reads = ["displacement_x", "displacement_y", "displacement_z"]
@@ -107,7 +107,7 @@ layer = { thickness = 4.0, base = "bonded" }
 [[contact]]
 shape = "ellipsoid"
 place = [0.5, 1.0]
-radii = [4.0, 1.2]
+radii = [5.0, 1.2]
 angle = 65.0
 force = 0.15
 friction = 0.4
