@@ -172,9 +172,8 @@ KroneckerSum KroneckerTerms::sum(double accuracy) const {
     Index terms = 0;
     for (std::size_t u = 0; u < blocks_->components; ++u) {
       const Svd& block = blocks_->blocks[u * channels + c];
-      const auto kept = static_cast<Index>(
-          std::count_if(block.values.begin(), block.values.end(),
-                        [&](double value) { return value > least; }));
+      const auto kept = static_cast<Index>(std::count_if(
+          block.values.begin(), block.values.end(), [&](double value) { return value > least; }));
       channel.components.push_back({.terms = kept, .along_z = {}});
       of_channel.push_back(&block);
       terms += kept;
@@ -195,8 +194,7 @@ KroneckerSum KroneckerTerms::sum(double accuracy) const {
                 size * block.u(i * s.taxel_rows + j, t);
         for (Index k = 0; k < s.cell_columns; ++k)
           for (Index l = 0; l < s.taxel_columns; ++l)
-            second.along_z(t * s.taxel_columns + l, k) =
-                block.v(k * s.taxel_columns + l, t);
+            second.along_z(t * s.taxel_columns + l, k) = block.v(k * s.taxel_columns + l, t);
       }
       first += s.cell_rows * second.terms;
     }

@@ -89,7 +89,8 @@ TEST_CASE("where nothing may pull deviations hold force and place",
   CHECK(std::abs(coarse.sum) / coarse.draws < 1.0);
 }
 
-TEST_CASE("what constraints move a force by is in its deviation", "[lab][skin][constraints][long]") {
+TEST_CASE("what constraints move a force by is in its deviation",
+          "[lab][skin][constraints][long]") {
   // A narrow contact across a gel that shows displacements: inside friction's cone the force is a
   // tenth too large whatever the noise, and the face alone said 1.5 %.
   const auto gel = [](int seed) {

@@ -52,7 +52,8 @@ class KroneckerTerms {
   /// (cell columns x taxel columns).
   ///
   /// @param inverse  of the problem
-  /// @throw std::invalid_argument  the taxels are not in rows and columns, the inverse is of another
+  /// @throw std::invalid_argument  the taxels are not in rows and columns, the inverse is of
+  /// another
   ///                               problem, or a side of a rearranged block is longer than
   ///                               `longest_side`
   KroneckerTerms(const SkinProblem& problem, const Reconstruction& inverse);

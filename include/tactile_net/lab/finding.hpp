@@ -134,13 +134,15 @@ struct PitchCoarse {
 
 }  // namespace finding
 
-using Finding = std::variant<
-    finding::NoFrames, finding::TimeBackwards, finding::TimeRepeats, finding::FramesRepeat,
-    finding::ValuesMissing, finding::DeadTaxels, finding::StuckTaxels, finding::NoisyTaxels,
-    finding::SingleFrameSpikes, finding::SaturatedTaxels, finding::Baseline, finding::Drift,
-    finding::NoiseTaken, finding::NoiseDiffers, finding::NoiseColoured, finding::ResidualDiffers,
-    finding::ScaleBy1000, finding::GainsChanged, finding::WholePadPulled, finding::TractionExceedsModulus,
-    finding::DeformationTiny, finding::MixedUnits, finding::DepthBeyondArray, finding::PitchCoarse>;
+using Finding =
+    std::variant<finding::NoFrames, finding::TimeBackwards, finding::TimeRepeats,
+                 finding::FramesRepeat, finding::ValuesMissing, finding::DeadTaxels,
+                 finding::StuckTaxels, finding::NoisyTaxels, finding::SingleFrameSpikes,
+                 finding::SaturatedTaxels, finding::Baseline, finding::Drift, finding::NoiseTaken,
+                 finding::NoiseDiffers, finding::NoiseColoured, finding::ResidualDiffers,
+                 finding::ScaleBy1000, finding::GainsChanged, finding::WholePadPulled,
+                 finding::TractionExceedsModulus, finding::DeformationTiny, finding::MixedUnits,
+                 finding::DepthBeyondArray, finding::PitchCoarse>;
 using Findings = std::vector<Finding>;
 
 /// The spelling in JSON: "dead_taxels".

@@ -1,7 +1,8 @@
 /// @file
-/// Tikhonov's method on a skin by conjugate gradients with the matrix itself: a step is two products
-/// with W K. For skins whose cells are no lattice of their taxels, and to see what an answer costs
-/// that is not waited for; `LargeSkinTikhonov` (large/tikhonov.hpp) takes products by FFT.
+/// Tikhonov's method on a skin by conjugate gradients with the matrix itself: a step is two
+/// products with W K. For skins whose cells are no lattice of their taxels, and to see what an
+/// answer costs that is not waited for; `LargeSkinTikhonov` (large/tikhonov.hpp) takes products by
+/// FFT.
 #pragma once
 
 #include <cstddef>

@@ -103,8 +103,8 @@ struct Knob {
   Kind kind = Kind::none;
   std::vector<std::size_t> ranks{};
   std::size_t count = 0;
-  bool optimal = false;   ///< exchanges: the constraints' optimum was reached
-  std::size_t rows = 0;   ///< array
+  bool optimal = false;  ///< exchanges: the constraints' optimum was reached
+  std::size_t rows = 0;  ///< array
   std::size_t columns = 0;
   std::size_t level = 0;  ///< settled: index into `settling_levels`
   bool by_poles = false;  ///< settled: by the state space; the simulator ran out of time

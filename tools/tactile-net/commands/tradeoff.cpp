@@ -119,7 +119,8 @@ class Watcher final : public study::StudyObserver {
   Written written_;
 };
 
-study::Study study_of(const AnyScene& scene, const study::TradeoffOptions& options, Watcher& watcher) {
+study::Study study_of(const AnyScene& scene, const study::TradeoffOptions& options,
+                      Watcher& watcher) {
   try {
     return study::tradeoff(scene, options, watcher);
   } catch (const SimulatorError& error) {
