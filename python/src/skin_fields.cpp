@@ -106,4 +106,13 @@ nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinGrid&
   return found;
 }
 
+nb::typed<nb::tuple, nb::list, nb::any> uncertainty_of(Answers answers, const SkinScene& scene) {
+  std::vector<std::string> names = report::uncertainty_columns(scene);
+  names.pop_back();
+  const Array values = rows_of(answers, names.size(), [&](const lab::SkinAnswer& one) {
+    return report::uncertainty_values(one, scene);
+  });
+  return nb::make_tuple(nb::cast(names), values);
+}
+
 }  // namespace tactile_net::python

@@ -21,4 +21,8 @@ using Answers = std::span<const std::optional<lab::SkinAnswer>>;
 [[nodiscard]] nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinGrid& grid,
                                                               std::size_t width);
 
+/// The names of `report::uncertainty_columns` but the verdict, and their values, a row a frame.
+[[nodiscard]] nb::typed<nb::tuple, nb::list, nb::any> uncertainty_of(Answers answers,
+                                                                     const SkinScene& scene);
+
 }  // namespace tactile_net::python

@@ -116,6 +116,8 @@ void bind_skin_solving(nb::module_& module) {
            [](const SolvedSkin& self) {
              return fields_of(self.answers(), self.grid(), self.width());
            })
+      .def("uncertainty",
+           [](const SolvedSkin& self) { return uncertainty_of(self.answers(), self.scene()); })
       .def("notes", &SolvedSkin::notes)
       .def("json", &SolvedSkin::json, nb::arg("name"), nb::call_guard<nb::gil_scoped_release>())
       .def("html", &SolvedSkin::html, nb::arg("name"), nb::call_guard<nb::gil_scoped_release>())

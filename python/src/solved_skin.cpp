@@ -74,6 +74,8 @@ lab::SkinRecordingAnswer SolvedSkin::recording() const {
   return recording;
 }
 
+const SkinScene& SolvedSkin::scene() const noexcept { return shared_->scene(); }
+
 std::vector<std::string> SolvedSkin::notes() const {
   std::vector<std::string> notes = report::in_words(solved_);
   const lab::SkinRecordingAnswer all = recording();

@@ -35,6 +35,7 @@ class SolvedSkin {
   [[nodiscard]] const std::vector<std::optional<lab::SkinAnswer>>& answers() const noexcept {
     return answers_;
   }
+  [[nodiscard]] const SkinScene& scene() const noexcept;
   [[nodiscard]] const SkinGrid& grid() const noexcept { return grid_; }
   /// Of one frame: components x cells.
   [[nodiscard]] std::size_t width() const noexcept { return width_; }

@@ -225,10 +225,11 @@ class SkinSolution(Solution):
         return dataset.assign(verdict=("t", self.verdict), alpha=("t", self.alpha))
 
     def to_dataframe(self) -> Any:
-        """A frame a row: forces, centre, torsion, friction, their deviations, alpha, verdict; over t."""
+        """A frame a row, as `solve --uncertainty` writes it: forces, centre, torsion, friction, angle and margin,
+        their deviations, offsets where they were sought, alpha, verdict; over t."""
         pandas = optional("pandas", "tables")
-        names = _core.wrench_columns()
-        columns: dict[str, Any] = {name: self._wrench[:, i] for i, name in enumerate(names)}
+        names, values = self._drawable().uncertainty()
+        columns: dict[str, Any] = {name: values[:, i] for i, name in enumerate(names)}
         columns |= {"contacts": self.contacts, "alpha": self.alpha, "verdict": self.verdict}
         return pandas.DataFrame(columns, index=None if self.t is None else pandas.Index(self.t, name="t"))
 

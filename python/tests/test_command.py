@@ -166,7 +166,8 @@ def test_answers_to_a_recording_of_a_skin(command: Callable[..., str], name: str
     assert np.array_equal(rows, numbers(theirs / "tractions-of-frames.csv", "normal_", "tangential_"))
     said = columns(tmp_path / "forces.csv")
     table = solution.to_dataframe()
-    for column in said.keys() - {"t"}:
+    assert table["verdict"].tolist() == said["verdict"]
+    for column in said.keys() - {"t", "verdict"}:
         assert np.array_equal(table[column], [float(v) if v else np.nan for v in said[column]], equal_nan=True), column
     solution.report(tmp_path / "ours", name=str(readings))
     same_page(tmp_path / "ours", theirs)

@@ -14,7 +14,11 @@ namespace {
 constexpr double first_damping = 1e-4;
 constexpr double least_damping = 1e-14;
 constexpr double most_damping = 1e8;
-constexpr double enough = 1e-9;       // relative fall of the objective that ends the iteration
+constexpr double enough = 1e-9;  // relative fall of the objective that ends the iteration
+/// Nor does it go on where so many steps together lower half the sum of squares by less than this:
+/// all that is left of a narrow valley is a small part of a standard deviation.
+constexpr std::size_t slow_steps = 10;
+constexpr double slow_fall = 1e-3;
 constexpr double longest_step = 1.0;  // of a logarithm
 constexpr double known_share = 1e-7;  // another start's minimum, found again
 constexpr std::size_t tries_a_step = 4;
@@ -81,6 +85,7 @@ Descent descend(const FitProblem& problem, FitState state, std::optional<PadPara
   double damping = first_damping;
   const std::size_t most_tries = tries_a_step * problem.options().most_iterations;
   std::size_t tries = 0;
+  std::vector<double> objectives{objective};
   const auto rows = static_cast<double>(state.presses.size() * problem.readings_used());
   while (descent.iterations < problem.options().most_iterations && !descent.converged &&
          tries < most_tries) {
@@ -116,6 +121,10 @@ Descent descend(const FitProblem& problem, FitState state, std::optional<PadPara
         const double fall = objective - reached;
         descent.converged = share == 1.0 && fall <= enough * objective && damping <= 1e-3;
         if (known > 0.0 && std::abs(reached - known) <= known_share * known)
+          descent.converged = true;
+        objectives.push_back(reached);
+        if (objectives.size() > slow_steps &&
+            objectives[objectives.size() - 1 - slow_steps] - reached <= slow_fall)
           descent.converged = true;
         state = std::move(trial);
         objective = reached;

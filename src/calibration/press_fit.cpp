@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -38,18 +39,28 @@ constexpr Named<PressQuantity> press_quantities[] = {{PressQuantity::force, "for
 constexpr Named<TrendOf> trends[] = {
     {TrendOf::size, "size"}, {TrendOf::gain, "gain"}, {TrendOf::offset, "offset"}};
 
-/// The same options, every parameter held that the log cannot tell from others.
+/// The same options, every parameter held that the log cannot tell from others at this state.
 CalibrationOptions identifiable(const PressModel& model, const PressLog& log,
-                                CalibrationOptions options, std::span<const bool> unread) {
+                                CalibrationOptions options, std::span<const bool> unread,
+                                const FitState& state) {
   for (std::size_t i = 0; i <= pad_parameter_count; ++i) {
     const FitProblem problem(model, log, options, unread);
-    const std::vector<NullDirection> directions = null_directions(problem, problem.start(1.0));
+    const std::vector<NullDirection> directions = null_directions(problem, state);
     const auto* held = std::find_if(std::begin(held_first), std::end(held_first),
                                     [&](PadParameter one) { return takes_part(directions, one); });
     if (held == std::end(held_first)) break;
     options.set_sd(*held, 0.0);
   }
   return options;
+}
+
+/// Whether a parameter is free that was held.
+bool frees(const CalibrationOptions& now, const CalibrationOptions& before) {
+  for (std::size_t i = 0; i < pad_parameter_count; ++i) {
+    const auto parameter = static_cast<PadParameter>(i);
+    if (now.sd(parameter) > 0.0 && before.sd(parameter) == 0.0) return true;
+  }
+  return false;
 }
 
 double cauchy(double deviation) {
@@ -124,6 +135,23 @@ bool all_loads_stated(const PressLog& log) {
   });
 }
 
+/// The best of the descents from all starts, and what became of each.
+void descend_from_all(const FitProblem& problem, const CalibrationOptions& options, PressFit& fit,
+                      Descent& best) {
+  fit.starts.clear();
+  for (const double factor : options.starts) {
+    Descent descent =
+        descend(problem, problem.start(factor), {}, fit.starts.empty() ? 0.0 : best.objective);
+    fit.starts.push_back({factor, descent.objective, descent.iterations, descent.converged});
+    fit.iterations += descent.iterations;
+    if (fit.starts.size() == 1 || descent.objective < best.objective * (1.0 - 1e-6))
+      best = std::move(descent);
+    // Held, all starts are one; and with known loads every start finds the one minimum.
+    if (problem.pad_column(PadParameter::depth) == no_column || all_loads_stated(problem.log()))
+      break;
+  }
+}
+
 std::vector<ProfilePoint> profile_of(const FitProblem& problem, const Descent& best,
                                      const FittedValue& depth) {
   std::vector<ProfilePoint> profile;
@@ -166,22 +194,25 @@ const ValueWithSd& FittedPress::at(PressQuantity quantity) const noexcept {
 PressFit fit_presses(const PressModel& model, const PressLog& log,
                      const CalibrationOptions& options, std::span<const bool> unread,
                      const std::function<void(std::size_t)>& watch) {
-  require_plausible(FitProblem(model, log, options, unread));
-  const CalibrationOptions held = identifiable(model, log, options, unread);
-  FitProblem problem(model, log, held, unread);
-  problem.watch = watch;
+  const FitProblem whole(model, log, options, unread);
+  require_plausible(whole);
   PressFit fit;
   Descent best;
-  for (const double factor : options.starts) {
-    Descent descent =
-        descend(problem, problem.start(factor), {}, fit.starts.empty() ? 0.0 : best.objective);
-    fit.starts.push_back({factor, descent.objective, descent.iterations, descent.converged});
-    fit.iterations += descent.iterations;
-    if (fit.starts.size() == 1 || descent.objective < best.objective * (1.0 - 1e-6))
-      best = std::move(descent);
-    // Held, all starts are one; and with known loads every start finds the one minimum.
-    if (problem.pad_column(PadParameter::depth) == no_column || all_loads_stated(log)) break;
+  std::optional<FitProblem> fitted;
+  FitState known_at = whole.start(1.0);
+  CalibrationOptions held;
+  // Presses at one place begin alike, and alike they tell the gains alone; once each has found its
+  // own width they may tell more.
+  for (std::size_t round = 0; round <= pad_parameter_count; ++round) {
+    const CalibrationOptions told = identifiable(model, log, options, unread, known_at);
+    if (round > 0 && !frees(told, held)) break;
+    held = told;
+    fitted.emplace(model, log, held, unread);
+    fitted->watch = watch;
+    descend_from_all(*fitted, options, fit, best);
+    known_at = best.state;
   }
+  FitProblem& problem = *fitted;
   if (options.robust) {
     best = robust(problem, std::move(best));
     fit.iterations += best.iterations;

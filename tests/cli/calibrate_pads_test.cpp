@@ -1,8 +1,10 @@
 // Logs that no pad gives, and a log that tells little.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -83,4 +85,95 @@ TEST_CASE("one press identifies neither the depth nor a gain", "[cli][calibrate]
   INFO(json["parameters"]["depth"].dump());
   CHECK(json["parameters"]["depth"]["verdict"] != "identified");
   for (const Json& gain : json["gains"]) CHECK(gain["verdict"] != "identified");
+}
+
+TEST_CASE("pads of finite elements, pressed at one place, are calibrated", "[cli][calibrate]") {
+  // The presses begin alike, of one width, and tell the depth only once each has its own. Gains 10
+  // % up and 5 % apart, the depth stated a quarter too small.
+  struct Pad {
+    const char* name;
+    std::size_t taxels, presses;
+    double pitch, depth, thickness;
+    const char* calibrate;
+    double noise[2];  // of stress_x and shear_xy
+  };
+  const Pad pads[] = {
+      {"thin-pad", 41, 4, 0.5e-3, 3e-3, 3e-3, "at_base = true\n", {52.7, 25.1}},
+      {"thick-pad", 61, 3, 0.4e-3, 1.5e-3, 25e-3, "", {43.2, 18.7}},
+  };
+  for (const Pad& pad : pads) {
+    CAPTURE(pad.name);
+    const std::string recorded = std::string("recorded/") + pad.name;
+    const std::vector<std::string> frames = lines_of(read_text(scene(recorded + ".csv")));
+    const std::vector<std::string> truth = lines_of(read_text(scene(recorded + ".truth.csv")));
+    const std::size_t readings = 2 * pad.taxels;
+    std::mt19937 random(4);
+    std::normal_distribution<double> normal;
+    std::vector<double> gains(readings);
+    for (double& gain : gains) gain = 1.1 * (1.0 + 0.05 * normal(random));
+    std::string names;
+    for (const char* quantity : {"stress_x_", "shear_xy_"})
+      for (std::size_t i = 0; i < pad.taxels; ++i) names += ',' + (quantity + std::to_string(i));
+    std::string log =
+        "press,shape,force,force_sd,position,position_sd,radius,half_width" + names + '\n';
+    std::string counts = "t" + names + '\n';
+    for (int rest = 0; rest < 24; ++rest) {
+      log += "0,none,,,,,,";
+      for (std::size_t j = 0; j < readings; ++j)
+        log += ',' + shortest(gains[j] * pad.noise[j / pad.taxels] * normal(random));
+      log += '\n';
+    }
+    std::vector<double> forces;
+    for (std::size_t press = 1; press <= pad.presses; ++press) {
+      const std::vector<std::string> fields = fields_of(frames[press]);
+      forces.push_back(std::stod(fields_of(truth[press])[1]));
+      log += std::to_string(press) + ",cylinder," +
+             shortest(forces.back() * (1.0 + 0.005 * normal(random))) + ',' +
+             shortest(0.005 * forces.back()) + ",1e-3,1e-4,,";
+      std::string row;
+      for (std::size_t j = 0; j < readings; ++j)
+        row += ',' + shortest(gains[j] * std::stod(fields[1 + j]));
+      log += row + '\n';
+      counts += shortest(0.01 * static_cast<double>(press)) + row + '\n';
+    }
+    const std::string nominal = "[sensor]\ncount = " + std::to_string(pad.taxels) +
+                                "\npitch = " + shortest(pad.pitch) +
+                                "\ndepth = " + shortest(0.75 * pad.depth) +
+                                "\nreads = [\"stress_x\", \"shear_xy\"]\n"
+                                "[material]\nyoungs_modulus = 0.2e6\npoisson_ratio = 0.45\n"
+                                "layer = { thickness = " +
+                                shortest(*pad.calibrate ? 0.75 * pad.thickness : pad.thickness) +
+                                ", base = \"bonded\" }\n[reconstruct]\nnonnegative = true\n"
+                                "[calibrate]\ndepth_sd = \"unknown\"\n" +
+                                pad.calibrate;
+    const Folder folder;
+    const std::string calibrated = folder / "calibrated.toml";
+    const ProcessResult fit = tool({"calibrate", folder.write("log.csv", log), "--scene",
+                                    folder.write("nominal.toml", nominal), "-o", calibrated,
+                                    "--json", folder / "fit.json"});
+    CAPTURE(fit.output, fit.errors);
+    REQUIRE(fit.code == 0);
+    const Json depth = Json::parse(read_text(folder / "fit.json"))["parameters"]["depth"];
+    const double found = depth["value"].get<double>();
+    CAPTURE(depth.dump());
+    CHECK(depth["verdict"] == "identified");
+    CHECK(std::abs(found - pad.depth) < 3.0 * depth["sd"].get<double>());
+    CHECK(std::abs(found / pad.depth - 1.0) < 0.03);
+    // What it buys: from the second frame on the force within 2 % instead of 11.
+    const ProcessResult solved =
+        tool({"solve", calibrated, "--readings", folder.write("counts.csv", counts), "-q", "-o",
+              folder / "tractions.csv", "--uncertainty", folder / "forces.csv"});
+    CAPTURE(solved.errors);
+    REQUIRE(solved.code == 0);
+    const std::vector<std::string> answers = lines_of(read_text(folder / "forces.csv"));
+    const std::vector<std::string> header = fields_of(answers[0]);
+    const auto column = static_cast<std::size_t>(
+        std::find(header.begin(), header.end(), "normal_force") - header.begin());
+    REQUIRE(column < header.size());
+    for (std::size_t i = 1; i < forces.size(); ++i) {
+      const double force = std::stod(fields_of(answers[1 + i])[column]);
+      CAPTURE(i, force, forces[i]);
+      CHECK(std::abs(force / forces[i] - 1.0) < 0.02);
+    }
+  }
 }
