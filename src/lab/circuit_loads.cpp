@@ -9,15 +9,11 @@ namespace {
 
 constexpr std::array shares = {-0.25, -0.125, 0.125, 0.25};  // of the sensor's length
 
-template <class... Each>
-struct Overloaded : Each... {
-  using Each::operator()...;
-};
-
 void move(Contact& contact, double by) {
-  std::visit(Overloaded{[&](RigidContact& one) { one.center += by; },
-                        [&](SampledTractions& one) { one.first += by; }},
-             contact);
+  if (auto* const body = std::get_if<RigidContact>(&contact))
+    body->center += by;
+  else
+    std::get<SampledTractions>(contact).first += by;
 }
 
 void move(SkinLoad& load, double by) {
