@@ -186,7 +186,7 @@ SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double
   if (!std::all_of(answer.tractions.begin(), answer.tractions.end(),
                    [](double f) { return std::isfinite(f); }))
     throw FrameOverflow();
-  if (problem.is_large() && !answer.iteration) answer.iteration.emplace();
+  if (problem.is_large() && !answer.iteration) answer.iteration = SkinAnswer::Iteration{};
   judge(answer, problem, *method, frame, readings);
   answer.data = data_verdict(problem, readings, answer.tractions);
   if (!answer.data.consistent()) answer.remarks.emplace_back(remark::DataDoubted{answer.data});

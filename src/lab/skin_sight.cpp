@@ -21,9 +21,9 @@ double mean_spacing(std::span<const SkinSite> sites) {
   constexpr std::size_t third = 3;  // the first is the place itself
   double sum = 0.0;
   std::vector<double> away(places.size());
-  for (const auto& [y, z] : places) {
+  for (const auto& place : places) {
     std::transform(places.begin(), places.end(), away.begin(), [&](const auto& other) {
-      return std::hypot(other.first - y, other.second - z);
+      return std::hypot(other.first - place.first, other.second - place.second);
     });
     const auto at =
         away.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(third, away.size() - 1));
