@@ -16,21 +16,6 @@ SPHERE = PROJECT / "scenes/skins/sphere.toml"
 UNEVEN = PROJECT / "scenes/skins/palm.toml"
 
 
-@pytest.fixture
-def skin() -> tn.Skin:
-    """A small one, quick to solve, with a given alpha."""
-    return tn.Skin(
-        sensor=tn.Sensor(
-            rows=6, columns=5, pitch=[2e-3, 1.5e-3], depth=2e-3, reads=["stress_x", "shear_xy", "shear_xz"]
-        ),
-        material=tn.Material(youngs_modulus=0.25e6, poisson_ratio=0.48),
-        contacts=[tn.Sphere(force=0.5, radius=2.5e-3, place=[0.5e-3, -0.4e-3], friction=0.4, direction=30.0)],
-        noise=tn.Noise(rms=10.0),
-        reconstruct=tn.Reconstruct(alpha=1e-6),
-        units={},
-    )
-
-
 def moving(skin: tn.Skin) -> tn.Skin:
     return skin.replace(
         {

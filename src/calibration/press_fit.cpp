@@ -204,6 +204,7 @@ PressFit fit_presses(const PressModel& model, const PressLog& log,
   // Presses at one place begin alike, and alike they tell the gains alone; once each has found its
   // own width they may tell more.
   for (std::size_t round = 0; round <= pad_parameter_count; ++round) {
+    if (round > 0 && !frees(options, held)) break;  // nothing is held
     const CalibrationOptions told = identifiable(model, log, options, unread, known_at);
     if (round > 0 && !frees(told, held)) break;
     held = told;
@@ -217,7 +218,7 @@ PressFit fit_presses(const PressModel& model, const PressLog& log,
     best = robust(problem, std::move(best));
     fit.iterations += best.iterations;
   }
-  fit.null_directions = null_directions(FitProblem(model, log, options, unread), best.state);
+  fit.null_directions = null_directions(whole, best.state);
   summarise(problem, best, options, fit);
   doubt(problem, best.state, options, fit);
   if (!best.converged) fit.verdict = FitVerdict::iteration_limit;
