@@ -64,7 +64,7 @@ SkinConeSolution LargeSkin::solve_in_cones(std::span<const double> readings, dou
   return LargeSkinCone(system_, alpha, constraints).solve(readings);
 }
 
-std::unique_ptr<const Covariance> LargeSkin::covariance(double alpha, double prior_alpha) {
+std::unique_ptr<const CellCovariance> LargeSkin::covariance(double alpha, double prior_alpha) {
   LargeSkinTikhonov& own = solver(alpha);
   if (!bands_) bands_ = std::make_unique<LargeSkinBands>(own, skin_, material_, options_);
   return std::make_unique<LargeSkinCovariance>(*bands_, prior_alpha,

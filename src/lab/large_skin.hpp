@@ -34,7 +34,7 @@ class LargeSkin {
   [[nodiscard]] SkinConeSolution solve_in_cones(std::span<const double> readings, double alpha,
                                                 const Constraints& constraints);
   /// Refers to this object, until its alpha is another one.
-  [[nodiscard]] std::unique_ptr<const Covariance> covariance(double alpha, double prior_alpha);
+  [[nodiscard]] std::unique_ptr<const CellCovariance> covariance(double alpha, double prior_alpha);
   /// |W (K f - g)|
   [[nodiscard]] double residual(std::span<const double> readings,
                                 std::span<const double> tractions);

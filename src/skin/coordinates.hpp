@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "numeric/sparse_cholesky.hpp"
+#include "tactile_net/skin/cell_window.hpp"
 #include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/problem.hpp"
 
@@ -26,6 +27,9 @@ class SkinCoordinates {
   [[nodiscard]] virtual Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const = 0;
   /// The diagonal of T T'.
   [[nodiscard]] virtual Eigen::VectorXd squares() const = 0;
+  /// The same of normal tractions summed over a window around each cell.
+  [[nodiscard]] virtual Eigen::VectorXd squares(const SkinGrid& grid,
+                                                const CellWindow& window) const = 0;
 };
 
 /// Cosines along y and z, wave (m, n) of component u at the place of cell (m, n): C, orthonormal,
@@ -39,6 +43,8 @@ class CosineCoordinates final : public SkinCoordinates {
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
   [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;
+  [[nodiscard]] Eigen::VectorXd squares(const SkinGrid& grid,
+                                        const CellWindow& window) const override;
 
   /// stretch C' f: the coordinates of tractions.
   [[nodiscard]] Eigen::MatrixXd coordinates(const Eigen::MatrixXd& tractions) const;
@@ -69,6 +75,8 @@ class FaceCoordinates final : public SkinCoordinates {
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
   [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;
+  [[nodiscard]] Eigen::VectorXd squares(const SkinGrid& grid,
+                                        const CellWindow& window) const override;
 
  private:
   Eigen::SparseMatrix<double> edges_;  // E

@@ -9,6 +9,7 @@
 #include "numeric/eigen.hpp"
 #include "skin/family_factors.hpp"
 #include "skin/scaled_deviation.hpp"
+#include "skin/window_sums.hpp"
 
 namespace tactile_net {
 
@@ -28,28 +29,46 @@ SkinCovariance::SkinCovariance(const SkinFamily& family, double alpha, double pr
   if (factors_->coordinates->count() > std::ssize(sizes_)) hidden_ = 1.0 / std::sqrt(prior_alpha);
 }
 
-std::vector<double> SkinCovariance::deviations() const {
+template <class Sums>
+std::vector<double> SkinCovariance::deviations_of(const std::vector<double>& most,
+                                                  const Sums& sums) const {
   const SkinCoordinates& coordinates = *factors_->coordinates;
-  const Eigen::VectorXd most = coordinates.squares();
-  Eigen::VectorXd known = Eigen::VectorXd::Zero(most.size());
+  Eigen::VectorXd known = Eigen::VectorXd::Zero(std::ssize(most));
   Eigen::VectorXd shown = known;
   Index first = 0;
   for (const auto& block : factors_->blocks) {
     Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(coordinates.count(), block.gamma.size());
     vectors(block.part.waves, Eigen::all) = block.v;
-    const Eigen::MatrixXd roots = coordinates.tractions(vectors);
+    const Eigen::MatrixXd roots = sums(coordinates.tractions(vectors));
     const auto sizes = as_eigen(std::span(sizes_)).segment(first, block.gamma.size());
     known += (roots * sizes.asDiagonal()).rowwise().squaredNorm();
     shown += roots.rowwise().squaredNorm();
     first += block.gamma.size();
   }
-  std::vector<double> result(static_cast<std::size_t>(most.size()));
-  for (Index i = 0; i < most.size(); ++i) {
-    const double left = std::max(most(i) - shown(i), 0.0);
-    result[static_cast<std::size_t>(i)] =
-        std::hypot(std::sqrt(known(i)), hidden_ * std::sqrt(left));
+  std::vector<double> result(most.size());
+  for (std::size_t i = 0; i < most.size(); ++i) {
+    const auto at = static_cast<Index>(i);
+    const double left = std::max(most[i] - shown(at), 0.0);
+    result[i] = std::hypot(std::sqrt(known(at)), hidden_ * std::sqrt(left));
   }
   return result;
+}
+
+std::vector<double> SkinCovariance::deviations() const {
+  const Eigen::VectorXd most = factors_->coordinates->squares();
+  return deviations_of({most.begin(), most.end()},
+                       [](Eigen::MatrixXd tractions) { return tractions; });
+}
+
+std::vector<double> SkinCovariance::window_deviations(const SkinGrid& grid,
+                                                      const CellWindow& window) const {
+  const Eigen::VectorXd most = factors_->coordinates->squares(grid, window);
+  return deviations_of({most.begin(), most.end()}, [&](const Eigen::MatrixXd& tractions) {
+    Eigen::MatrixXd all = tractions.topRows(most.size());
+    for (Index j = 0; j < all.cols(); ++j)
+      window_sums(grid, window, std::span(all.col(j).data(), static_cast<std::size_t>(all.rows())));
+    return all;
+  });
 }
 
 double SkinCovariance::deviation(std::span<const double> weights) const {

@@ -12,11 +12,12 @@
 #include <vector>
 
 #include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/skin/cell_window.hpp"
 #include "tactile_net/skin/family.hpp"
 
 namespace tactile_net {
 
-class SkinCovariance final : public Covariance {
+class SkinCovariance final : public CellCovariance {
  public:
   /// Of `SkinFamily::solve`; of the family on a face, of `SkinCone::solve`: what the cones hold is
   /// then taken for certain. O(columns). Shares the family's factors.
@@ -27,6 +28,9 @@ class SkinCovariance final : public Covariance {
 
   /// O(columns x readings), and a transform of each component.
   [[nodiscard]] std::vector<double> deviations() const override;
+  /// As `deviations`, and sums over windows.
+  [[nodiscard]] std::vector<double> window_deviations(const SkinGrid& grid,
+                                                      const CellWindow& window) const override;
   /// O(columns x readings) of the classes.
   [[nodiscard]] double deviation(std::span<const double> weights) const override;
   [[nodiscard]] double covariance(std::span<const double> a,
@@ -34,7 +38,14 @@ class SkinCovariance final : public Covariance {
   [[nodiscard]] double degrees_of_freedom() const noexcept override { return degrees_; }
 
  private:
+  /// Of what `sums` makes of tractions, in columns, where without noise and readings the squares
+  /// would be `most`.
+  template <class Sums>
+  [[nodiscard]] std::vector<double> deviations_of(const std::vector<double>& most,
+                                                  const Sums& sums) const;
+
   std::shared_ptr<const SkinFamily::Factors> factors_;
+
   std::vector<double> sizes_{};  // standard deviation of each component
   double hidden_ = 0.0;          // of what no reading shows
   double degrees_;

@@ -8,7 +8,9 @@
 #include "inverse/checks.hpp"
 #include "numeric/eigen.hpp"
 #include "skin/coordinates.hpp"
+#include "skin/family_factors.hpp"
 #include "skin/scaled_deviation.hpp"
+#include "skin/window_sums.hpp"
 #include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net {
@@ -151,6 +153,28 @@ std::vector<double> LargeSkinCovariance::deviations() const {
     const bool dead = parts.is_dead(cell);
     for (std::size_t from = like, to = cell; to < all.size(); from += small, to += cells)
       all[to] = dead ? std::max(own[from], prior_deviation(from)) : own[from];
+  }
+  return all;
+}
+
+std::vector<double> LargeSkinCovariance::window_deviations(const SkinGrid& grid,
+                                                           const CellWindow& window) const {
+  const LargeSkinBands::Parts& parts = *bands_.parts_;
+  const SkinGrid& small = parts.piece.grid;
+  const std::vector<double> own = SkinCovariance(parts.family, parts.solver.alpha(), prior_alpha_)
+                                      .window_deviations(small, window);
+  const Eigen::VectorXd prior =
+      parts.family.factors()->coordinates->squares(small, window).cwiseSqrt() /
+      std::sqrt(prior_alpha_);
+  std::vector<double> dead(grid.count());
+  for (std::size_t cell = 0; cell < dead.size(); ++cell)
+    dead[cell] = parts.is_dead(cell) ? 1.0 : 0.0;
+  window_sums(grid, window, dead);
+  std::vector<double> all(grid.count());
+  for (std::size_t cell = 0; cell < all.size(); ++cell) {
+    const std::size_t like = parts.like_cell(cell);
+    all[cell] =
+        dead[cell] > 0.0 ? std::max(own[like], prior(static_cast<Eigen::Index>(like))) : own[like];
   }
   return all;
 }
