@@ -18,7 +18,7 @@ lab::SceneCircuit board() {
 }  // namespace
 
 TEST_CASE("the list to order is stable with the scene's op-amps, and its draws meet the target",
-          "[parts_list]") {
+          "[parts_list][long]") {
   const lab::SceneCircuit circuit = board();
   const lab::PartsList list = lab::parts_list(circuit, 3e-3);
   REQUIRE(list.choice);
@@ -53,7 +53,7 @@ TEST_CASE("the list to order is stable with the scene's op-amps, and its draws m
   CHECK_THAT(report::order_csv(list), StartsWith("ohm,tolerance,quantity,references\n"));
 }
 
-TEST_CASE("an accuracy that no parts reach is said to be out of reach", "[parts_list]") {
+TEST_CASE("an accuracy that no parts reach is said to be out of reach", "[parts_list][long]") {
   const lab::SceneCircuit circuit = board();
   const lab::PartsList none = lab::parts_list(circuit, 1e-6);
   CHECK_FALSE(none.choice);
