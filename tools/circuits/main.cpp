@@ -88,14 +88,14 @@ for a resistor within 1, 0.1, 0.05 and 0.01 %, 2 for an op-amp with two outputs.
 alpha = 1e-3, in K at 1e-5.
 
 *Loads*: what a part counts is the mean over five loads, the scene's contacts where they are and moved along the sensor by an eighth and a quarter of its
-length either way; a build's error is the root mean square over them.
+length either way; a build's error is the root mean square over them: for one load alone fewer better parts would do.
 
-*Values* are of the scene's series, E96 where it names none. One part is within 1.5 % of any value, two in series or in parallel within 2e-4. An entry of
+*Values* are of the scene's series, E96 where it names none. One part is within 1.5 % of any value, two in series or in parallel, of 1 ohm to 10 megohm, within 3e-4 (2e-4 from 100 ohm to 100 kilo-ohm). An entry of
 K' becomes what that of K became, times their ratio: an error that both share only changes the model. Parts of better classes are pairs, and as
 many of the others, those that count most first, until values take a sixteenth of the squared error; the rest is left to tolerances.
 
-The folder then holds, of the cheapest circuit whose draws meet the target, `parts.csv` (value, tolerance, quantity, references: to order from), `BOM.csv`
-(a resistor a row, with the other one of its pair and how many there are of its value), and `board.kicad_pcb`, which KiCad from 6 on opens: footprints
+The folder then holds, of the cheapest circuit whose draws meet the target, `parts.csv` (value, tolerance, quantity, references of resistors, and the op-amps: to order from), `BOM.csv`
+(a part a row, with the other one of a resistor's pair and how many there are of its value), and `board.kicad_pcb`, which KiCad from 6 on opens: footprints
 with values, tolerances and nets, resistors in the rows and columns of their entries, 0402 and, for better classes, 0603; op-amps as SO-8 with the usual
 pins; a pin for each current of a reading, each output and the supply. Nothing is routed; capacitors of the supply are yours to place. The deck of the same
 parts, with each tolerance as a comment, is `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`.
