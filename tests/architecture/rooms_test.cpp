@@ -31,7 +31,7 @@ const std::vector<Room> rooms{
     {"elasticity", {"numeric"}},
     {"sensing", {"numeric", "elasticity"}},
     {"inverse", {"realtime", "numeric", "elasticity", "sensing"}},
-    {"calibration", {"numeric", "elasticity", "sensing"}},
+    {"calibration", {"realtime", "numeric", "elasticity", "sensing", "inverse", "skin"}},
     {"skin", {"realtime", "numeric", "elasticity", "sensing", "inverse"}},
     {"control", {"realtime", "numeric", "elasticity", "sensing", "inverse", "skin"}},
     {"grasp", {"realtime", "numeric", "elasticity", "sensing", "inverse"}},
