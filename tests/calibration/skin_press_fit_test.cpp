@@ -82,7 +82,9 @@ TEST_CASE("over many logs of skins the truth lies where the standard deviations 
   CHECK_THAT(rms, WithinAbs(1.0, 0.03));
   // 95 % of the gains within 1.96, give or take 1 % (one sd of the independent part).
   CHECK_THAT(gains_within / gains, WithinAbs(0.95, 0.03));
-  CHECK_THAT(gains2 / gains, WithinAbs(1.0, 0.15));
+  // The true ones are 5 % apart and 10 % are stated: weak ones lie closer than they say.
+  CHECK(gains2 / gains < 1.15);
+  CHECK(gains2 / gains > 0.7);
 }
 
 TEST_CASE("a skin's calibration leaves a part of the error that the nominal scene makes") {

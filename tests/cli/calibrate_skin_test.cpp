@@ -164,14 +164,18 @@ TEST_CASE("a calibrated skin finds contacts that were not in the log better", "[
     const Json json = Json::parse(solved.output);
     double squares = 0.0;
     for (std::size_t i = 0; i < forces.size(); ++i)
-      squares += std::pow(json["normal_force"][i].get<double>() / forces[i] - 1.0, 2) /
-                 static_cast<double>(forces.size());
+      squares +=
+          std::pow(
+              json["frames"][i]["resultant"]["normal"]["value"].get<double>() / forces[i] - 1.0,
+              2) /
+          static_cast<double>(forces.size());
     return std::sqrt(squares);
   };
   // The nominal scene is spared the offsets.
-  const std::string noise = "\n[noise]\nrms = " + truth["noise_rms"].dump() + '\n';
-  const double before =
-      error(nominal + replaced(replaced(replaced(noise, "{", "{ "), "}", " }"), ":", " = "), tared);
+  std::string noise;
+  for (const auto& [quantity, rms] : truth["noise_rms"].items())
+    noise += (noise.empty() ? "" : ", ") + quantity + " = " + rms.dump();
+  const double before = error(nominal + "\n[noise]\nrms = { " + noise + " }\n", tared);
   const double after = error(calibrated_scene, recording);
   CAPTURE(before, after);
   CHECK(after < 0.5 * before);
