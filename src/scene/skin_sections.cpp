@@ -8,6 +8,7 @@
 
 #include "scene/calibration_section.hpp"
 #include "scene/references.hpp"
+#include "scene/sections.hpp"
 #include "scene/taxel_table.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -296,6 +297,14 @@ void read_skin_sections(Table& root, const std::filesystem::path& folder, SkinSc
   scene.calibration = read_calibration(
       table_of(root.value("calibration")), folder,
       is_whole(scene) ? calibrated_readings(scene.sensor, read.units) : CalibratedReadings{});
+  const auto calibrate = root.value("calibrate");
+  if (const auto table = table_of(calibrate)) {
+    const CalibrationOptions stated =
+        read_calibrate(*table, read.units, scene.material.layer.has_value(), true);
+    if (stated.pitch_sd > 0.0 && is_whole(scene) && !is_even(scene.sensor))
+      calibrate->problem("asks for a pitch, and these taxels have places of their own",
+                         "remove pitch_sd: their places are taken as the file has them");
+  }
   if (const auto table = table_of(root.value("forward")))
     scene.forward = read_forward(*table, true);
   const auto depths = depths_in(sensor);
