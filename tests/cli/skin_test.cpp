@@ -387,7 +387,6 @@ TEST_CASE("a command that does not know skins yet says so", "[cli][skin]") {
   CHECK(refused.code != 0);
   CHECK_THAT(refused.errors, ContainsSubstring("[sensor] is of a skin"));
   CHECK_THAT(refused.errors, ContainsSubstring("plan, tradeoff, gen, relax and certify know"));
-  CHECK_THAT(tool({"run", path, "--explain"}).errors, ContainsSubstring("--explain"));
   CHECK_THAT(tool({"solve", path, "--method", "dft", "--readings", "x.csv"}).errors,
              ContainsSubstring("--method"));
 }
