@@ -175,6 +175,8 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   const std::unique_ptr<const Covariance> free = method.covariance(alpha, prior);
   const Covariance& own = *free;
   answer.deviations = own.deviations();
+  if (const auto error = method.band_error(own); error && answer.iteration)
+    answer.iteration->bands = {error->tractions, error->least, error->most};
   for (double& deviation : answer.deviations) deviation *= rms;
 
   const auto covariance_on = [&](const SkinFamily& some) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/simulator/simulator.hpp"
@@ -36,6 +37,8 @@ inline constexpr std::size_t most_simulated_resistors = 40000;
 /// `most_drawn_amplifiers` nodes and residuals, of which either takes minutes.
 [[nodiscard]] bool is_small(const AnyScene& scene);
 inline constexpr std::size_t most_drawn_amplifiers = 200;
+/// What is left out of a circuit that is not, and why.
+[[nodiscard]] std::string why_not_drawn(const AnyScene& scene);
 
 /// One realisation's step response at every bandwidth.
 [[nodiscard]] StudySection settling(const StudyInput& input, Realization realization,

@@ -111,7 +111,7 @@ recorded = scenes / "recorded"
 with tempfile.TemporaryDirectory() as place:
     place = pathlib.Path(place)
     for scene in sorted(scenes.rglob("*.toml")):
-        if scene.parent.name not in ("recorded", "hands", "skins", "sweeps", "calibration"):
+        if scene.parent.name not in ("recorded", "hands", "sweeps", "calibration"):
             check("explain", written("run", scene, "--explain"), scene)
     # Of each: another circuit, other effects, two channels, a scene over time, a method without an answer.
     for name in ("nic", "edge-of-array", "dragged", "two-strains", "effects/everything", "effects/sliding",

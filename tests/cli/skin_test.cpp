@@ -381,7 +381,6 @@ TEST_CASE("check says what is wrong with a skin's recording", "[cli][skin]") {
 TEST_CASE("an option that is of lines says so of a skin", "[cli][skin]") {
   const Folder folder;
   const std::string path = folder.write("skin.toml", skin);
-  CHECK_THAT(tool({"run", path, "--explain"}).errors, ContainsSubstring("--explain"));
   CHECK_THAT(tool({"solve", path, "--method", "dft", "--readings", "x.csv"}).errors,
              ContainsSubstring("--method"));
 }
