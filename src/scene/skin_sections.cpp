@@ -143,13 +143,22 @@ void read_reconstruct(Table table, const std::optional<Value>& depths, const Rea
   SkinReconstructOptions& options = scene.reconstruct;
   if (const auto methods = table.value("methods")) {
     constexpr std::string_view one[] = {"tikhonov"};
-    for (const Value& method : methods->list("methods").value_or(std::vector<Value>{}))
-      (void)method.one_of("method of skins", one);
+    for (const Value& method : methods->list("methods").value_or(std::vector<Value>{})) {
+      if (method.is_text() && method.text() == "network")
+        method.problem("asks for a circuit, which of skins stands beside the answer",
+                       "remove it; tactile-net run --realization least_squares has both");
+      else
+        (void)method.one_of("method of skins", one);
+    }
   }
   const bool noisy = scene.noise && std::any_of(scene.noise->rms.begin(), scene.noise->rms.end(),
                                                 [](const auto& rms) { return rms.second > 0.0; });
-  if (const auto alpha = table.value("alpha"))
+  if (const auto alpha = table.value("alpha")) {
     read_alpha(*alpha, alpha_unit(read.units, scene), noisy, options.alpha, options.alpha_rule);
+    if (options.alpha_rule == AlphaRule::ncp)
+      alpha->problem("looks for white noise along a line of taxels, which a skin is not",
+                     noisy ? "alpha = \"evidence\", or \"aicc\"" : "alpha = \"aicc\"");
+  }
   if (const auto length = table.value("smoothing_length"))
     options.smoothing_length = length->number(not_negative, read.units.length);
   const bool one_channel = is_whole(scene) && channel_count(scene.sensor) == 1;
