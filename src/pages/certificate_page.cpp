@@ -28,6 +28,7 @@ using drawing::Page;
 using drawing::Plot;
 using report::answers;
 using report::cells;
+using report::circuit_in_words;
 using report::in_words;
 using report::material_in_words;
 using report::sensor_in_words;
