@@ -15,6 +15,7 @@ std::size_t draws(std::size_t nodes) { return nodes <= 60 ? 200 : nodes <= 130 ?
 
 Recommendation::Candidate tried(const NetworkCircuit& circuit, const ToleranceOptions& options) {
   return {.realization = circuit.realization(),
+          .ladder = form_of(circuit).ladder,
           .opamps = circuit.flat().amplifiers().size(),
           .stable = is_stable_with_its_opamps(circuit),
           .tolerance = tolerate(circuit.reduction(), options)};
@@ -47,8 +48,9 @@ Recommendation recommend(const SceneCircuit& circuit) {
   if (!circuit.loaded()) return result;
   result.drawn.trials = std::min(result.drawn.trials, draws(circuit.nodes()));
   const NetworkCircuit& own = circuit.network();
-  for (const Realization one : candidates(circuit)) {
-    const bool built = one == own.realization() && !result.inverters_replaced;
+  for (const CircuitForm& one : candidates(circuit)) {
+    const bool built = one.realization == own.realization() && one.ladder == form_of(own).ladder &&
+                       !result.inverters_replaced;
     result.candidates.push_back(built ? tried(own, result.drawn)
                                       : tried(candidate(one, circuit), result.drawn));
   }

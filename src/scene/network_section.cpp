@@ -136,6 +136,7 @@ NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
     parts.bandwidth_ratio = ratio->number(positive);
   if (const auto inverters = table.value("inverters"))
     parts.inverters = inverters->boolean().value_or(false);
+  if (const auto ladder = table.value("ladder")) parts.ladder = ladder->boolean().value_or(false);
   if (const auto device = table.value("device"))
     if (const auto index = device->one_of("device", curve_names)) parts.curve = curves[*index];
   if (const auto opamp = table.value("opamp")) {

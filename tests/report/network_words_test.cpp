@@ -64,3 +64,19 @@ TEST_CASE("warnings of a relaxation begin with its certificate's, each once", "[
   CHECK(warnings[0] == report::in_words(relaxation.certificate->remarks[0]));
   CHECK(warnings[1] == report::in_words(relaxation.remarks[0]));
 }
+
+TEST_CASE("a ladder's form, lag and missing noise have their words", "[report][network]") {
+  CHECK(report::circuit_in_words(Realization::least_squares, true) ==
+        "least_squares with a ladder");
+  CHECK(report::circuit_in_words(Realization::lattice, false) == "lattice");
+  const UnmetCondition lag{.condition = TheoremCondition::lag_within_bound,
+                           .lag = {.number = 7.0, .of_nodes = true}};
+  CHECK_THAT(report::condition_in_words(Theorem{.name = "T6L", .unmet = lag}),
+             ContainsSubstring("the ladder's nodes is 7 times"));
+  using Kind = CircuitRemark::Kind;
+  const std::string words = report::in_words(
+      CircuitRemark{.kind = Kind::node_lag, .value = 7.0, .limit = 0.14, .repair = 7e-3});
+  CHECK_THAT(words, ContainsSubstring("siemens = 0.007 or more, or bandwidth_ratio = 0.14"));
+  CHECK_THAT(report::in_words(CircuitRemark{.kind = Kind::noise_without_capacitance}),
+             ContainsSubstring("parasitic = { node"));
+}

@@ -273,3 +273,10 @@ TEST_CASE("tolerances of their own: the stabiliser's resistors, and balance", "[
   CHECK(options.value().stabiliser == 1e-3);
   CHECK(options->balance == 2e-3);
 }
+
+TEST_CASE("a ladder is an option of the circuit, off where nobody asks", "[scene]") {
+  CHECK_FALSE(parse(smallest).network.parts.ladder);
+  CHECK(parse(smallest + "[network]\nrealization = \"least_squares\"\nladder = true\n")
+            .network.parts.ladder);
+  CHECK_THROWS_WITH(parse(smallest + "[network]\nladder = 1\n"), ContainsSubstring("ladder"));
+}

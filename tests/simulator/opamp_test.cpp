@@ -199,24 +199,38 @@ TEST_CASE("ngspice is as far behind a moving contact as the certificate's state 
 
 TEST_CASE("the noise of real inputs is ngspice's", "[spice][noise]") {
   const ArrayNetwork network = array_network(11, 1e-3);
-  for (const Realization one : {Realization::crossbar, Realization::lattice}) {
-    const Circuit circuit = realize(
-        one, network.problem,
-        {.scale = {1e-3, 1.0},
-         .opamp = {.gain = 1e6, .bandwidth = 1e7, .noise_voltage = 5e-9, .noise_current = 1e-11}});
+  struct Case {
+    Realization realization;
+    bool ladder = false;
+    std::optional<double> node{};  // a ladder's nodes need one for their noise to have a size
+    double input = 1e-11;          // noise current: residual amplifiers' low resistors hide less
+    double bandwidth = 1e7;
+  };
+  for (const Case& one : {Case{Realization::crossbar}, Case{Realization::lattice},
+                          Case{.realization = Realization::least_squares, .input = 1e-10},
+                          Case{Realization::least_squares, true, 1e-12, 1e-10, 1e6}}) {
+    const Circuit circuit = realize(one.realization, network.problem,
+                                    {.scale = {1e-3, 1.0},
+                                     .opamp = {.gain = 1e6,
+                                               .bandwidth = one.bandwidth,
+                                               .noise_voltage = 5e-9,
+                                               .noise_current = one.input},
+                                     .ladder = one.ladder,
+                                     .node_capacitance = one.node});
     const OutputNoise expected = output_noise(FlatCircuit(circuit));
     std::ostringstream out;
     write_deck(out, circuit, {.title = "noise"}, Answer::raw_file);
     std::string deck = out.str();
     const std::size_t at = deck.find(".op\n");
     deck.replace(at, 4,
-                 ".noise v(n5) I0" + std::string(one == Realization::lattice ? "p" : "") +
-                     " dec 40 1 1e10\n");
-    const std::size_t source = deck.find(one == Realization::lattice ? "I0p " : "I0 ");
+                 ".noise v(n5) I0" +
+                     std::string(one.realization == Realization::lattice ? "p" : "") +
+                     " dec 40 1 1e11\n");
+    const std::size_t source = deck.find(one.realization == Realization::lattice ? "I0p " : "I0 ");
     deck.insert(deck.find('\n', source), " AC 1");
     Ngspice ngspice;
     const Simulation seen = ngspice.run(deck);
-    CAPTURE(name(one), seen.plot.plot);
+    CAPTURE(name(one.realization), one.ladder, seen.plot.plot);
     const double all = expected.thermal(5, 5) + expected.amplifiers(5, 5);
     const std::span<const double> hertz = seen.plot.vector("frequency");
     const std::span<const double> density = seen.plot.vector("onoise_spectrum");

@@ -6,6 +6,7 @@
 
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/network/opamp.hpp"
+#include "tools/circuits/ladder_texts.hpp"
 #include "tools/circuits/numbers.hpp"
 #include "tools/circuits/opamp_texts.hpp"
 
@@ -44,6 +45,7 @@ constexpr const char* choice =
   four resistors an entry of K.
 - With small alpha, where its slowest directions take too long: `least_squares`, which trades amplifiers for time, with op-amps whose second
   pole lies far above their bandwidth (the bound of T6 says how far).
+- With parts of 1 % and more taxels than the lattice bears: `least_squares` with a ladder, under the same conditions on its op-amps.
 - With the fewest parts and alpha of 1e-3 or more: `crossbar` with complementary outputs. No rule on their bandwidths.
 - `nic` is the thesis' own proposal; `rail` does it with O(N) op-amps and is the most sensitive of all. `lc` and `ndr` are its
   two other ones.
@@ -337,11 +339,14 @@ std::string page() {
   return introduction + comparison(1e-3) + "At alpha = 1e-5:\n\n" + comparison(1e-5) + choice +
          table(Realization::ideal) + nic_text + table(Realization::nic) + rail_text +
          table(Realization::rail) + crossbar_text + table(Realization::crossbar) +
-         crossbar_inverters_text + table(Realization::crossbar, true) + least_squares_text +
-         table(Realization::least_squares) + least_squares_inverters_text +
-         table(Realization::least_squares, true) + lattice_text + table(Realization::lattice) +
-         lc_text + table(Realization::lc) + ndr_text + devices() + table(Realization::ndr) +
-         opamps_text + opamp_classes_table() + motion_text + motion_table() + ending;
+         crossbar_inverters_text + table(Realization::crossbar, {.inverters = true}) +
+         least_squares_text + table(Realization::least_squares) + ladder_text + ladder_lags() +
+         ladder_costs + ladder_tolerances() + ladder_numbers +
+         table(Realization::least_squares, {.ladder = true}) + least_squares_inverters_text +
+         table(Realization::least_squares, {.inverters = true}) + lattice_text +
+         table(Realization::lattice) + lc_text + table(Realization::lc) + ndr_text + devices() +
+         table(Realization::ndr) + opamps_text + opamp_classes_table() + motion_text +
+         motion_table() + ending;
 }
 
 }  // namespace

@@ -9,10 +9,16 @@
 namespace tactile_net::circuits {
 
 /// A table of one realisation at several alphas: agreement, settling, tolerance.
-[[nodiscard]] std::string table(Realization realization, bool inverters = false);
+[[nodiscard]] std::string table(Realization realization, const RealizationOptions& options = {});
 
 /// Every realisation at one alpha: what to choose.
 [[nodiscard]] std::string comparison(double alpha);
+
+/// Parts of 1 % with and without a ladder, for more and more taxels.
+[[nodiscard]] std::string ladder_tolerances();
+
+/// What second poles and capacitance at its nodes a ladder bears, by the residual amplifiers' gain.
+[[nodiscard]] std::string ladder_lags();
 
 /// Errors of N-shaped devices over their voltage.
 [[nodiscard]] std::string devices();

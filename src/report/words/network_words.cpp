@@ -95,10 +95,12 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
     case TheoremCondition::second_pole_beyond_bandwidth:
       return "capacitance at the summing nodes and a second pole below the bandwidth";
     case TheoremCondition::lag_within_bound:
-      return "the lag of summing nodes and second poles is " + brief(unmet.lag.number) +
-             " times what it proves stable";
+      return (unmet.lag.of_nodes ? "the lag of the ladder's nodes is "
+                                 : "the lag of summing nodes and second poles is ") +
+             brief(unmet.lag.number) + " times what it proves stable";
     case TheoremCondition::one_lag:
-      return "a second pole and capacitance at the residuals' nodes";
+      return "capacitance at nodes that nothing drives, beside a second pole or capacitance at "
+             "inputs";
     case TheoremCondition::complementary_outputs:
       return "inverters in place of complementary outputs";
     case TheoremCondition::main_at_most_half_of_inverters:
@@ -116,6 +118,10 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
 }
 
 }  // namespace
+
+std::string circuit_in_words(Realization realization, bool ladder) {
+  return std::string(name(realization)) + (ladder ? " with a ladder" : "");
+}
 
 std::string elements_in_words(const ElementCounts& elements) {
   std::vector<std::string> parts;
@@ -171,6 +177,10 @@ std::string in_words(const CircuitRemark& remark) {
       return "the lag of summing nodes and second poles is " + brief(remark.value) +
              " times what is proven stable: " + repair;
     }
+    case Kind::node_lag:
+      return "the lag of the ladder's nodes is " + brief(remark.value) +
+             " times what is proven stable: siemens = " + brief(remark.repair) +
+             " or more, or bandwidth_ratio = " + brief(remark.limit) + " or less";
     case Kind::floating_input_capacitance:
       return "capacitance at the amplifiers' inputs and at the residuals counts (W C/D = " +
              brief(remark.value) + ", found stable up to " + brief(remark.limit) +
@@ -193,13 +203,16 @@ std::string in_words(const CircuitRemark& remark) {
     case Kind::slewing_left_out:
       return "more than " + std::to_string(most_slewing_states) +
              " states: the settling time is without the op-amps' slew";
+    case Kind::noise_without_capacitance:
+      return "noise is left out: at a node without capacitance white noise has no size; give the "
+             "nodes one, parasitic = { node = 1e-12 }";
   }
   return {};
 }
 
 std::vector<std::string> in_words(const Certificate& c) {
   std::vector<std::string> lines;
-  lines.push_back(std::string(name(c.realization)) + ": " + stability_in_words(c));
+  lines.push_back(circuit_in_words(c.realization, c.ladder) + ": " + stability_in_words(c));
   lines.push_back(in_words(c.theorem));
   lines.push_back("P: smallest eigenvalue " + brief(c.smallest_eigenvalue) + ", condition number " +
                   brief(c.condition));
@@ -347,7 +360,7 @@ std::vector<std::vector<std::string>> cells(const lab::Recommendation& recommend
   std::vector<std::vector<std::string>> rows = {
       {"realisation", "op-amps", "stable", "median error", "95 of 100", "yield"}};
   for (const auto& one : recommendation.candidates)
-    rows.push_back({std::string(name(one.realization)), std::to_string(one.opamps),
+    rows.push_back({circuit_in_words(one.realization, one.ladder), std::to_string(one.opamps),
                     one.stable ? std::to_string(one.tolerance.stable) + " of " +
                                      std::to_string(one.tolerance.trials)
                                : "not with its op-amps",
@@ -367,11 +380,11 @@ std::string in_words(const lab::Recommendation& r) {
   const lab::Recommendation::Candidate& chosen = r.chosen();
   if (r.outcome == Outcome::reached)
     return "With " + parts + " and an accuracy of " + accuracy + ": " +
-           std::string(name(chosen.realization)) + ", the fewest amplifiers (" +
+           circuit_in_words(chosen.realization, chosen.ladder) + ", the fewest amplifiers (" +
            std::to_string(chosen.opamps) + ") of those that reach it in 95 of 100 builds.";
   std::string text = "With " + parts + " no realisation is within " + accuracy +
-                     " in 95 of 100 builds; " + std::string(name(chosen.realization)) +
-                     " comes nearest" +
+                     " in 95 of 100 builds; " +
+                     circuit_in_words(chosen.realization, chosen.ladder) + " comes nearest" +
                      (std::isfinite(chosen.tolerance.p95)
                           ? " (95 of 100 within " + percent(chosen.tolerance.p95) + ")."
                           : ", and is not stable in 95 of 100 either.");

@@ -9,6 +9,7 @@
 #include "tactile_net/network/board.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
+#include "tactile_net/report/words/network_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -48,7 +49,7 @@ std::vector<std::vector<std::string>> cells(const lab::PartsList& list) {
   for (const std::string head : {"in pairs", "price", "95 of 100 builds"}) rows[0].push_back(head);
   for (const auto& one : list.candidates) {
     std::vector<std::string>& row = rows.emplace_back();
-    row = {std::string(name(one.realization)), std::to_string(one.opamps)};
+    row = {circuit_in_words(one.realization, one.ladder), std::to_string(one.opamps)};
     for (const std::size_t count : one.list.counts) row.push_back(std::to_string(count));
     row.push_back(std::to_string(one.pairs));
     row.push_back(brief(one.price));
@@ -64,7 +65,8 @@ std::string in_words(const lab::PartsList& list) {
            ": a larger alpha, or better parts.";
   const lab::PartsList::Candidate& chosen = list.chosen();
   std::string text =
-      "For " + target + " in 95 of 100 builds: " + std::string(name(chosen.realization)) + ", " +
+      "For " + target +
+      " in 95 of 100 builds: " + circuit_in_words(chosen.realization, chosen.ladder) + ", " +
       std::to_string(chosen.opamps) + " op-amps and resistors for " +
       brief(chosen.resistors_price) + " (no list is below " + brief(chosen.resistors_bound) + ").";
   std::vector<std::string> better;
