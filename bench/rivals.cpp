@@ -153,9 +153,10 @@ double multiply_in_registers(std::size_t rounds) noexcept {
     asm volatile("" : "+x"(x));  // not to be known
     for (Packet& one : sum) one = Eigen::internal::pmadd(one, x, x);
   }
-  double all = 0.0;
-  for (const Packet& one : sum) all += Eigen::internal::predux(one);
-  return all;
+  for (std::size_t i = 1; i < products; ++i) sum[0] = Eigen::internal::padd(sum[0], sum[i]);
+  double lanes[sizeof(Packet) / sizeof(double)];
+  Eigen::internal::pstoreu(lanes, sum[0]);
+  return lanes[0];
 }
 
 std::string openblas() {

@@ -65,6 +65,12 @@ void BatchProduct<T>::multiply(const ReadyProduct<T>& a, FrameVectors<const doub
     in.fold({x.first + k * x.apart, zero_.data()}, shrink(k), input_.data() + k * input_size_);
   const bool exchanged = in.classes() == 5;
   for (std::size_t c = 0; c < in.classes(); ++c) {
+    // What is written below is asked for a while before: frames of a recording come from far away.
+    const std::size_t lines = a.rows * sizeof(double) / cache_line;
+    for (std::size_t k = 0; k < frames_; ++k)
+      for (std::size_t line = c * lines / in.classes(); line < (c + 1) * lines / in.classes();
+           ++line)
+        __builtin_prefetch(y[k] + line * cache_line / sizeof(double), 1);
     const bool shared = exchanged && c == 2;
     multiply_class(c, in.offset(c), out.offset(c), shared);
     if (shared) multiply_class(c, in.second_offset(), out.second_offset(), shared);
