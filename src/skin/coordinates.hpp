@@ -26,6 +26,8 @@ class SkinCoordinates {
   [[nodiscard]] virtual Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const = 0;
   /// The diagonal of T T'.
   [[nodiscard]] virtual Eigen::VectorXd squares() const = 0;
+  /// Tractions of a component, if T T' joins none of two components; 0: it may.
+  [[nodiscard]] virtual Eigen::Index component_size() const noexcept = 0;
 };
 
 /// Cosines along y and z, wave (m, n) of component u at the place of cell (m, n): C, orthonormal,
@@ -39,6 +41,9 @@ class CosineCoordinates final : public SkinCoordinates {
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
   [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;
+  [[nodiscard]] Eigen::Index component_size() const noexcept override {
+    return y_.rows() * z_.rows();
+  }
 
   /// stretch C' f: the coordinates of tractions.
   [[nodiscard]] Eigen::MatrixXd coordinates(const Eigen::MatrixXd& tractions) const;
@@ -69,6 +74,7 @@ class FaceCoordinates final : public SkinCoordinates {
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
   [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;
+  [[nodiscard]] Eigen::Index component_size() const noexcept override { return 0; }
 
  private:
   Eigen::SparseMatrix<double> edges_;  // E
