@@ -20,6 +20,8 @@ class SkinCoordinates {
   virtual ~SkinCoordinates() = default;
 
   [[nodiscard]] virtual Eigen::Index count() const noexcept = 0;
+  /// Of tractions.
+  [[nodiscard]] virtual Eigen::Index traction_count() const noexcept = 0;
   /// T c, column by column.
   [[nodiscard]] virtual Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const = 0;
   /// T' f, column by column.
@@ -38,6 +40,7 @@ class CosineCoordinates final : public SkinCoordinates {
   CosineCoordinates(const SkinProblem& problem, Eigen::VectorXd stretch);
 
   [[nodiscard]] Eigen::Index count() const noexcept override { return stretch_.size(); }
+  [[nodiscard]] Eigen::Index traction_count() const noexcept override { return stretch_.size(); }
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
   [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;
@@ -71,6 +74,7 @@ class FaceCoordinates final : public SkinCoordinates {
   FaceCoordinates(const SkinProblem& problem, const ConeFace& face);
 
   [[nodiscard]] Eigen::Index count() const noexcept override { return edges_.cols(); }
+  [[nodiscard]] Eigen::Index traction_count() const noexcept override { return edges_.rows(); }
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
   [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;

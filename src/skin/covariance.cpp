@@ -32,11 +32,12 @@ SkinCovariance::SkinCovariance(const SkinFamily& family, double alpha, double pr
 }
 
 std::vector<double> SkinCovariance::deviations() const {
-  const Eigen::VectorXd most = factors_->coordinates->squares();
+  const SkinCoordinates& coordinates = *factors_->coordinates;
+  const Eigen::VectorXd most = hidden_ == 0.0 ? Eigen::VectorXd() : coordinates.squares();
   const std::shared_ptr<const RowMajor> roots = factors_->roots();
   const auto sizes = as_eigen(std::span(sizes_)).transpose();
-  std::vector<double> result(static_cast<std::size_t>(most.size()));
-  for (Index i = 0; i < most.size(); ++i) {
+  std::vector<double> result(static_cast<std::size_t>(coordinates.traction_count()));
+  for (Index i = 0; i < coordinates.traction_count(); ++i) {
     const double known = roots->row(i).cwiseProduct(sizes).norm();
     if (hidden_ == 0.0) {
       result[static_cast<std::size_t>(i)] = known;
@@ -52,6 +53,15 @@ double SkinCovariance::deviation(std::span<const double> weights) const {
   return scaled_deviation(*this, weights);
 }
 
+namespace {
+
+void check_weights(std::span<const double> weights, Index tractions) {
+  if (std::ssize(weights) != tractions)
+    throw std::invalid_argument("a sum of tractions needs one weight per traction");
+}
+
+}  // namespace
+
 /// Of each of several sums a column: what the readings tell of it, and what none shows.
 struct SkinCovariance::Sums {
   Eigen::MatrixXd known;
@@ -59,11 +69,10 @@ struct SkinCovariance::Sums {
 };
 
 SkinCovariance::Sums SkinCovariance::sums(std::span<const std::vector<double>> weights) const {
-  Eigen::MatrixXd all(factors_->coordinates->squares().size(), std::ssize(weights));
+  Eigen::MatrixXd all(factors_->coordinates->traction_count(), std::ssize(weights));
   for (Index k = 0; k < all.cols(); ++k) {
     const std::vector<double>& one = weights[static_cast<std::size_t>(k)];
-    if (std::ssize(one) != all.rows())
-      throw std::invalid_argument("a sum of tractions needs one weight per traction");
+    check_weights(one, all.rows());
     all.col(k) = as_eigen(std::span(one));
   }
   const Eigen::MatrixXd coordinates = factors_->coordinates->sums(all);
@@ -117,14 +126,15 @@ std::optional<Few> few_of(std::span<const double> weights, Index cells) {
 std::vector<double> SkinCovariance::deviations_of(
     std::span<const std::vector<double>> weights) const {
   const SkinCoordinates& coordinates = *factors_->coordinates;
-  const Eigen::VectorXd most = coordinates.squares();
   const Index cells = coordinates.component_size();
   const auto sizes = as_eigen(std::span(sizes_)).transpose();
-  std::shared_ptr<const RowMajor> roots;
+  std::shared_ptr<const RowMajor> roots;  // with what follows, of sums over few
+  Eigen::VectorXd most;
   std::vector<double> result(weights.size());
   std::vector<std::vector<double>> others;  // over their largest weight
   std::vector<std::pair<std::size_t, double>> places;
   for (std::size_t k = 0; k < weights.size(); ++k) {
+    check_weights(weights[k], coordinates.traction_count());
     double largest = 0.0;
     for (const double weight : weights[k]) largest = std::max(largest, std::abs(weight));
     if (!(largest > 0.0)) continue;
@@ -135,7 +145,10 @@ std::vector<double> SkinCovariance::deviations_of(
       places.emplace_back(k, largest);
       continue;
     }
-    if (!roots) roots = factors_->roots();
+    if (!roots) {
+      roots = factors_->roots();
+      most = coordinates.squares();
+    }
     Eigen::RowVectorXd shown = Eigen::RowVectorXd::Zero(sizes.size());
     double all = 0.0;
     for (std::size_t i = 0; i < few->count; ++i) {
