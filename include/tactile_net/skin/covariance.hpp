@@ -25,15 +25,24 @@ class SkinCovariance final : public Covariance {
   /// @throw std::invalid_argument  alpha or prior_alpha is not > 0 and finite
   SkinCovariance(const SkinFamily& family, double alpha, double prior_alpha);
 
-  /// O(columns x readings), and a transform of each component.
+  /// O(columns x readings), and the first time that the family is asked a transform of each
+  /// component.
   [[nodiscard]] std::vector<double> deviations() const override;
   /// O(columns x readings) of the classes.
   [[nodiscard]] double deviation(std::span<const double> weights) const override;
   [[nodiscard]] double covariance(std::span<const double> a,
                                   std::span<const double> b) const override;
+  /// One product for all. Sums over a single traction of each component, as the margin of a cell
+  /// is, take O(readings) each.
+  [[nodiscard]] std::vector<double> deviations_of(
+      std::span<const std::vector<double>> weights) const override;
+  [[nodiscard]] Matrix covariances(std::span<const std::vector<double>> weights) const override;
   [[nodiscard]] double degrees_of_freedom() const noexcept override { return degrees_; }
 
  private:
+  struct Sums;
+  [[nodiscard]] Sums sums(std::span<const std::vector<double>> weights) const;
+
   std::shared_ptr<const SkinFamily::Factors> factors_;
   std::vector<double> sizes_{};  // standard deviation of each component
   double hidden_ = 0.0;          // of what no reading shows
