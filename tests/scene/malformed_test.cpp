@@ -266,8 +266,6 @@ TEST_CASE("wrong [forward], [reconstruct] and [network] are reported", "[scene]"
       {"\"ideal\"", "\"nic\"\ntolerance = { bits = 8 }", "37:22",
        "network.tolerance.bits is of arrays, which nic does not have", "least_squares"},
       {"\"ideal\"", "\"crossbar\"\ntolerance = { bits = 0 }", "37:22", "network.tolerance.bits"},
-      {"\"ideal\"", "\"crossbar\"\ntolerance = { cell_noise = 1.5 }", "37:28",
-       "must be > 0 and < 1"},
       {"\"ideal\"", "\"crossbar\"\ntolerance = { bits = 8, series = \"E96\" }", "37:34",
        "network.tolerance.series is of resistors that are bought"},
       {"\"ideal\"", "\"lattice\"\ntolerance = { wire_resistance = 1 }", "37:33",
