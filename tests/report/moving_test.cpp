@@ -32,7 +32,7 @@ TEST_CASE("moving contacts: the circuit that bears its parts best, and from wher
   const std::string text = report::moving_in_words(study);
   CHECK_THAT(text, ContainsSubstring("least_squares with op-amps of 10 MHz is 2 us behind"));
   CHECK_THAT(text, ContainsSubstring("a loop of 1 kHz errs as much at"));
-  CHECK_THAT(text, ContainsSubstring("more than the circuit of 1 % parts (0.63 %) from"));
+  CHECK_THAT(text, ContainsSubstring("more than the circuit of 1 % parts (0.632 %) from"));
   const auto rows = report::moving_cells(study);
   REQUIRE(rows.size() == 5);
   REQUIRE(rows[0].size() == 5);
@@ -58,7 +58,7 @@ TEST_CASE("what follows contacts is read back as it was written", "[tradeoff][mo
 }
 
 TEST_CASE("the page draws error over speed of every follower", "[tradeoff][moving]") {
-  const pages::Page page = pages::study_html(with_moving());
+  const auto page = pages::study_html(with_moving());
   CHECK_THAT(page.html, ContainsSubstring("Contacts that move"));
   CHECK_THAT(page.html, ContainsSubstring("nearer than a loop of 10 kHz from"));
   bool drawn = false;
