@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "network/lag_bound.hpp"
+#include "network/output_current.hpp"
 #include "network/scale_proposal.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
@@ -166,11 +167,13 @@ void add_noise(Certificate& c, const NetworkCircuit& circuit) {
   }
   const std::vector<double> answer = steady_state(circuit.state_space());
   const Eigen::VectorXd thermal = as_eigen(noise.thermal).diagonal();
-  const Eigen::VectorXd all = thermal + as_eigen(noise.amplifiers).diagonal();
+  const Eigen::VectorXd flicker = as_eigen(noise.flicker).diagonal();
+  const Eigen::VectorXd all = thermal + as_eigen(noise.amplifiers).diagonal() + flicker;
   c.noise = CircuitNoise{.largest = std::sqrt(all.maxCoeff()),
                          .total = std::sqrt(all.sum()),
                          .relative = std::sqrt(all.sum()) / as_eigen(std::span(answer)).norm(),
-                         .thermal = thermal.sum() / all.sum()};
+                         .thermal = thermal.sum() / all.sum(),
+                         .flicker = flicker.sum() / all.sum()};
 }
 
 /// Measured, no theorem: W C/D up to which the same capacitance at floating inputs and at passive
@@ -289,6 +292,23 @@ void add_errors(Certificate& c, const NetworkCircuit& circuit) {
   c.errors = static_errors(circuit.flat());
 }
 
+/// What its outputs carry of a load, where the op-amps' limit is given.
+void add_output_current(Certificate& c, const NetworkCircuit& circuit) {
+  const RealizationOptions& options = circuit.options();
+  const std::vector<double>& b = circuit.problem().right_side;
+  if (!options.opamp.output_current || !has_amplifiers(c.realization) ||
+      std::all_of(b.begin(), b.end(), [](double value) { return value == 0.0; }))
+    return;
+  c.output_current = output_current(circuit.flat());
+  const double limit = *options.opamp.output_current;
+  if (c.output_current->largest > limit)
+    c.remarks.push_back({.kind = CircuitRemark::Kind::output_current,
+                         .value = c.output_current->largest,
+                         .limit = limit,
+                         .repair = options.scale.volts * limit / c.output_current->largest,
+                         .part = c.output_current->opamp});
+}
+
 /// From the poles where there are any, otherwise from the theorem.
 void add_stability(Certificate& c, const NetworkCircuit& circuit, bool definite) {
   const std::size_t states =
@@ -347,6 +367,7 @@ Certificate certify(const NetworkCircuit& circuit, double accuracy) {
   }
   if (realization.linear()) add_equations(c, circuit);
   add_errors(c, circuit);
+  add_output_current(c, circuit);
   add_stability(c, circuit, definite);
   c.proposal = scale_proposal(c, circuit);
   return c;

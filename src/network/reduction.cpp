@@ -242,6 +242,18 @@ Matrix Reduction::sensitivity_bound() const {
   return bound;
 }
 
+Reduction::Feed Reduction::feed(std::size_t resistor) const {
+  // The circuit's own resistors come first, a part each.
+  if (resistor >= parts_.size() || part_resistor_[resistor] != resistor) return Feed::none;
+  const Part& part = parts_[resistor];
+  const Law& law = laws_[part.to].front();
+  const bool summing = law.row != none && is_amplifier(law.row) && fixed_[part.to].i == none;
+  if (!summing) return Feed::none;
+  const Voltage& source = fixed_[part.from];
+  if (source.i == none || !is_amplifier(source.i)) return Feed::other;
+  return source.a > 0.0 ? Feed::output : Feed::inverse;
+}
+
 Matrix Reduction::sensitivities(std::span<const double> unknowns) const {
   const std::vector<Voltage> all = voltages(siemens_);
   const auto value = [&](const Voltage& v) {

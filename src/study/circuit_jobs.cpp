@@ -121,6 +121,9 @@ std::vector<StudyJob> circuit_jobs(const StudyInput& input, const lab::Simulator
     add({Kind::circuit_sizes}, 10.0,
         [&input, stop](Simulator&) { return circuit_sizes(input, stop); });
   add({Kind::parts}, 2.0, [&input, stop](Simulator&) { return parts_floors(input, stop); });
+  add({Kind::moving}, 2.0, [&input, stop, realizations_of](Simulator&) {
+    return moving_contacts(input, realizations_of, stop);
+  });
   add({Kind::operating_points}, 2.0,
       [&input](Simulator& simulator) { return operating_points(input, simulator); });
   return jobs;

@@ -256,3 +256,34 @@ TEST_CASE("an operating point that takes steps back of gmin is one all the same"
     CHECK(relative_l2_error(at_rest(circuit), operating_voltages(FlatCircuit(circuit))) < 1e-4);
   }
 }
+
+TEST_CASE("the 1/f noise of real inputs is ngspice's", "[spice][noise]") {
+  const ArrayNetwork network = array_network(9, 1e-3);
+  for (const Realization one :
+       {Realization::crossbar, Realization::least_squares, Realization::lattice}) {
+    // A corner at which 1/f is most of it.
+    const Circuit circuit = realize(
+        one, network.problem,
+        {.scale = {1e-3, 1.0},
+         .opamp = {.gain = 1e6, .bandwidth = 1e7, .noise_voltage = 5e-9, .noise_corner = 1e6}});
+    const OutputNoise expected = output_noise(FlatCircuit(circuit));
+    std::ostringstream out;
+    write_deck(out, circuit, {.title = "1/f noise"}, Answer::raw_file);
+    std::string deck = out.str();
+    const std::string source = one == Realization::lattice ? "I0p" : "I0";
+    deck.replace(deck.find(".op\n"), 4, ".noise v(n4) " + source + " dec 40 0.1 1e10\n");
+    deck.insert(deck.find('\n', deck.find(source + ' ')), " AC 1");
+    Ngspice ngspice;
+    const Simulation seen = ngspice.run(deck);
+    CAPTURE(name(one));
+    const std::span<const double> hertz = seen.plot.vector("frequency");
+    const std::span<const double> density = seen.plot.vector("onoise_spectrum");
+    double square = 0.0;
+    for (std::size_t k = 1; k < hertz.size(); ++k)
+      square += 0.5 * (hertz[k] - hertz[k - 1]) *
+                (density[k] * density[k] + density[k - 1] * density[k - 1]);
+    const double all = expected.thermal(4, 4) + expected.amplifiers(4, 4) + expected.flicker(4, 4);
+    CHECK_THAT(std::sqrt(square), WithinRel(std::sqrt(all), 0.03));
+    CHECK(expected.flicker(4, 4) > 0.3 * all);
+  }
+}

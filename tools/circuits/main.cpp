@@ -346,7 +346,7 @@ std::string page() {
          table(Realization::least_squares, {.inverters = true}) + lattice_text +
          table(Realization::lattice) + lc_text + table(Realization::lc) + ndr_text + devices() +
          table(Realization::ndr) + opamps_text + opamp_classes_table() + motion_text +
-         motion_table() + ending;
+         motion_table() + arrays_text + arrays_table() + ending;
 }
 
 }  // namespace

@@ -26,6 +26,9 @@ namespace tactile_net::circuits {
 /// Typical op-amps in three realisations, at two scales.
 [[nodiscard]] std::string opamp_classes_table();
 
+/// What steps, noise and wires of programmable arrays do.
+[[nodiscard]] std::string arrays_table();
+
 /// How far behind a moving contact they are; lengths taken for mm.
 [[nodiscard]] std::string motion_table();
 

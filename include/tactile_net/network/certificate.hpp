@@ -12,6 +12,7 @@
 #include <complex>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -97,6 +98,9 @@ struct CircuitRemark {
     /// The amplifiers' noise is asked for, and an output has no capacitance that ends the
     /// resistors': white noise there has no size.
     noise_without_capacitance,
+    /// At rest an op-amp's output would carry `value` [A], it can give `limit`; `part` names it;
+    /// `repair`: the `Scale::volts` at which it carries that.
+    output_current,
   };
   Kind kind = Kind::clamps;
   double value = 0.0;
@@ -104,6 +108,7 @@ struct CircuitRemark {
   double least = 0.0;
   double greatest = 0.0;
   double repair = 0.0;
+  std::string part{};
 };
 
 /// What the linear state space of the circuit says.
@@ -125,6 +130,13 @@ struct CircuitNoise {
   double total = 0.0;     ///< of all outputs, 2-norm [V]
   double relative = 0.0;  ///< `total` over the answer's 2-norm; infinite without a load
   double thermal = 0.0;   ///< the resistors' share of `total` squared
+  double flicker = 0.0;   ///< that of the op-amps' 1/f noise, from `lowest_noise_hertz` on
+};
+
+/// What the op-amps' outputs carry at rest, both of them where they are complementary.
+struct OutputCurrent {
+  double largest = 0.0;  ///< of one output [A], in size
+  std::string opamp{};   ///< whose: "Xn3"
 };
 
 /// Volts and siemens at which what disturbs the answer is least for what the op-amps can give.
@@ -133,6 +145,7 @@ struct ScaleProposal {
     swing,      ///< a node would reach 0.8 of rail - 0.6 V
     ten_volts,  ///< no rail is given: 10 V at the largest node
     slew,       ///< slewing would make settling a fifth longer
+    current,    ///< an output would carry more than the op-amps give, at those siemens
   };
   double volts = 0.0;  ///< `Scale::volts`
   Bound volts_by = Bound::ten_volts;
@@ -162,8 +175,9 @@ struct Certificate {
       noise{};  ///< absent: none is asked for, it has no size, or the circuit does not settle
   std::optional<Theorem> slewing{};      ///< absent: the op-amps have no slew, or nothing is proven
   std::optional<StaticErrors> errors{};  ///< absent: nothing of the op-amps makes any, or no load
-  std::optional<ScaleProposal> proposal{};  ///< absent: no noise and no offset to balance
-  double accuracy = 1e-3;                   ///< that settling is measured to
+  std::optional<OutputCurrent> output_current{};  ///< absent: the op-amps' is not given, or no load
+  std::optional<ScaleProposal> proposal{};        ///< absent: no noise and no offset to balance
+  double accuracy = 1e-3;                         ///< that settling is measured to
   ElementCounts elements{};
   double least_ohm = 0.0;        ///< smallest resistor [ohm], in size; 0: there is none
   double greatest_ohm = 0.0;     ///< largest resistor

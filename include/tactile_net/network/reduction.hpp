@@ -72,6 +72,15 @@ class Reduction {
   /// Whether row i is an amplifier's: its unknown is the output.
   [[nodiscard]] bool is_amplifier(std::size_t row) const { return amplifier_rows_[row]; }
 
+  /// Where a resistor that leads into an amplifier's grounded summing node gets its voltage from.
+  enum class Feed {
+    none,     ///< it leads elsewhere
+    output,   ///< an amplifier's output
+    inverse,  ///< its second output
+    other,    ///< an inverter's output
+  };
+  [[nodiscard]] Feed feed(std::size_t resistor) const;
+
   /// d(S z - h)/d(log g) of every resistor, in the order of `resistors()`: each a row of `rows()`
   /// currents [A]. Through -S^-1 they are what relative errors of components do to z.
   [[nodiscard]] Matrix sensitivities(std::span<const double> unknowns) const;

@@ -58,6 +58,7 @@ Json certificate(const Certificate& c) {
                {"noise", nullptr},
                {"slewing", c.slewing ? theorem_json(*c.slewing) : Json(nullptr)},
                {"static_errors", c.errors ? errors_json(*c.errors) : Json(nullptr)},
+               {"output_current", nullptr},
                {"proposal", nullptr},
                {"warnings", Json::array()}};
   if (c.ladder) json["ladder"] = true;
@@ -66,7 +67,11 @@ Json certificate(const Certificate& c) {
     json["noise"] = {{"largest_volts", c.noise->largest},
                      {"total_volts", c.noise->total},
                      {"relative", finite_or_null(c.noise->relative)},
-                     {"thermal_share", c.noise->thermal}};
+                     {"thermal_share", c.noise->thermal},
+                     {"flicker_share", c.noise->flicker}};
+  if (c.output_current)
+    json["output_current"] = {{"ampere", c.output_current->largest},
+                              {"opamp", c.output_current->opamp}};
   if (c.proposal)
     json["proposal"] = {{"volts", c.proposal->volts},
                         {"volts_by", name(c.proposal->volts_by)},

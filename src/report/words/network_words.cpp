@@ -7,15 +7,12 @@
 #include "tactile_net/network/slewing.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
+#include "tactile_net/numeric/unit_text.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
 namespace {
-
-std::string error_in_words(double error) {
-  return std::isfinite(error) ? percent(error) : "unstable";
-}
 
 std::string stability_in_words(const Certificate& c) {
   switch (c.stability) {
@@ -200,6 +197,11 @@ std::string in_words(const CircuitRemark& remark) {
       return "the op-amps slew: from rest they would rise at " + brief(remark.value) +
              " V/s, their slew is " + brief(remark.limit) +
              " V/s; none slews from volts = " + brief(remark.repair) + " down";
+    case Kind::output_current:
+      return "the output of " + remark.part + " would carry " + with_unit(remark.value, "A") +
+             ", it gives " + with_unit(remark.limit, "A") +
+             " at most, which the deck does not know: volts = " + brief(remark.repair) +
+             ", or fewer siemens";
     case Kind::slewing_left_out:
       return "more than " + std::to_string(most_slewing_states) +
              " states: the settling time is without the op-amps' slew";
@@ -233,29 +235,6 @@ std::vector<std::string> in_words(const Certificate& c) {
                     (c.power < 1.0 ? brief(1e3 * c.power) + " mW" : brief(c.power) + " W") +
                     " in the resistors");
   for (const CircuitRemark& remark : c.remarks) lines.push_back("warning: " + in_words(remark));
-  return lines;
-}
-
-std::vector<std::string> in_words(const ToleranceOptions& options, const ToleranceResult& result) {
-  std::vector<std::string> lines;
-  std::string drawn;
-  if (options.series)
-    drawn = "values of the series E" + std::to_string(static_cast<int>(*options.series));
-  if (options.relative)
-    drawn += (drawn.empty() ? "parts within " : ", within ") + percent(*options.relative);
-  if (options.balance) drawn += ", complementary outputs within " + percent(*options.balance);
-  if (options.stabiliser) drawn += ", the stabiliser's within " + percent(*options.stabiliser);
-  lines.push_back(std::to_string(result.trials) +
-                  (result.trials == 1 ? " build of " : " builds of ") + drawn + ": " +
-                  std::to_string(result.stable) + " stable, yield " + percent(result.yield()) +
-                  " (within " + percent(options.accuracy) + " of the exact network); median " +
-                  error_in_words(result.median) + ", 95 of 100 " +
-                  (std::isfinite(result.p95) ? "within " : "") + error_in_words(result.p95) +
-                  "; first order predicts " + percent(result.predicted));
-  std::vector<std::string> worst;
-  for (const Contribution& one : result.worst)
-    worst.push_back(one.component + " " + percent(one.share));
-  lines.push_back("components that count most (share of the squared error): " + join(worst, ", "));
   return lines;
 }
 
@@ -353,51 +332,6 @@ std::vector<std::string> in_words(const lab::Relaxation& relaxation) {
     lines.push_back("warning: " + in_words(remark));
   lines.push_back("ngspice took " + duration(relaxation.ngspice_seconds) +
                   " for the operating point");
-  return lines;
-}
-
-std::vector<std::vector<std::string>> cells(const lab::Recommendation& recommendation) {
-  std::vector<std::vector<std::string>> rows = {
-      {"realisation", "op-amps", "stable", "median error", "95 of 100", "yield"}};
-  for (const auto& one : recommendation.candidates)
-    rows.push_back({circuit_in_words(one.realization, one.ladder), std::to_string(one.opamps),
-                    one.stable ? std::to_string(one.tolerance.stable) + " of " +
-                                     std::to_string(one.tolerance.trials)
-                               : "not with its op-amps",
-                    error_in_words(one.tolerance.median), error_in_words(one.tolerance.p95),
-                    percent(one.tolerance.yield())});
-  return rows;
-}
-
-std::string in_words(const lab::Recommendation& r) {
-  using Outcome = lab::Recommendation::Outcome;
-  if (r.outcome == Outcome::no_load)
-    return "There is no load: nothing for errors of components to change.";
-  std::string parts =
-      r.drawn.relative ? "parts of " + percent(*r.drawn.relative) : "parts of the series";
-  if (r.inverters_replaced) parts += ", complementary outputs instead of the scene's inverters,";
-  const std::string accuracy = percent(r.drawn.accuracy);
-  const lab::Recommendation::Candidate& chosen = r.chosen();
-  if (r.outcome == Outcome::reached)
-    return "With " + parts + " and an accuracy of " + accuracy + ": " +
-           circuit_in_words(chosen.realization, chosen.ladder) + ", the fewest amplifiers (" +
-           std::to_string(chosen.opamps) + ") of those that reach it in 95 of 100 builds.";
-  std::string text = "With " + parts + " no realisation is within " + accuracy +
-                     " in 95 of 100 builds; " +
-                     circuit_in_words(chosen.realization, chosen.ladder) + " comes nearest" +
-                     (std::isfinite(chosen.tolerance.p95)
-                          ? " (95 of 100 within " + percent(chosen.tolerance.p95) + ")."
-                          : ", and is not stable in 95 of 100 either.");
-  if (r.parts_needed)
-    text += " It would take parts of about " + percent(*r.parts_needed) + ", or a larger alpha.";
-  return text;
-}
-
-std::vector<std::string> tolerance_in_words(const lab::Certification& c) {
-  std::vector<std::string> lines = in_words(c.circuit.tolerance(), *c.tolerance);
-  if (c.certificate().stability == Stability::unstable && c.tolerance->stable > 0)
-    lines.push_back(
-        "the builds take op-amps for infinitely fast: the certificate's poles say otherwise");
   return lines;
 }
 
