@@ -127,6 +127,38 @@ void eigen_product(const double* matrix, std::size_t rows, std::size_t columns, 
   Vector(f, n).noalias() = Eigen::Map<const Eigen::MatrixXd>(matrix, n, m) * ConstVector(g, m);
 }
 
+void eigen_batch(const double* matrix, std::size_t rows, std::size_t columns, std::size_t frames,
+                 const double* g, double* f) noexcept {
+  const auto m = static_cast<Eigen::Index>(rows);
+  const auto n = static_cast<Eigen::Index>(columns);
+  const auto count = static_cast<Eigen::Index>(frames);
+  Eigen::Map<Eigen::MatrixXd>(f, n, count).noalias() =
+      Eigen::Map<const Eigen::MatrixXd>(matrix, n, m) *
+      Eigen::Map<const Eigen::MatrixXd>(g, m, count);
+}
+
+namespace {
+using Packet = Eigen::internal::packet_traits<double>::type;
+constexpr std::size_t products = 12;  // more than a processor has under way at a time
+}  // namespace
+
+const std::size_t products_of_a_round = products * sizeof(Packet) / sizeof(double);
+
+double multiply_in_registers(std::size_t rounds) noexcept {
+  Packet sum[products];
+  for (std::size_t i = 0; i < products; ++i)
+    sum[i] = Eigen::internal::pset1<Packet>(static_cast<double>(i));
+  Packet x = Eigen::internal::pset1<Packet>(0.5);
+  for (std::size_t round = 0; round < rounds; ++round) {
+    asm volatile("" : "+x"(x));  // not to be known
+    for (Packet& one : sum) one = Eigen::internal::pmadd(one, x, x);
+  }
+  for (std::size_t i = 1; i < products; ++i) sum[0] = Eigen::internal::padd(sum[0], sum[i]);
+  double lanes[sizeof(Packet) / sizeof(double)];
+  Eigen::internal::pstoreu(lanes, sum[0]);
+  return lanes[0];
+}
+
 std::string openblas() {
 #ifdef OPENBLAS
   return std::string(openblas_get_config()) + ", kernels for " + openblas_get_corename();

@@ -49,6 +49,15 @@ class [[gnu::visibility("default")]] Rivals {
                                                   std::size_t columns, const double* g,
                                                   double* f) noexcept;
 
+/// F = M G by Eigen, of `frames` g and f, one after the other.
+[[gnu::visibility("default")]] void eigen_batch(const double* matrix, std::size_t rows,
+                                                std::size_t columns, std::size_t frames,
+                                                const double* g, double* f) noexcept;
+
+/// Products that a round of `multiply_in_registers` adds up: no other can be faster.
+[[gnu::visibility("default")]] extern const std::size_t products_of_a_round;
+[[gnu::visibility("default")]] double multiply_in_registers(std::size_t rounds) noexcept;
+
 /// OpenBLAS' version and kernels; empty: not installed.
 [[gnu::visibility("default")]] std::string openblas();
 

@@ -1,6 +1,6 @@
 """What a frame's call costs from Python, beside NumPy's products: tools/python bench.
 
-A batch is the C++ call in a loop; what `step` and `update` take beyond it is Python's price.
+A batch of a line is the C++ call in a loop; what `step` and `update` take beyond it is Python's price, in `update` a lambda's included.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ import tactile_net as tn
 
 def nanoseconds(call: Callable[[], object], frames: int = 1) -> float:
     """The least of many short batches, a frame."""
+    call()  # the first one finds out how NumPy's arrays are made: as long as a batch, which would then be a single call
     repeats = 1
     while _seconds(call, repeats) < 1e-4:
         repeats *= 2

@@ -22,7 +22,7 @@ namespace {
 
 /// A calibration with the scene's text, which it is written into, and the log's name.
 struct ScenesCalibration {
-  ScenePointer shared;
+  std::string text;
   lab::SceneCalibration found;
   std::string log;
   std::vector<std::string> notes;
@@ -34,8 +34,10 @@ PadParameter parameter_of(const std::string& text) {
   throw nb::value_error(("there is no parameter " + text).c_str());
 }
 
-ScenesCalibration calibrate(const ScenePointer& shared, const std::string& log, bool robust,
-                            std::size_t next, const std::optional<std::string>& target,
+/// @tparam Kind  of a line or a skin
+template <class Kind>
+ScenesCalibration calibrate(const std::shared_ptr<Shared<Kind>>& shared, const std::string& log,
+                            bool robust, std::size_t next, const std::optional<std::string>& target,
                             const std::vector<std::string>& fixed, const nb::object& progress) {
   CalibrationOptions options = parse_calibration_options(shared->text(), shared->file());
   options.robust = robust;
@@ -46,7 +48,7 @@ ScenesCalibration calibrate(const ScenePointer& shared, const std::string& log, 
   Watcher watcher(progress);
   const nb::gil_scoped_release released;
   frames::PressLogFile file = frames::read_press_log(log, shared->scene(), options);
-  ScenesCalibration result{.shared = shared,
+  ScenesCalibration result{.text = shared->text(),
                            .found = lab::calibrate(shared->scene(), std::move(file.log), options,
                                                    [&](std::size_t) { watcher.frame(); }),
                            .log = std::filesystem::path(log).filename().string(),
@@ -60,8 +62,7 @@ std::string calibrated(const ScenesCalibration& self, bool forced) {
   if (self.found.fit.verdict != FitVerdict::ok && !forced)
     throw std::domain_error(report::calibration_in_words(self.found).front());
   const nb::gil_scoped_release released;
-  return calibrated_scene(self.shared->text(), self.shared->scene(), self.found.log, self.found.fit,
-                          self.log);
+  return calibrated_scene(self.text, self.found.scene, self.found.log, self.found.fit, self.log);
 }
 
 std::string html(const ScenesCalibration& self) {
@@ -97,9 +98,13 @@ void bind_calibration(nb::module_& module) {
       .def("html", &html)
       .def("calibrated", &calibrated, nb::arg("forced"))
       .def("report", &report_of, nb::arg("folder"), nb::arg("force"));
-  module.def("calibrate", &calibrate, nb::arg("scene"), nb::arg("log"), nb::arg("robust"),
-             nb::arg("next"), nb::arg("target").none(), nb::arg("fixed"),
-             nb::arg("progress").none());
+  const auto define = [&](auto function) {
+    module.def("calibrate", function, nb::arg("scene"), nb::arg("log"), nb::arg("robust"),
+               nb::arg("next"), nb::arg("target").none(), nb::arg("fixed"),
+               nb::arg("progress").none());
+  };
+  define(&calibrate<lab::SceneProblem>);
+  define(&calibrate<lab::SkinSceneProblem>);
 }
 
 }  // namespace tactile_net::python

@@ -18,6 +18,7 @@
 #include "frame_buffer.hpp"
 #include "plan.hpp"
 #include "rooms.hpp"
+#include "tactile_net/control/batch.hpp"
 #include "tactile_net/control/fft_convolution.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 
@@ -63,7 +64,8 @@ class Estimator {
       std::vector<ContactEstimate> estimates(count);
       for (std::size_t i = 0; i < count; ++i)
         estimates[i].tractions = std::span(tractions).subspan(i * width, width);
-      const FrameStatus status = estimator_.update_batch({frames.data(), frames.size()}, estimates);
+      const FrameStatus status =
+          tactile_net::update_batch(estimator_, {frames.data(), frames.size()}, estimates);
       if (status != FrameStatus::ok) throw bad_frame_among(frames);
       if (count > 0) contact_ = estimates.back();
     }

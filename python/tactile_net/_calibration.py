@@ -153,7 +153,7 @@ def calibrate(
     """Depth, thickness, moduli, gains and offsets from a log of presses, as the command `calibrate` finds them.
 
     log: a CSV file, a row a press (docs/calibration.md). scene: the nominal one; its table [calibrate] says how well it is
-    known. robust: outlying readings, forces and positions count less. next: how many presses to plan; target: the
+    known; of a skin too. robust: outlying readings, forces and positions count less. next: how many presses to plan; target: the
     parameter that they are to tell, None: readings. fixed: parameters that are exact as the scene states them.
     Raises InputError with every problem of the log, ValueError where it cannot belong to the scene.
     """

@@ -33,6 +33,18 @@ def test_numbers_are_those_of_the_command(name: str, tmp_path: Path, command: Ca
     assert len(found.next) == 2 and found.next[0].radius > 0.0
 
 
+def test_a_skin_is_calibrated_as_the_command_does(tmp_path: Path, command: Callable[..., Any]) -> None:
+    log, scene = LOGS / "skin-layer.csv", LOGS / "skin-layer.toml"
+    found = tn.calibrate(log, scene)
+    command("calibrate", log, "--scene", scene, "--json", tmp_path / "c.json", "-o", tmp_path / "theirs.toml")
+    assert found.to_dict() == json.loads((tmp_path / "c.json").read_text())
+    written = found.write(tmp_path / "ours.toml")
+    assert isinstance(written, tn.Skin)
+    assert (tmp_path / "ours.toml").read_bytes() == (tmp_path / "theirs.toml").read_bytes()
+    with pytest.raises(ValueError, match="lines alone"):
+        tn.calibrate(log, scene, next=2)
+
+
 def test_what_it_shows(tmp_path: Path) -> None:
     found = tn.calibrate(LOGS / "rod-layer.csv", tn.Scene.load(LOGS / "rod-layer.toml"))
     assert found.verdict == "ok" and found.parameters["youngs_modulus"].verdict == "not_identifiable"

@@ -20,19 +20,20 @@ constexpr double clear = 8.0;                   // sds of the noise
 constexpr std::size_t fewest_of_a_trend = 8;    // presses
 
 const Stated& stated_of(const Press& press, PressQuantity quantity) {
-  const Stated* const values[] = {&press.force, &press.position, &press.half_width,
-                                  &press.friction};
+  const Stated* const values[] = {&press.force, &press.position, &press.half_width, &press.friction,
+                                  &press.position_z};
   return *values[static_cast<std::size_t>(quantity)];
 }
 
 double value_of(const PressState& at, PressQuantity quantity) {
   const double values[] = {std::exp(at.log_force), at.center, std::exp(at.log_half_width),
-                           at.friction};
+                           at.friction, at.center_z};
   return values[static_cast<std::size_t>(quantity)];
 }
 
 constexpr PressQuantity press_values[] = {PressQuantity::force, PressQuantity::position,
-                                          PressQuantity::half_width, PressQuantity::friction};
+                                          PressQuantity::half_width, PressQuantity::friction,
+                                          PressQuantity::position_z};
 
 /// How far a stated value moved, in its sds; 0 where it is exact, unknown or put aside.
 double deviation_of(const FitProblem& problem, const FitState& state, std::size_t p,
@@ -67,8 +68,8 @@ class OtherValues {
 
   [[nodiscard]] double least(PressQuantity quantity) const {
     const PressState& at = state_.presses[p_];
-    const std::vector<Site>& sites = problem_.model().sites();
-    const double half = 0.5 * std::abs(sites.back().y - sites.front().y);
+    const FitProblem::Place& first = problem_.first();
+    const FitProblem::Place& last = problem_.last();
     // A width that nobody stated has bent to what is wrong: others are tried beside it.
     std::vector<double> widths{at.log_half_width};
     if (problem_.press_rows[p_].column[2] != no_column && quantity != PressQuantity::half_width)
@@ -83,7 +84,9 @@ class OtherValues {
         PressState one = at;
         one.log_half_width = log_half_width;
         if (quantity == PressQuantity::position)
-          one.center = 0.5 * (sites.front().y + sites.back().y) + share * half;
+          one.center = 0.5 * (first.y + last.y) + 0.5 * share * (last.y - first.y);
+        if (quantity == PressQuantity::position_z)
+          one.center_z = 0.5 * (first.z + last.z) + 0.5 * share * (last.z - first.z);
         if (quantity == PressQuantity::half_width) one.log_half_width += 2.0 * share;
         if (quantity == PressQuantity::friction) one.friction = share;
         tried.push_back(one);
@@ -164,7 +167,7 @@ class Doubts {
   }
 
   void gains() {
-    const std::vector<Site>& sites = problem_.model().sites();
+    const std::vector<PressSite>& sites = problem_.model().sites();
     for (std::size_t c = 0; c < fit_.mean_gain.size(); ++c) {
       std::vector<double> logs;
       for (std::size_t j = 0; j < sites.size(); ++j)

@@ -5,20 +5,17 @@
 #include <stdexcept>
 #include <string>
 
-#include "tactile_net/calibration/rod_contact.hpp"
-
 namespace tactile_net {
 namespace {
 
-constexpr double largest_crosstalk = 0.49;
-
 /// A fit of a log that does not belong to its scene would go there, and take minutes.
-constexpr double most_times = 10.0;   // the stated depth; thickness a tenth of it, too
-constexpr double least_depth = 0.25;  // of the stated one
-constexpr double thickest = 20.0;     // arrays' lengths: a half plane for all that they read
-constexpr double most_modulus = 1e4;  // times the stated one
-constexpr double most_pitch = 3.0;    // times the stated one
-constexpr double narrowest = 1e-3;    // of the depth: a half width that no reading sees
+constexpr double most_times = 10.0;         // the stated depth; thickness a tenth of it, too
+constexpr double shallowest = 0.25;         // of the stated one
+constexpr double thickest = 20.0;           // arrays' lengths: a half plane for all that they read
+constexpr double most_modulus = 1e4;        // times the stated one
+constexpr double most_pitch = 3.0;          // times the stated one
+constexpr std::size_t many_readings = 100;  // a step's system takes them three times as long
+constexpr double narrowest = 1e-3;          // of the depth: a half width that no reading sees
 
 double& member(PadState& pad, std::size_t parameter) {
   double* const members[] = {&pad.log_depth,   &pad.log_thickness, &pad.poisson_ratio,
@@ -64,7 +61,8 @@ FitProblem::FitProblem(const PressModel& model, const PressLog& log,
   for (const Press& press : log.presses) {
     PressRows rows;
     const bool is_free[] = {!press.force.is_exact(), !press.position.is_exact(),
-                            !press.half_width.is_exact(), !press.friction.is_exact()};
+                            !press.half_width.is_exact(), !press.friction.is_exact(),
+                            !press.position_z.is_exact()};
     for (std::size_t i = 0; i < press_unknowns; ++i)
       rows.column[i] = is_free[i] ? rows.columns++ : no_column;
     press_rows.push_back(rows);
@@ -72,7 +70,7 @@ FitProblem::FitProblem(const PressModel& model, const PressLog& log,
 }
 
 void FitProblem::count_columns(std::span<const bool> unread) {
-  const std::vector<Site>& sites = model_.sites();
+  const std::vector<PressSite>& sites = model_.sites();
   for (std::size_t i = 0; i < pad_parameter_count; ++i) {
     const auto parameter = static_cast<PadParameter>(i);
     bool free = options_.sd(parameter) > 0.0;
@@ -108,26 +106,26 @@ void FitProblem::count_columns(std::span<const bool> unread) {
 }
 
 void FitProblem::set_ranges() {
-  first_ = last_ = model_.sites().front().y;
-  for (const Site& site : model_.sites()) {
-    first_ = std::min(first_, site.y);
-    last_ = std::max(last_, site.y);
+  first_ = last_ = {model_.sites().front().y, model_.sites().front().z};
+  for (const PressSite& site : model_.sites()) {
+    first_ = {std::min(first_.y, site.y), std::min(first_.z, site.z)};
+    last_ = {std::max(last_.y, site.y), std::max(last_.z, site.z)};
   }
-  reach_ = std::max({last_ - first_, model_.array().pitch, model_.depth()});
+  reach_ = std::max({last_.y - first_.y, last_.z - first_.z, model_.pitch(), model_.depth()});
   const auto set = [&](PadParameter parameter, double low, double high) {
     range_[static_cast<std::size_t>(parameter)] = {low, high};
   };
   // Taxels five depths apart miss most presses, and no array sees deeper than it is long.
   const double depth = model_.depth();
   set(PadParameter::depth,
-      std::log(std::max(least_depth, std::min(0.5, 0.2 * model_.array().pitch / depth))),
+      std::log(std::max(shallowest, std::min(0.5, 0.2 * model_.pitch() / depth))),
       std::log(std::min(most_times, std::max(2.0, reach_ / depth))));
   const double thickness = model_.material().layer ? model_.material().layer->thickness : depth;
   set(PadParameter::thickness, -std::log(most_times),
       std::log(std::max(most_times, thickest * reach_ / thickness)));
   set(PadParameter::poisson_ratio, 0.0, 0.5);
   set(PadParameter::youngs_modulus, -std::log(most_modulus), std::log(most_modulus));
-  set(PadParameter::crosstalk, 0.0, largest_crosstalk);
+  set(PadParameter::crosstalk, 0.0, model_.most_crosstalk());
   set(PadParameter::shift, -reach_, reach_);
   set(PadParameter::pitch, -std::log(most_pitch), std::log(most_pitch));
 }
@@ -137,24 +135,6 @@ void FitProblem::put_aside(std::size_t press, PressQuantity quantity) {
   rows.put_aside = quantity;
   std::size_t& column = rows.column[static_cast<std::size_t>(quantity)];
   if (column == no_column) column = rows.columns++;
-}
-
-std::optional<double> FitProblem::seen_middle(std::size_t press) const {
-  const std::size_t n = model_.sites().size();
-  std::vector<double> size(n);
-  for (std::size_t j = 0; j < n; ++j)
-    if (used_[j])
-      size[j] = std::abs(log_.presses[press].readings[j] - log_.unloaded.mean[j]) / noise_[j];
-  const double most = *std::max_element(size.begin(), size.end());
-  double sum = 0.0;
-  double moment = 0.0;
-  for (std::size_t j = 0; j < n; ++j)
-    if (size[j] > 0.3 * most) {
-      sum += size[j];
-      moment += size[j] * model_.sites()[j].y;
-    }
-  if (!(sum > 0.0)) return std::nullopt;
-  return moment / sum;
 }
 
 std::size_t FitProblem::readings_used() const noexcept {
@@ -203,11 +183,13 @@ std::vector<PressPrior> FitProblem::press_priors(const FitState& state, std::siz
   if (stands(press.half_width, PressQuantity::half_width))
     add(at.log_half_width - std::log(*press.half_width.value),
         press.half_width.sd / *press.half_width.value, 2, 1.0);
+  if (stands(press.position_z, PressQuantity::position_z))
+    add(at.center_z - *press.position_z.value, press.position_z.sd, 4, rows.position_z_weight);
   if (press.friction.value && press.friction.sd > 0.0)
     add(at.friction - *press.friction.value, press.friction.sd, 3, 1.0);
   if (press.radius) {
-    const RodForce rod =
-        rod_force(material_at(state.pad), std::exp(at.log_half_width), *press.radius);
+    const ContactForce rod =
+        model_.contact_force(material_at(state.pad), std::exp(at.log_half_width), *press.radius);
     const double sd = std::max(options_.half_width_sd, least_tie_sd) * rod.by_log_half_width;
     PressPrior tie{.residual = (rod.log_force - at.log_force) / sd};
     tie.by_press[0] = -1.0 / sd;
@@ -225,30 +207,54 @@ std::vector<PressPrior> FitProblem::press_priors(const FitState& state, std::siz
   return priors;
 }
 
-Eigen::MatrixXd FitProblem::common_priors(const FitState& state) const {
-  const std::size_t n = model_.sites().size();
-  const auto width = static_cast<Eigen::Index>(columns_ + 1);
-  Eigen::MatrixXd rows =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(pad_parameter_count + gains_ + n), width);
+Eigen::MatrixXd FitProblem::pad_priors(const FitState& state) const {
+  const auto width = static_cast<Eigen::Index>(pad_columns() + 1);
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(pad_parameter_count, width);
   Eigen::Index row = 0;
-  const auto at = [](std::size_t column) { return static_cast<Eigen::Index>(column); };
   const PadState nominal = model_.nominal();
   for (std::size_t i = 0; i < pad_parameter_count; ++i) {
     const double sd = options_.sd(static_cast<PadParameter>(i));
     if (pad_column_[i] == no_column || std::isinf(sd)) continue;
     PadState from = nominal;
     PadState to = state.pad;
-    rows(row, at(pad_column_[i])) = 1.0 / sd;
+    rows(row, static_cast<Eigen::Index>(pad_column_[i])) = 1.0 / sd;
     rows(row++, width - 1) = (member(to, i) - member(from, i)) / sd;
   }
+  return rows.topRows(row);
+}
+
+FitProblem::GainPrior FitProblem::gain_prior() const noexcept {
+  const bool alone = options_.gain_sd == 0.0 || options_.gains == GainSharing::channel;
+  return alone ? GainPrior{options_.mean_gain_sd, 0.0}
+               : GainPrior{options_.gain_sd, options_.mean_gain_sd};
+}
+
+bool FitProblem::gains_are_local() const noexcept {
+  return options_.gain_sd > 0.0 && options_.gains != GainSharing::channel;
+}
+
+bool FitProblem::readings_first() const noexcept {
+  std::size_t unknowns = 0;
+  for (const PressRows& rows : press_rows) unknowns += rows.columns;
+  return readings_used() > many_readings && unknowns < gains_ + readings_used();
+}
+
+Eigen::MatrixXd FitProblem::common_priors(const FitState& state) const {
+  const std::size_t n = model_.sites().size();
+  const auto width = static_cast<Eigen::Index>(columns_ + 1);
+  Eigen::MatrixXd rows =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(pad_parameter_count + gains_ + n), width);
+  const auto at = [](std::size_t column) { return static_cast<Eigen::Index>(column); };
+  const Eigen::MatrixXd pad = pad_priors(state);
+  Eigen::Index row = pad.rows();
+  rows.topLeftCorner(row, pad.cols() - 1) = pad.leftCols(pad.cols() - 1);
+  rows.topRightCorner(row, 1) = pad.rightCols(1);
   // (a I + b 11')^(-1/2) = (I - kappa 11'/size) / sqrt(a) for every block that shares a mean.
   for (const std::vector<std::size_t>& block : gain_blocks_) {
     const auto size = static_cast<double>(block.size());
-    const bool alone = options_.gain_sd == 0.0 || options_.gains == GainSharing::channel;
-    const double a = alone ? std::pow(options_.mean_gain_sd, 2) : std::pow(options_.gain_sd, 2);
+    const double a = std::pow(gain_prior().sd, 2);
     if (std::isinf(a) || block.empty()) continue;
-    const double kappa =
-        alone ? 0.0 : 1.0 - std::sqrt(a / (a + size * std::pow(options_.mean_gain_sd, 2)));
+    const double kappa = 1.0 - std::sqrt(a / (a + size * std::pow(gain_prior().mean_sd, 2)));
     double mean = 0.0;
     for (const std::size_t gain : block) mean += state.log_gain[gain] / size;
     for (const std::size_t gain : block) {
@@ -299,6 +305,7 @@ FitState FitProblem::moved(const FitState& state, const Eigen::VectorXd& common,
     press.center += presses[p][1];
     press.log_half_width += presses[p][2];
     press.friction += presses[p][3];
+    press.center_z += presses[p][4];
   }
   hold_thickness(next.pad);
   follow_exact_ties(next);
@@ -308,7 +315,9 @@ FitState FitProblem::moved(const FitState& state, const Eigen::VectorXd& common,
 
 void FitProblem::hold_press(PressState& state, const PressRows& rows) const {
   if (rows.column[static_cast<std::size_t>(PressQuantity::position)] != no_column)
-    state.center = std::clamp(state.center, first_ - reach_, last_ + reach_);
+    state.center = std::clamp(state.center, first_.y - reach_, last_.y + reach_);
+  if (rows.column[static_cast<std::size_t>(PressQuantity::position_z)] != no_column)
+    state.center_z = std::clamp(state.center_z, first_.z - reach_, last_.z + reach_);
   if (rows.column[static_cast<std::size_t>(PressQuantity::half_width)] != no_column)
     state.log_half_width = std::clamp(state.log_half_width, std::log(narrowest * model_.depth()),
                                       std::log(2.0 * reach_));
@@ -317,7 +326,7 @@ void FitProblem::hold_press(PressState& state, const PressRows& rows) const {
 void FitProblem::hold_thickness(PadState& pad) const {
   if (model_.material().layer && !options_.at_base) {
     double deepest = 0.0;
-    for (const Site& site : model_.sites()) deepest = std::max(deepest, site.depth);
+    for (const PressSite& site : model_.sites()) deepest = std::max(deepest, site.depth);
     const double least = pad.log_depth + std::log(deepest / model_.material().layer->thickness);
     if (pad_column(PadParameter::thickness) != no_column)
       pad.log_thickness = std::max(pad.log_thickness, least);
@@ -331,54 +340,8 @@ void FitProblem::follow_exact_ties(FitState& state) const {
   const Material material = material_at(state.pad);
   for (std::size_t p = 0; p < state.presses.size(); ++p)
     if (log_.presses[p].radius && press_rows[p].column[2] != no_column)
-      state.presses[p].log_half_width = std::log(
-          rod_half_width(material, std::exp(state.presses[p].log_force), *log_.presses[p].radius));
-}
-
-FitState FitProblem::start(double depth_factor) const {
-  const std::size_t n = model_.sites().size();
-  FitState state{.pad = model_.nominal(),
-                 .log_gain = std::vector<double>(gains_),
-                 .offset = std::vector<double>(n)};
-  if (pad_column(PadParameter::depth) != no_column) state.pad.log_depth = std::log(depth_factor);
-  state = moved(state, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(columns_)), {});
-  const Material material = material_at(state.pad);
-  for (const Press& press : log_.presses) {
-    PressState at{.shape = press.shape,
-                  .log_half_width =
-                      std::log(press.half_width.value.value_or(weak_width_share * model_.depth()))};
-    at.friction = press.friction.value.value_or(0.0);
-    at.center = press.position.value.value_or(seen_middle(state.presses.size()).value_or(0.0));
-    if (press.radius && !press.half_width.value && press.force.value)
-      at.log_half_width = std::log(rod_half_width(material, *press.force.value, *press.radius));
-    if (press.force.value) {
-      at.log_force = std::log(*press.force.value);
-    } else {
-      // The force whose readings are nearest, all else as it is.
-      for (int pass = 0; pass < (press.radius ? 4 : 1); ++pass) {
-        PressState unit = at;
-        unit.log_force = 0.0;
-        const PressReadings one =
-            model_.readings(state.pad, std::span(&unit, 1), false, options_.at_base);
-        double both = 0.0;
-        double square = 0.0;
-        for (std::size_t j = 0; j < n; ++j) {
-          if (!used_[j]) continue;
-          const double r = one.value(0, j) / noise_[j];
-          both += r * (press.readings[j] - log_.unloaded.mean[j]) / noise_[j];
-          square += r * r;
-        }
-        if (!(square > 0.0)) throw std::invalid_argument("a press reaches no taxel");
-        // Readings of the wrong sign say that the log is wrong: the fit will.
-        at.log_force = std::log(std::max(both, 1e-3 * std::abs(both) + 1e-12 * square) / square);
-        if (press.radius && !press.half_width.value)
-          at.log_half_width =
-              std::log(rod_half_width(material, std::exp(at.log_force), *press.radius));
-      }
-    }
-    state.presses.push_back(at);
-  }
-  return state;
+      state.presses[p].log_half_width = std::log(model_.contact_half_width(
+          material, std::exp(state.presses[p].log_force), *log_.presses[p].radius));
 }
 
 }  // namespace tactile_net

@@ -19,8 +19,8 @@
 
 namespace tactile_net {
 
-/// Log force, centre, log half width and friction, in PressQuantity's order.
-inline constexpr std::size_t press_unknowns = 4;
+/// Log force, y, log half width, friction and z, in PressQuantity's order.
+inline constexpr std::size_t press_unknowns = 5;
 inline constexpr std::size_t no_column = std::numeric_limits<std::size_t>::max();
 
 /// Everything that is fitted, at one place.
@@ -46,11 +46,15 @@ struct PressRows {
   std::array<std::size_t, press_unknowns> column{};  ///< no_column: exact
   std::size_t columns = 0;
   std::optional<PressQuantity> put_aside{};  ///< a stated value that is an unknown all the same
-  double force_weight = 1.0, position_weight = 1.0;  ///< robust, of the stated values
+  /// Robust, of the stated values.
+  double force_weight = 1.0, position_weight = 1.0, position_z_weight = 1.0;
 };
 
 class FitProblem {
  public:
+  struct Place {
+    double y = 0.0, z = 0.0;
+  };
   FitProblem(const PressModel& model, const PressLog& log, const CalibrationOptions& options,
              std::span<const bool> unread);
 
@@ -65,7 +69,9 @@ class FitProblem {
                                 std::size_t j) const noexcept;
   [[nodiscard]] std::vector<PressPrior> press_priors(const FitState& state, std::size_t p) const;
 
-  /// Rows of the priors of the common unknowns, and their residuals in the last column.
+  /// Rows of the priors of the pad's parameters, and their residuals in the last column.
+  [[nodiscard]] Eigen::MatrixXd pad_priors(const FitState& state) const;
+  /// The same of all common unknowns.
   [[nodiscard]] Eigen::MatrixXd common_priors(const FitState& state) const;
 
   /// Half the sum of squares.
@@ -73,6 +79,21 @@ class FitProblem {
 
   /// The common unknowns: pad parameters, gains, offsets.
   [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
+  [[nodiscard]] std::size_t pad_columns() const noexcept { return first_gain_; }
+  /// Gains that share a mean, as indices into `FitState::log_gain`.
+  [[nodiscard]] const std::vector<std::vector<std::size_t>>& gain_blocks() const noexcept {
+    return gain_blocks_;
+  }
+  /// What is stated of log gains: each about its block's mean, and the means.
+  struct GainPrior {
+    double sd = 0.0;       ///< infinite: nothing is known
+    double mean_sd = 0.0;  ///< 0: no mean is unknown, each gain stands for itself
+  };
+  [[nodiscard]] GainPrior gain_prior() const noexcept;
+  /// Gains belong to single taxels; else to whole channels.
+  [[nodiscard]] bool gains_are_local() const noexcept;
+  /// Readings are so many that what belongs to them is eliminated before what belongs to presses.
+  [[nodiscard]] bool readings_first() const noexcept;
   [[nodiscard]] std::size_t pad_column(PadParameter parameter) const noexcept {
     return pad_column_[static_cast<std::size_t>(parameter)];
   }
@@ -94,6 +115,9 @@ class FitProblem {
   struct Range {
     double low, high;
   };
+  /// Where the taxels lie, from end to end.
+  [[nodiscard]] const Place& first() const noexcept { return first_; }
+  [[nodiscard]] const Place& last() const noexcept { return last_; }
   [[nodiscard]] const Range& range(PadParameter parameter) const noexcept {
     return range_[static_cast<std::size_t>(parameter)];
   }
@@ -111,7 +135,7 @@ class FitProblem {
   void put_aside(std::size_t press, PressQuantity quantity);
 
   /// The middle of the taxels that read above 0.3 of the press' largest; absent: none reads.
-  [[nodiscard]] std::optional<double> seen_middle(std::size_t press) const;
+  [[nodiscard]] std::optional<Place> seen_middle(std::size_t press) const;
 
   std::vector<PressRows> press_rows{};
   std::vector<double> weights{};             ///< robust, presses x readings; of squares
@@ -132,7 +156,8 @@ class FitProblem {
   const PressLog& log_;
   CalibrationOptions options_;
   std::array<Range, pad_parameter_count> range_{};
-  double first_ = 0.0, last_ = 0.0, reach_ = 0.0;  ///< taxels' places, and the array's length
+  Place first_{}, last_{};  ///< taxels' places
+  double reach_ = 0.0;      ///< the array's length
   std::vector<bool> used_{};
   std::vector<double> noise_{};
   std::array<std::size_t, pad_parameter_count> pad_column_{};

@@ -5,49 +5,19 @@
 #include <cmath>
 #include <limits>
 
+#include "calibration/fit_covariance.hpp"
 #include "calibration/fit_doubts.hpp"
 #include "calibration/fit_system.hpp"
 #include "calibration/null_space.hpp"
-#include "numeric/decompositions.hpp"
 
 namespace tactile_net {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double singular_limit = 1e-10;
 constexpr double poor_rms = 1.1;  // with thousands of readings p alone condemns every real pad
 constexpr double poor_p = 1e-3;
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
-
-/// Of the common unknowns; what is not known at all has an infinite variance, and no part in the
-/// others' .
-struct Covariance {
-  Eigen::MatrixXd matrix;
-  std::vector<bool> unknown;
-  double rank = 0.0;
-};
-
-Covariance covariance_of(const FitSystem& system, const Eigen::VectorXd& norm) {
-  const Eigen::Index t = system.triangle.cols();
-  const Svd svd = singular_value_decomposition(
-      Eigen::MatrixXd(system.triangle * norm.cwiseInverse().asDiagonal()));
-  Covariance result{Eigen::MatrixXd::Zero(t, t), std::vector<bool>(static_cast<std::size_t>(t))};
-  Eigen::MatrixXd root = svd.v;
-  for (Eigen::Index k = 0; k < t; ++k) {
-    if (svd.values(k) > singular_limit * svd.values(0)) {
-      root.col(k) /= svd.values(k);
-      result.rank += 1.0;
-      continue;
-    }
-    for (Eigen::Index i = 0; i < t; ++i)
-      if (std::abs(svd.v(i, k)) > 1e-4) result.unknown[static_cast<std::size_t>(i)] = true;
-    root.col(k).setZero();
-  }
-  root = norm.cwiseInverse().asDiagonal() * root;
-  result.matrix = root * root.transpose();
-  return result;
-}
 
 ValueVerdict verdict_of(double sd, double prior_sd) {
   if (std::isinf(sd)) return ValueVerdict::not_identifiable;
@@ -67,8 +37,7 @@ class Summary {
         readings_(problem.readings(state_, true)),
         columns_(system_columns(problem, state_, readings_)),
         parts_(active_bounds(problem, state_, columns_)),
-        system_(fit_system(problem, state_, readings_, columns_, parts_)),
-        covariance_(covariance_of(system_, columns_.norm)) {}
+        covariance_(fit_covariance(problem, state_, readings_, columns_, parts_)) {}
 
   void write() {
     residuals();
@@ -117,17 +86,13 @@ class Summary {
                         .center = {at.center},
                         .half_width = {std::exp(at.log_half_width)},
                         .friction = {at.friction},
+                        .center_z = {at.center_z},
                         .put_aside = rows.put_aside};
-      const auto& [own, share, rhs] = system_.presses[p];
-      const bool regular = m == 0 || own.diagonal().cwiseAbs().minCoeff() > 0.0;
+      const auto& [all, cross, regular] = covariance_.presses[p];
       if (m > 0 && regular) {
-        const Eigen::MatrixXd inverse = solve_upper(own, Eigen::MatrixXd::Identity(m, m));
-        const Eigen::MatrixXd through = inverse * share;
-        const Eigen::MatrixXd cross = -through * covariance_.matrix;
-        const Eigen::MatrixXd all = inverse * inverse.transpose() - cross * through.transpose();
-        const double scale[] = {press.force.value, 1.0, press.half_width.value, 1.0};
+        const double scale[] = {press.force.value, 1.0, press.half_width.value, 1.0, 1.0};
         ValueWithSd* const values[] = {&press.force, &press.center, &press.half_width,
-                                       &press.friction};
+                                       &press.friction, &press.center_z};
         for (std::size_t i = 0; i < press_unknowns; ++i)
           if (rows.column[i] != no_column)
             values[i]->sd = scale[i] * std::sqrt(all(index(rows.column[i]), index(rows.column[i])));
@@ -151,8 +116,7 @@ class Summary {
       fit_.presses.push_back(press);
     }
     const Eigen::MatrixXd priors = problem_.common_priors(state_);
-    const auto common = priors.leftCols(priors.cols() - 1);
-    leverage += (common * covariance_.matrix).cwiseProduct(common).sum();
+    leverage += covariance_.leverage(priors.leftCols(priors.cols() - 1));
     fit_.dof -= covariance_.rank + unknowns - leverage;
   }
 
@@ -193,8 +157,8 @@ class Summary {
     fit_.pad = state_.pad;
     const Material& nominal = problem_.model().material();
     const double h = nominal.layer ? nominal.layer->thickness : 0.0;
-    const double units[] = {problem_.model().depth(),      h, 0.0, nominal.youngs_modulus, 0.0, 0.0,
-                            problem_.model().array().pitch};
+    const double units[] = {problem_.model().depth(), h, 0.0, nominal.youngs_modulus, 0.0, 0.0,
+                            problem_.model().pitch()};
     for (std::size_t i = 0; i < pad_parameter_count; ++i) {
       const auto parameter = static_cast<PadParameter>(i);
       FittedValue& result = fit_.parameters[i];
@@ -227,9 +191,9 @@ class Summary {
   }
 
   void gains() {
-    const std::vector<Site>& sites = problem_.model().sites();
+    const std::vector<PressSite>& sites = problem_.model().sites();
     const std::size_t n = sites.size();
-    const std::vector<Channel> channel = channels(problem_.model().array());
+    const std::vector<PressChannel>& channel = problem_.model().channels();
     const double prior = std::hypot(stated_.gain_sd, stated_.mean_gain_sd);
     fit_.mean_gain.resize(channel.size());
     for (std::size_t c = 0; c < channel.size(); ++c) {
@@ -337,8 +301,7 @@ class Summary {
   PressReadings readings_;
   SystemColumns columns_;
   SystemParts parts_;
-  FitSystem system_;
-  Covariance covariance_;
+  FitCovariance covariance_;
   double scale_ = 1.0;
   std::vector<ValueVerdict> relative_{};
 };

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "calibration/reading_system.hpp"
+#include "calibration/triangle.hpp"
 #include "numeric/decompositions.hpp"
 
 namespace tactile_net {
 namespace {
-
-/// Rows that are gathered before they are taken into the triangle: a blocked QR is fast on many.
-constexpr Eigen::Index gathered_rows = 512;
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
@@ -27,7 +26,8 @@ class PressBlock {
                    index(own + problem.columns() + 1));
     Eigen::Index row = 0;
     const Matrix* const own_parts[] = {&readings.by_log_force, &readings.by_center,
-                                       &readings.by_log_half_width, &readings.by_friction};
+                                       &readings.by_log_half_width, &readings.by_friction,
+                                       &readings.by_center_z};
     for (std::size_t j = 0; j < n; ++j) {
       if (!problem.used(j)) continue;
       const double root = std::sqrt(problem.weights[p * n + j]);
@@ -54,21 +54,7 @@ class PressBlock {
     filled = row;
   }
 
-  /// Householder's reflections of its own columns.
-  void eliminate() {
-    for (Eigen::Index c = 0; c < index(rows_.columns); ++c) {
-      const Eigen::Index below = matrix.rows() - c;
-      auto column = matrix.col(c).tail(below);
-      const double length = column.norm();
-      if (length == 0.0) continue;
-      Eigen::VectorXd mirror = column;
-      mirror(0) += mirror(0) < 0.0 ? -length : length;
-      const double square = mirror.squaredNorm();
-      auto rest = matrix.bottomRightCorner(below, matrix.cols() - c);
-      const Eigen::RowVectorXd along = (2.0 / square) * (mirror.transpose() * rest);
-      rest.noalias() -= mirror * along;
-    }
-  }
+  void eliminate() { eliminate_columns(matrix, index(rows_.columns)); }
 
   Eigen::MatrixXd matrix{};
   Eigen::Index filled = 0;  ///< rows; those below are for damping
@@ -76,50 +62,21 @@ class PressBlock {
  private:
   void add_pad(const FitProblem& problem, Eigen::Index row, std::size_t parameter, double value,
                const SystemParts& parts) {
-    auto which = static_cast<PadParameter>(parameter);
-    if (which == PadParameter::thickness && parts.thickness_follows) which = PadParameter::depth;
-    const std::size_t column = problem.pad_column(which);
-    if (column != no_column && !parts.frozen[static_cast<std::size_t>(which)])
+    if (const std::size_t column = moved_column(problem, parameter, parts); column != no_column)
       matrix(row, index(rows_.columns + column)) += value;
   }
 
   const PressRows& rows_;
 };
 
-/// Rows [A | b] that became a triangle so far.
-class Triangle {
- public:
-  explicit Triangle(Eigen::Index columns)
-      : stack_(Eigen::MatrixXd::Zero(columns + gathered_rows, columns)), top_(columns) {}
-
-  void add(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
-    for (Eigen::Index done = 0; done < rows.rows();) {
-      const Eigen::Index part = std::min(rows.rows() - done, stack_.rows() - top_);
-      stack_.middleRows(top_, part) = rows.middleRows(done, part);
-      top_ += part;
-      done += part;
-      if (top_ == stack_.rows()) fold();
-    }
-  }
-  [[nodiscard]] Eigen::MatrixXd take() {
-    fold();
-    return stack_.topRows(stack_.cols());
-  }
-
- private:
-  void fold() {
-    const Eigen::Index columns = stack_.cols();
-    const Eigen::MatrixXd r = HouseholderQr(Eigen::MatrixXd(stack_.topRows(top_))).triangle();
-    stack_.setZero();
-    stack_.topRows(columns) = r.triangularView<Eigen::Upper>();
-    top_ = columns;
-  }
-
-  Eigen::MatrixXd stack_;
-  Eigen::Index top_;
-};
-
 }  // namespace
+
+std::size_t moved_column(const FitProblem& problem, std::size_t parameter,
+                         const SystemParts& parts) {
+  auto which = static_cast<PadParameter>(parameter);
+  if (which == PadParameter::thickness && parts.thickness_follows) which = PadParameter::depth;
+  return parts.frozen[static_cast<std::size_t>(which)] ? no_column : problem.pad_column(which);
+}
 
 SystemColumns system_columns(const FitProblem& problem, const FitState& state,
                              const PressReadings& readings) {
@@ -206,13 +163,23 @@ Eigen::MatrixXd eliminated_rows(const FitProblem& problem, const FitState& state
       .middleCols(own, index(problem.columns()));
 }
 
-std::array<double, press_unknowns> press_step(const FitSystem::Own& own, const PressRows& rows,
-                                              const Eigen::VectorXd& common) {
-  std::array<double, press_unknowns> step{};
-  if (rows.columns == 0) return step;
-  const Eigen::VectorXd x = solve_upper(own.own, own.rhs - own.share * common);
-  for (std::size_t i = 0; i < press_unknowns; ++i)
-    if (rows.column[i] != no_column) step[i] = x(index(rows.column[i]));
+FitStep fit_step(const FitProblem& problem, const FitState& state, const PressReadings& readings,
+                 const SystemColumns& columns, const SystemParts& parts) {
+  if (problem.readings_first())
+    return step_of(reading_system(problem, state, readings, columns, parts), problem, parts);
+  const FitSystem system = fit_system(problem, state, readings, columns, parts);
+  FitStep step{solve_upper(system.triangle, system.rhs), {}};
+  for (std::size_t i = 0; i < pad_parameter_count; ++i)
+    if (parts.frozen[i]) step.common(index(problem.pad_column(static_cast<PadParameter>(i)))) = 0.0;
+  for (std::size_t p = 0; p < state.presses.size(); ++p) {
+    step.presses.emplace_back();
+    const auto& [own, share, rhs] = system.presses[p];
+    if (own.size() == 0) continue;
+    const Eigen::VectorXd x = solve_upper(own, rhs - share * step.common);
+    for (std::size_t i = 0; i < press_unknowns; ++i)
+      if (const std::size_t column = problem.press_rows[p].column[i]; column != no_column)
+        step.presses.back()[i] = x(index(column));
+  }
   return step;
 }
 

@@ -21,6 +21,10 @@ struct SystemParts {
   std::array<bool, pad_parameter_count> frozen{};
 };
 
+/// Where a pad parameter moves the common unknowns; no_column: it is held.
+[[nodiscard]] std::size_t moved_column(const FitProblem& problem, std::size_t parameter,
+                                       const SystemParts& parts);
+
 /// Lengths of the columns, and the slope of the objective.
 struct SystemColumns {
   Eigen::VectorXd norm, gradient;
@@ -49,9 +53,14 @@ struct FitSystem {
 [[nodiscard]] Eigen::MatrixXd eliminated_rows(const FitProblem& problem, const FitState& state,
                                               const PressReadings& readings, std::size_t press);
 
-/// The unknowns of one press from the common ones, zeros where they are exact.
-[[nodiscard]] std::array<double, press_unknowns> press_step(const FitSystem::Own& own,
-                                                            const PressRows& rows,
-                                                            const Eigen::VectorXd& common);
+/// A step of everything that is fitted.
+struct FitStep {
+  Eigen::VectorXd common;
+  std::vector<std::array<double, press_unknowns>> presses{};  ///< zeros where they are exact
+};
+/// Of Levenberg and Marquardt, through `FitSystem` or, where readings are many, `ReadingSystem`.
+[[nodiscard]] FitStep fit_step(const FitProblem& problem, const FitState& state,
+                               const PressReadings& readings, const SystemColumns& columns,
+                               const SystemParts& parts);
 
 }  // namespace tactile_net

@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "numeric/decompositions.hpp"
-
 namespace tactile_net {
 namespace {
 
@@ -37,14 +35,14 @@ double shortening(const FitProblem& problem, const Eigen::VectorXd& common,
                                        PadParameter::youngs_modulus, PadParameter::pitch})
     if (const std::size_t column = problem.pad_column(parameter); column != no_column)
       take(common(static_cast<Eigen::Index>(column)), longest_step);
-  const auto [left, right] =
-      std::minmax_element(problem.model().sites().begin(), problem.model().sites().end(),
-                          [](const Site& a, const Site& b) { return a.y < b.y; });
-  const double length = std::max(0.25 * (right->y - left->y), problem.model().depth());
+  const double longest =
+      std::max(problem.last().y - problem.first().y, problem.last().z - problem.first().z);
+  const double length = std::max(0.25 * longest, problem.model().depth());
   for (const auto& step : presses) {
     take(step[0], longest_step);
     take(step[1], length);
     take(step[2], longest_step);
+    take(step[4], length);
   }
   return most > 1.0 ? 1.0 / most : 1.0;
 }
@@ -67,7 +65,7 @@ SystemParts active_bounds(const FitProblem& problem, const FitState& state,
   }
   if (problem.pad_column(PadParameter::thickness) != no_column) {
     double deepest = 0.0;
-    for (const Site& site : problem.model().sites()) deepest = std::max(deepest, site.depth);
+    for (const PressSite& site : problem.model().sites()) deepest = std::max(deepest, site.depth);
     const double over = std::log(problem.model().material().layer->thickness / deepest) +
                         state.pad.log_thickness - state.pad.log_depth;
     parts.thickness_follows = over < 1e-12 && slope(PadParameter::thickness) > 0.0;
@@ -97,14 +95,7 @@ Descent descend(const FitProblem& problem, FitState state, std::optional<PadPara
     if (held) parts.frozen[static_cast<std::size_t>(*held)] = true;
     for (; tries < most_tries; ++tries) {
       parts.damping = damping;
-      const FitSystem system = fit_system(problem, state, readings, columns, parts);
-      Eigen::VectorXd common = solve_upper(system.triangle, system.rhs);
-      for (std::size_t i = 0; i < pad_parameter_count; ++i)
-        if (parts.frozen[i])
-          common(static_cast<Eigen::Index>(problem.pad_column(static_cast<PadParameter>(i)))) = 0.0;
-      std::vector<std::array<double, press_unknowns>> steps;
-      for (std::size_t p = 0; p < state.presses.size(); ++p)
-        steps.push_back(press_step(system.presses[p], problem.press_rows[p], common));
+      auto [common, steps] = fit_step(problem, state, readings, columns, parts);
       if (parts.thickness_follows)
         common(static_cast<Eigen::Index>(problem.pad_column(PadParameter::thickness))) =
             problem.pad_column(PadParameter::depth) == no_column

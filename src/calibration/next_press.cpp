@@ -60,7 +60,7 @@ PressLog imagined(const PressLog& log, const std::vector<NextPress>& presses) {
 std::vector<PressState> states_of(const std::vector<NextPress>& presses) {
   std::vector<PressState> states;
   for (const NextPress& one : presses)
-    states.push_back({one.shape, std::log(one.force), one.position, std::log(one.half_width), 0.0});
+    states.push_back({one.shape, std::log(one.force), one.position, std::log(one.half_width)});
   return states;
 }
 
@@ -82,12 +82,14 @@ std::vector<NextPress> candidates_of(const PressModel& model, const PressFit& fi
   std::sort(widths.begin(), widths.end());
   std::vector<double> tried{widths.front(), widths[widths.size() / 2], widths.back()};
   if (tried.back() < 1.2 * tried.front()) tried = {widths[widths.size() / 2]};
-  const std::vector<double> y = positions(model.array());
+  const auto [first, last] =
+      std::minmax_element(model.sites().begin(), model.sites().end(),
+                          [](const PressSite& a, const PressSite& b) { return a.y < b.y; });
   std::vector<NextPress> candidates;
   for (std::size_t i = 0; i < places; ++i)
     for (const double half_width : tried) {
       const double share = 2.0 * static_cast<double>(i) / static_cast<double>(places - 1) - 1.0;
-      candidates.push_back({.position = reach * share * 0.5 * (y.back() - y.front()),
+      candidates.push_back({.position = reach * share * 0.5 * (last->y - first->y),
                             .half_width = half_width,
                             .force = force});
     }
@@ -174,6 +176,10 @@ class Design {
 NextPresses next_presses(const PressModel& model, const PressLog& log,
                          const CalibrationOptions& options, const PressFit& fit, std::size_t count,
                          std::optional<PadParameter> target) {
+  if (model.is_skin())
+    throw std::invalid_argument(
+        "presses are planned on lines alone; the plain rule of a skin: the largest force, evenly "
+        "over it to its edges, small and large balls in turn");
   const CalibrationOptions held = held_as(fit, options);
   std::vector<bool> gone;
   for (const FittedValue& gain : fit.gain) gone.push_back(gain.verdict == ValueVerdict::fixed);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "calibration/fit_system.hpp"
+#include "calibration/reading_system.hpp"
 #include "numeric/decompositions.hpp"
 
 namespace tactile_net {
@@ -11,6 +13,7 @@ namespace {
 
 constexpr double null_limit = 1e-8;  // the weakest real direction is at 2e-3, rounding at 1e-10
 constexpr double share_limit = 1e-3;
+constexpr double nothing = 1e-12;  // of the longest column: rounding of what is zero
 
 double dot(const NullDirection& a, const NullDirection& b) {
   double sum = 0.0;
@@ -61,15 +64,23 @@ void separate(std::vector<NullDirection>& directions) {
   }
 }
 
-}  // namespace
+/// A change of the common unknowns, columns scaled to unit length.
+NullDirection direction_of(const FitProblem& problem, const Eigen::VectorXd& change) {
+  NullDirection direction;
+  for (std::size_t i = 0; i < pad_parameter_count; ++i)
+    if (const std::size_t column = problem.pad_column(static_cast<PadParameter>(i));
+        column != no_column)
+      direction.pad[i] = change(static_cast<Eigen::Index>(column));
+  for (std::size_t j = 0; j < problem.model().sites().size(); ++j) {
+    const std::size_t column = problem.gain_column(j);
+    direction.gains.push_back(column == no_column ? 0.0
+                                                  : change(static_cast<Eigen::Index>(column)));
+  }
+  return direction;
+}
 
-std::vector<NullDirection> null_directions(const FitProblem& problem, const FitState& state) {
-  const PressReadings readings = problem.readings(state, true);
-  const SystemColumns columns = system_columns(problem, state, readings);
-  const FitSystem system =
-      fit_system(problem, state, readings, columns,
-                 {.damping = 0.0, .common_priors = false, .weak_priors = false});
-  const Eigen::VectorXd& norm = columns.seen;
+std::vector<NullDirection> presses_first(const FitProblem& problem, const FitSystem& system,
+                                         const Eigen::VectorXd& norm) {
   // A column that is nothing but the rounding of what is zero is zero. Behind the gains stand
   // offsets: that of a reading that no press uses would mix with directions that mean something.
   const double largest = norm.maxCoeff();
@@ -77,7 +88,7 @@ std::vector<NullDirection> null_directions(const FitProblem& problem, const FitS
       norm.size() - static_cast<Eigen::Index>(problem.model().sites().size());
   Eigen::MatrixXd scaled = system.triangle;
   for (Eigen::Index c = 0; c < scaled.cols(); ++c) {
-    if (norm(c) > 1e-12 * largest) {
+    if (norm(c) > nothing * largest) {
       scaled.col(c) /= norm(c);
     } else {
       scaled.col(c).setZero();
@@ -86,20 +97,84 @@ std::vector<NullDirection> null_directions(const FitProblem& problem, const FitS
   }
   const Svd svd = singular_value_decomposition(scaled);
   std::vector<NullDirection> directions;
-  for (Eigen::Index k = 0; k < svd.values.size(); ++k) {
-    if (svd.values(k) > null_limit * svd.values(0)) continue;
-    NullDirection direction;
-    for (std::size_t i = 0; i < pad_parameter_count; ++i)
-      if (const std::size_t column = problem.pad_column(static_cast<PadParameter>(i));
-          column != no_column)
-        direction.pad[i] = svd.v(static_cast<Eigen::Index>(column), k);
-    for (std::size_t j = 0; j < problem.model().sites().size(); ++j) {
-      const std::size_t column = problem.gain_column(j);
-      direction.gains.push_back(column == no_column ? 0.0
-                                                    : svd.v(static_cast<Eigen::Index>(column), k));
+  for (Eigen::Index k = 0; k < svd.values.size(); ++k)
+    if (!(svd.values(k) > null_limit * svd.values(0)))
+      directions.push_back(direction_of(problem, svd.v.col(k)));
+  return directions;
+}
+
+/// The null space of the triangle that is left is that of the whole: what belongs to a reading
+/// follows. A gain whose reading no press reaches is a direction of its own.
+std::vector<NullDirection> readings_first(const FitProblem& problem, const ReadingSystem& system,
+                                          const SystemColumns& columns) {
+  const Eigen::Index t = columns.seen.size();
+  const double largest = columns.seen.maxCoeff();
+  Eigen::VectorXd norm = Eigen::VectorXd::Ones(system.triangle.cols());
+  for (std::size_t p = 0; p < problem.press_rows.size(); ++p)
+    for (std::size_t i = 0; i < press_unknowns; ++i)
+      if (const std::size_t column = problem.press_rows[p].column[i]; column != no_column)
+        norm(static_cast<Eigen::Index>(system.first_of_press[p] + column)) =
+            columns.press_norm[p][i];
+  for (std::size_t i = 0; i < system.common.size(); ++i)
+    norm(static_cast<Eigen::Index>(system.first_common + i)) =
+        columns.seen(static_cast<Eigen::Index>(system.common[i]));
+  Eigen::MatrixXd scaled = system.triangle;
+  for (Eigen::Index c = 0; c < scaled.cols(); ++c) {
+    if (norm(c) > nothing * largest) {
+      scaled.col(c) /= norm(c);
+    } else {
+      scaled.col(c).setZero();
+      norm(c) = 1.0;
     }
+  }
+  std::vector<NullDirection> directions;
+  const Svd svd = singular_value_decomposition(scaled);
+  for (Eigen::Index k = 0; k < svd.values.size(); ++k) {
+    if (svd.values(k) > null_limit * std::max(1.0, svd.values(0))) continue;
+    const Eigen::VectorXd kept = svd.v.col(k).cwiseQuotient(norm);
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(t);
+    for (std::size_t i = 0; i < system.common.size(); ++i) {
+      const auto from = static_cast<Eigen::Index>(system.first_common + i);
+      change(static_cast<Eigen::Index>(system.common[i])) = norm(from) * kept(from);
+    }
+    for (const ReadingSystem::Group& group : system.groups) {
+      if (columns.seen(static_cast<Eigen::Index>(group.columns.front())) <= nothing * largest)
+        continue;
+      const Eigen::VectorXd own = solve_upper(group.own, Eigen::VectorXd(-group.share * kept));
+      for (std::size_t i = 0; i < group.columns.size(); ++i) {
+        const auto column = static_cast<Eigen::Index>(group.columns[i]);
+        change(column) = columns.seen(column) * own(static_cast<Eigen::Index>(i));
+      }
+    }
+    NullDirection direction = direction_of(problem, change);
+    // One of presses alone is not asked for.
+    if (dot(direction, direction) < share_limit * share_limit) continue;
+    normalise(direction);
     directions.push_back(std::move(direction));
   }
+  for (const ReadingSystem::Group& group : system.groups) {
+    const auto column = static_cast<Eigen::Index>(group.columns.front());
+    if (group.columns.size() < 2 || columns.seen(column) > nothing * largest) continue;
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(t);
+    change(column) = 1.0;
+    directions.push_back(direction_of(problem, change));
+    normalise(directions.back());
+  }
+  return directions;
+}
+
+}  // namespace
+
+std::vector<NullDirection> null_directions(const FitProblem& problem, const FitState& state) {
+  const PressReadings readings = problem.readings(state, true);
+  const SystemColumns columns = system_columns(problem, state, readings);
+  const SystemParts parts{.damping = 0.0, .common_priors = false, .weak_priors = false};
+  std::vector<NullDirection> directions =
+      problem.readings_first()
+          ? readings_first(problem, reading_system(problem, state, readings, columns, parts),
+                           columns)
+          : presses_first(problem, fit_system(problem, state, readings, columns, parts),
+                          columns.seen);
   separate(directions);
   return directions;
 }

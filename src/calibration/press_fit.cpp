@@ -34,10 +34,25 @@ constexpr Named<FitVerdict> fit_verdicts[] = {{FitVerdict::ok, "ok"},
 constexpr Named<PressQuantity> press_quantities[] = {{PressQuantity::force, "force"},
                                                      {PressQuantity::position, "position"},
                                                      {PressQuantity::half_width, "half_width"},
-                                                     {PressQuantity::friction, "friction"}};
+                                                     {PressQuantity::friction, "friction"},
+                                                     {PressQuantity::position_z, "position_z"}};
 
 constexpr Named<TrendOf> trends[] = {
     {TrendOf::size, "size"}, {TrendOf::gain, "gain"}, {TrendOf::offset, "offset"}};
+
+/// Several parameters hang together, and what is stated of one of them holds them all: each keeps
+/// its prior, and the standard deviations say how far that goes. Held, the others would take over
+/// the error of what is stated.
+bool is_held_by_priors(const NullDirection& direction, const CalibrationOptions& options) {
+  std::size_t together = 0;
+  bool stated = false;
+  for (std::size_t i = 0; i < pad_parameter_count; ++i) {
+    if (!takes_part({direction}, static_cast<PadParameter>(i))) continue;
+    ++together;
+    stated = stated || std::isfinite(options.sd(static_cast<PadParameter>(i)));
+  }
+  return together > 1 && stated;
+}
 
 /// The same options, every parameter held that the log cannot tell from others at this state.
 CalibrationOptions identifiable(const PressModel& model, const PressLog& log,
@@ -45,7 +60,10 @@ CalibrationOptions identifiable(const PressModel& model, const PressLog& log,
                                 const FitState& state) {
   for (std::size_t i = 0; i <= pad_parameter_count; ++i) {
     const FitProblem problem(model, log, options, unread);
-    const std::vector<NullDirection> directions = null_directions(problem, state);
+    std::vector<NullDirection> directions = null_directions(problem, state);
+    std::erase_if(directions, [&](const NullDirection& direction) {
+      return is_held_by_priors(direction, options);
+    });
     const auto* held = std::find_if(std::begin(held_first), std::end(held_first),
                                     [&](PadParameter one) { return takes_part(directions, one); });
     if (held == std::end(held_first)) break;
@@ -89,6 +107,9 @@ double reweigh(FitProblem& problem, const FitState& state) {
     if (press.position.value && press.position.sd > 0.0 &&
         rows.put_aside != PressQuantity::position)
       set(rows.position_weight, (at.center - *press.position.value) / press.position.sd);
+    if (press.position_z.value && press.position_z.sd > 0.0 &&
+        rows.put_aside != PressQuantity::position_z)
+      set(rows.position_z_weight, (at.center_z - *press.position_z.value) / press.position_z.sd);
   }
   return change;
 }
@@ -131,7 +152,8 @@ Descent robust(FitProblem& problem, Descent best) {
 
 bool all_loads_stated(const PressLog& log) {
   return std::all_of(log.presses.begin(), log.presses.end(), [](const Press& press) {
-    return press.force.value && press.position.value && press.half_width.value;
+    return press.force.value && press.position.value && press.position_z.value &&
+           press.half_width.value;
   });
 }
 
@@ -187,7 +209,7 @@ std::string_view name(PressQuantity quantity) noexcept {
 std::string_view name(TrendOf trend) noexcept { return name_in<trends>(trend); }
 
 const ValueWithSd& FittedPress::at(PressQuantity quantity) const noexcept {
-  const ValueWithSd* const values[] = {&force, &center, &half_width, &friction};
+  const ValueWithSd* const values[] = {&force, &center, &half_width, &friction, &center_z};
   return *values[static_cast<std::size_t>(quantity)];
 }
 

@@ -5,16 +5,16 @@
 
 namespace tactile_net {
 
-UnloadedFrames unloaded_frames(const SensorArray& array,
+UnloadedFrames unloaded_frames(const SignalLayout& sensor,
                                const std::vector<std::vector<double>>& frames) {
   if (frames.size() < 2) throw std::invalid_argument("noise takes two unloaded frames at least");
-  const std::vector<Site> where = sites(array);
+  const std::vector<SignalReading>& where = sensor.readings;
   const std::size_t n = where.size();
   const auto count = static_cast<double>(frames.size());
   UnloadedFrames result{.frames = frames.size(),
                         .mean = std::vector<double>(n),
                         .reading_rms = std::vector<double>(n),
-                        .rms = std::vector<double>(channel_count(array))};
+                        .rms = std::vector<double>(sensor.channels.size())};
   for (std::size_t f = 0; f < frames.size(); ++f) {
     if (frames[f].size() != n) throw std::invalid_argument("a frame has another length");
     for (std::size_t i = 0; i < n; ++i)  // the mean so far: no sum of large numbers
@@ -37,28 +37,23 @@ UnloadedFrames unloaded_frames(const SensorArray& array,
   // Of standardised deviations: what they share, and what neighbours do.
   double common = 0.0;
   double neighbours = 0.0;
-  std::size_t pairs = 0;
+  std::vector<double> z(n);
   for (std::size_t f = 0; f < frames.size(); ++f) {
     double sum = 0.0;
     double squares = 0.0;
-    double before = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
-      const double z = result.reading_rms[i] > 0.0 ? deviation(f, i) / result.reading_rms[i] : 0.0;
-      sum += z;
-      squares += z * z;
-      if (i > 0 && where[i].channel == where[i - 1].channel) {
-        neighbours += z * before;
-        ++pairs;
-      }
-      before = z;
+      z[i] = result.reading_rms[i] > 0.0 ? deviation(f, i) / result.reading_rms[i] : 0.0;
+      sum += z[i];
+      squares += z[i] * z[i];
     }
+    for (const auto& [first, second] : sensor.neighbours) neighbours += z[second] * z[first];
     common += sum * sum - squares;
   }
   const auto size = static_cast<double>(n);
   if (n > 1) result.common_mode = common / ((count - 1.0) * size * (size - 1.0));
-  if (pairs > 0)
+  if (!sensor.neighbours.empty())
     result.neighbour_correlation =
-        neighbours * count / (static_cast<double>(pairs) * (count - 1.0));
+        neighbours / (static_cast<double>(sensor.neighbours.size()) * (count - 1.0));
   return result;
 }
 

@@ -1,107 +1,29 @@
 #include "tactile_net/calibration/press_model.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <map>
-#include <numbers>
 #include <stdexcept>
-#include <utility>
 
-#include "calibration/indenter_transform.hpp"
-#include "elasticity/stress_amplitudes.hpp"
-#include "numeric/dual.hpp"
-#include "numeric/eigen.hpp"
+#include "calibration/pad_readings.hpp"
 #include "numeric/require.hpp"
+#include "tactile_net/calibration/ball_contact.hpp"
+#include "tactile_net/elasticity/space/skin_kernel.hpp"
+#include "tactile_net/skin/signal_layout.hpp"
 
 namespace tactile_net {
 namespace {
 
-using Amplitude = Dual<3>;  // by depth, thickness and nu
-
-/// exp(-k depth) is some 1e-15 there, times the k depth of the amplitudes.
-constexpr double largest_decay = 36.0;
-/// Presses that are gone through at once: what is kept of them stays in the cache.
-constexpr std::size_t block = 32;
-
-/// Enough for presses and arrays that reach 2900 depths. A fit that has gone astray may ask for
-/// more; it is not to take the memory.
-constexpr std::size_t most_panels = 4000;
-
-/// Nodes in k for one channel: Gauss-Legendre panels of 20 points, each some 26 radians of the
-/// fastest wave.
-struct Nodes {
-  Nodes(double depth, double farthest) {
-    using Rule = boost::math::quadrature::gauss<double, 20>;
-    const double end = largest_decay / depth;
-    const double needed = std::ceil(end * farthest / 26.0);
-    const auto panels =
-        static_cast<std::size_t>(std::clamp(needed, 5.0, static_cast<double>(most_panels)));
-    const double width = end / static_cast<double>(panels);
-    for (std::size_t panel = 0; panel < panels; ++panel)
-      for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
-        for (const double sign : {-1.0, 1.0}) {
-          k.push_back((static_cast<double>(panel) + 0.5 + 0.5 * sign * Rule::abscissa()[i]) *
-                      width);
-          weight.push_back(0.5 * width * Rule::weights()[i] / std::numbers::pi);
-        }
-  }
-  std::vector<double> k, weight;
-};
-
-/// The pad's transform of one component's load, for one quantity.
-Amplitude amplitude(Quantity quantity, Traction component, const Material& material, double depth,
-                    double k) {
-  const Amplitude x = Amplitude::seed(depth, 0);
-  const Amplitude nu = Amplitude::seed(material.poisson_ratio, 2);
-  if (!material.layer || k * (material.layer->thickness - depth) > 400.0)
-    return read(quantity, half_plane_amplitudes(component, k * x), nu, material.youngs_modulus);
-  const Amplitude h = Amplitude::seed(material.layer->thickness, 1);
-  const LayerFunctionsOf<Amplitude> f(h, x, k);
-  return read(quantity,
-              material.layer->base == Base::bonded ? bonded_amplitudes(component, nu, f)
-                                                   : frictionless_amplitudes(component, f),
-              nu, material.youngs_modulus);
-}
-
-/// Sites that share a transform: one quantity at one depth.
-struct Group {
-  Quantity quantity = Quantity::stress_x;
-  double depth = 0.0;
-  std::vector<std::size_t> sites{};
-};
-
-std::vector<Group> groups_of(const std::vector<Site>& sites) {
-  std::map<std::pair<Quantity, double>, std::vector<std::size_t>> alike;
-  for (std::size_t i = 0; i < sites.size(); ++i)
-    alike[{sites[i].quantity, sites[i].depth}].push_back(i);
-  std::vector<Group> groups;
-  for (auto& [key, indices] : alike) groups.push_back({key.first, key.second, std::move(indices)});
-  return groups;
-}
-
-/// The factors of cos(k y) and sin(k y), presses x nodes.
-struct Waves {
-  RowMajor cosine, sine;
-  void resize(std::size_t presses, std::size_t nodes) {
-    cosine.resize(static_cast<Eigen::Index>(presses), static_cast<Eigen::Index>(nodes));
-    sine.resizeLike(cosine);
-  }
-};
-
 /// Crosstalk between neighbours of a channel, in place; `leaked` gets its derivative by fraction.
-void apply_crosstalk(std::span<const Site> sites, double fraction, Matrix& rows, Matrix* leaked) {
+void apply_crosstalk(const SignalLayout& layout, double fraction, Matrix& rows, Matrix* leaked) {
   if (fraction == 0.0 && leaked == nullptr) return;
-  const std::size_t n = sites.size();
+  const std::size_t n = layout.readings.size();
   std::vector<double> flow(n);
   for (std::size_t p = 0; p < rows.rows; ++p) {
     std::fill(flow.begin(), flow.end(), 0.0);
-    for (std::size_t i = 0; i + 1 < n; ++i) {
-      if (sites[i].channel != sites[i + 1].channel) continue;
-      const double difference = rows(p, i + 1) - rows(p, i);
-      flow[i] += difference;
-      flow[i + 1] -= difference;
+    for (const auto& [first, second] : layout.neighbours) {
+      const double difference = rows(p, second) - rows(p, first);
+      flow[first] += difference;
+      flow[second] -= difference;
     }
     for (std::size_t i = 0; i < n; ++i) {
       if (leaked != nullptr) (*leaked)(p, i) = flow[i];
@@ -114,130 +36,56 @@ Matrix zeros(std::size_t rows, std::size_t columns) {
   return {rows, columns, std::vector<double>(rows * columns)};
 }
 
-/// What one group adds to the readings of a block of presses.
-class GroupReadings {
- public:
-  GroupReadings(const Group& group, const Material& material, double depth, double farthest,
-                std::span<const double> places)
-      : group_(group), nodes_(depth, farthest), places_(places) {
-    const std::size_t n = nodes_.k.size();
-    normal_.resize(n);
-    tangential_.resize(n);
-    cosine_.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(group.sites.size()));
-    sine_.resizeLike(cosine_);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double k = nodes_.k[i];
-      normal_[i] = amplitude(group.quantity, Traction::normal, material, depth, k);
-      tangential_[i] = amplitude(group.quantity, Traction::tangential, material, depth, k);
-      for (std::size_t j = 0; j < group.sites.size(); ++j) {
-        const double angle = k * places[group.sites[j]];
-        cosine_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = std::cos(angle);
-        sine_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = std::sin(angle);
-      }
-    }
-  }
-
-  /// @param depth_factor, thickness_factor  of the derivatives by the logarithms
-  void add(std::span<const PressState> presses, std::size_t first, bool with_derivatives,
-           double depth_factor, double thickness_factor, bool tied, PressReadings& out) {
-    const std::size_t n = nodes_.k.size();
-    std::vector<double> phi(presses.size() * n);
-    std::vector<double> slope(with_derivatives ? phi.size() : 0);
-    Waves turn;  // cos(k c), sin(k c)
-    turn.resize(presses.size(), n);
-    for (std::size_t p = 0; p < presses.size(); ++p) {
-      const double a = std::exp(presses[p].log_half_width);
-      const double force = std::exp(presses[p].log_force);
-      for (std::size_t i = 0; i < n; ++i) {
-        const double k = nodes_.k[i];
-        const IndenterTransform load = indenter_transform(presses[p].shape, k * a);
-        const double scale = force * nodes_.weight[i];
-        phi[p * n + i] = scale * load.value;
-        if (with_derivatives) slope[p * n + i] = scale * load.slope * k * a;
-        const auto row = static_cast<Eigen::Index>(p);
-        const auto column = static_cast<Eigen::Index>(i);
-        turn.cosine(row, column) = std::cos(k * presses[p].center);
-        turn.sine(row, column) = std::sin(k * presses[p].center);
-      }
-    }
-    const auto sum = [&](std::span<const double> load, auto normal, auto tangential, auto times_k,
-                         Matrix& to) {
-      waves_.resize(presses.size(), n);
-      const bool odd = is_odd(group_.quantity, Traction::normal);
-      for (std::size_t p = 0; p < presses.size(); ++p)
-        for (std::size_t i = 0; i < n; ++i) {
-          const double direct = normal(i);
-          const double dragged = tangential(i, presses[p].friction);
-          const double even = load[p * n + i] * (odd ? dragged : direct);
-          const double sine = load[p * n + i] * (odd ? direct : dragged);
-          const auto row = static_cast<Eigen::Index>(p);
-          const auto column = static_cast<Eigen::Index>(i);
-          const double c = turn.cosine(row, column);
-          const double s = turn.sine(row, column);
-          const double in_phase = even * c - sine * s;
-          const double quarter = even * s + sine * c;
-          waves_.cosine(row, column) = times_k ? -nodes_.k[i] * quarter : in_phase;
-          waves_.sine(row, column) = times_k ? nodes_.k[i] * in_phase : quarter;
-        }
-      const RowMajor readings = waves_.cosine * cosine_ + waves_.sine * sine_;
-      for (std::size_t p = 0; p < presses.size(); ++p)
-        for (std::size_t j = 0; j < group_.sites.size(); ++j)
-          to(first + p, group_.sites[j]) +=
-              readings(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(j));
-    };
-    const auto value = [&](std::size_t i) { return normal_[i].value; };
-    const auto dragged = [&](std::size_t i, double mu) {
-      return mu == 0.0 ? 0.0 : mu * tangential_[i].value;
-    };
-    sum(phi, value, dragged, false, out.value);
-    if (!with_derivatives) return;
-    sum(phi, value, dragged, true, out.by_center);
-    sum(slope, value, dragged, false, out.by_log_half_width);
-    sum(
-        phi, [](std::size_t) { return 0.0; },
-        [&](std::size_t i, double) { return tangential_[i].value; }, false, out.by_friction);
-    const std::array<double, 3> factor{depth_factor, thickness_factor, 1.0};
-    for (const std::size_t seed : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
-      const auto by = [&](const Amplitude& amplitude) {
-        if (seed == 0 && tied)
-          return depth_factor * amplitude.slope[0] + thickness_factor * amplitude.slope[1];
-        return factor[seed] * amplitude.slope[seed];
-      };
-      if (seed == 1 && (tied || thickness_factor == 0.0)) continue;
-      sum(
-          phi, [&](std::size_t i) { return by(normal_[i]); },
-          [&](std::size_t i, double mu) { return mu == 0.0 ? 0.0 : mu * by(tangential_[i]); },
-          false, out.by_pad[seed]);
-    }
-  }
-
- private:
-  const Group& group_;
-  Nodes nodes_;
-  std::span<const double> places_;
-  std::vector<Amplitude> normal_{}, tangential_{};
-  RowMajor cosine_{}, sine_{};
-  Waves waves_{};
-};
-
 }  // namespace
 
 PressModel::PressModel(const SensorArray& array, const Material& material, double crosstalk)
-    : array_(array),
-      material_(material),
-      sites_(tactile_net::sites(array)),
-      depth_(0.0),
+    : material_(material),
+      is_skin_(false),
+      layout_(array),
+      pitch_(array.pitch),
       crosstalk_(crosstalk) {
-  require(crosstalk >= 0.0 && crosstalk < 0.5, "crosstalk", "be >= 0 and < 0.5", crosstalk);
   check(array);
-  check(material);
-  depth_ = sites_.front().depth;
-  for (const Site& site : sites_) {
-    check_depth(material, site.depth);
+  for (const Site& site : tactile_net::sites(array)) {
     if (site.width > 0.0)
       throw std::invalid_argument("calibration takes taxels as points; these have a width");
+    sites_.push_back(
+        {site.y, 0.0, site.depth, SignalQuantity(site.quantity), site.taxel, site.channel});
+  }
+  for (const Channel& channel : tactile_net::channels(array))
+    channels_.push_back({channel.name, SignalQuantity(channel.quantity)});
+  check_and_finish(crosstalk);
+}
+
+PressModel::PressModel(const SkinArray& skin, const Material& material, double crosstalk)
+    : material_(material),
+      is_skin_(true),
+      layout_(signal_layout(skin)),
+      pitch_(std::max(skin.pitch_y, skin.pitch_z)),
+      crosstalk_(crosstalk) {
+  check(skin);
+  for (const SkinSite& site : tactile_net::sites(skin)) {
+    check_quantity(site.quantity, SkinTraction::normal, material);
+    sites_.push_back({site.y, site.z, site.depth, site.quantity, site.taxel, site.channel});
+  }
+  for (const SkinChannel& channel : tactile_net::channels(skin))
+    channels_.push_back({channel.name, channel.quantity});
+  check_and_finish(crosstalk);
+}
+
+void PressModel::check_and_finish(double crosstalk) {
+  const double most = 1.0 / static_cast<double>(layout_.most_neighbours);
+  require(crosstalk >= 0.0 && crosstalk < most, "crosstalk", "be >= 0 and < " + shortest(most),
+          crosstalk);
+  check(material_);
+  depth_ = sites_.front().depth;
+  for (const PressSite& site : sites_) {
+    check_depth(material_, site.depth);
     depth_ = std::min(depth_, site.depth);
   }
+}
+
+double PressModel::most_crosstalk() const noexcept {
+  return 0.98 / static_cast<double>(layout_.most_neighbours);
 }
 
 PadState PressModel::nominal() const noexcept {
@@ -247,6 +95,22 @@ PadState PressModel::nominal() const noexcept {
   return pad;
 }
 
+ContactForce PressModel::contact_force(const Material& material, double half_width,
+                                       double radius) const {
+  return is_skin_ ? ball_force(material, half_width, radius)
+                  : rod_force(material, half_width, radius);
+}
+
+double PressModel::contact_half_width(const Material& material, double force, double radius) const {
+  return is_skin_ ? ball_contact_radius(material, force, radius)
+                  : rod_half_width(material, force, radius);
+}
+
+double PressModel::indenter_radius(const Material& material, double half_width,
+                                   double force) const {
+  return std::exp(contact_force(material, half_width, 1.0).log_force) / force;
+}
+
 PressReadings PressModel::readings(const PadState& pad, std::span<const PressState> presses,
                                    bool with_derivatives, bool tied_to_base) const {
   const std::size_t n = sites_.size();
@@ -254,39 +118,26 @@ PressReadings PressModel::readings(const PadState& pad, std::span<const PressSta
   out.value = zeros(presses.size(), n);
   if (with_derivatives) {
     for (Matrix& column : out.by_pad) column = zeros(presses.size(), n);
-    out.by_center = out.by_log_half_width = out.by_friction = out.value;
+    out.by_center = out.by_log_half_width = out.by_friction = out.by_center_z = out.value;
   }
-  const double depth_factor = std::exp(pad.log_depth);
-  Material material = material_;
-  material.poisson_ratio = pad.poisson_ratio;
-  material.youngs_modulus *= std::exp(pad.log_modulus);
-  if (material.layer) material.layer->thickness *= std::exp(pad.log_thickness);
-
-  std::vector<double> places(n);
-  double first = sites_.front().y;
-  double last = first;
-  for (std::size_t j = 0; j < n; ++j) {
-    places[j] = sites_[j].y * std::exp(pad.log_pitch) + pad.shift;
-    first = std::min(first, places[j]);
-    last = std::max(last, places[j]);
+  std::vector<double> y;
+  std::vector<double> z;
+  for (const PressSite& site : sites_) {
+    y.push_back(site.y * std::exp(pad.log_pitch) + pad.shift);
+    z.push_back(site.z * std::exp(pad.log_pitch));
   }
-  for (const Group& group : groups_of(sites_)) {
-    const double depth = group.depth * depth_factor;
-    if (material.layer && tied_to_base) material.layer->thickness = depth;
-    for (std::size_t start = 0; start < presses.size(); start += block) {
-      const auto part = presses.subspan(start, std::min(block, presses.size() - start));
-      double farthest = depth;
-      for (const PressState& press : part)
-        farthest = std::max(
-            farthest, std::exp(press.log_half_width) +
-                          std::max(std::abs(press.center - first), std::abs(press.center - last)));
-      GroupReadings(group, material, depth, farthest, places)
-          .add(part, start, with_derivatives, depth,
-               material.layer ? material.layer->thickness : 0.0, tied_to_base, out);
-    }
-  }
+  PadTaxels taxels{.sites = sites_,
+                   .y = y,
+                   .z = z,
+                   .depth_factor = std::exp(pad.log_depth),
+                   .material = material_,
+                   .tied_to_base = tied_to_base};
+  taxels.material.poisson_ratio = pad.poisson_ratio;
+  taxels.material.youngs_modulus *= std::exp(pad.log_modulus);
+  if (taxels.material.layer) taxels.material.layer->thickness *= std::exp(pad.log_thickness);
+  (is_skin_ ? add_skin_readings : add_line_readings)(taxels, presses, with_derivatives, out);
   if (!with_derivatives) {
-    apply_crosstalk(sites_, pad.crosstalk, out.value, nullptr);
+    apply_crosstalk(layout_, pad.crosstalk, out.value, nullptr);
     return out;
   }
   const auto at = [&](PadParameter parameter) -> Matrix& {
@@ -295,16 +146,19 @@ PressReadings PressModel::readings(const PadState& pad, std::span<const PressSta
   for (std::size_t p = 0; p < presses.size(); ++p)
     for (std::size_t j = 0; j < n; ++j) {
       at(PadParameter::shift)(p, j) = -out.by_center(p, j);
-      at(PadParameter::pitch)(p, j) = -out.by_center(p, j) * (places[j] - pad.shift);
-      if (is_strain(sites_[j].quantity)) at(PadParameter::youngs_modulus)(p, j) = -out.value(p, j);
+      at(PadParameter::pitch)(p, j) =
+          -out.by_center(p, j) * (y[j] - pad.shift) - out.by_center_z(p, j) * z[j];
+      if (traits(sites_[j].quantity).kind != QuantityKind::stress)
+        at(PadParameter::youngs_modulus)(p, j) = -out.value(p, j);
     }
-  apply_crosstalk(sites_, pad.crosstalk, out.value, &at(PadParameter::crosstalk));
+  apply_crosstalk(layout_, pad.crosstalk, out.value, &at(PadParameter::crosstalk));
   for (const PadParameter parameter :
        {PadParameter::depth, PadParameter::thickness, PadParameter::poisson_ratio,
         PadParameter::youngs_modulus, PadParameter::shift, PadParameter::pitch})
-    apply_crosstalk(sites_, pad.crosstalk, at(parameter), nullptr);
-  for (Matrix* column : {&out.by_center, &out.by_log_half_width, &out.by_friction})
-    apply_crosstalk(sites_, pad.crosstalk, *column, nullptr);
+    apply_crosstalk(layout_, pad.crosstalk, at(parameter), nullptr);
+  for (Matrix* column :
+       {&out.by_center, &out.by_log_half_width, &out.by_friction, &out.by_center_z})
+    apply_crosstalk(layout_, pad.crosstalk, *column, nullptr);
   out.by_log_force = out.value;
   return out;
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "calibration/surface_compliance.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/dual.hpp"
 
@@ -17,21 +18,6 @@ namespace {
 
 constexpr std::size_t terms = 8;
 constexpr double largest_ratio = 3.0;  // a / h
-constexpr double largest_H = 20.0;     // 1 - compliance is exp(-2 H) H^2 there
-
-using Seeded = Dual<1>;  // by nu
-
-/// Compliance of the layer over that of the half plane, minus 1.
-Seeded compliance_change(Base base, const Seeded& nu, double H) {
-  const double decay = std::exp(-2.0 * H);  // of cosh 2H and sinh 2H, both times it
-  const double cosh = 0.5 * (1.0 + decay * decay);
-  const double sinh = -0.5 * std::expm1(-4.0 * H);
-  if (base == Base::frictionless)
-    return (cosh - decay - sinh - 2.0 * H * decay) / (sinh + 2.0 * H * decay);
-  const Seeded kappa = 3.0 - 4.0 * nu;
-  const Seeded below = kappa * cosh + (2.0 * H * H + 5.0 - 12.0 * nu + 8.0 * nu * nu) * decay;
-  return (kappa * sinh - 2.0 * H * decay) / below - 1.0;
-}
 
 /// J_0 ... J_last at z by the recurrence downwards.
 std::vector<double> bessel(std::size_t last, double z) {
@@ -86,7 +72,7 @@ Factor layer_factor(Base base, double nu, double ratio) {
   by_ratio.setZero();
   by_nu.setZero();
   const auto add = [&](double H, double weight) {
-    const Seeded change = compliance_change(base, Seeded::seed(nu, 0), H);
+    const auto change = compliance_change(base, Dual<1>::seed(nu, 0), H);
     const std::vector<double> j = bessel(2 * terms, H * ratio);
     for (std::size_t m = 0; m < terms; ++m) {
       const double order = 2.0 * static_cast<double>(m) + 1.0;
@@ -104,7 +90,7 @@ Factor layer_factor(Base base, double nu, double ratio) {
       }
     }
   };
-  const double width = largest_H / panels;
+  const double width = largest_compliance_wave / panels;
   for (int panel = 0; panel < panels; ++panel)
     for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
       for (const double sign : {-1.0, 1.0})
@@ -120,9 +106,9 @@ Factor layer_factor(Base base, double nu, double ratio) {
 
 }  // namespace
 
-RodForce rod_force(const Material& material, double half_width, double radius) {
+ContactForce rod_force(const Material& material, double half_width, double radius) {
   const double nu = material.poisson_ratio;
-  RodForce force;
+  ContactForce force;
   force.log_force = std::log(std::numbers::pi * half_width / radius * half_width *
                              material.youngs_modulus / (4.0 * (1.0 - nu * nu)));
   force.by_poisson_ratio = 2.0 * nu / (1.0 - nu * nu);
@@ -143,7 +129,7 @@ double rod_half_width(const Material& material, double force, double radius) {
                                 (std::numbers::pi * material.youngs_modulus));
   // log P of log a is smooth, steeper than 2 and convex: Newton from the half plane's converges.
   for (int step = 0; step < 50; ++step) {
-    const RodForce at = rod_force(material, std::exp(log_a), radius);
+    const ContactForce at = rod_force(material, std::exp(log_a), radius);
     const double change = (std::log(force) - at.log_force) / at.by_log_half_width;
     log_a += change;
     if (std::abs(change) < 1e-14) break;

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "frames/converter_steps.hpp"
-#include "numeric/robust.hpp"
+#include "frames/log_sensor.hpp"
+#include "frames/rest_deviations.hpp"
 #include "scene/csv_table.hpp"
-#include "tactile_net/calibration/rod_contact.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
@@ -24,10 +24,6 @@ constexpr std::size_t most_problems = 20;
 constexpr double contradiction = 5.0;  // standard deviations
 constexpr double most_at_rest = 4.0;   // rms of an unloaded row about the others, over the noise
 
-constexpr std::array described = {"press",    "shape",       "force",  "force_sd",
-                                  "position", "position_sd", "radius", "half_width"};
-constexpr std::array optional_columns = {"half_width_sd", "friction", "friction_sd", "t"};
-
 struct Rule {
   std::string_view text;
   bool (*holds)(double);
@@ -38,11 +34,9 @@ constexpr Rule not_negative{"must be >= 0", [](double x) { return x >= 0.0; }};
 
 class Reader {
  public:
-  Reader(const std::filesystem::path& path, const Scene& scene, const CalibrationOptions& options)
-      : file_(path.filename().string()),
-        scene_(scene),
-        options_(options),
-        units_(scene.units.value_or(Units{})) {
+  Reader(const std::filesystem::path& path, const AnyScene& scene,
+         const CalibrationOptions& options)
+      : file_(path.filename().string()), sensor_(scene), options_(options) {
     try {
       table_ = read_csv_table(path);
     } catch (const std::runtime_error& error) {
@@ -59,7 +53,7 @@ class Reader {
     throw_if_any();
     check_rest();
     throw_if_any();
-    result_.log.unloaded = unloaded_frames(scene_.sensor, unloaded_);
+    result_.log.unloaded = unloaded_frames(sensor_.layout, unloaded_);
     find_steps();
     check_noise();
     check_saturation();
@@ -83,13 +77,12 @@ class Reader {
     for (std::size_t i = 0; i < header.size(); ++i)
       if (!columns_.emplace(header[i], i).second)
         problem(table_.header.line, "a column stands there twice", "keep one of the two");
-    for (const char* name : described)
+    for (const std::string& name : sensor_.described())
       if (!columns_.contains(name))
-        problem(table_.header.line, "has no column '" + std::string(name) + "'",
-                "the header begins with press,shape,force,force_sd,position,position_sd,radius,"
-                "half_width; what is not known is left empty");
+        problem(table_.header.line, "has no column '" + name + "'",
+                "the header begins with " + sensor_.header() + "; what is not known is left empty");
     std::vector<std::string> missing;
-    for (const std::string& name : reading_names(scene_.sensor)) {
+    for (const std::string& name : sensor_.readings) {
       if (const auto found = columns_.find(name); found != columns_.end())
         readings_.push_back(found->second);
       else
@@ -100,13 +93,15 @@ class Reader {
           table_.header.line,
           "has no column '" + missing.front() + "'" +
               (missing.size() > 1 ? " nor " + std::to_string(missing.size() - 1) + " others" : "") +
-              " of the scene's " + std::to_string(reading_names(scene_.sensor).size()) +
-              " readings",
-          "a log of another scene? sensor.count and sensor.reads say which columns there are");
-    check_other_taxels();
-    std::set<std::string> known(described.begin(), described.end());
-    known.insert(optional_columns.begin(), optional_columns.end());
-    for (const std::string& name : reading_names(scene_.sensor)) known.insert(name);
+              " of the scene's " + std::to_string(sensor_.readings.size()) + " readings",
+          std::string("a log of another scene? ") +
+              (sensor_.is_skin ? "[sensor]" : "sensor.count and sensor.reads") + " say" +
+              (sensor_.is_skin ? "s" : "") + " which columns there are");
+    if (!sensor_.is_skin) check_other_taxels();
+    std::set<std::string> known;
+    for (const auto& names : {sensor_.described(), sensor_.optional_columns()})
+      known.insert(names.begin(), names.end());
+    for (const std::string& name : sensor_.readings) known.insert(name);
     std::size_t others = 0;
     for (const std::string& name : header)
       if (!known.contains(name)) ++others;
@@ -117,20 +112,20 @@ class Reader {
 
   /// "stress_x_41" in a log of a scene with 41 taxels: fewer than the sensor has.
   void check_other_taxels() {
-    for (const Channel& channel : channels(scene_.sensor)) {
-      const std::string own = channel.name + '_';
+    const std::size_t count = sensor_.layout.taxels;
+    for (std::size_t c = 0; c < sensor_.channels.size(); ++c) {
+      const std::string own = sensor_.channels[c] + '_';
       std::size_t others = 0;
       for (const auto& [name, column] : columns_) {
         double taxel = 0.0;
         if (name.size() > own.size() && name.compare(0, own.size(), own) == 0 &&
-            read_number(name.substr(own.size()), taxel) &&
-            taxel >= static_cast<double>(scene_.sensor.count))
+            read_number(name.substr(own.size()), taxel) && taxel >= static_cast<double>(count))
           ++others;
       }
       if (others > 0)
         problem(table_.header.line,
-                "has " + std::to_string(channel.count + others) + " columns " + own +
-                    "0, ..., and the scene has " + std::to_string(scene_.sensor.count) + " taxels",
+                "has " + std::to_string(sensor_.layout.channels[c].count + others) + " columns " +
+                    own + "0, ..., and the scene has " + std::to_string(count) + " taxels",
                 "a log of another scene? sensor.count says how many there are");
     }
   }
@@ -175,7 +170,7 @@ class Reader {
       }
       values.push_back(value);
     }
-    if (scene_.calibration) calibrate(*scene_.calibration, values);
+    if (sensor_.calibration) calibrate(*sensor_.calibration, values);
     return values;
   }
 
@@ -202,49 +197,75 @@ class Reader {
     if (!numbers_.insert(press.number).second)
       problem(row.line, "press " + std::to_string(press.number) + " stands there twice",
               "a row a press: the mean of its steady frames");
-    if (shape == "cylinder")
-      press.shape = Shape::cylinder;
-    else if (shape == "punch")
-      press.shape = Shape::punch;
-    else if (shape == "wedge")
-      press.shape = Shape::wedge;
-    else
-      problem(row.line, "shape is none that there is",
-              "cylinder, punch, wedge; none: unloaded. A ball is no line load");
-    press.force = stated(row, "force", positive, units_.force);
-    press.position = stated(row, "position", any, units_.length);
-    press.half_width = stated(row, "half_width", positive, units_.length);
-    press.radius = number(row, "radius", positive, units_.length);
-    if (const Stated friction = stated(row, "friction", any, {}); friction.value)
+    if (!sensor_.set_shape(shape, press))
+      problem(row.line, "shape is none that there is", std::string(sensor_.shapes()));
+    press.force = stated(row, "force", positive, sensor_.force);
+    read_place(row, press);
+    press.half_width = stated(row, "half_width", positive, sensor_.units.length);
+    press.radius = number(row, "radius", positive, sensor_.units.length);
+    if (const Stated friction = stated(row, "friction", any, {}); friction.value) {
+      if (sensor_.is_skin && *friction.value != 0.0)
+        problem(row.line, "friction is of lines",
+                "press a skin straight down, and lift before moving");
       press.friction = friction;
-    if (press.radius && press.shape != Shape::cylinder)
-      problem(row.line, "radius is of a cylinder, and the shape is none",
-              "a punch and a wedge have a half_width");
+    }
+    if (press.radius && !sensor_.is_round(press))
+      problem(row.line,
+              "radius is of a " + std::string(sensor_.round_shape()) + ", and the shape is none",
+              sensor_.is_skin ? "a punch and a cone have a half_width, their contact's radius"
+                              : "a punch and a wedge have a half_width");
     check_place(row, press);
     check_tie(row, press);
     press.readings = readings(row);
     result_.log.presses.push_back(std::move(press));
   }
 
+  void read_place(const CsvTable::Row& row, Press& press) {
+    const Unit& length = sensor_.units.length;
+    if (!sensor_.is_skin) {
+      press.position = stated(row, "position", any, length);
+      return;
+    }
+    const double sd = number(row, "position_sd", not_negative, length).value_or(0.0);
+    press.position = {number(row, "position_y", any, length), sd};
+    press.position_z = {number(row, "position_z", any, length), sd};
+    if (sd > 0.0 && !press.position.value && !press.position_z.value)
+      problem(row.line, "position_sd stands without a position", "give both, or neither");
+  }
+
   void check_place(const CsvTable::Row& row, const Press& press) {
-    const std::vector<double> y = positions(scene_.sensor);
-    const double half = 0.5 * (y.back() - y.front());
+    const std::string unit = std::string(sensor_.units.length.name) + '?';
     const double a = press.half_width.value.value_or(0.0);
-    if (press.half_width.value && 2.0 * a > 2.0 * half)
-      problem(row.line, "half_width makes a contact wider than the array",
-              "lengths in " + std::string(units_.length.name) + '?');
-    else if (press.position.value && std::abs(*press.position.value) > half + a)
-      problem(row.line, "position lies beyond the array, which ends at +-" + brief(half) + " m",
-              "0 is the middle of the array; lengths in " + std::string(units_.length.name) + '?');
+    const double across = std::max(sensor_.y.high - sensor_.y.low, sensor_.z.high - sensor_.z.low);
+    if (2.0 * a > across && across > 0.0) {
+      problem(row.line, "half_width makes a contact wider than the array", "lengths in " + unit);
+      return;
+    }
+    const auto check = [&](const Stated& stated, const LogSensor::End& ends, const char* name) {
+      if (!stated.value || (*stated.value <= ends.high + a && *stated.value >= ends.low - a))
+        return;
+      if (ends.low == -ends.high)
+        problem(row.line,
+                name + (" lies beyond the array, which ends at +-" + brief(ends.high)) + " m",
+                "0 is the middle of the array; lengths in " + unit);
+      else
+        problem(row.line,
+                name + (" lies beyond the taxels, which end at " + brief(ends.low)) + " and " +
+                    brief(ends.high) + " m",
+                "positions are the taxels' own; lengths in " + unit);
+    };
+    check(press.position, sensor_.y, sensor_.is_skin ? "position_y" : "position");
+    if (sensor_.is_skin) check(press.position_z, sensor_.z, "position_z");
   }
 
   void check_tie(const CsvTable::Row& row, const Press& press) {
     if (!press.radius || !press.half_width.is_exact() || !press.force.value) return;
-    const double tied = rod_half_width(scene_.material, *press.force.value, *press.radius);
+    const double tied = sensor_.half_width(*press.force.value, *press.radius);
     const double sd = std::hypot(options_.half_width_sd, 0.5 * options_.youngs_modulus_sd, 0.1);
     if (std::abs(std::log(*press.half_width.value / tied)) > contradiction * sd)
       problem(row.line,
-              "half_width and radius contradict each other: this rod's contact is about " +
+              "half_width and radius contradict each other: this " +
+                  std::string(sensor_.is_skin ? "ball" : "rod") + "'s contact is about " +
                   brief(tied) + " m to each side",
               "leave one of them empty, or give half_width_sd");
   }
@@ -260,40 +281,21 @@ class Reader {
       problem(0, "has no press", "a row with press 1, its shape, and what is known of it");
   }
 
-  [[nodiscard]] bool is_dead(std::size_t reading) const {
-    const std::size_t taxel = sites(scene_.sensor)[reading].taxel;
-    return std::count(scene_.dead_taxels.begin(), scene_.dead_taxels.end(), taxel) > 0;
-  }
+  [[nodiscard]] bool is_dead(std::size_t reading) const { return sensor_.dead[reading]; }
 
-  /// Rows without load about their medians, over a spread that a few loaded ones do not move.
   void check_rest() {
-    const std::size_t n = readings_.size();
-    std::vector<double> middles(n), spreads(n);
-    for (std::size_t j = 0; j < n; ++j) {
-      std::vector<double> values;
-      for (const std::vector<double>& row : unloaded_) values.push_back(row[j]);
-      middles[j] = median(values);
-      for (double& value : values) value -= middles[j];
-      spreads[j] = robust_rms(std::move(values));
-    }
-    for (std::size_t row = 0; row < unloaded_.size(); ++row) {
-      double squares = 0.0, count = 0.0;
-      for (std::size_t j = 0; j < n; ++j) {
-        if (!(spreads[j] > 0.0) || is_dead(j)) continue;
-        squares += std::pow((unloaded_[row][j] - middles[j]) / spreads[j], 2);
-        count += 1.0;
-      }
-      if (const double rms = std::sqrt(squares / std::max(count, 1.0)); rms > most_at_rest)
+    const std::vector<double> apart = rest_deviations(unloaded_, sensor_.dead);
+    for (std::size_t row = 0; row < apart.size(); ++row)
+      if (apart[row] > most_at_rest)
         problem(unloaded_lines_[row],
-                "is no row without load: its readings are " + brief(rms) +
+                "is no row without load: its readings are " + brief(apart[row]) +
                     " times the noise away from those of the others",
                 "offsets come from these rows; take it out, or say what pressed");
-    }
   }
 
   /// What a converter's steps leave of a number, in every reading: 0 where there are none.
   void find_steps() {
-    const std::vector<Site> where = sites(scene_.sensor);
+    const std::vector<SignalReading>& where = sensor_.layout.readings;
     std::vector<double> of_channel(result_.log.unloaded.rms.size());
     for (std::size_t j = 0; j < readings_.size(); ++j) {
       std::set<double> values;
@@ -306,8 +308,8 @@ class Reader {
     for (std::size_t c = 0; c < of_channel.size(); ++c)
       if (const double rms = of_channel[c] / std::sqrt(12.0); rms > result_.log.unloaded.rms[c]) {
         result_.log.unloaded.rms[c] = rms;
-        result_.notes.push_back(channels(scene_.sensor)[c].name + " has steps of " +
-                                brief(of_channel[c]) + ", wider than its noise: " + brief(rms) +
+        result_.notes.push_back(sensor_.channels[c] + " has steps of " + brief(of_channel[c]) +
+                                ", wider than its noise: " + brief(rms) +
                                 " is taken for it, a step over the root of 12");
       }
   }
@@ -320,18 +322,18 @@ class Reader {
   }
 
   void check_noise() {
-    const std::vector<std::string> names = reading_names(scene_.sensor);
+    const std::vector<std::string>& names = sensor_.readings;
     for (std::size_t j = 0; j < names.size(); ++j)
       if (result_.log.unloaded.reading_rms[j] == 0.0 && !is_dead(j) && !ever_moves(j))
         problem(0, names[j] + " never changes: a dead taxel",
-                "[dead_taxels] indices = [" + std::to_string(sites(scene_.sensor)[j].taxel) +
+                "[dead_taxels] indices = [" + std::to_string(sensor_.layout.readings[j].taxel) +
                     "], or write readings with more digits");
   }
 
   /// The largest number of a reading, exactly, in more presses than its steps explain: the range's
   /// end.
   void check_saturation() {
-    const std::vector<std::string> names = reading_names(scene_.sensor);
+    const std::vector<std::string>& names = sensor_.readings;
     for (std::size_t j = 0; j < names.size(); ++j) {
       if (is_dead(j)) continue;
       const double floor = 20.0 * result_.log.unloaded.reading_rms[j];
@@ -353,7 +355,7 @@ class Reader {
   }
 
   void remark() {
-    if (!scene_.contacts.empty())
+    if (sensor_.has_contacts)
       result_.notes.emplace_back("the scene's own contacts are ignored: the log says what pressed");
     const std::size_t rows = result_.log.presses.size() * readings_.size();
     const std::size_t unknowns = 2 * readings_.size() + 4 + 3 * result_.log.presses.size();
@@ -371,9 +373,8 @@ class Reader {
   }
 
   std::string file_;
-  const Scene& scene_;
+  LogSensor sensor_;
   const CalibrationOptions& options_;
-  Units units_;
   CsvTable table_{};
   std::map<std::string, std::size_t> columns_{};
   std::vector<std::size_t> readings_{};
@@ -387,7 +388,7 @@ class Reader {
 
 }  // namespace
 
-PressLogFile read_press_log(const std::filesystem::path& path, const Scene& scene,
+PressLogFile read_press_log(const std::filesystem::path& path, const AnyScene& scene,
                             const CalibrationOptions& options) {
   return Reader(path, scene, options).read();
 }

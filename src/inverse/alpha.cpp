@@ -99,6 +99,9 @@ AlphaChoice choose_alone(const FilterFrame& frame, AlphaRule rule,
 AlphaChoice choose_alone(const FilterFrame& frame, const AlphaTables& tables, AlphaRule rule,
                          std::optional<double> noise_rms) {
   require_noise(rule, noise_rms);
+  if (rule == AlphaRule::ncp && !frame.periodogram)
+    throw std::invalid_argument(
+        "the rule ncp looks for white noise along a line of taxels: a skin's frame has none");
   const AlphaTables::Parts& parts = tables.parts();
   Criteria criteria(frame, parts, noise_rms);
   const FoundAlpha one = candidate(criteria, parts, rule, criteria.values(rule));

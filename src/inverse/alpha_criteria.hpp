@@ -36,9 +36,11 @@ struct Traces {
 
 /// Everything relative to gamma's largest value; a row per step of alpha.
 struct AlphaTables::Parts {
+  /// @param like  absent: alphas span this gamma; else they are those of `like`, gamma is relative
+  ///              to its largest one, and values at a step can be added up
   /// @throw std::invalid_argument  as `AlphaTables`
-  Parts(std::span<const double> all_gamma, std::size_t all_rows,
-        std::span<const double> all_shares);
+  Parts(std::span<const double> all_gamma, std::size_t all_rows, std::span<const double> all_shares,
+        const Parts* like = nullptr);
 
   /// log alpha of a step.
   [[nodiscard]] double at(std::size_t step) const noexcept;

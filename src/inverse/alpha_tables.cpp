@@ -30,7 +30,7 @@ double AlphaTables::Parts::alpha(double log_alpha) const noexcept {
 }
 
 AlphaTables::Parts::Parts(std::span<const double> all_gamma, std::size_t all_rows,
-                          std::span<const double> all_shares)
+                          std::span<const double> all_shares, const Parts* like)
     : gamma(all_gamma.begin(), all_gamma.end()),
       shares(all_shares.begin(), all_shares.end()),
       relative(gamma.size()),
@@ -44,7 +44,7 @@ AlphaTables::Parts::Parts(std::span<const double> all_gamma, std::size_t all_row
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return gamma[a] > gamma[b]; });
-  largest = gamma[order.front()];
+  largest = like != nullptr ? like->largest : gamma[order.front()];
   if (shares.empty()) order.resize(std::min(rows, order.size()));
   double smallest = 0.0;
   unexplained = static_cast<double>(rows);
@@ -63,8 +63,14 @@ AlphaTables::Parts::Parts(std::span<const double> all_gamma, std::size_t all_row
   const auto step = [&](double log_alpha) {
     return static_cast<std::size_t>((log_alpha - low) / (high - low) * (alpha_steps - 1.0));
   };
-  first = step(std::min(half_kept, -1.0));  // all gamma equal: a bracket needs a width
-  last = step(0.0);
+  if (like != nullptr) {
+    low = like->low;
+    first = like->first;
+    last = like->last;
+  } else {
+    first = step(std::min(half_kept, -1.0));  // all gamma equal: a bracket needs a width
+    last = step(0.0);
+  }
   few_rows = traces(2.0 * std::log(silent_share)).left < fewest_silent;
   fill();
 }

@@ -12,18 +12,33 @@
 namespace tactile_net {
 namespace {
 
-/// A frame that stays where it is: its criteria refer to it.
+/// A frame that stays where it is: its criteria refer to it. One whose components are nodes of a
+/// quadrature has others than the frames before, at the same alphas.
 struct Member {
   Member(FilterFrame given, const AlphaTables::Parts& tables, AlphaRule rule,
          std::optional<double> noise_rms)
-      : frame(std::move(given)), criteria(frame, tables, noise_rms) {
+      : frame(std::move(given)),
+        own(own_tables(frame, tables)),
+        criteria(frame, own ? *own : tables, noise_rms) {
     if (!criteria.silent()) values = criteria.values(rule);
+    if (!own) return;
+    own->lost.resize(0, 0);  // by far the most of it, and no more asked for
+    own->weights.resize(0, 0);
   }
   Member(const Member&) = delete;
   Member& operator=(const Member&) = delete;
   ~Member() = default;
 
+  static std::optional<AlphaTables::Parts> own_tables(const FilterFrame& frame,
+                                                      const AlphaTables::Parts& tables) {
+    const bool is_quadrature = !frame.shares.empty() && !tables.shares.empty();
+    if (!is_quadrature || frame.rows != tables.rows || frame.gamma == tables.gamma)
+      return std::nullopt;
+    return AlphaTables::Parts(frame.gamma, frame.rows, frame.shares, &tables);
+  }
+
   FilterFrame frame;
+  std::optional<AlphaTables::Parts> own;
   Criteria criteria;
   std::vector<double> values{};  ///< none where nothing was read
 };

@@ -14,6 +14,20 @@
 
 namespace tactile_net {
 
+std::vector<double> Covariance::deviations_of(std::span<const std::vector<double>> weights) const {
+  std::vector<double> all;
+  for (const std::vector<double>& one : weights) all.push_back(deviation(one));
+  return all;
+}
+
+Matrix Covariance::covariances(std::span<const std::vector<double>> weights) const {
+  const std::size_t count = weights.size();
+  Matrix all{count, count, std::vector<double>(count * count)};
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j <= i; ++j) all(i, j) = all(j, i) = covariance(weights[i], weights[j]);
+  return all;
+}
+
 /// C = sigma^2 S S'.
 struct TractionCovariance::Factor {
   Factor(Eigen::MatrixXd s, double degrees_of_freedom)

@@ -4,31 +4,67 @@
 #include <memory>
 #include <span>
 #include <utility>
+#include <variant>
 
 namespace tactile_net::lab {
 
 namespace {
 
-PressModel model_of(const Scene& scene) {
-  return {scene.sensor, scene.material, scene.crosstalk ? scene.crosstalk->fraction : 0.0};
+PressModel model_of(const AnyScene& any) {
+  return std::visit(
+      [](const auto& scene) -> PressModel {
+        return {scene.sensor, scene.material, scene.crosstalk ? scene.crosstalk->fraction : 0.0};
+      },
+      any);
+}
+
+double spread_of(const std::vector<FittedPress>& presses, ValueWithSd FittedPress::*centre) {
+  const auto [first, last] = std::minmax_element(presses.begin(), presses.end(),
+                                                 [&](const FittedPress& a, const FittedPress& b) {
+                                                   return (a.*centre).value < (b.*centre).value;
+                                                 });
+  return ((*last).*centre).value - ((*first).*centre).value;
 }
 
 }  // namespace
 
-SceneCalibration calibrate(const Scene& scene, PressLog log, const CalibrationOptions& options,
+const std::string& SceneCalibration::file() const {
+  return std::visit([](const auto& one) -> const std::string& { return one.file; }, scene);
+}
+
+const std::string& SceneCalibration::title() const {
+  return std::visit([](const auto& one) -> const std::string& { return one.title; }, scene);
+}
+
+const std::optional<Units>& SceneCalibration::units() const {
+  return std::visit([](const auto& one) -> const std::optional<Units>& { return one.units; },
+                    scene);
+}
+
+const Material& SceneCalibration::material() const {
+  return std::visit([](const auto& one) -> const Material& { return one.material; }, scene);
+}
+
+SceneCalibration calibrate(const AnyScene& scene, PressLog log, const CalibrationOptions& options,
                            const std::function<void(std::size_t)>& watch) {
   const PressModel model = model_of(scene);
-  const std::vector<Site>& sites = model.sites();
-  const auto unread = std::make_unique<bool[]>(sites.size());
-  for (std::size_t j = 0; j < sites.size(); ++j)
-    unread[j] = std::count(scene.dead_taxels.begin(), scene.dead_taxels.end(), sites[j].taxel) > 0;
   SceneCalibration result{.scene = scene, .options = options, .log = std::move(log)};
+  result.sites = model.sites();
+  result.channels = model.channels();
+  std::vector<std::size_t> dead;
+  std::visit(
+      [&](const auto& one) {
+        result.readings = reading_names(one.sensor);
+        dead = one.dead_taxels;
+      },
+      scene);
+  const auto unread = std::make_unique<bool[]>(result.sites.size());
+  for (std::size_t j = 0; j < result.sites.size(); ++j)
+    unread[j] = std::count(dead.begin(), dead.end(), result.sites[j].taxel) > 0;
   result.fit =
-      fit_presses(model, result.log, options, std::span(unread.get(), sites.size()), watch);
-  const auto [first, last] = std::minmax_element(
-      result.fit.presses.begin(), result.fit.presses.end(),
-      [](const FittedPress& a, const FittedPress& b) { return a.center.value < b.center.value; });
-  result.spread = last->center.value - first->center.value;
+      fit_presses(model, result.log, options, std::span(unread.get(), result.sites.size()), watch);
+  result.spread = std::max(spread_of(result.fit.presses, &FittedPress::center),
+                           spread_of(result.fit.presses, &FittedPress::center_z));
   return result;
 }
 

@@ -4,21 +4,12 @@
 #include <utility>
 #include <variant>
 
+#include "tactile_net/lab/moved_contacts.hpp"
+
 namespace tactile_net::lab {
 namespace {
 
 constexpr std::array shares = {-0.25, -0.125, 0.125, 0.25};  // of the sensor's length
-
-void move(Contact& contact, double by) {
-  if (auto* const body = std::get_if<RigidContact>(&contact))
-    body->center += by;
-  else
-    std::get<SampledTractions>(contact).first += by;
-}
-
-void move(SkinLoad& load, double by) {
-  std::visit([&](auto& one) { one.y += by; }, load);
-}
 
 double length(const Scene& scene) {
   const Surface on = surface(scene);
@@ -36,13 +27,13 @@ std::vector<std::shared_ptr<const NetworkProblem>> circuit_loads(const SceneCirc
   const std::shared_ptr<const NetworkProblem>& own = circuit.network().shared_problem();
   std::vector<std::shared_ptr<const NetworkProblem>> loads{own};
   for (const double share : shares) {
-    const auto moved = [&](auto scene) -> AnyScene {
-      for (auto& contact : scene.contacts) move(contact, share * length(scene));
+    const auto elsewhere = [&](auto scene) -> AnyScene {
+      scene.contacts = moved(std::move(scene.contacts), share * length(scene));
       for (auto& trajectory : scene.trajectories) trajectory = {};
       scene.reconstruct.alpha = circuit.alpha().value;
       return scene;
     };
-    const SceneCircuit other = simulated_circuit(std::visit(moved, circuit.scene()));
+    const SceneCircuit other = simulated_circuit(std::visit(elsewhere, circuit.scene()));
     if (!other.loaded()) continue;
     NetworkProblem problem = *own;  // all but the readings, also where weights are estimated
     problem.readings = other.network().problem().readings;

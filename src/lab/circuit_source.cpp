@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/lab/moved_contacts.hpp"
 #include "tactile_net/lab/skin_network.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/skin/forward.hpp"
@@ -31,25 +32,6 @@ std::vector<double> rate_of(const auto& channels, const auto& readings_at) {
   return rate;
 }
 
-Contact moved(Contact contact, double by) {
-  if (auto* rigid = std::get_if<RigidContact>(&contact))
-    rigid->center += by;
-  else
-    std::get<SampledTractions>(contact).first += by;
-  return contact;
-}
-
-SkinLoad moved(SkinLoad load, double by) {
-  std::visit([=](auto& one) { one.y += by; }, load);
-  return load;
-}
-
-template <typename Load>
-std::vector<Load> all_moved(std::vector<Load> loads, double by) {
-  for (Load& one : loads) one = moved(std::move(one), by);
-  return loads;
-}
-
 class LineSource final : public CircuitSource {
  public:
   explicit LineSource(const SceneFrame& frame)
@@ -67,7 +49,7 @@ class LineSource final : public CircuitSource {
     if (scene.contacts.empty()) return {};
     return weighted(frame_.problem().problem(), rate_of(channels(scene.sensor), [&](double by) {
                       return exact_readings(scene.sensor, scene.material,
-                                            all_moved(scene.contacts, by));
+                                            moved(scene.contacts, by));
                     }));
   }
   std::optional<std::string> refusal(Realization) const override { return std::nullopt; }
@@ -113,7 +95,7 @@ class SkinSource final : public CircuitSource {
     if (scene.contacts.empty()) return {};
     const ExactSkinModel model(scene.sensor, scene.material);
     return weighted(problem_.problem(), rate_of(channels(scene.sensor), [&](double by) {
-                      return model.readings(all_moved(scene.contacts, by));
+                      return model.readings(moved(scene.contacts, by));
                     }));
   }
   std::optional<std::string> refusal(Realization realization) const override {

@@ -7,12 +7,15 @@ namespace {
 
 /// In the order of the variant.
 constexpr std::array<std::string_view, std::variant_size_v<Finding>> names = {
-    "no_frames",           "time_backwards",   "time_repeats",       "frames_repeat",
-    "values_missing",      "dead_taxels",      "stuck_taxels",       "noisy_taxels",
-    "single_frame_spikes", "saturated_taxels", "baseline",           "drift",
-    "noise_taken",         "noise_differs",    "noise_coloured",     "residual_differs",
-    "scale_by_1000",       "gains_changed",    "whole_pad_pulled",   "traction_exceeds_modulus",
-    "deformation_tiny",    "mixed_units",      "depth_beyond_array", "pitch_coarse"};
+    "no_frames",        "time_backwards", "time_repeats",
+    "frames_repeat",    "values_missing", "dead_taxels",
+    "stuck_taxels",     "noisy_taxels",   "single_frame_spikes",
+    "saturated_taxels", "baseline",       "drift",
+    "noise_taken",      "noise_differs",  "noise_coloured",
+    "residual_differs", "scale_by_1000",  "gains_changed",
+    "whole_pad_pulled", "order_mirrored", "traction_exceeds_modulus",
+    "deformation_tiny", "mixed_units",    "depth_beyond_array",
+    "pitch_coarse"};
 
 }  // namespace
 

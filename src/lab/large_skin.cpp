@@ -37,6 +37,19 @@ LargeSkin::LargeSkin(const SkinArray& skin, const Material& material, SkinProble
   system_ = make_large_skin_system(skin_, material_, options_);
 }
 
+LargeSkin::LargeSkin(LargeSkin& whole, const std::vector<std::size_t>& dead)
+    : skin_(whole.skin_),
+      material_(whole.material_),
+      options_(whole.options_),
+      limits_(whole.limits_),
+      system_(without_taxels(*whole.system_, dead)),
+      like_(whole.bands_ ? whole.bands_ : whole.like_) {
+  constexpr std::size_t few = 50;  // one of so many taxels
+  const std::size_t more = dead.size() - options_.dead_taxels.size();
+  options_.dead_taxels = dead;
+  if (few * more <= problem().taxels) family_.emplace(system_, whole.family());
+}
+
 const LargeSkinFamily& LargeSkin::family() {
   if (!family_) family_.emplace(system_);
   return *family_;
@@ -64,9 +77,11 @@ SkinConeSolution LargeSkin::solve_in_cones(std::span<const double> readings, dou
   return LargeSkinCone(system_, alpha, constraints).solve(readings);
 }
 
-std::unique_ptr<const CellCovariance> LargeSkin::covariance(double alpha, double prior_alpha) {
+std::unique_ptr<const LargeSkinCovariance> LargeSkin::covariance(double alpha, double prior_alpha) {
   LargeSkinTikhonov& own = solver(alpha);
-  if (!bands_) bands_ = std::make_unique<LargeSkinBands>(own, skin_, material_, options_);
+  if (!bands_)
+    bands_ = like_ ? std::make_shared<LargeSkinBands>(own, *like_)
+                   : std::make_shared<LargeSkinBands>(own, skin_, material_, options_);
   return std::make_unique<LargeSkinCovariance>(*bands_, prior_alpha,
                                                family().degrees_of_freedom(alpha));
 }

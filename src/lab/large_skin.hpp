@@ -2,6 +2,7 @@
 /// What the frames of a large skin share: products, probes, tiles, bands. Private.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,6 +24,12 @@ class LargeSkin {
   LargeSkin(const SkinArray& skin, const Material& material, SkinProblemOptions options,
             DataLimits limits, double available);
 
+  /// The same without these taxels: transformed kernels and the smaller skin of the bands are
+  /// taken over, and where they are few the probes.
+  ///
+  /// @param dead  all of them, those that `whole` is without among them
+  LargeSkin(LargeSkin& whole, const std::vector<std::size_t>& dead);
+
   /// Without its kernel.
   [[nodiscard]] const SkinProblem& problem() const noexcept { return problem_of(*system_); }
   [[nodiscard]] const LargeSkinFamily& family();
@@ -34,7 +41,8 @@ class LargeSkin {
   [[nodiscard]] SkinConeSolution solve_in_cones(std::span<const double> readings, double alpha,
                                                 const Constraints& constraints);
   /// Refers to this object, until its alpha is another one.
-  [[nodiscard]] std::unique_ptr<const CellCovariance> covariance(double alpha, double prior_alpha);
+  [[nodiscard]] std::unique_ptr<const LargeSkinCovariance> covariance(double alpha,
+                                                                      double prior_alpha);
   /// |W (K f - g)|
   [[nodiscard]] double residual(std::span<const double> readings,
                                 std::span<const double> tractions);
@@ -51,7 +59,8 @@ class LargeSkin {
   std::shared_ptr<LargeSkinSystem> system_;
   std::optional<LargeSkinFamily> family_{};
   std::unique_ptr<LargeSkinTikhonov> solver_{};
-  std::unique_ptr<LargeSkinBands> bands_{};
+  std::shared_ptr<LargeSkinBands> bands_{};
+  std::shared_ptr<const LargeSkinBands> like_{};  // of the whole that this one was made of
 };
 
 }  // namespace tactile_net::lab

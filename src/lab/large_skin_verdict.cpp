@@ -69,6 +69,26 @@ double norm(const std::vector<double>& squares) {
   return std::sqrt(sum);
 }
 
+/// Whether readings away from a taxel are explained about as noise allows. A broken taxel bends the
+/// contact beside it and nowhere else: where they are not, no contact without it explains the rest.
+bool is_explained_elsewhere(const SkinProblem& problem, const SkinArray& skin, std::size_t taxel,
+                            const std::vector<double>& squares) {
+  constexpr std::size_t reach = 6;  // taxels
+  constexpr double slack = 2.0;     // of a norm: a search ends early
+  const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
+  double sum = 0.0;
+  double rows = 0.0;
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    const std::size_t other = problem.sites[i].taxel;
+    if (problem.weights[i] == 0.0 || (apart(other / skin.columns, taxel / skin.columns) <= reach &&
+                                      apart(other % skin.columns, taxel % skin.columns) <= reach))
+      continue;
+    sum += squares[i];
+    rows += 1.0;
+  }
+  return rows == 0.0 || sum <= slack * slack * noise_square_limit(rows, false_alarms);
+}
+
 }  // namespace
 
 DataVerdict LargeSkin::judge(std::span<const double> readings, std::span<const double> tractions) {
@@ -99,22 +119,29 @@ DataVerdict LargeSkin::judge(std::span<const double> readings, std::span<const d
                                               of_taxels.begin());
   double taken = 0.0;
   for (const SkinSite& site : problem().sites) taken += site.taxel == worst ? 1.0 : 0.0;
-  const double without =
-      norm(ContactSearch(without_taxels(*system_, {worst}), limits_).left(readings, most));
-  const double chance =
-      noise_square_limit(taken, false_alarms / static_cast<double>(problem().taxels));
-  const double gain = std::pow(norm(left), 2) - without * without;
-  if (without <= std::sqrt(noise_square_limit(std::max(rows - taken, 1.0), false_alarms)) &&
-      gain >= chance) {
-    verdict.taxel = worst;
-    verdict.doubts.push_back(DataDoubt::bad_taxel);
-    return verdict;
+  if (is_explained_elsewhere(problem(), skin_, worst, left)) {
+    const double without =
+        norm(ContactSearch(without_taxels(*system_, {worst}), limits_).left(readings, most));
+    const double chance =
+        noise_square_limit(taken, false_alarms / static_cast<double>(problem().taxels));
+    const double gain = std::pow(norm(left), 2) - without * without;
+    if (without <= std::sqrt(noise_square_limit(std::max(rows - taken, 1.0), false_alarms)) &&
+        gain >= chance) {
+      verdict.taxel = worst;
+      verdict.doubts.push_back(DataDoubt::bad_taxel);
+      return verdict;
+    }
   }
-  std::vector<double> turned(readings.begin(), readings.end());
-  for (double& reading : turned) reading = -reading;
-  const bool pulls =
-      norm(search.left_by(readings, tractions)) <= most || norm(search.left(turned, most)) <= most;
-  verdict.doubts.push_back(pulls ? DataDoubt::pulls : DataDoubt::misfit);
+  const auto pulls = [&] {
+    if (norm(search.left_by(readings, tractions)) <= most) return true;
+    // Contacts c and c' that explain g and -g would press twice and read next to nothing.
+    const double given = norm(search.left_by(readings, std::vector<double>(tractions.size())));
+    if (given > most + 2.0 * norm(left)) return false;
+    std::vector<double> turned(readings.begin(), readings.end());
+    for (double& reading : turned) reading = -reading;
+    return norm(search.left(turned, most)) <= most;
+  };
+  verdict.doubts.push_back(pulls() ? DataDoubt::pulls : DataDoubt::misfit);
   return verdict;
 }
 

@@ -31,10 +31,10 @@ struct Offer {
 
 using Problems = std::vector<std::shared_ptr<const NetworkProblem>>;
 
-Offer offer_of(Realization realization, const SceneCircuit& circuit, const Problems& problems) {
-  Offer offer{.circuit = std::make_shared<const NetworkCircuit>(candidate(realization, circuit))};
+Offer offer_of(const CircuitForm& form, const SceneCircuit& circuit, const Problems& problems) {
+  Offer offer{.circuit = std::make_shared<const NetworkCircuit>(candidate(form, circuit))};
   for (const auto& problem : problems) {
-    const Circuit other = realize(realization, *problem, offer.circuit->options());
+    const Circuit other = realize(form.realization, *problem, offer.circuit->options());
     offer.loads.push_back(Reduction(other).equations().right_side);
   }
   return offer;
@@ -141,11 +141,12 @@ std::vector<double> tolerances(const Offer& offer, const AllocationOptions& want
   return each;
 }
 
-Offer priced(Realization realization, const SceneCircuit& circuit, const Problems& problems,
+Offer priced(const CircuitForm& form, const SceneCircuit& circuit, const Problems& problems,
              const PartsList& parts) {
-  Offer offer = offer_of(realization, circuit, problems);
+  Offer offer = offer_of(form, circuit, problems);
   PartsList::Candidate& result = offer.candidate;
-  result.realization = realization;
+  result.realization = form.realization;
+  result.ladder = form.ladder;
   result.opamps = offer.circuit->flat().amplifiers().size();
   result.stable = is_stable_with_its_opamps(*offer.circuit);
   const LoadedNetwork network(offer.circuit->reduction(), offer.loads);
@@ -184,15 +185,14 @@ std::vector<PartsOfArray> by_array(const Offer& offer, std::size_t classes) {
 }
 
 PartsList list_of(const SceneCircuit& circuit, double target,
-                  const std::vector<Realization>& realizations) {
+                  const std::vector<CircuitForm>& forms) {
   if (!circuit.loaded())
     throw std::invalid_argument("there is no load: nothing for errors of components to change");
   const Problems problems = circuit_loads(circuit);
   PartsList result{.wanted = {.target = target}, .loads = problems.size()};
   result.series = circuit.tolerance().series.value_or(Series::e96);
   std::vector<Offer> offers;
-  for (const Realization one : realizations)
-    offers.push_back(priced(one, circuit, problems, result));
+  for (const CircuitForm& one : forms) offers.push_back(priced(one, circuit, problems, result));
   std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
     return a.candidate.good() != b.candidate.good() ? a.candidate.good()
                                                     : a.candidate.price < b.candidate.price;
@@ -226,7 +226,7 @@ PartsList own_parts_list(const SceneCircuit& circuit, double target) {
     throw std::invalid_argument(
         "a list of parts is of op-amps with complementary outputs: leave out inverters under "
         "[network]");
-  return list_of(circuit, target, {own});
+  return list_of(circuit, target, {form_of(circuit.network())});
 }
 
 }  // namespace tactile_net::lab

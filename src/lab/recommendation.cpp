@@ -13,8 +13,20 @@ constexpr double enough = 0.95;  // of the builds
 /// Enough draws to tell 95 of 100; fewer where a trial of a large network takes its time.
 std::size_t draws(std::size_t nodes) { return nodes <= 60 ? 200 : nodes <= 130 ? 60 : 20; }
 
+/// Whether what is drawn is of parts alone, so that better parts are all it takes.
+bool of_parts_alone(const ToleranceOptions& drawn) {
+  return !drawn.bits && !drawn.cell_noise && !drawn.wire_resistance;
+}
+
+/// Whether a realisation has the arrays that are programmed, or whose lines have resistance.
+bool has_arrays(const CircuitForm& form, const ToleranceOptions& drawn) {
+  const RealizationTraits& one = traits(form.realization);
+  return one.drives_nodes && !(drawn.wire_resistance && (one.passive_residuals || form.ladder));
+}
+
 Recommendation::Candidate tried(const NetworkCircuit& circuit, const ToleranceOptions& options) {
   return {.realization = circuit.realization(),
+          .ladder = form_of(circuit).ladder,
           .opamps = circuit.flat().amplifiers().size(),
           .stable = is_stable_with_its_opamps(circuit),
           .tolerance = tolerate(circuit.reduction(), options)};
@@ -35,7 +47,8 @@ void choose(Recommendation& result) {
   });
   result.outcome = Recommendation::Outcome::none_reaches;
   result.choice = static_cast<std::size_t>(nearest - all.begin());
-  if (result.drawn.relative && std::isfinite(nearest->tolerance.p95))
+  if (result.drawn.relative && of_parts_alone(result.drawn) &&
+      std::isfinite(nearest->tolerance.p95))
     result.parts_needed = *result.drawn.relative * result.drawn.accuracy / nearest->tolerance.p95;
 }
 
@@ -47,8 +60,10 @@ Recommendation recommend(const SceneCircuit& circuit) {
   if (!circuit.loaded()) return result;
   result.drawn.trials = std::min(result.drawn.trials, draws(circuit.nodes()));
   const NetworkCircuit& own = circuit.network();
-  for (const Realization one : candidates(circuit)) {
-    const bool built = one == own.realization() && !result.inverters_replaced;
+  for (const CircuitForm& one : candidates(circuit)) {
+    if (!of_parts_alone(result.drawn) && !has_arrays(one, result.drawn)) continue;
+    const bool built = one.realization == own.realization() && one.ladder == form_of(own).ladder &&
+                       !result.inverters_replaced;
     result.candidates.push_back(built ? tried(own, result.drawn)
                                       : tried(candidate(one, circuit), result.drawn));
   }

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "lab/skin_constraint_bias.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/skin/covariance.hpp"
 
@@ -116,8 +117,7 @@ Pushed pushed_in(const SkinSceneProblem& problem, std::span<const double> tracti
 }
 
 /// How much further apart a force under constraints and the one without them are than noise makes
-/// them [N]. Constraints cut what noise and smoothing leave negative around a contact and keep what
-/// they leave positive, which no curvature at the answer tells.
+/// them [N]: what constraints may have moved it by, where solving again does not tell.
 double moved_by_constraints(const Uncertain& held, const Uncertain& free) {
   const double apart = std::abs(held.value - free.value);
   return apart > free.deviation
@@ -192,6 +192,8 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   const std::unique_ptr<const CellCovariance> free = method.covariance(alpha, prior);
   const CellCovariance& own = *free;
   answer.deviations = own.deviations();
+  if (const auto error = method.band_error(own); error && answer.iteration)
+    answer.iteration->bands = {error->tractions, error->least, error->most};
   for (double& deviation : answer.deviations) deviation *= rms;
 
   const auto covariance_on = [&](const SkinFamily& some) {
@@ -253,13 +255,21 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
                                               : of_contact;
   std::vector<double> contact(f.begin(), f.end());
   const Pushed pushed = face ? pushed_in(problem, f, answer.cells) : Pushed{};
-  for (const std::size_t cell : answer.cells) contact[cell] -= pushed.taken;
+  // A pressure that an offset hides is pushed anew each time, and that is known better.
+  const bool solved_again =
+      face && held && !problem.is_large() && !problem.layout().unknown_offsets;
+  const double bias =
+      solved_again ? constraint_bias(problem, method, f, answer.cells, alpha, rms) : 0.0;
+  for (const std::size_t cell : answer.cells)
+    contact[cell] = (1.0 - bias) * contact[cell] - pushed.taken;
   answer.wrench = resultant_of(grid, contact, answer.cells, known, rms);
   widen_centre(answer.wrench, grid, f, answer.cells, of_contact, rms);
   answer.friction = friction_of(grid, contact, answer.cells, known, rms,
                                 problem.scene().reconstruct.friction_limit);
-  double doubt = std::hypot(pushed.doubt, grid.area() * sum_over(f, found.doubted));
-  if (answer.cone) {
+  // The contact found is smoother than the true one, and so is what it loses the second time.
+  double doubt = std::hypot(pushed.doubt, bias * answer.wrench.normal.value,
+                            grid.area() * sum_over(f, found.doubted));
+  if (answer.cone && !solved_again) {
     const std::vector<double> free_tractions = method.solve(frame, readings, alpha);
     const UncertainWrench free_wrench =
         resultant_of(grid, free_tractions, answer.cells, of_contact, rms);

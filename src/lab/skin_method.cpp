@@ -87,6 +87,9 @@ class LargeMethod final : public SkinMethod {
                                                    double prior_alpha) const override {
     return large_.covariance(alpha, prior_alpha);
   }
+  std::optional<BandError> band_error(const Covariance& covariance) const override {
+    return static_cast<const LargeSkinCovariance&>(covariance).error();
+  }
   double residual(std::span<const double> readings,
                   std::span<const double> tractions) const override {
     return large_.residual(readings, tractions);

@@ -12,6 +12,7 @@
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
 #include "tactile_net/skin/cell_window.hpp"
+#include "tactile_net/skin/large/covariance.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
 
 namespace tactile_net::lab {
@@ -37,6 +38,8 @@ class SkinMethod {
                                                         double alpha) const = 0;
   [[nodiscard]] virtual std::unique_ptr<const CellCovariance> covariance(
       double alpha, double prior_alpha) const = 0;
+  /// Of a covariance that this method gave; absent: it is exact.
+  [[nodiscard]] virtual std::optional<BandError> band_error(const Covariance&) const { return {}; }
   /// |P W (K f - g)|
   [[nodiscard]] virtual double residual(std::span<const double> readings,
                                         std::span<const double> tractions) const = 0;

@@ -245,9 +245,12 @@ SkinSceneProblem SkinSceneProblem::without(std::span<const std::size_t> taxels) 
       [&](std::size_t taxel) { return std::find(dead.begin(), dead.end(), taxel) != dead.end(); });
   scene.dead_taxels = dead;
   SkinSceneProblem rest(std::move(scene), parts_->most_dense);
-  if (is_large() || !more_are_dead ||
-      !is_measured(rest.scene().sensor, dead, rest.scene().reconstruct.offset))
+  if (!more_are_dead || !is_measured(rest.scene().sensor, dead, rest.scene().reconstruct.offset))
     return rest;
+  if (is_large()) {
+    rest.parts_->large = std::make_unique<LargeSkin>(large(), dead);
+    return rest;
+  }
   // Kernels take longest, of layers above all.
   rest.parts_->problem = problem();
   leave_out(*rest.parts_->problem, dead);

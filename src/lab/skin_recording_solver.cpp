@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "lab/pattern_cache.hpp"
 #include "tactile_net/inverse/shared_alpha.hpp"
-#include "tactile_net/scene/skin_size.hpp"
 
 namespace tactile_net::lab {
 struct SkinRecordingSolver::Parts {
@@ -22,12 +20,6 @@ struct SkinRecordingSolver::Parts {
       throw std::invalid_argument(
           "frames share an alpha of one functional, and here each has a tangential_weight of its "
           "own: state it");
-    if (options.share_alpha && problem.is_large())
-      throw std::invalid_argument(
-          "frames share an alpha of one decomposition, which a skin with more than " +
-          std::to_string(most_skin_tractions) +
-          " unknown tractions does not have: give reconstruct.alpha, or let each frame choose its "
-          "own");
     if (options.share_alpha == std::size_t{0})
       throw std::invalid_argument("an alpha is shared by at least one frame");
   }

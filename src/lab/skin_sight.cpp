@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -31,6 +32,25 @@ double mean_spacing(std::span<const SkinSite> sites) {
     sum += *at / static_cast<double>(places.size());
   }
   return sum;
+}
+
+/// Whether taxels stand all around a place, near enough for each to read what presses there: what
+/// is loaded between them cannot be much more, or elsewhere, without their seeing it.
+bool is_surrounded(double y, double z, const SkinProblem& problem) {
+  constexpr double near = 1.5;                                 // of a taxel's own depth
+  constexpr double widest = 150.0 / 180.0 * std::numbers::pi;  // between neighbours' directions
+  std::vector<double> directions;
+  for (std::size_t i = 0; i < problem.sites.size(); ++i) {
+    const SkinSite& site = problem.sites[i];
+    if (problem.weights[i] != 0.0 && std::hypot(site.y - y, site.z - z) <= near * site.depth)
+      directions.push_back(std::atan2(site.z - z, site.y - y));
+  }
+  if (directions.size() < 3) return false;
+  std::sort(directions.begin(), directions.end());
+  double gap = directions.front() + 2.0 * std::numbers::pi - directions.back();
+  for (std::size_t i = 1; i < directions.size(); ++i)
+    gap = std::max(gap, directions[i] - directions[i - 1]);
+  return gap <= widest;
 }
 
 }  // namespace
@@ -64,6 +84,10 @@ std::vector<bool> unseen_cells(const SkinSceneProblem& problem) {
         if (std::hypot(site.y - grid.y(m), site.z - grid.z(n)) <= reach)
           unseen[m * grid.columns + n] = false;
   }
+  for (std::size_t cell = 0; cell < unseen.size(); ++cell)
+    if (unseen[cell] &&
+        is_surrounded(grid.y(cell / grid.columns), grid.z(cell % grid.columns), solved))
+      unseen[cell] = false;
   return unseen;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "network/lag_bound.hpp"
+#include "network/output_current.hpp"
 #include "network/scale_proposal.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
@@ -43,12 +44,14 @@ bool is_met(TheoremCondition condition, const NetworkCircuit& circuit, bool defi
     case TheoremCondition::second_pole_beyond_bandwidth:
       return !o.second_pole || !o.input_capacitance || *o.second_pole >= ratio * *o.bandwidth;
     case TheoremCondition::lag_within_bound:
-      if (!o.input_capacitance && !o.second_pole) return true;
+      if (!o.input_capacitance && !o.second_pole &&
+          !(options.node_capacitance && has_ladder(circuit.realization(), options)))
+        return true;
       if (!o.bandwidth) return false;
       unmet.lag = lag_bound(circuit);
       return unmet.lag.number < 1.0;
     case TheoremCondition::one_lag:
-      return !o.second_pole || !options.node_capacitance;
+      return !options.node_capacitance || (!o.second_pole && !o.input_capacitance);
     case TheoremCondition::complementary_outputs:
       return !options.inverters;
     case TheoremCondition::main_at_most_half_of_inverters:
@@ -68,7 +71,9 @@ bool is_met(TheoremCondition condition, const NetworkCircuit& circuit, bool defi
 
 const StabilityTheorem& theorem_on_stability(const NetworkCircuit& circuit) {
   const RealizationTraits& one = traits(circuit.realization());
-  return one.drives_nodes && circuit.options().inverters ? one.theorem_with_inverters : one.theorem;
+  const RealizationOptions& options = circuit.options();
+  if (one.drives_nodes && options.inverters) return one.theorem_with_inverters;
+  return has_ladder(one.realization, options) ? one.theorem_with_ladder : one.theorem;
 }
 
 Theorem judged(const StabilityTheorem& said, const NetworkCircuit& circuit, bool definite) {
@@ -150,22 +155,25 @@ Dynamics dynamics_of(const NetworkCircuit& circuit, double accuracy) {
 }
 
 /// Where an output has neither capacitance nor a pole its white noise has no size: no number then.
-std::optional<CircuitNoise> noise_of(const NetworkCircuit& circuit) {
+void add_noise(Certificate& c, const NetworkCircuit& circuit) {
   const OpAmp& opamp = circuit.options().opamp;
-  if (!opamp.noise_voltage && !opamp.noise_current) return std::nullopt;
+  if (!opamp.noise_voltage && !opamp.noise_current) return;
   OutputNoise noise;
   try {
     noise = output_noise(circuit.flat());
   } catch (const std::domain_error&) {
-    return std::nullopt;
+    c.remarks.push_back({.kind = CircuitRemark::Kind::noise_without_capacitance});
+    return;
   }
   const std::vector<double> answer = steady_state(circuit.state_space());
   const Eigen::VectorXd thermal = as_eigen(noise.thermal).diagonal();
-  const Eigen::VectorXd all = thermal + as_eigen(noise.amplifiers).diagonal();
-  return CircuitNoise{.largest = std::sqrt(all.maxCoeff()),
-                      .total = std::sqrt(all.sum()),
-                      .relative = std::sqrt(all.sum()) / as_eigen(std::span(answer)).norm(),
-                      .thermal = thermal.sum() / all.sum()};
+  const Eigen::VectorXd flicker = as_eigen(noise.flicker).diagonal();
+  const Eigen::VectorXd all = thermal + as_eigen(noise.amplifiers).diagonal() + flicker;
+  c.noise = CircuitNoise{.largest = std::sqrt(all.maxCoeff()),
+                         .total = std::sqrt(all.sum()),
+                         .relative = std::sqrt(all.sum()) / as_eigen(std::span(answer)).norm(),
+                         .thermal = thermal.sum() / all.sum(),
+                         .flicker = flicker.sum() / all.sum()};
 }
 
 /// Measured, no theorem: W C/D up to which the same capacitance at floating inputs and at passive
@@ -187,10 +195,11 @@ void add_opamp_remarks(Certificate& c, const NetworkCircuit& circuit, const Equa
                          .value = c.largest_voltage,
                          .limit = reach,
                          .repair = 0.8 * reach / c.largest_voltage * options.scale.volts});
-  if (options.node_capacitance && realization.drives_nodes && !realization.passive_residuals)
+  if (options.node_capacitance && realization.drives_nodes && !realization.passive_residuals &&
+      !c.ladder)
     c.remarks.push_back({.kind = Kind::capacitance_at_outputs});
   if (c.theorem.unmet && c.theorem.unmet->lag.number > 0.0)
-    c.remarks.push_back({.kind = Kind::summing_lag,
+    c.remarks.push_back({.kind = c.theorem.unmet->lag.of_nodes ? Kind::node_lag : Kind::summing_lag,
                          .value = c.theorem.unmet->lag.number,
                          .limit = c.theorem.unmet->lag.bandwidth_ratio,
                          .repair = c.theorem.unmet->lag.siemens});
@@ -244,7 +253,8 @@ void add_equations(Certificate& c, const NetworkCircuit& circuit) {
   const Reduction::Load load = reduction.load({z.data(), static_cast<std::size_t>(z.size())});
   c.largest_voltage = load.largest_voltage;
   c.power = load.power;
-  if (c.theorem.holds()) c.tolerance_margin = margin_of(reduction, equations);
+  // Errors of a ladder move the metric in which its energy falls: no margin is proven.
+  if (c.theorem.holds() && !c.ladder) c.tolerance_margin = margin_of(reduction, equations);
   const bool one_pole = !options.opamp.second_pole && !options.opamp.input_capacitance;
   const bool exact = c.tolerance_margin && (!has_amplifiers(c.realization) ||
                                             (one_pole && !circuit.flat().had_subcircuits()));
@@ -282,6 +292,23 @@ void add_errors(Certificate& c, const NetworkCircuit& circuit) {
   c.errors = static_errors(circuit.flat());
 }
 
+/// What its outputs carry of a load, where the op-amps' limit is given.
+void add_output_current(Certificate& c, const NetworkCircuit& circuit) {
+  const RealizationOptions& options = circuit.options();
+  const std::vector<double>& b = circuit.problem().right_side;
+  if (!options.opamp.output_current || !has_amplifiers(c.realization) ||
+      std::all_of(b.begin(), b.end(), [](double value) { return value == 0.0; }))
+    return;
+  c.output_current = output_current(circuit.flat());
+  const double limit = *options.opamp.output_current;
+  if (c.output_current->largest > limit)
+    c.remarks.push_back({.kind = CircuitRemark::Kind::output_current,
+                         .value = c.output_current->largest,
+                         .limit = limit,
+                         .repair = options.scale.volts * limit / c.output_current->largest,
+                         .part = c.output_current->opamp});
+}
+
 /// From the poles where there are any, otherwise from the theorem.
 void add_stability(Certificate& c, const NetworkCircuit& circuit, bool definite) {
   const std::size_t states =
@@ -289,7 +316,7 @@ void add_stability(Certificate& c, const NetworkCircuit& circuit, bool definite)
   if (states > 0 && states <= most_states) {
     c.dynamics = dynamics_of(circuit, c.accuracy);
     c.stability = c.dynamics->slowest < 0.0 ? Stability::stable : Stability::unstable;
-    if (c.dynamics->slowest < 0.0) c.noise = noise_of(circuit);
+    if (c.dynamics->slowest < 0.0) add_noise(c, circuit);
     add_slewing_remarks(c, circuit);
   } else {
     if (states > 0) c.remarks.push_back({.kind = CircuitRemark::Kind::too_many_states});
@@ -313,6 +340,7 @@ Certificate certify(const NetworkCircuit& circuit, double accuracy) {
     throw std::invalid_argument("the accuracy must be > 0 and < 1");
   const RealizationTraits& realization = traits(circuit.realization());
   Certificate c{.realization = circuit.realization(), .accuracy = accuracy};
+  c.ladder = has_ladder(c.realization, circuit.options());
   const EigenvalueRange& eigenvalues = circuit.eigenvalues();
   c.smallest_eigenvalue = eigenvalues.smallest;
   // Below the rounding of P's entries either sign means nothing.
@@ -339,6 +367,7 @@ Certificate certify(const NetworkCircuit& circuit, double accuracy) {
   }
   if (realization.linear()) add_equations(c, circuit);
   add_errors(c, circuit);
+  add_output_current(c, circuit);
   add_stability(c, circuit, definite);
   c.proposal = scale_proposal(c, circuit);
   return c;

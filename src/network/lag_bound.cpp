@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "network/amplifier_equations.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 
@@ -15,17 +16,45 @@ double radians(double hertz) { return 2.0 * std::numbers::pi * hertz; }
 
 /// What the bound asks of the conductances alone.
 struct Loop {
-  double theta = 0.0;        ///< |D_e^-1/2 K D_f^-1/2|_2
+  double theta = 0.0;        ///< |D_e^-1/2 K A^1/2 D_f^-1/2|_2, A = 1 without a ladder
   double gamma = 0.0;        ///< least feedback of a residual row over its total
   double least_total = 0.0;  ///< [S]
+  double node_delay = 0.0;   ///< of a ladder's nodes, over their capacitance [ohm]
 };
+
+/// The nodes of a ladder feel the residuals' inputs: D_e is a matrix, between the feedbacks alone
+/// and the rows' totals. K A^1/2 (K A^1/2)' is the loop's gain from e to y and back.
+Loop loop_with_ladder(const AmplifierEquations& own, Eigen::Index n) {
+  const Eigen::Index rest = own.stiffness.rows() - n;
+  const Eigen::VectorXd main = own.inertia.diagonal().head(n);
+  const Eigen::MatrixXd residual = own.inertia.bottomRightCorner(rest, rest);
+  const Lu totals(residual);
+  const Eigen::VectorXd units = own.stiffness.diagonal().tail(rest).cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd around = own.stiffness.bottomLeftCorner(rest, n) *
+                                 main.cwiseInverse().asDiagonal() *
+                                 -own.stiffness.topRightCorner(n, rest);
+  const Eigen::VectorXd over_feedback =
+      symmetric_eigenvalues(units.asDiagonal() * residual * units.asDiagonal());
+  // Capacitance c at the nodes: f = (G + p c)^-1 ..., and D_e grows by p c into_rows G^-2
+  // from_inputs.
+  const Eigen::MatrixXd nodes = Lu(own.followers).inverse();
+  const Eigen::MatrixXd delayed =
+      own.into_rows.bottomRows(rest) * nodes * nodes * own.from_inputs.rightCols(rest);
+  return {.theta = std::sqrt(eigenvalues(totals.solve(around)).real().maxCoeff()),
+          .gamma = 1.0 / over_feedback(rest - 1),
+          .least_total = std::min(main.minCoeff(), symmetric_eigenvalues(residual)(0)),
+          .node_delay = std::max(1.0 / symmetric_eigenvalues(own.followers)(0),
+                                 eigenvalues(totals.solve(delayed)).real().maxCoeff())};
+}
 
 Loop loop_of(const NetworkCircuit& circuit) {
   const Reduction& reduction = circuit.reduction();
   const Equations equations = reduction.equations();
+  const auto n = static_cast<Eigen::Index>(reduction.outputs());
+  if (has_ladder(circuit.realization(), circuit.options()))
+    return loop_with_ladder(amplifier_equations(reduction, equations), n);
   const Eigen::MatrixXd s = as_eigen(equations.matrix);
   const Eigen::VectorXd total = as_eigen(std::span(equations.total));
-  const auto n = static_cast<Eigen::Index>(reduction.outputs());
   const Eigen::Index rest = s.rows() - n;
   const Eigen::VectorXd units = total.cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd coupling =
@@ -44,9 +73,29 @@ double most_lag(double a) {
 
 }  // namespace
 
+namespace {
+
+/// Capacitance at a ladder's nodes, and no other lag.
+LagBound bound_of_nodes(const NetworkCircuit& circuit) {
+  const RealizationOptions& options = circuit.options();
+  const double ratio = options.main_bandwidth(circuit.realization());
+  const double main = ratio * radians(*options.opamp.bandwidth);
+  const Loop loop = loop_of(circuit);
+  LagBound bound{.of_nodes = true};
+  bound.number = 4.0 * loop.theta * loop.theta * main * *options.node_capacitance *
+                 loop.node_delay / loop.gamma;
+  bound.siemens = options.scale.siemens * bound.number;
+  bound.bandwidth_ratio = ratio / bound.number;
+  return bound;
+}
+
+}  // namespace
+
 LagBound lag_bound(const NetworkCircuit& circuit) {
   const RealizationOptions& options = circuit.options();
   const OpAmp& o = options.opamp;
+  if (has_ladder(circuit.realization(), options) && options.node_capacitance)
+    return bound_of_nodes(circuit);
   const double ratio = options.main_bandwidth(circuit.realization());
   const double main = ratio * radians(*o.bandwidth);
   const double fastest = std::max(1.0, ratio) * radians(*o.bandwidth);

@@ -1,6 +1,6 @@
 /// @file
-/// How much lag the loop of `least_squares` bears: theorem T6 with input capacitance and second
-/// poles (docs/circuits.md). Private.
+/// How much lag the loop of `least_squares` bears: theorem T6 and T6L with input capacitance and
+/// second poles, T6L with capacitance at the ladder's nodes alone (docs/circuits.md). Private.
 #pragma once
 
 #include "tactile_net/network/certificate.hpp"

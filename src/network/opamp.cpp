@@ -24,6 +24,9 @@ std::string farad(double hertz) {
 
 constexpr double four_k_t = 4.0 * 1.380649e-23 * 300.15;  // at a simulator's 27 degrees
 
+/// Of a diode, at that temperature [V].
+constexpr double thermal_voltage = 1.380649e-23 * 300.15 / 1.602176634e-19;
+
 /// Whose thermal noise is `volts` per square root of Hz: 4 k T R.
 double noise_resistor(double volts) { return volts * volts / four_k_t; }
 
@@ -93,10 +96,12 @@ void check(const OpAmp& opamp) {
   check(opamp.rail, "rail");
   check(opamp.input_capacitance, "input capacitance");
   check(opamp.noise_voltage, "noise voltage");
+  check(opamp.noise_corner, "noise corner");
   check(opamp.noise_current, "noise current");
   check(opamp.common_mode_rejection, "common-mode rejection");
   check(opamp.slew, "slew");
   check(opamp.output_resistance, "output resistance");
+  check(opamp.output_current, "output current");
   if (opamp.bias_current && !std::isfinite(*opamp.bias_current))
     throw std::invalid_argument("an op-amp's bias current must be finite");
   if (opamp.offset && !std::isfinite(*opamp.offset))
@@ -104,6 +109,9 @@ void check(const OpAmp& opamp) {
   if ((opamp.noise_voltage || opamp.noise_current) && !opamp.bandwidth)
     throw std::invalid_argument(
         "an op-amp's noise needs its bandwidth: white noise of any frequency has no size");
+  if (opamp.noise_corner && !opamp.noise_voltage)
+    throw std::invalid_argument(
+        "an op-amp's noise corner needs its noise voltage, the white noise that 1/f exceeds");
   if (opamp.slew && !opamp.bandwidth)
     throw std::invalid_argument("an op-amp's slew needs its bandwidth: it bends what that makes");
   if (opamp.second_pole && !opamp.bandwidth)
@@ -129,6 +137,16 @@ std::string input_text(const OpAmp& o, std::string& input) {
   if (o.noise_voltage) {  // a resistor's own noise is the source
     text += "Rn w 0 " + shortest(noise_resistor(*o.noise_voltage)) + "\nEn z " + input + " w 0 1\n";
     input = "z";
+  }
+  if (o.noise_corner) {
+    // A diode at 1 A: its noise current kf I / f through Vt / I. Another without takes away the
+    // voltage at rest; the shot noise of both is 2e-11 V per root of Hz.
+    const double volts = *o.noise_voltage / thermal_voltage;
+    text +=
+        "If 0 f 1\nDf f 0 flicker\nIg 0 g 1\nDg g 0 quiet\nEf v " + input +
+        " f g 1\n.model flicker d(is=1e-14 af=1 kf=" + shortest(volts * volts * *o.noise_corner) +
+        ")\n.model quiet d(is=1e-14)\n";
+    input = "v";
   }
   for (const char* pin : {"p", "n"}) {
     if (o.bias_current)

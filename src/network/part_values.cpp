@@ -30,6 +30,7 @@ PartValue nearest_part(Series series, double ohm) { return {.first = nearest_in(
 PartValue nearest_pair(Series series, double ohm) {
   PartValue best = nearest_part(series, ohm);
   const auto consider = [&](const PartValue& one) {
+    if (is_common(ohm) && !(is_common(one.first) && is_common(one.second))) return;
     if (off_by(one, ohm) < off_by(best, ohm)) best = one;
   };
   // The first is the larger share, at least half: the second makes up for what is left of it. Half

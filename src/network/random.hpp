@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace tactile_net {
 
@@ -20,6 +21,15 @@ namespace tactile_net {
                                     std::uint64_t place) noexcept {
   const std::uint64_t bits = mixed(mixed(mixed(seed) ^ trial) ^ place);
   return std::ldexp(static_cast<double>(bits >> 11), -52) - 1.0;
+}
+
+/// Of mean 0 and variance 1 (Box and Muller 1958), independent of `uniform` of the same place.
+[[nodiscard]] inline double normal(std::uint64_t seed, std::uint64_t trial,
+                                   std::uint64_t place) noexcept {
+  const std::uint64_t other = mixed(~seed);
+  // 0.5 - 0.5 u of u < 1 lies within (0, 1].
+  const double radius = std::sqrt(-2.0 * std::log(0.5 - 0.5 * uniform(other, trial, 2 * place)));
+  return radius * std::cos(std::numbers::pi * uniform(other, trial, 2 * place + 1));
 }
 
 }  // namespace tactile_net

@@ -78,29 +78,37 @@ void Reduction::number_rows(const Circuit& circuit, const Roles& roles) {
   rows_ = unknowns.size();
 
   amplifier_rows_.assign(rows_, false);
+  bool follows = false;  // a node that nothing drives feels the amplifiers' inputs
   for (std::size_t row = 0; row < rows_; ++row) {
     fixed_[unknowns[row]] = {row, none, 1.0, 0.0};
-    if (!roles.driven[unknowns[row]]) laws_[unknowns[row]] = {Law{row, 1.0}};
+    if (roles.driven[unknowns[row]]) continue;
+    laws_[unknowns[row]] = {Law{row, 1.0}};
+    follows = !roles.amplifiers.empty();
   }
+  std::vector<std::size_t> column_of(rows_);  // in `Equations::input`
+  for (const Roles::Amplifier& one : roles.amplifiers) amplifier_rows_[fixed_[one.out].i] = true;
+  for (std::size_t row = 1; row < rows_; ++row)
+    column_of[row] = column_of[row - 1] + (amplifier_rows_[row - 1] ? 1U : 0U);
+  if (follows) input_.resize(fixed_.size());
   for (const Roles::Amplifier& one : roles.amplifiers) {
     const std::size_t row = fixed_[one.out].i;
-    amplifier_rows_[row] = true;
+    const std::size_t column = column_of[row];
     if (one.inverse != 0) {
       fixed_[one.inverse] = {row, none, -1.0, 0.0};
       inverses_.push_back(one.inverse);
     }
     if (one.plus == 0) {
       laws_[one.minus] = {Law{row, -1.0}};
+      if (follows) input_[one.minus] = {column, none, -1.0, 0.0};
       continue;
     }
-    floating_ = true;
     const std::size_t common = fixed_[one.plus].i;
     fixed_[one.minus] = fixed_[one.plus];
     laws_[one.minus] = {Law{row, -0.5}, Law{common, 1.0}};
     laws_[one.plus] = {Law{row, 0.5}, Law{common, 1.0}};
     input_.resize(fixed_.size());
-    input_[one.plus] = {row, none, 0.5, 0.0};
-    input_[one.minus] = {row, none, -0.5, 0.0};
+    input_[one.plus] = {column, none, 0.5, 0.0};
+    input_[one.minus] = {column, none, -0.5, 0.0};
   }
 }
 
@@ -173,7 +181,10 @@ void Reduction::assemble(std::span<const double> siemens, Equations& equations,
     matrix.values.assign(rows_ * columns, 0.0);
   };
   clear(equations.matrix, rows_);
-  if (floating_) clear(equations.input, outputs_);
+  const bool by_input = !input_.empty();
+  if (by_input)
+    clear(equations.input, static_cast<std::size_t>(
+                               std::count(amplifier_rows_.begin(), amplifier_rows_.end(), true)));
   equations.total.assign(rows_, 0.0);
   equations.right_side = sources_;
 
@@ -189,7 +200,7 @@ void Reduction::assemble(std::span<const double> siemens, Equations& equations,
       equations.total[law.row] += g;
       add(equations.matrix, law.row, all[here], law.factor * g);
       add(equations.matrix, law.row, all[there], -law.factor * g);
-      if (!floating_) return;
+      if (!by_input) return;
       add(equations.input, law.row, input_[here], law.factor * g);
       add(equations.input, law.row, input_[there], -law.factor * g);
     });
@@ -229,6 +240,18 @@ Matrix Reduction::sensitivity_bound() const {
     });
   }
   return bound;
+}
+
+Reduction::Feed Reduction::feed(std::size_t resistor) const {
+  // The circuit's own resistors come first, a part each.
+  if (resistor >= parts_.size() || part_resistor_[resistor] != resistor) return Feed::none;
+  const Part& part = parts_[resistor];
+  const Law& law = laws_[part.to].front();
+  const bool summing = law.row != none && is_amplifier(law.row) && fixed_[part.to].i == none;
+  if (!summing) return Feed::none;
+  const Voltage& source = fixed_[part.from];
+  if (source.i == none || !is_amplifier(source.i)) return Feed::other;
+  return source.a > 0.0 ? Feed::output : Feed::inverse;
 }
 
 Matrix Reduction::sensitivities(std::span<const double> unknowns) const {

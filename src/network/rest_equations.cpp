@@ -104,7 +104,7 @@ RestEquations::RestEquations(const FlatCircuit& circuit) {
 RestEquations::RestEquations(RestEquations&&) noexcept = default;
 RestEquations::~RestEquations() = default;
 
-Eigen::VectorXd RestEquations::outputs() const {
+Eigen::VectorXd RestEquations::voltages() const {
   const Parts& parts = *parts_;
   const Circuit& flat = parts.circuit.circuit();
   Eigen::VectorXd right = Eigen::VectorXd::Zero(parts.unknowns);
@@ -117,10 +117,17 @@ Eigen::VectorXd RestEquations::outputs() const {
       for (const Node input : {x.plus, x.minus})
         parts.add_current(right, input, -*opamp.bias_current);
   }
-  const Eigen::VectorXd v = parts.lu.solve(right);
-  Eigen::VectorXd outputs(index(flat.outputs.size()));
-  for (std::size_t i = 0; i < flat.outputs.size(); ++i)
-    outputs(index(i)) = v(index(flat.outputs[i]) - 1);
+  const Eigen::VectorXd unknowns = parts.lu.solve(right);
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(index(flat.nodes.size()));
+  v.tail(v.size() - 1) = unknowns.head(v.size() - 1);
+  return v;
+}
+
+Eigen::VectorXd RestEquations::outputs() const {
+  const std::vector<Node>& nodes = parts_->circuit.circuit().outputs;
+  const Eigen::VectorXd v = voltages();
+  Eigen::VectorXd outputs(index(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) outputs(index(i)) = v(index(nodes[i]));
   return outputs;
 }
 

@@ -23,6 +23,9 @@ class RestEquations {
   /// The outputs' voltages, with what drives the circuit and its amplifiers' own errors.
   [[nodiscard]] Eigen::VectorXd outputs() const;
 
+  /// The same of every node, ground's 0 V first.
+  [[nodiscard]] Eigen::VectorXd voltages() const;
+
   /// d(outputs) / d(each amplifier's input voltage), a column an amplifier.
   [[nodiscard]] Eigen::MatrixXd by_offset() const;
   /// The same by a current that every amplifier's inputs take in, one each.

@@ -38,8 +38,6 @@ std::optional<ScaleProposal> scale_proposal(const Certificate& c, const NetworkC
       proposal.volts_by = ScaleProposal::Bound::slew;
     }
   }
-  proposal.volts = most * scale.volts;
-
   // Resistors' noise power falls as 1/siemens, the op-amps' noise voltage's does not.
   double factor = 1.0;
   if (noisy && c.noise->thermal > 0.0 && c.noise->thermal < 1.0)
@@ -48,6 +46,14 @@ std::optional<ScaleProposal> scale_proposal(const Certificate& c, const NetworkC
   proposal.least_ohm = factor > by_load;
   factor = std::min(factor, by_load);
   proposal.siemens = factor * scale.siemens;
+  if (o.output_current && c.output_current) {
+    const double by_current = *o.output_current / (c.output_current->largest * factor);
+    if (by_current < most) {
+      most = by_current;
+      proposal.volts_by = ScaleProposal::Bound::current;
+    }
+  }
+  proposal.volts = most * scale.volts;
   if (noisy)
     proposal.noise =
         c.noise->relative * std::sqrt(c.noise->thermal / factor + 1.0 - c.noise->thermal) / most;

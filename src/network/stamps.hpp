@@ -116,9 +116,10 @@ class Stamps {
     });
   }
 
-  /// What noise drives the states with, as intensities of white noise [two-sided].
+  /// What noise drives the states with, as intensities of white noise [two-sided]; of 1/f noise
+  /// that at 1 Hz.
   struct Intensity {
-    Eigen::MatrixXd thermal, amplifiers;
+    Eigen::MatrixXd thermal, amplifiers, flicker;
   };
 
   /// @pre `system` was called
@@ -147,10 +148,13 @@ class Stamps {
     const Eigen::MatrixXd into = by_current();
     Eigen::VectorXd of_inputs = Eigen::VectorXd::Zero(currents.rows());
     Eigen::VectorXd voltages = Eigen::VectorXd::Zero(index(states_));
+    Eigen::VectorXd flicker = Eigen::VectorXd::Zero(index(states_));
     for (const Amplifier& one : amplifiers_) {
       if (one.opamp.noise_voltage)
         voltages(index(one.state)) =
             0.5 * std::pow(radians(*one.opamp.bandwidth) * *one.opamp.noise_voltage, 2);
+      if (one.opamp.noise_corner)
+        flicker(index(one.state)) = *one.opamp.noise_corner * voltages(index(one.state));
       if (one.opamp.noise_current)
         for (const Node input : {one.plus, one.minus})
           if (const Eigen::Index at = place(input); at >= 0)
@@ -158,7 +162,7 @@ class Stamps {
     }
     Eigen::MatrixXd amplifiers = voltages.asDiagonal();
     if (!of_inputs.isZero(0.0)) amplifiers += into * of_inputs.asDiagonal() * into.transpose();
-    return {into * currents * into.transpose(), amplifiers};
+    return {into * currents * into.transpose(), amplifiers, flicker.asDiagonal()};
   }
 
   [[nodiscard]] StateSpace system() {

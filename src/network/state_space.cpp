@@ -1,6 +1,7 @@
 #include "tactile_net/network/state_space.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "network/stamps.hpp"
@@ -41,9 +42,11 @@ Stamps stamps_of(const FlatCircuit& circuit) {
 
 StateSpace state_space(const FlatCircuit& circuit) { return stamps_of(circuit).system(); }
 
-OutputNoise output_noise(const FlatCircuit& circuit, double kelvin) {
+OutputNoise output_noise(const FlatCircuit& circuit, double kelvin, double lowest_hertz) {
   if (!(kelvin >= 0.0) || !std::isfinite(kelvin))
     throw std::invalid_argument("a temperature must be >= 0 and finite");
+  if (!(lowest_hertz > 0.0) || !std::isfinite(lowest_hertz))
+    throw std::invalid_argument("the frequency that 1/f noise begins at must be > 0 and finite");
   Stamps stamps = stamps_of(circuit);
   const StateSpace system = stamps.system();
   const Eigen::MatrixXd a = as_eigen(system.dynamics);
@@ -54,10 +57,15 @@ OutputNoise output_noise(const FlatCircuit& circuit, double kelvin) {
   if (!(equation.largest_real_part() < 0.0))
     throw std::domain_error("an unstable circuit's noise grows without end");
   const Stamps::Intensity noise = stamps.noise(circuit.circuit().resistors, kelvin);
-  const auto at_outputs = [&](const Eigen::MatrixXd& intensity) {
-    return from_eigen(c * equation.solve(intensity) * c.transpose());
+  const auto at_outputs = [&](const Eigen::MatrixXd& covariance) {
+    return from_eigen(c * covariance * c.transpose());
   };
-  return {at_outputs(noise.thermal), at_outputs(noise.amplifiers)};
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(a.rows(), a.cols());
+  return {at_outputs(equation.solve(noise.thermal)), at_outputs(equation.solve(noise.amplifiers)),
+          at_outputs(
+              noise.flicker.isZero(0.0)
+                  ? none
+                  : equation.solve_flicker(noise.flicker, 2.0 * std::numbers::pi * lowest_hertz))};
 }
 
 }  // namespace tactile_net

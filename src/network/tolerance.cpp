@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "network/draw_stability.hpp"
+#include "network/programmed_arrays.hpp"
 #include "network/random.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
@@ -29,7 +30,8 @@ double preferred(int place, int series) {
 
 /// Whether anything is random.
 bool draws(const ToleranceOptions& options) {
-  return options.relative || options.stabiliser || options.balance || !options.each.empty();
+  return options.relative || options.stabiliser || options.balance || !options.each.empty() ||
+         options.cell_noise;
 }
 
 void check(const ToleranceOptions& options, std::size_t resistors) {
@@ -40,8 +42,10 @@ void check(const ToleranceOptions& options, std::size_t resistors) {
   for (const auto& one : {options.relative, options.stabiliser, options.balance})
     if (one && !(*one > 0.0 && *one < 1.0))
       throw std::invalid_argument("a tolerance must be > 0 and < 1");
-  if (!draws(options) && !options.series)
-    throw std::invalid_argument("a tolerance needs relative errors or a series");
+  if (!draws(options) && !options.series && !is_of_arrays(options))
+    throw std::invalid_argument(
+        "a tolerance needs relative errors, a series, bits, cell_noise or a wire_resistance");
+  check_arrays(options);
   if (!(options.accuracy > 0.0)) throw std::invalid_argument("the accuracy must be > 0");
   if (options.trials == 0) throw std::invalid_argument("a tolerance needs at least one trial");
 }
@@ -65,8 +69,19 @@ double quantile(const std::vector<double>& ascending, double q) {
   return ascending[static_cast<std::size_t>(q * static_cast<double>(ascending.size() - 1) + 0.5)];
 }
 
-/// The squares of the answer's relative changes by each row of what `errors` says of the equations.
-Eigen::VectorXd relative_squares(const Reduction& reduction, const auto& errors) {
+/// What first order needs of the nominal network.
+struct FirstOrder {
+  std::vector<double> unknowns{};
+  Eigen::MatrixXd gram{};  // |dv|^2 = u' gram u of currents u
+  double size = 0.0;       // |v|^2
+
+  /// The squares of the answer's relative changes, of a row of currents each.
+  [[nodiscard]] Eigen::VectorXd squares(const Eigen::MatrixXd& u) const {
+    return (u * gram).cwiseProduct(u).rowwise().sum() / size;
+  }
+};
+
+FirstOrder first_order(const Reduction& reduction) {
   const Equations nominal = reduction.equations();
   const Lu lu(as_eigen(nominal.matrix));
   const Eigen::VectorXd right = as_eigen(std::span(nominal.right_side));
@@ -75,54 +90,24 @@ Eigen::VectorXd relative_squares(const Reduction& reduction, const auto& errors)
   const double size = z.head(n).squaredNorm();
   if (!z.allFinite() || !(size > 0.0))
     throw std::domain_error("without an answer there is nothing to err from");
-  // Rows of the inverse that lead to the outputs: |dv|^2 = u' (rows' rows) u.
+  // Rows of the inverse that lead to the outputs.
   const Eigen::MatrixXd rows = lu.inverse().topRows(n);
-  const Eigen::MatrixXd gram = rows.transpose() * rows;
-  const Matrix by_errors = errors(std::span(z.data(), static_cast<std::size_t>(z.size())));
-  const auto u = as_eigen(by_errors);
-  return (u * gram).cwiseProduct(u).rowwise().sum() / size;
+  return {.unknowns = {z.begin(), z.end()}, .gram = rows.transpose() * rows, .size = size};
 }
 
 /// The mean square that balances of 1 would make to first order.
-double of_balance(const Reduction& reduction) {
+double of_balance(const Reduction& reduction, const FirstOrder& order) {
   if (reduction.complementary() == 0) return 0.0;
-  return relative_squares(
-             reduction,
-             [&](std::span<const double> z) { return reduction.balance_sensitivities(z); })
-      .sum();
-}
-
-/// The first-order part of a result.
-void predict(const Reduction& reduction, const ToleranceOptions& options, ToleranceResult& result) {
-  const std::vector<double> sensitivities = relative_sensitivities(reduction);
-  Eigen::VectorXd squares = as_eigen(std::span(sensitivities));
-  // Variance of a uniform error; of rounding too, within half a step of the series.
-  double rounding = 0.0;
-  if (options.series)
-    rounding = std::pow(std::log(10.0) / (2.0 * static_cast<double>(*options.series)), 2) / 3.0;
-  for (Eigen::Index r = 0; r < squares.size(); ++r) {
-    const double relative = tolerance_of(reduction, options, static_cast<std::size_t>(r));
-    squares(r) *= relative * relative / 3.0 + rounding;
-  }
-  double sum = squares.sum();
-  if (options.balance) sum += *options.balance * *options.balance / 3.0 * of_balance(reduction);
-  result.predicted = std::sqrt(sum);
-
-  std::vector<std::size_t> order(reduction.resistors().size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::size_t most = std::min<std::size_t>(5, order.size());
-  const auto share = [&](std::size_t r) { return squares(static_cast<Eigen::Index>(r)) / sum; };
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(most), order.end(),
-                    [&](std::size_t a, std::size_t b) { return share(a) > share(b); });
-  for (std::size_t k = 0; k < most; ++k)
-    result.worst.push_back({reduction.resistors()[order[k]], share(order[k])});
+  const Matrix each = reduction.balance_sensitivities(order.unknowns);
+  return order.squares(as_eigen(each)).sum();
 }
 
 }  // namespace
 
 std::vector<double> relative_sensitivities(const Reduction& reduction) {
-  const Eigen::VectorXd squares = relative_squares(
-      reduction, [&](std::span<const double> z) { return reduction.sensitivities(z); });
+  const FirstOrder order = first_order(reduction);
+  const Matrix each = reduction.sensitivities(order.unknowns);
+  const Eigen::VectorXd squares = order.squares(as_eigen(each));
   return {squares.begin(), squares.end()};
 }
 
@@ -151,20 +136,87 @@ double preferred_siemens(Series series, double siemens) {
   return std::copysign(1.0 / nearest_in(series, 1.0 / std::abs(siemens)), siemens);
 }
 
-/// The conductances that are printed on the parts: nominal, or of the series.
-std::vector<double> printed(const Reduction& reduction, const ToleranceOptions& options) {
-  std::vector<double> siemens(reduction.siemens().begin(), reduction.siemens().end());
-  if (options.series)
-    for (double& value : siemens) value = preferred_siemens(*options.series, value);
-  return siemens;
+/// What trials are drawn from.
+class Draws {
+ public:
+  Draws(const Reduction& reduction, const ToleranceOptions& options)
+      : reduction_(reduction), options_(options), arrays_(reduction, options) {
+    parts_.assign(reduction.siemens().begin(), reduction.siemens().end());
+    if (options.series)
+      for (double& value : parts_) value = preferred_siemens(*options.series, value);
+    arrays_.round(parts_);
+  }
+
+  /// One trial's conductances, errors and all.
+  void draw(std::size_t trial, std::vector<double>& siemens) const {
+    siemens = parts_;
+    if (options_.relative || options_.stabiliser || !options_.each.empty())
+      for (std::size_t r = 0; r < siemens.size(); ++r)
+        siemens[r] /= 1.0 + tolerance(r) * uniform(options_.seed, trial, r);
+    arrays_.disturb(siemens, trial);
+    arrays_.through_lines(siemens);
+  }
+
+  /// The first-order part of a result.
+  void predict(ToleranceResult& result) const;
+
+ private:
+  [[nodiscard]] double tolerance(std::size_t resistor) const {
+    return arrays_.is_programmed(resistor) ? 0.0 : tolerance_of(reduction_, options_, resistor);
+  }
+
+  /// Of every resistor's relative error, what is drawn or of a series.
+  [[nodiscard]] Eigen::VectorXd variances() const;
+  /// The same of what every build has: rounded cells, seen through lines.
+  [[nodiscard]] Eigen::VectorXd changes() const;
+
+  const Reduction& reduction_;
+  const ToleranceOptions& options_;
+  ProgrammedArrays arrays_;
+  std::vector<double> parts_;
+};
+
+Eigen::VectorXd Draws::variances() const {
+  // Of a uniform error; of rounding too, within half a step of the series.
+  double rounding = 0.0;
+  if (options_.series)
+    rounding = std::pow(std::log(10.0) / (2.0 * static_cast<double>(*options_.series)), 2) / 3.0;
+  Eigen::VectorXd result(static_cast<Eigen::Index>(parts_.size()));
+  for (std::size_t r = 0; r < parts_.size(); ++r)
+    result(static_cast<Eigen::Index>(r)) = std::pow(tolerance(r), 2) / 3.0 + rounding;
+  arrays_.add_variances(reduction_.siemens(), {result.data(), parts_.size()});
+  return result;
 }
 
-/// One trial's errors on them.
-void spread(const Reduction& reduction, std::vector<double>& siemens,
-            const ToleranceOptions& options, std::size_t trial) {
-  if (!draws(options)) return;
-  for (std::size_t r = 0; r < siemens.size(); ++r)
-    siemens[r] /= 1.0 + tolerance_of(reduction, options, r) * uniform(options.seed, trial, r);
+Eigen::VectorXd Draws::changes() const {
+  std::vector<double> seen(reduction_.siemens().begin(), reduction_.siemens().end());
+  arrays_.round(seen);
+  arrays_.through_lines(seen);
+  const auto exact = as_eigen(reduction_.siemens());
+  return as_eigen(std::span<const double>(seen)).cwiseQuotient(exact).array() - 1.0;
+}
+
+void Draws::predict(ToleranceResult& result) const {
+  const FirstOrder first = first_order(reduction_);
+  const Matrix each = reduction_.sensitivities(first.unknowns);
+  const auto by_resistors = as_eigen(each);
+  const Eigen::VectorXd squares = first.squares(by_resistors).cwiseProduct(variances());
+  double sum = squares.sum();
+  if (options_.balance)
+    sum += *options_.balance * *options_.balance / 3.0 * of_balance(reduction_, first);
+  const bool drawn_alone = sum > 0.0;
+  if (is_of_arrays(options_)) sum += first.squares(changes().transpose() * by_resistors)(0);
+  result.predicted = std::sqrt(sum);
+  if (!drawn_alone) return;
+
+  std::vector<std::size_t> order(parts_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::size_t most = std::min<std::size_t>(5, order.size());
+  const auto share = [&](std::size_t r) { return squares(static_cast<Eigen::Index>(r)) / sum; };
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(most), order.end(),
+                    [&](std::size_t a, std::size_t b) { return share(a) > share(b); });
+  for (std::size_t k = 0; k < most; ++k)
+    result.worst.push_back({reduction_.resistors()[order[k]], share(order[k])});
 }
 
 /// One trial's balances; none: all are exact.
@@ -189,8 +241,8 @@ Circuit with_parts_of(Series series, Circuit circuit) {
 
 std::vector<double> drawn(const Reduction& reduction, const ToleranceOptions& options,
                           std::size_t trial) {
-  std::vector<double> siemens = printed(reduction, options);
-  spread(reduction, siemens, options, trial);
+  std::vector<double> siemens;
+  Draws(reduction, options).draw(trial, siemens);
   return siemens;
 }
 
@@ -199,6 +251,7 @@ Circuit perturbed(const FlatCircuit& circuit, std::span<const double> siemens) {
   if (siemens.size() != flat.resistors.size())
     throw std::invalid_argument("the circuit has another number of resistors");
   for (std::size_t r = 0; r < siemens.size(); ++r) flat.resistors[r].siemens = siemens[r];
+  std::erase_if(flat.resistors, [](const Resistor& r) { return r.siemens == 0.0; });
   return flat;
 }
 
@@ -219,13 +272,12 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
   if (!v.allFinite()) throw std::domain_error("the network has no unique answer");
 
   ToleranceResult result{.trials = draws(options) ? options.trials : 1};
-  const std::vector<double> parts = printed(reduction, options);
+  const Draws built(reduction, options);
   std::vector<double> siemens;
   std::vector<double>& errors = result.errors;
   Equations equations;
   for (std::size_t trial = 0; trial < result.trials; ++trial) {
-    siemens = parts;
-    spread(reduction, siemens, options, trial);
+    built.draw(trial, siemens);
     reduction.assemble(siemens, equations, balances(reduction, options, trial));
     if (!is_stable(reduction, equations)) {
       errors.push_back(std::numeric_limits<double>::infinity());
@@ -238,7 +290,7 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
   std::sort(errors.begin(), errors.end());
   result.median = quantile(errors, 0.5);
   result.p95 = quantile(errors, 0.95);
-  predict(reduction, options, result);
+  built.predict(result);
   return result;
 }
 

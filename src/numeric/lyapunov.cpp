@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <complex>
 
+#include "numeric/triangular_logarithm.hpp"
+
 namespace tactile_net {
 
 Lyapunov::Lyapunov(const Eigen::MatrixXd& a) {
@@ -27,6 +29,17 @@ Eigen::MatrixXd Lyapunov::solve(const Eigen::MatrixXd& q) const {
   }
   const Eigen::MatrixXd x = (u_ * y * u_.adjoint()).real();
   return 0.5 * (x + x.transpose());
+}
+
+Eigen::MatrixXd Lyapunov::solve_flicker(const Eigen::MatrixXd& q, double lowest) const {
+  const std::complex<double> turned(0.0, -1.0 / lowest);
+  const Eigen::Index n = t_.rows();
+  const Eigen::MatrixXcd shifted = Eigen::MatrixXcd::Identity(n, n) + turned * t_;
+  const Eigen::MatrixXd logarithm = (u_ * triangular_logarithm(shifted) * u_.adjoint()).real();
+  Eigen::MatrixXcd right = u_.adjoint() * (logarithm * q);
+  t_.triangularView<Eigen::Upper>().solveInPlace(right);
+  const Eigen::MatrixXd together = -(u_ * right).real();
+  return solve(2.0 * (together + together.transpose()));
 }
 
 }  // namespace tactile_net

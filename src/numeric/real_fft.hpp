@@ -57,7 +57,7 @@ class RealFft {
   std::span<std::complex<double>> bins_;
 };
 
-/// A pair of complex transforms of one size, in place. Copies as those of `RealFft`.
+/// A pair of complex transforms of one size. Copies as those of `RealFft`.
 class ComplexFft {
  public:
   explicit ComplexFft(std::size_t size);
@@ -67,10 +67,12 @@ class ComplexFft {
   ComplexFft& operator=(const ComplexFft&) = delete;
   ~ComplexFft();
 
-  [[nodiscard]] std::span<std::complex<double>> values() noexcept { return values_; }
+  [[nodiscard]] std::span<std::complex<double>> samples() noexcept { return samples_; }
+  [[nodiscard]] std::span<std::complex<double>> bins() noexcept { return bins_; }
 
+  /// samples -> bins; the samples are kept.
   void forward() noexcept;
-  /// The other way, times the size.
+  /// bins -> size times samples; the bins are kept.
   void backward() noexcept;
 
  private:
@@ -78,7 +80,7 @@ class ComplexFft {
   explicit ComplexFft(std::unique_ptr<Transform> transform);
 
   std::unique_ptr<Transform> transform_;
-  std::span<std::complex<double>> values_;
+  std::span<std::complex<double>> samples_, bins_;
 };
 
 /// a b, written out: operator* of std::complex tests for NaN, and this is the inner loop.

@@ -103,36 +103,29 @@ RealFft::~RealFft() = default;
 void RealFft::forward() noexcept { transform_->forward(); }
 void RealFft::backward() noexcept { transform_->backward(); }
 
-/// Eigen's transforms are not in place: what one reads it writes elsewhere.
 struct ComplexFft::Transform {
   explicit Transform(std::size_t count)
-      : values(count), from(count), fft({}, Eigen::FFT<double>::Unscaled) {
+      : samples(count), bins(count), fft({}, Eigen::FFT<double>::Unscaled) {
     if (count == 0) throw std::bad_alloc();
     forward();  // Eigen makes its tables in the first transform each way
     backward();
   }
 
   [[nodiscard]] Eigen::Index size() const noexcept {
-    return static_cast<Eigen::Index>(from.size());
+    return static_cast<Eigen::Index>(samples.size());
   }
-  void forward() {
-    std::copy(values.begin(), values.end(), from.begin());
-    fft.fwd(values.data(), from.data(), size());
-  }
-  void backward() {
-    std::copy(values.begin(), values.end(), from.begin());
-    fft.inv(values.data(), from.data(), size());
-  }
+  void forward() { fft.fwd(bins.data(), samples.data(), size()); }
+  void backward() { fft.inv(samples.data(), bins.data(), size()); }
 
-  std::vector<std::complex<double>> values, from;
+  std::vector<std::complex<double>> samples, bins;
   Eigen::FFT<double> fft;
 };
 
 ComplexFft::ComplexFft(std::unique_ptr<Transform> transform)
-    : transform_(std::move(transform)), values_(transform_->values) {}
+    : transform_(std::move(transform)), samples_(transform_->samples), bins_(transform_->bins) {}
 
 ComplexFft::ComplexFft(std::size_t size) : ComplexFft(std::make_unique<Transform>(size)) {}
-ComplexFft::ComplexFft(const ComplexFft& other) : ComplexFft(other.values_.size()) {}
+ComplexFft::ComplexFft(const ComplexFft& other) : ComplexFft(other.samples_.size()) {}
 ComplexFft::ComplexFft(ComplexFft&&) noexcept = default;
 ComplexFft& ComplexFft::operator=(ComplexFft&&) noexcept = default;
 ComplexFft::~ComplexFft() = default;

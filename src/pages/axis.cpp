@@ -15,11 +15,16 @@ std::vector<double> Axis::operator()(std::vector<double> values) const {
 
 Axis axis(const Scene& scene, const std::string& what, Dimension dimension,
           std::initializer_list<const std::vector<double>*> values) {
+  return axis(scene.units, what, dimension, values);
+}
+
+Axis axis(const std::optional<Units>& units, const std::string& what, Dimension dimension,
+          std::initializer_list<const std::vector<double>*> values) {
   double largest = 0.0;
   for (const std::vector<double>* some : values)
     for (const double value : *some)
       if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  const ScaledUnit unit = report::axis_unit(scene, dimension, largest);
+  const ScaledUnit unit = report::axis_unit(units, dimension, largest);
   return {what + (unit.label.empty() ? "" : " [" + unit.label + "]"), unit.factor};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct Axis {
 
 /// With the prefix that suits the largest of all `values`; those that are not finite do not count.
 [[nodiscard]] Axis axis(const Scene& scene, const std::string& what, Dimension dimension,
+                        std::initializer_list<const std::vector<double>*> values);
+
+[[nodiscard]] Axis axis(const std::optional<Units>& units, const std::string& what,
+                        Dimension dimension,
                         std::initializer_list<const std::vector<double>*> values);
 
 }  // namespace tactile_net::pages

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <numeric>
 #include <utility>
+#include <variant>
 
 #include "pages/axis.hpp"
 #include "pages/parts.hpp"
+#include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/calibration_words.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/scene/calibrated_scene.hpp"
 
 namespace tactile_net::pages {
@@ -29,18 +30,20 @@ using drawing::Plot;
 Figure press_figure(const lab::SceneCalibration& found, std::size_t p, std::size_t c,
                     const std::string& name, const std::string& words) {
   const PressFit& fit = found.fit;
-  const Channel channel = channels(found.scene.sensor)[c];
+  const PressChannel& channel = found.channels[c];
   const double noise = found.log.unloaded.rms[c];
   std::vector<double> y, measured, before, after;
-  for (std::size_t j = channel.first; j < channel.first + channel.count; ++j) {
-    y.push_back(sites(found.scene.sensor)[j].y);
+  for (std::size_t j = 0; j < found.sites.size(); ++j) {
+    if (found.sites[j].channel != c) continue;
+    y.push_back(found.is_skin() ? static_cast<double>(found.sites[j].taxel) : found.sites[j].y);
     measured.push_back(found.log.presses[p].readings[j] - fit.offsets[j]);
     before.push_back(measured.back() - noise * fit.residuals_before(p, j));
     after.push_back(measured.back() - noise * fit.residuals(p, j));
   }
-  const Axis along = axis(found.scene, "position", Dimension::length, {&y});
-  const Dimension dimension = is_strain(channel.quantity) ? Dimension::none : Dimension::stress;
-  const Axis up = axis(found.scene, channel.name, dimension, {&measured});
+  const Axis along = found.is_skin() ? Axis{"taxel, row after row"}
+                                     : axis(found.units(), "position", Dimension::length, {&y});
+  const Axis up =
+      axis(found.units(), channel.name, dimension_of(traits(channel.quantity).kind), {&measured});
   Plot plot{"Press " + std::to_string(fit.presses[p].number), along.label, up.label, along(y), {}};
   plot.curves.push_back({"nominal", up(before), 2});
   plot.curves.back().dashed = true;
@@ -156,7 +159,7 @@ std::vector<Figure> figures_of(const lab::SceneCalibration& found) {
     return found.fit.presses[a].rms < found.fit.presses[b].rms;
   });
   std::vector<Figure> figures{gains_figure(found)};
-  const std::vector<Channel> all = channels(found.scene.sensor);
+  const std::vector<PressChannel>& all = found.channels;
   const auto add = [&](std::size_t p, const std::string& name, const std::string& words) {
     for (std::size_t c = 0; c < all.size(); ++c)
       figures.push_back(press_figure(found, p, c, all.size() == 1 ? name : name + '-' + all[c].name,
@@ -190,10 +193,9 @@ Page calibration_html(const lab::SceneCalibration& found, const std::string& log
                       const Made& made) {
   const Figures figures(figures_of(found));
   Page page{.missing = figures.missing(), .files = figures.data()};
-  std::string html =
-      heading(found.scene.title, found.scene.file + ", " + log,
-              report::sensor_in_words(found.scene) + "; " + report::material_in_words(found.scene) +
-                  "; " + std::to_string(found.fit.presses.size()) + " presses");
+  std::string html = heading(found.title(), found.file() + ", " + log,
+                             report::calibrated_in_words(found) + "; " +
+                                 std::to_string(found.fit.presses.size()) + " presses");
   html += answer_box(report::answers(found));
   const std::vector<std::string> words = report::calibration_in_words(found);
   html += element("p", words.front(), found.fit.verdict == FitVerdict::ok ? "" : "bad");
@@ -218,8 +220,10 @@ Page calibration_html(const lab::SceneCalibration& found, const std::string& log
   html += element("h2", "How the parameters hang together");
   html += correlations(found.fit);
   html += figures.html("parameters");
-  html += colophon("The scene, the files, the command", scene_html(found.scene), page.files, made);
-  page.html = page_html(found.scene.file + " - tactile-net calibrate", html);
+  html += colophon("The scene, the files, the command",
+                   std::visit([](const auto& scene) { return scene_html(scene); }, found.scene),
+                   page.files, made);
+  page.html = page_html(found.file() + " - tactile-net calibrate", html);
   return page;
 }
 

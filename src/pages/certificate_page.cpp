@@ -28,6 +28,7 @@ using drawing::Page;
 using drawing::Plot;
 using report::answers;
 using report::cells;
+using report::circuit_in_words;
 using report::in_words;
 using report::material_in_words;
 using report::sensor_in_words;
@@ -135,13 +136,18 @@ Figure builds_figure(const lab::Certification& c) {
             true};
   plot.from_zero = true;
   plot.y_end = 1.02;
-  for (const auto& candidate : c.recommendation.candidates)
-    if (!c.tolerance || candidate.realization != c.circuit.options().realization)
-      add_builds(plot, std::string(name(candidate.realization)),
-                 1 + static_cast<std::size_t>(candidate.realization), candidate.tolerance);
+  const Realization own = c.circuit.options().realization;
+  const bool own_ladder = c.certificate().ladder;
+  const auto colour = [](Realization realization, bool ladder) {
+    return 1 + static_cast<std::size_t>(realization) + (ladder ? realizations.size() : 0);
+  };
+  for (const auto& one : c.recommendation.candidates)
+    if (!c.tolerance || one.realization != own || one.ladder != own_ladder)
+      add_builds(plot, circuit_in_words(one.realization, one.ladder),
+                 colour(one.realization, one.ladder), one.tolerance);
   if (c.tolerance)
-    add_builds(plot, std::string(name(c.circuit.options().realization)) + " (this)",
-               1 + static_cast<std::size_t>(c.circuit.options().realization), *c.tolerance);
+    add_builds(plot, circuit_in_words(own, own_ladder) + " (this)", colour(own, own_ladder),
+               *c.tolerance);
   if (plot.curves.empty()) return {};
   Curve accurate{"accurate: " + brief(options.accuracy), {0.0, 1.0}};
   accurate.x = {options.accuracy, options.accuracy};

@@ -349,6 +349,8 @@ std::vector<Figure> tradeoff_figures(const study::Study& study) {
               "time [s]", crossover_curves(study, points)),
       "circuits");
 
+  figures.push_back(moving_figure(study));
+
   Plot sizes = plot_of("A frame's time over the size of the array", "taxels", "time [s]",
                        size_curves(points));
   sizes.wide = true;

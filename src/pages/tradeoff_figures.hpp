@@ -9,7 +9,10 @@
 
 namespace tactile_net::pages {
 
-/// In the sections "", "sizes", "circuits" and "forward"; some without a curve.
+/// How circuits and loops follow contacts that move; without a curve where nothing does.
+[[nodiscard]] drawing::Figure moving_figure(const study::Study& study);
+
+/// In the sections "", "sizes", "circuits", "moving" and "forward"; some without a curve.
 [[nodiscard]] std::vector<drawing::Figure> tradeoff_figures(const study::Study& study);
 
 }  // namespace tactile_net::pages

@@ -98,6 +98,16 @@ Page study_html(const study::Study& study, const Made& made) {
                     "of 1 % leave, median: waiting longer does not lessen it.");
     html += html_table(circuits) + figures.html("circuits");
   }
+  if (const auto moving = report::moving_cells(study); moving.size() > 1) {
+    html += element("h2", "Contacts that move");
+    html += element(
+        "p",
+        "How far the answer is behind contacts that move steadily along y: circuits of op-amps of "
+        "10 MHz, and loops that sample the readings, compute the exact answer at once and hold it "
+        "until the next one. The last columns: from which speed on the circuit, built of parts of "
+        "1 %, is nearer to the exact answer than that loop.");
+    html += html_table(moving) + figures.html("moving");
+  }
   const auto simulated = simulator_cells(study);
   if (simulated.size() > 1) {
     html += element("h2", "What ngspice takes");

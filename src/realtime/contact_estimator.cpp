@@ -38,8 +38,8 @@ Moments moments_of(std::span<const double> f) noexcept {
   return moments;
 }
 
-/// A limit that never refuses, for input that `update` has already compared with `Ready::limit`.
-/// Filled-in dead readings may exceed that limit and are checked where they are filled in.
+/// A limit that never refuses, for input that was already compared with `Ready::limit`. Filled-in
+/// dead readings may exceed that limit and are checked where they are filled in.
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
 }  // namespace
@@ -118,6 +118,65 @@ InstructionSet ContactEstimator::instruction_set() const noexcept { return ready
         *ready.friction * estimate.normal_force - std::abs(estimate.tangential_force);
 }
 
+/// A frame that a product may take.
+struct ContactEstimator::Input {
+  double* x;                        // room for what the baseline leaves of it
+  Difference difference{};          // of which the product is taken
+  std::uint64_t limit = unlimited;  // that the product must hold it to
+  bool saturated = false;
+};
+
+FrameStatus ContactEstimator::refused(std::span<const double> readings) const noexcept {
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (scratch_->weights[i] > 0.0 && !std::isfinite(readings[i])) return FrameStatus::not_finite;
+  return FrameStatus::too_large;
+}
+
+/// @param stored  the product, or what follows it, needs x; else it may subtract by itself
+[[gnu::always_inline]] inline FrameStatus ContactEstimator::prepare(
+    std::span<const double> readings, bool stored, Input& input) noexcept {
+  const Ready& ready = *ready_;
+  Scratch& scratch = *scratch_;
+  const Kernels& loops = ready.loops;
+  const std::size_t n = ready.readings();
+  double* const x = input.x;
+  input.limit = std::bit_cast<std::uint64_t>(ready.limit);
+  input.difference = {readings.data(), scratch.baseline.data()};
+  if (stored || !scratch.unread.empty()) {
+    if (loops.subtract(input.difference.a, input.difference.b, x, n) > input.limit &&
+        scratch.unread.empty())
+      return refused(readings);
+    if (!scratch.unread.empty()) {
+      for (const std::size_t i : scratch.unread) x[i] = 0.0;
+      if (loops.largest(x, n) > input.limit) return refused(readings);
+      input.difference = {x, scratch.zero.data()};
+    }
+    input.limit = unlimited;
+  }
+
+  input.saturated = false;
+  for (std::size_t c = 0; c < ready.ranges.size(); ++c)
+    for (std::size_t i = c * ready.line; i < (c + 1) * ready.line; ++i)
+      input.saturated |= scratch.weights[i] > 0.0 && !(readings[i] > ready.ranges[c].lowest &&
+                                                       readings[i] < ready.ranges[c].highest);
+
+  if (!scratch.dead.empty()) {
+    fill_dead(x);
+    if (loops.largest(x, n) > std::bit_cast<std::uint64_t>(ready.limit))
+      return FrameStatus::too_large;
+  }
+  if (ready.fill_rows > 0) fill_planned(x);
+  return FrameStatus::ok;
+}
+
+FrameStatus ContactEstimator::admit(std::span<const double> readings, double* x,
+                                    bool& saturated) noexcept {
+  Input input{.x = x};
+  const FrameStatus status = prepare(readings, true, input);
+  saturated = input.saturated;
+  return status;
+}
+
 FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEstimate& estimate,
                                      double time) noexcept {
   const Ready& ready = *ready_;
@@ -128,71 +187,50 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
     return FrameStatus::wrong_size;
 
   double* const x = scratch.x.data();
-  auto limit = std::bit_cast<std::uint64_t>(ready.limit);
-  const auto refused = [&] {
-    for (std::size_t i = 0; i < n; ++i)
-      if (scratch.weights[i] > 0.0 && !std::isfinite(readings[i])) return FrameStatus::not_finite;
-    return FrameStatus::too_large;
-  };
-  Difference input{readings.data(), scratch.baseline.data()};
-  if (ready.prediction || ready.product32 || scratch.convolution || !scratch.unread.empty()) {
-    if (loops.subtract(input.a, input.b, x, n) > limit && scratch.unread.empty()) return refused();
-    if (!scratch.unread.empty()) {
-      for (const std::size_t i : scratch.unread) x[i] = 0.0;
-      if (loops.largest(x, n) > limit) return refused();
-      input = {x, scratch.zero.data()};
-    }
-    limit = unlimited;
-  }
-
-  bool saturated = false;
-  for (std::size_t c = 0; c < ready.ranges.size(); ++c)
-    for (std::size_t i = c * ready.line; i < (c + 1) * ready.line; ++i)
-      saturated |= scratch.weights[i] > 0.0 &&
-                   !(readings[i] > ready.ranges[c].lowest && readings[i] < ready.ranges[c].highest);
-
-  if (!scratch.dead.empty()) {
-    fill_dead();
-    if (loops.largest(x, n) > std::bit_cast<std::uint64_t>(ready.limit))
-      return FrameStatus::too_large;
-  }
-  if (ready.fill_rows > 0) fill_planned();
+  Input input{.x = x};
+  const bool stored = ready.prediction || ready.product32 || scratch.convolution;
+  if (const FrameStatus status = prepare(readings, stored, input); status != FrameStatus::ok)
+    return status;
 
   double* const f = estimate.tractions.data();
   std::array<Moments, 2> each;
   const std::span<Moments> moments(each.data(), ready.cells ? 0 : ready.unknowns);
   if (ready.product64) {
-    if (!loops.multiply64(*ready.product64, input, f, scratch.product64.data(), 1.0, moments,
-                          limit))
-      return refused();
+    if (!loops.multiply64(*ready.product64, input.difference, f, scratch.product64.data(), 1.0,
+                          moments, input.limit))
+      return refused(readings);
     if (scratch.convolution) {
       scratch.convolution->add(x, f);
       for (std::size_t u = 0; u < ready.unknowns; ++u)
         moments[u] = moments_of({f + u * ready.values, ready.values});
     }
   } else {
-    // The power of two below the largest |x|; of its bits, the exponent.
-    const std::uint64_t exponent = loops.largest(x, n) & 0x7ff0'0000'0000'0000U;
-    const auto magnitude = std::bit_cast<double>(std::clamp(
-        exponent, std::bit_cast<std::uint64_t>(0x1p-1021), std::bit_cast<std::uint64_t>(0x1p1021)));
-    (void)loops.multiply32(*ready.product32, input, f, scratch.product32.data(), magnitude, moments,
-                           unlimited);
+    (void)loops.multiply32(*ready.product32, input.difference, f, scratch.product32.data(),
+                           magnitude_of(loops, x, n), moments, unlimited);
   }
 
   estimate.time = time;
-  estimate.saturated = saturated;
+  estimate.saturated = input.saturated;
   add_resultant(estimate, moments);
-  if (ready.prediction) judge(estimate);
+  if (ready.prediction) {
+    predict(x, scratch.predicted.data());
+    judge(estimate, x, scratch.predicted.data());
+  }
   return FrameStatus::ok;
 }
 
-/// What the tractions explain of scratch_->x.
-void ContactEstimator::predict(double* explained) noexcept {
+void ContactEstimator::finish(ContactEstimate& estimate, const double* x,
+                              const double* explained) noexcept {
+  add_resultant(estimate, {});
+  if (explained != nullptr) judge(estimate, x, explained);
+}
+
+/// What the tractions explain of x.
+void ContactEstimator::predict(const double* x, double* explained) noexcept {
   Scratch& scratch = *scratch_;
-  (void)ready_->loops.multiply64(*ready_->prediction, {scratch.x.data(), scratch.zero.data()},
-                                 explained, scratch.product64.data(), 1.0, {}, unlimited);
-  if (scratch.prediction_convolution)
-    scratch.prediction_convolution->add(scratch.x.data(), explained);
+  (void)ready_->loops.multiply64(*ready_->prediction, {x, scratch.zero.data()}, explained,
+                                 scratch.product64.data(), 1.0, {}, unlimited);
+  if (scratch.prediction_convolution) scratch.prediction_convolution->add(x, explained);
 }
 
 /// The residual, and whether one reading stands out of it. Tikhonov's f is the most likely one if
@@ -200,14 +238,13 @@ void ContactEstimator::predict(double* explained) noexcept {
 /// (W g)'A(W g) = (W g)'r, falls by when reading i is left out, and never more than that minimum.
 /// Studentised by what is left, which holds the regularisation's own misfit as well as noise: the
 /// squares of r alone would call the foot of every noise-free contact an outlier.
-void ContactEstimator::judge(ContactEstimate& estimate) noexcept {
+void ContactEstimator::judge(ContactEstimate& estimate, const double* x,
+                             const double* explained) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
   const std::size_t n = ready.readings();
-  predict(scratch.predicted.data());
-  const Misfit misfit =
-      ready.loops.misfit(scratch.x.data(), scratch.predicted.data(), scratch.weights.data(),
-                         scratch.shares.data(), scratch.spread.data(), n);
+  const Misfit misfit = ready.loops.misfit(x, explained, scratch.weights.data(),
+                                           scratch.shares.data(), scratch.spread.data(), n);
   estimate.residual_rms = std::sqrt(misfit.sum_of_squares / static_cast<double>(scratch.live));
   if (ready.residual_limit > 0.0) {
     // (W g)'(I - H)(W g) = |W r|^2 + alpha |L f|^2.
@@ -231,16 +268,16 @@ void ContactEstimator::judge(ContactEstimate& estimate) noexcept {
 }
 
 /// The readings that the plan itself leaves out, from what the others read.
-void ContactEstimator::fill_planned() noexcept {
+void ContactEstimator::fill_planned(double* x) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
   const std::size_t n = ready.readings();
   for (std::size_t i = 0; i < ready.fill_rows; ++i)
-    scratch.fill[i] = ready.loops.dot(ready.fill.data() + i * n, scratch.x.data(), n);
-  for (std::size_t i = 0; i < ready.fill_rows; ++i) scratch.x[scratch.unread[i]] = scratch.fill[i];
+    scratch.fill[i] = ready.loops.dot(ready.fill.data() + i * n, x, n);
+  for (std::size_t i = 0; i < ready.fill_rows; ++i) x[scratch.unread[i]] = scratch.fill[i];
 }
 
-void ContactEstimator::fill_dead() noexcept {
+void ContactEstimator::fill_dead(double* x) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
   const std::size_t size = scratch.dead.size();
@@ -248,12 +285,11 @@ void ContactEstimator::fill_dead() noexcept {
   const std::size_t row = padded<double>(ready.readings());
   double* const u = scratch.filled.data();
   for (std::size_t i = size; i-- > 0;) {
-    u[i] = -ready.loops.dot(scratch.dead_rows.data() + i * row, scratch.x.data(), ready.readings());
+    u[i] = -ready.loops.dot(scratch.dead_rows.data() + i * row, x, ready.readings());
     for (std::size_t k = i + 1; k < size; ++k) u[i] -= scratch.cholesky[k * stride + i] * u[k];
     u[i] /= scratch.cholesky[i * stride + i];
   }
-  for (std::size_t i = 0; i < size; ++i)
-    scratch.x[scratch.dead[i]] = u[i] / ready.weights[scratch.dead[i]];
+  for (std::size_t i = 0; i < size; ++i) x[scratch.dead[i]] = u[i] / ready.weights[scratch.dead[i]];
 }
 
 /// The next rows of V and C, for a reading; false if the others do not predict it.
@@ -272,8 +308,8 @@ bool ContactEstimator::eliminate(std::size_t reading) noexcept {
   // Column `reading` of W^-1 H W, then that row of A, which is symmetric, times the weights.
   std::fill_n(scratch.x.data(), n, 0.0);
   scratch.x[reading] = 1.0;
-  fill_planned();
-  predict(row);
+  fill_planned(scratch.x.data());
+  predict(scratch.x.data(), row);
   double pivot = 1.0 - row[reading];
   for (std::size_t j = 0; j < n; ++j) row[j] *= -ready.weights[j] * (ready.weights[j] / w);
   for (std::size_t k = 0; k < i; ++k) {
@@ -332,20 +368,6 @@ FrameStatus ContactEstimator::set_baseline(std::span<const double> readings) noe
   for (std::size_t i = 0; i < readings.size(); ++i)
     if (std::isfinite(readings[i])) scratch_->baseline[i] = readings[i];
   return FrameStatus::ok;
-}
-
-FrameStatus ContactEstimator::update_batch(std::span<const double> readings,
-                                           std::span<ContactEstimate> estimates) noexcept {
-  const std::size_t n = ready_->readings();
-  if (readings.size() != n * estimates.size()) return FrameStatus::wrong_size;
-  for (const ContactEstimate& estimate : estimates)
-    if (estimate.tractions.size() != tractions()) return FrameStatus::wrong_size;
-  FrameStatus first = FrameStatus::ok;
-  for (std::size_t i = 0; i < estimates.size(); ++i) {
-    const FrameStatus status = update(readings.subspan(i * n, n), estimates[i], estimates[i].time);
-    if (first == FrameStatus::ok) first = status;
-  }
-  return first;
 }
 
 }  // namespace tactile_net

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "realtime/frame_block.hpp"
 #include "realtime/kernels.hpp"
 #include "realtime/skin_resultant.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
@@ -158,7 +159,8 @@ struct ContactEstimator::Scratch {
         product32(ready.product32 ? ready.product32->scratch_size() : 0),
         fill(ready.fill_rows),
         marks(ready.cells ? ready.values : 0,
-              ready.cells && !ready.cells->window_deviations.empty()) {
+              ready.cells && !ready.cells->window_deviations.empty()),
+        block(FrameBlock::of(ready)) {
     for (std::size_t i = 0; i < ready.readings(); ++i)
       if (ready.weights[i] == 0.0) unread.push_back(i);
     unread.reserve(ready.readings());
@@ -203,6 +205,7 @@ struct ContactEstimator::Scratch {
   Aligned<float> product32;
   Aligned<double> fill;  // what the plan's dead readings are taken to be
   CellMarks marks;
+  std::unique_ptr<FrameBlock> block;                                 // of batches
   std::unique_ptr<Convolution> convolution, prediction_convolution;  // of fft plans
   std::vector<std::size_t> unread;  // readings that count for nothing, whatever they say
   std::size_t live = 0;             // readings with a weight

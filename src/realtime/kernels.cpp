@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "realtime/vector.hpp"
+
 // Vectors go through functions that are always inlined: no call's convention is concerned.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
@@ -15,11 +17,6 @@ namespace {
 
 // Everything below that a frame runs is inlined into one entry per instruction set, so that it is
 // compiled with those instructions. `Bytes` is the width of a vector.
-template <class T, int Bytes>
-struct Vector {
-  typedef T type __attribute__((vector_size(Bytes), may_alias));
-  static constexpr std::size_t lanes = Bytes / sizeof(T);
-};
 
 /// One that need not be aligned.
 template <class T, int Bytes>
@@ -58,8 +55,7 @@ template <std::size_t lanes>
 /// Lines of rows that a panel has at most: their sums stay in registers, with x_j in one more.
 constexpr std::size_t most_lines(int bytes) noexcept { return bytes >= 32 ? 6 : 3; }
 
-/// y = panel x. Reads `sums` columns at a time into sums of their own: additions take four cycles
-/// and two start in each, so eight must be under way.
+/// y = panel x. Reads `sums` columns at a time into sums of their own.
 template <int Bytes, std::size_t lines, bool far, class T>
 [[gnu::always_inline]] inline const T* multiply_panel(const T* p, std::size_t columns, const T* x,
                                                       T* y) noexcept {
@@ -67,7 +63,7 @@ template <int Bytes, std::size_t lines, bool far, class T>
   constexpr std::size_t lanes = Vector<T, Bytes>::lanes;
   constexpr std::size_t width = lines * cache_line / sizeof(T);
   constexpr std::size_t vectors = width / lanes;
-  constexpr std::size_t sums = (8 + vectors - 1) / vectors;
+  constexpr std::size_t sums = panel_sums(vectors);
   V sum[sums][vectors] = {};
   std::size_t j = 0;
   for (; j + sums <= columns; j += sums, p += sums * width) {
@@ -109,7 +105,7 @@ template <int Bytes, std::size_t lines, bool far, class T>
   constexpr std::size_t lanes = Vector<T, Bytes>::lanes;
   constexpr std::size_t width = lines * cache_line / sizeof(T);
   constexpr std::size_t vectors = width / lanes;
-  constexpr std::size_t sums = vectors < 4 ? 2 : 1;
+  constexpr std::size_t sums = shared_panel_sums(vectors);
   V sum[sums][vectors] = {};
   V other[sums][vectors] = {};
   std::size_t j = 0;

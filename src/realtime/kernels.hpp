@@ -6,6 +6,8 @@
 /// share to sums that stay in registers, and reads memory strictly forwards.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -95,6 +97,14 @@ struct Kernels {
   Misfit (*misfit)(const double* x, const double* p, const double* weights, const double* shares,
                    double* spread, std::size_t n) noexcept;
 };
+
+/// The power of two below the largest |x|: of its bits, the exponent.
+[[nodiscard]] inline double magnitude_of(const Kernels& loops, const double* x,
+                                         std::size_t n) noexcept {
+  const std::uint64_t exponent = loops.largest(x, n) & 0x7ff0'0000'0000'0000U;
+  return std::bit_cast<double>(std::clamp(exponent, std::bit_cast<std::uint64_t>(0x1p-1021),
+                                          std::bit_cast<std::uint64_t>(0x1p1021)));
+}
 
 /// @param set  one that this machine runs
 [[nodiscard]] const Kernels& kernels(InstructionSet set) noexcept;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -7,6 +8,7 @@
 
 #include "scene/document.hpp"
 #include "scene/sections.hpp"
+#include "scene/skin_sections.hpp"
 #include "tactile_net/scene/calibrated_scene.hpp"
 
 namespace tactile_net {
@@ -39,11 +41,15 @@ double sd_of(const Value& value, const Unit& unit, double otherwise) {
 
 }  // namespace
 
-CalibrationOptions read_calibrate(Table table, const Units& units, bool has_layer) {
+CalibrationOptions read_calibrate(Table table, const Units& units, bool has_layer, bool of_skin) {
   CalibrationOptions options;
   std::array<std::string, pad_parameter_count> names;
+  if (of_skin)
+    table.not_here("shift_sd", "is of lines: a skin's place on its stage goes with each press",
+                   "state position_sd in the log");
   for (std::size_t i = 0; i < pad_parameter_count; ++i) {
     const auto parameter = static_cast<PadParameter>(i);
+    if (of_skin && parameter == PadParameter::shift) continue;
     names[i] = std::string(name(parameter)) + "_sd";
     const Unit unit = parameter == PadParameter::shift ? units.length : Unit{};
     if (const auto value = table.value(names[i]))
@@ -85,10 +91,12 @@ CalibrationOptions parse_calibration_options(std::string_view toml, const std::s
   CalibrationOptions options;
   if (calibrate) {
     Units units;
+    const bool skin = is_skin(document, std::filesystem::path(file).parent_path());
     if (const auto table = table_of(root.value("units")))
-      units = read_units(*table, Dimension::force);
+      units = read_units(*table, skin ? Dimension::point_force : Dimension::force);
     if (const auto table = table_of(calibrate))
-      options = read_calibrate(*table, units, document.at_path("material.layer").node() != nullptr);
+      options =
+          read_calibrate(*table, units, document.at_path("material.layer").node() != nullptr, skin);
   }
   problems.throw_if_any();
   return options;

@@ -5,102 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "scene/document.hpp"
+#include "scene/edited_text.hpp"
 #include "scene/sections.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net {
 namespace {
-
-/// The text's lines, whose parts are replaced from the end to the beginning.
-class EditedText {
- public:
-  explicit EditedText(std::string_view text) : text_(text) {
-    starts_.push_back(0);
-    for (std::size_t i = 0; i < text.size(); ++i)
-      if (text[i] == '\n') starts_.push_back(i + 1);
-  }
-
-  /// Where a position of the parser is; columns count code points, from 1.
-  [[nodiscard]] std::size_t at(const toml::source_position& position) const {
-    std::size_t offset = starts_.at(position.line - 1);
-    for (std::size_t column = 1; column < position.column; ++column) {
-      ++offset;
-      while (offset < text_.size() && (static_cast<unsigned char>(text_[offset]) & 0xC0) == 0x80)
-        ++offset;
-    }
-    return offset;
-  }
-  void replace(std::size_t from, std::size_t to, std::string with) {
-    edits_.push_back({from, to, std::move(with)});
-  }
-  void replace(const toml::node& node, std::string with) {
-    replace(at(node.source().begin), at(node.source().end), std::move(with));
-  }
-  /// A key with its value, which begins its line.
-  /// @throw std::invalid_argument  it does not
-  void replace_line_part(const toml::source_position& from, const toml::source_position& to,
-                         std::string with) {
-    const std::size_t begin = at(from);
-    if (text_.find_first_not_of(" \t", starts_.at(from.line - 1)) != begin)
-      throw std::invalid_argument(
-          "calibrate writes sensor.taxels anew: let it begin a line of a table [sensor]");
-    replace(begin, at(to), std::move(with));
-  }
-  /// A table from its header up to its last line that says something.
-  void remove(const toml::table& table) {
-    const std::size_t from = starts_.at(table.source().begin.line - 1);
-    std::size_t line = table.source().begin.line;
-    std::size_t to = line < starts_.size() ? starts_[line] : text_.size();
-    for (; line < starts_.size(); ++line) {
-      const std::string_view content = line_of(line);
-      const std::size_t first = content.find_first_not_of(" \t\r\n");
-      if (first != std::string_view::npos && content[first] == '[' && !inside_value(from, line))
-        break;
-      if (first != std::string_view::npos && content[first] != '#')
-        to = line + 1 < starts_.size() ? starts_[line + 1] : text_.size();
-    }
-    replace(from, to, "");
-  }
-  [[nodiscard]] std::string text() && {
-    std::sort(edits_.begin(), edits_.end(),
-              [](const Edit& a, const Edit& b) { return a.from > b.from; });
-    for (const Edit& edit : edits_) text_.replace(edit.from, edit.to - edit.from, edit.with);
-    return std::move(text_);
-  }
-
- private:
-  struct Edit {
-    std::size_t from, to;
-    std::string with;
-  };
-  [[nodiscard]] std::string_view line_of(std::size_t line) const {
-    const std::size_t end = line + 1 < starts_.size() ? starts_[line + 1] : text_.size();
-    return std::string_view(text_).substr(starts_[line], end - starts_[line]);
-  }
-  /// The line goes on with a list that an earlier one began.
-  [[nodiscard]] bool inside_value(std::size_t from, std::size_t line) const {
-    long depth = 0;
-    bool in_comment = false;
-    for (std::size_t i = from; i < starts_[line]; ++i) {
-      if (text_[i] == '\n') in_comment = false;
-      if (text_[i] == '#') in_comment = true;
-      if (in_comment) continue;
-      if (text_[i] == '[') ++depth;
-      if (text_[i] == ']') --depth;
-    }
-    return depth > 0;
-  }
-
-  std::string text_;
-  std::vector<std::size_t> starts_{};
-  std::vector<Edit> edits_{};
-};
 
 /// As many digits as tell a thousandth of the standard deviation; every one where there is none.
 std::string rounded(double value, double sd) {
@@ -119,9 +35,15 @@ std::string list_of(const std::vector<double>& values, const std::vector<double>
   return text + "]";
 }
 
-std::string calibration_table(const Scene& nominal, const PressLog& log, const PressFit& fit,
+const std::optional<Units>& units_of(const AnyScene& scene) {
+  return std::visit([](const auto& one) -> const std::optional<Units>& { return one.units; },
+                    scene);
+}
+
+std::string calibration_table(const AnyScene& scene, const PressLog& log, const PressFit& fit,
                               std::string_view from) {
-  const SensorScale raw = sensor_scale(nominal, fit);
+  const SensorScale raw = sensor_scale(scene, fit);
+  const std::optional<Units>& units = units_of(scene);
   std::string text =
       "[calibration]  # number = gains * reading + offsets, by tactile-net calibrate\n";
   if (fit.verdict != FitVerdict::ok)
@@ -140,11 +62,11 @@ std::string calibration_table(const Scene& nominal, const PressLog& log, const P
     const FittedValue& value = fit.at(parameter);
     if (!is_found(value.verdict)) continue;
     const double unit =
-        !nominal.units                              ? 1.0
-        : parameter == PadParameter::youngs_modulus ? nominal.units->modulus.from_si(1.0)
+        !units                                      ? 1.0
+        : parameter == PadParameter::youngs_modulus ? units->modulus.from_si(1.0)
         : parameter == PadParameter::poisson_ratio || parameter == PadParameter::crosstalk
             ? 1.0
-            : nominal.units->length.from_si(1.0);
+            : units->length.from_si(1.0);
     sds += (sds.empty() ? "" : ", ") + std::string(tactile_net::name(parameter)) + " = " +
            brief(value.sd * unit);
   }
@@ -163,10 +85,11 @@ std::string with_carriage_returns(const std::string& text) {
 }
 
 /// Noise of the corrected readings, one number or one for each quantity.
-std::string noise_of(const Scene& nominal, const PressLog& log, const PressFit& fit) {
-  const std::vector<Channel> channel = channels(nominal.sensor);
+/// @param nominal  of either kind
+std::string noise_of(const auto& nominal, const PressLog& log, const PressFit& fit) {
+  const auto channel = channels(nominal.sensor);
   std::string text;
-  for (const Quantity quantity : nominal.sensor.reads) {
+  for (const auto quantity : nominal.sensor.reads) {
     double squares = 0.0;
     double count = 0.0;
     for (std::size_t c = 0; c < channel.size(); ++c)
@@ -210,11 +133,11 @@ Lengths scaled(std::vector<double> lengths, const FittedValue& value, double log
 }
 
 /// Of an even array the depths at which it reads, of an uneven one those of its taxels.
-Lengths found_depths(const SensorArray& array, const PressFit& fit) {
+Lengths found_depths(const auto& array, const PressFit& fit) {
   std::vector<double> depths = array.depths;
   if (!is_even(array)) {
     depths.clear();
-    for (const Taxel& taxel : array.taxels) depths.push_back(taxel.depth);
+    for (const auto& taxel : array.taxels) depths.push_back(taxel.depth);
   }
   return scaled(std::move(depths), fit.at(PadParameter::depth), fit.pad.log_depth);
 }
@@ -224,9 +147,9 @@ Lengths found_places(const SensorArray& array, const PressFit& fit) {
   return scaled(positions(array), fit.at(PadParameter::pitch), fit.pad.log_pitch);
 }
 
-/// Where the scene's text has them: one depth, a list of them, a list of places.
-void put_lengths(const toml::table& sensor, const SensorArray& array, const Lengths& depths,
-                 const Lengths& places, const Unit& unit, EditedText& edited) {
+/// Where the scene's text has them: one depth, a list of them.
+void put_depths(const toml::table& sensor, const Lengths& depths, const Unit& unit,
+                EditedText& edited) {
   const auto put_list = [&](const toml::array* list, const Lengths& lengths) {
     for (std::size_t i = 0; list != nullptr && lengths.found && i < list->size(); ++i)
       edited.replace(*list->get(i), lengths.text(i, unit));
@@ -236,7 +159,14 @@ void put_lengths(const toml::table& sensor, const SensorArray& array, const Leng
     edited.replace(*depth, depths.text(0, unit));
   put_list(depth == nullptr ? nullptr : depth->as_array(), depths);
   put_list(sensor["depths"].as_array(), depths);
-  if (!is_even(array)) put_list(sensor["positions"].as_array(), places);
+}
+
+/// A list of places.
+void put_places(const toml::table& sensor, const Lengths& places, const Unit& unit,
+                EditedText& edited) {
+  const toml::array* list = sensor["positions"].as_array();
+  for (std::size_t i = 0; list != nullptr && places.found && i < list->size(); ++i)
+    edited.replace(*list->get(i), places.text(i, unit));
 }
 
 std::string quoted(const std::vector<Quantity>& quantities) {
@@ -276,11 +206,9 @@ void put_taxels(const toml::table& sensor, const SensorArray& array, const Lengt
     if (key == "taxels") edited.replace_line_part(key.source().begin, node.source().end, text);
 }
 
-}  // namespace
-
-SensorScale sensor_scale(const Scene& nominal, const PressFit& fit) {
+SensorScale scale_of(const auto& nominal, const PressFit& fit) {
   SensorScale raw;
-  const std::vector<Site> where = sites(nominal.sensor);
+  const auto where = sites(nominal.sensor);
   for (std::size_t i = 0; i < fit.gains.size(); ++i) {
     const double to_si =
         nominal.units
@@ -297,16 +225,57 @@ SensorScale sensor_scale(const Scene& nominal, const PressFit& fit) {
   return raw;
 }
 
+/// The sensor of a line.
+void put_sensor(const toml::table& sensor, const Scene& nominal, const PressFit& fit,
+                const Units& units, EditedText& edited) {
+  const Lengths depths = found_depths(nominal.sensor, fit);
+  const Lengths places = found_places(nominal.sensor, fit);
+  if (sensor.contains("taxels"))
+    return put_taxels(sensor, nominal.sensor, depths, places, units.length, edited);
+  put_depths(sensor, depths, units.length, edited);
+  if (!is_even(nominal.sensor)) put_places(sensor, places, units.length, edited);
+}
+
+/// Of a skin: two pitches by one factor; taxels of a file get a factor on their depths.
+void put_sensor(const toml::table& sensor, const SkinScene& nominal, const PressFit& fit,
+                const Units& units, EditedText& edited) {
+  const FittedValue& depth = fit.at(PadParameter::depth);
+  if (is_even(nominal.sensor)) {
+    put_depths(sensor, found_depths(nominal.sensor, fit), units.length, edited);
+    const FittedValue& pitch = fit.at(PadParameter::pitch);
+    const toml::array* both = sensor["pitch"].as_array();
+    const Lengths pitches =
+        scaled({nominal.sensor.pitch_y, nominal.sensor.pitch_z}, pitch, fit.pad.log_pitch);
+    for (std::size_t i = 0; both != nullptr && pitches.found && i < both->size(); ++i)
+      edited.replace(*both->get(i), pitches.text(i, units.length));
+    return;
+  }
+  if (!is_found(depth.verdict)) return;
+  const double before = sensor["depth_factor"].value_or(1.0);
+  const double factor = before * std::exp(fit.pad.log_depth);
+  const std::string text = rounded(factor, factor * depth.sd / depth.value);
+  if (const toml::node* stated = sensor.get("depth_factor")) return edited.replace(*stated, text);
+  const toml::source_region& taxels = sensor.get("taxels")->source();
+  edited.insert_line_before(taxels.begin, "depth_factor = " + text + "  # on the file's depths\n");
+}
+
+}  // namespace
+
+SensorScale sensor_scale(const AnyScene& nominal, const PressFit& fit) {
+  return std::visit([&](const auto& one) { return scale_of(one, fit); }, nominal);
+}
+
 bool is_found(ValueVerdict verdict) noexcept {
   return verdict == ValueVerdict::identified || verdict == ValueVerdict::weak ||
          verdict == ValueVerdict::at_bound;
 }
 
-std::string calibrated_scene(std::string_view toml, const Scene& nominal, const PressLog& log,
+std::string calibrated_scene(std::string_view toml, const AnyScene& nominal, const PressLog& log,
                              const PressFit& fit, std::string_view from) {
   const std::string_view text = without_byte_order_mark(toml);
-  Problems problems(nominal.file, text);
-  const toml::table root = parse_document(text, nominal.file, problems);
+  const std::string file = std::visit([](const auto& one) { return one.file; }, nominal);
+  Problems problems(file, text);
+  const toml::table root = parse_document(text, file, problems);
   problems.throw_if_any();
   EditedText edited(text);
   const auto put = [&](const toml::node* node, PadParameter parameter, const Unit& unit) {
@@ -314,23 +283,19 @@ std::string calibrated_scene(std::string_view toml, const Scene& nominal, const 
     if (node != nullptr && is_found(value.verdict))
       edited.replace(*node, rounded(unit.from_si(value.value), unit.from_si(value.sd)));
   };
-  const Units units = nominal.units.value_or(Units{});
-  if (const toml::table* sensor = root["sensor"].as_table(); sensor != nullptr) {
-    const Lengths depths = found_depths(nominal.sensor, fit);
-    if (root.at_path("sensor.taxels"))
-      put_taxels(*sensor, nominal.sensor, depths, found_places(nominal.sensor, fit), units.length,
-                 edited);
-    else
-      put_lengths(*sensor, nominal.sensor, depths, found_places(nominal.sensor, fit), units.length,
-                  edited);
-  }
-  put(root.at_path("sensor.pitch").node(), PadParameter::pitch, units.length);
+  const Units units = units_of(nominal).value_or(Units{});
+  if (const toml::table* sensor = root["sensor"].as_table(); sensor != nullptr)
+    std::visit([&](const auto& one) { put_sensor(*sensor, one, fit, units, edited); }, nominal);
+  if (const toml::node* pitch = root.at_path("sensor.pitch").node();
+      pitch != nullptr && pitch->is_number())
+    put(pitch, PadParameter::pitch, units.length);
   put(root.at_path("material.youngs_modulus").node(), PadParameter::youngs_modulus, units.modulus);
   put(root.at_path("material.poisson_ratio").node(), PadParameter::poisson_ratio, {});
   put(root.at_path("material.layer.thickness").node(), PadParameter::thickness, units.length);
   put(root.at_path("crosstalk.fraction").node(), PadParameter::crosstalk, {});
   std::string tail;
-  const std::string noise = noise_of(nominal, log, fit);
+  const std::string noise =
+      std::visit([&](const auto& one) { return noise_of(one, log, fit); }, nominal);
   if (const toml::node* rms = root.at_path("noise.rms").node())
     edited.replace(*rms, noise);
   else if (!root.contains("noise"))
@@ -340,7 +305,9 @@ std::string calibrated_scene(std::string_view toml, const Scene& nominal, const 
   if (!result.empty() && result.back() != '\n') result += '\n';
   result += tail + '\n' + calibration_table(nominal, log, fit, from);
   if (text.find("\r\n") != std::string_view::npos) result = with_carriage_returns(result);
-  static_cast<void>(parse_scene(result, nominal.file));  // what is written can be read
+  // What is written can be read; a skin's file of taxels is not beside a text without a folder.
+  const auto* skin = std::get_if<SkinScene>(&nominal);
+  if (skin == nullptr || is_even(skin->sensor)) static_cast<void>(parse_any_scene(result, file));
   return result;
 }
 

@@ -34,11 +34,13 @@ constexpr std::string_view noise_needs = "has no size without a bandwidth that e
 constexpr OpAmpKey opamp_keys[] = {
     {"offset", &OpAmp::offset, any_number, in_volts},
     {"noise_voltage", &OpAmp::noise_voltage, positive, {}, noise_needs},
+    {"noise_corner", &OpAmp::noise_corner, positive, in_hertz, noise_needs},
     {"noise_current", &OpAmp::noise_current, positive, {}, noise_needs},
     {"bias_current", &OpAmp::bias_current, any_number, {}},
     {"cmrr", &OpAmp::common_mode_rejection},
     {"slew", &OpAmp::slew, positive, {}, "bends what the bandwidth makes"},
     {"output_resistance", &OpAmp::output_resistance},
+    {"output_current", &OpAmp::output_current},
     {"rail", &OpAmp::rail, above_diodes, in_volts}};
 
 OpAmp read_opamp(Table table) {
@@ -59,17 +61,54 @@ OpAmp read_opamp(Table table) {
     if (!key.needs_bandwidth.empty() && !opamp.bandwidth)
       value->problem(std::string(key.needs_bandwidth), "beside it, bandwidth = 10e6");
   }
+  if (const auto corner = table.value("noise_corner"); corner && !opamp.noise_voltage)
+    corner->problem("is where 1/f noise exceeds the white one, and there is none",
+                    "beside it, noise_voltage = 5e-9");
   if (opamp.is_nullor()) opamp.gain = opamp.dc_gain();
   table.finish();
   return opamp;
 }
 
-ToleranceOptions read_tolerance(Table table) {
+/// What programs an array instead of soldering it, and what its lines are.
+void read_arrays(Table& table, const NetworkOptions& network, ToleranceOptions& tolerance) {
+  const RealizationTraits& realization = traits(network.realization);
+  const auto of_arrays = [&](const Value& value) {
+    if (!realization.drives_nodes)
+      value.problem("is of arrays, which " + std::string(realization.name) + " does not have",
+                    "under [network], realization = \"least_squares\"");
+  };
+  const auto bits = table.value("bits");
+  const auto noise = table.value("cell_noise");
+  if (bits) {
+    if (const auto number = bits->integer(1, 32)) tolerance.bits = static_cast<int>(*number);
+    of_arrays(*bits);
+  }
+  if (noise) {
+    tolerance.cell_noise = noise->number(below_one);
+    of_arrays(*noise);
+  }
+  if (const auto series = table.value("series"); series && (bits || noise))
+    series->problem("is of resistors that are bought, and these arrays are programmed",
+                    "either series, or bits and cell_noise");
+  const auto wire = table.value("wire_resistance");
+  if (!wire) return;
+  tolerance.wire_resistance = wire->number(positive);
+  of_arrays(*wire);
+  if (realization.passive_residuals || has_ladder(network.realization, network.parts) ||
+      (realization.drives_nodes && network.parts.inverters))
+    wire->problem(
+        "is of arrays from complementary outputs into summing nodes",
+        "under [network], realization = \"least_squares\" or \"crossbar\", without inverters or "
+        "a ladder");
+}
+
+ToleranceOptions read_tolerance(Table table, const NetworkOptions& network) {
   constexpr std::array series = {Series::e12, Series::e24, Series::e48, Series::e96, Series::e192};
   constexpr std::array<std::string_view, 5> names = {"E12", "E24", "E48", "E96", "E192"};
   ToleranceOptions tolerance;
   const auto relative =
-      table.required("relative", "how far a component may be off: relative = 0.01", {"series"});
+      table.required("relative", "how far a component may be off: relative = 0.01",
+                     {"series", "bits", "cell_noise", "wire_resistance"});
   if (relative) tolerance.relative = relative->number(below_one);
   const auto beside = [&](std::string_view key, std::optional<double>& target) {
     const auto value = table.value(key);
@@ -81,6 +120,7 @@ ToleranceOptions read_tolerance(Table table) {
   beside("balance", tolerance.balance);
   if (const auto value = table.value("series"))
     if (const auto index = value->one_of("series", names)) tolerance.series = series[*index];
+  read_arrays(table, network, tolerance);
   if (const auto trials = table.value("trials"))
     tolerance.trials = static_cast<std::size_t>(trials->integer(1, 1'000'000).value_or(1000));
   if (const auto accuracy = table.value("accuracy"))
@@ -136,6 +176,7 @@ NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
     parts.bandwidth_ratio = ratio->number(positive);
   if (const auto inverters = table.value("inverters"))
     parts.inverters = inverters->boolean().value_or(false);
+  if (const auto ladder = table.value("ladder")) parts.ladder = ladder->boolean().value_or(false);
   if (const auto device = table.value("device"))
     if (const auto index = device->one_of("device", curve_names)) parts.curve = curves[*index];
   if (const auto opamp = table.value("opamp")) {
@@ -146,7 +187,7 @@ NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
   }
   if (const auto parasitic = table_of(table.value("parasitic"))) read_parasitic(*parasitic, parts);
   if (const auto tolerance = table_of(table.value("tolerance")))
-    options.tolerance = read_tolerance(*tolerance);
+    options.tolerance = read_tolerance(*tolerance, options);
   if (auto settling = table_of(table.value("settling"))) {
     if (const auto accuracy = settling->required(
             "accuracy", "how near to its end the answer must stay: accuracy = 1e-3"))

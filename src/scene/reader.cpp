@@ -47,8 +47,8 @@ AnyScene parse_named(std::string_view text, const std::string& file, bool skins)
 void refuse_skin(const toml::table& scene, Problems& problems) {
   problems.add(place_of(scene.get("sensor")->source().begin),
                "[sensor] is of a skin, and this knows line arrays alone as yet",
-               "run, simulate, solve, check, identify, plan, tradeoff, gen, relax and certify know "
-               "skins");
+               "run, simulate, solve, check, identify, calibrate, plan, tradeoff, gen, relax and "
+               "certify know skins");
 }
 
 Scene read_scene(const std::filesystem::path& path) {

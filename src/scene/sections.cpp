@@ -291,7 +291,7 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
       table_of(root.value("calibration")), folder,
       understood ? calibrated_readings(scene.sensor, read.units) : CalibratedReadings{});
   if (const auto table = table_of(root.value("calibrate")))
-    static_cast<void>(read_calibrate(*table, read.units, scene.material.layer.has_value()));
+    static_cast<void>(read_calibrate(*table, read.units, scene.material.layer.has_value(), false));
   if (const auto table = table_of(root.value("forward")))
     scene.forward = read_forward(*table, is_even(scene.sensor));
 

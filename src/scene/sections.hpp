@@ -36,6 +36,7 @@ void read_sections(Table& root, const std::filesystem::path& folder, Scene& scen
 void read_contacts(std::vector<Table> tables, const Read& read, Scene& scene);
 
 /// The table [calibrate]: how well what the scene states is known.
-[[nodiscard]] CalibrationOptions read_calibrate(Table table, const Units& units, bool has_layer);
+[[nodiscard]] CalibrationOptions read_calibrate(Table table, const Units& units, bool has_layer,
+                                                bool is_skin);
 
 }  // namespace tactile_net

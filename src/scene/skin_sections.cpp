@@ -8,6 +8,7 @@
 
 #include "scene/calibration_section.hpp"
 #include "scene/references.hpp"
+#include "scene/sections.hpp"
 #include "scene/taxel_table.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -142,13 +143,22 @@ void read_reconstruct(Table table, const std::optional<Value>& depths, const Rea
   SkinReconstructOptions& options = scene.reconstruct;
   if (const auto methods = table.value("methods")) {
     constexpr std::string_view one[] = {"tikhonov"};
-    for (const Value& method : methods->list("methods").value_or(std::vector<Value>{}))
-      (void)method.one_of("method of skins", one);
+    for (const Value& method : methods->list("methods").value_or(std::vector<Value>{})) {
+      if (method.is_text() && method.text() == "network")
+        method.problem("asks for a circuit, which of skins stands beside the answer",
+                       "remove it; tactile-net run --realization least_squares has both");
+      else
+        (void)method.one_of("method of skins", one);
+    }
   }
   const bool noisy = scene.noise && std::any_of(scene.noise->rms.begin(), scene.noise->rms.end(),
                                                 [](const auto& rms) { return rms.second > 0.0; });
-  if (const auto alpha = table.value("alpha"))
+  if (const auto alpha = table.value("alpha")) {
     read_alpha(*alpha, alpha_unit(read.units, scene), noisy, options.alpha, options.alpha_rule);
+    if (options.alpha_rule == AlphaRule::ncp)
+      alpha->problem("looks for white noise along a line of taxels, which a skin is not",
+                     noisy ? "alpha = \"evidence\", or \"aicc\"" : "alpha = \"aicc\"");
+  }
   if (const auto length = table.value("smoothing_length"))
     options.smoothing_length = length->number(not_negative, read.units.length);
   const bool one_channel = is_whole(scene) && channel_count(scene.sensor) == 1;
@@ -296,6 +306,14 @@ void read_skin_sections(Table& root, const std::filesystem::path& folder, SkinSc
   scene.calibration = read_calibration(
       table_of(root.value("calibration")), folder,
       is_whole(scene) ? calibrated_readings(scene.sensor, read.units) : CalibratedReadings{});
+  const auto calibrate = root.value("calibrate");
+  if (const auto table = table_of(calibrate)) {
+    const CalibrationOptions stated =
+        read_calibrate(*table, read.units, scene.material.layer.has_value(), true);
+    if (stated.pitch_sd > 0.0 && is_whole(scene) && !is_even(scene.sensor))
+      calibrate->problem("asks for a pitch, and these taxels have places of their own",
+                         "remove pitch_sd: their places are taken as the file has them");
+  }
   if (const auto table = table_of(root.value("forward")))
     scene.forward = read_forward(*table, true);
   const auto depths = depths_in(sensor);

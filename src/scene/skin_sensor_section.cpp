@@ -115,13 +115,18 @@ SkinArray read_uneven(Table& table, const Value& file, const std::filesystem::pa
   SkinTaxel missing;
   if (const auto value = table.value("depth"))
     missing.depth = value->number(positive, read.units.length).value_or(0.0);
+  double depth_factor = 1.0;
+  if (const auto value = table.value("depth_factor"))
+    depth_factor = value->number(positive).value_or(1.0);
   read.reads = table.value("reads");
   if (read.reads && !read_quantities(*read.reads, skin_quantities, missing.reads)) return {};
   if (!read.reads) read.reads = file;
   const auto path = read_taxel_path(file, folder);
   if (!path) return {};
   try {
-    SkinArray array = uneven_skin(read_taxels(*path, missing, read.units.length));
+    std::vector<SkinTaxel> taxels = read_taxels(*path, missing, read.units.length);
+    for (SkinTaxel& taxel : taxels) taxel.depth *= depth_factor;
+    SkinArray array = uneven_skin(std::move(taxels));
     read.reads_complete = read.depths_complete = true;
     return array;
   } catch (const std::invalid_argument& error) {

@@ -199,8 +199,10 @@ SkinConeSolution SkinCone::solve(std::span<const double> readings, std::size_t i
       const bool three = s.components == 3;
       if (part == ConePart::sliding) {
         const double limit = *s.constraints.friction_limit;
-        const double y = z(s.cells + i) / (limit * z(i));
-        const double t = z(2 * s.cells + i) / (limit * z(i));
+        // Of what is projected here: z of a cell that hardly touches may have been rounded to 0.
+        const double drag = std::hypot(before(s.cells + i), before(2 * s.cells + i));
+        const double y = drag > 0.0 ? before(s.cells + i) / drag : 1.0;
+        const double t = drag > 0.0 ? before(2 * s.cells + i) / drag : 0.0;
         const double slope = limit / s.scales.drag;
         const double length = std::hypot(1.0, slope);
         add(1.0 / length, slope / length * y, slope / length * t);

@@ -21,6 +21,8 @@ class SkinCoordinates {
   virtual ~SkinCoordinates() = default;
 
   [[nodiscard]] virtual Eigen::Index count() const noexcept = 0;
+  /// Of tractions.
+  [[nodiscard]] virtual Eigen::Index traction_count() const noexcept = 0;
   /// T c, column by column.
   [[nodiscard]] virtual Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const = 0;
   /// T' f, column by column.
@@ -30,6 +32,8 @@ class SkinCoordinates {
   /// The same of normal tractions summed over a window around each cell.
   [[nodiscard]] virtual Eigen::VectorXd squares(const SkinGrid& grid,
                                                 const CellWindow& window) const = 0;
+  /// Tractions of a component, if T T' joins none of two components; 0: it may.
+  [[nodiscard]] virtual Eigen::Index component_size() const noexcept = 0;
 };
 
 /// Cosines along y and z, wave (m, n) of component u at the place of cell (m, n): C, orthonormal,
@@ -40,11 +44,15 @@ class CosineCoordinates final : public SkinCoordinates {
   CosineCoordinates(const SkinProblem& problem, Eigen::VectorXd stretch);
 
   [[nodiscard]] Eigen::Index count() const noexcept override { return stretch_.size(); }
+  [[nodiscard]] Eigen::Index traction_count() const noexcept override { return stretch_.size(); }
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
   [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;
   [[nodiscard]] Eigen::VectorXd squares(const SkinGrid& grid,
                                         const CellWindow& window) const override;
+  [[nodiscard]] Eigen::Index component_size() const noexcept override {
+    return y_.rows() * z_.rows();
+  }
 
   /// stretch C' f: the coordinates of tractions.
   [[nodiscard]] Eigen::MatrixXd coordinates(const Eigen::MatrixXd& tractions) const;
@@ -72,11 +80,13 @@ class FaceCoordinates final : public SkinCoordinates {
   FaceCoordinates(const SkinProblem& problem, const ConeFace& face);
 
   [[nodiscard]] Eigen::Index count() const noexcept override { return edges_.cols(); }
+  [[nodiscard]] Eigen::Index traction_count() const noexcept override { return edges_.rows(); }
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
   [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;
   [[nodiscard]] Eigen::VectorXd squares(const SkinGrid& grid,
                                         const CellWindow& window) const override;
+  [[nodiscard]] Eigen::Index component_size() const noexcept override { return 0; }
 
  private:
   Eigen::SparseMatrix<double> edges_;  // E

@@ -64,6 +64,24 @@ Eigen::MatrixXd SkinFamily::Factors::from_components(const Eigen::MatrixXd& from
   return result;
 }
 
+std::shared_ptr<const RowMajor> SkinFamily::Factors::roots() const {
+  constexpr std::size_t most_kept = std::size_t{256} << 20;  // bytes
+  const std::lock_guard lock(kept->mutex);
+  if (kept->roots) return kept->roots;
+  auto made = std::make_shared<RowMajor>(coordinates->count(), std::ssize(gamma));
+  Index first = 0;
+  for (const Block& block : blocks) {
+    Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(coordinates->count(), block.gamma.size());
+    vectors(block.part.waves, Eigen::all) = block.v;
+    const Eigen::MatrixXd own = coordinates->tractions(vectors);
+    if (first == 0) made->resize(own.rows(), made->cols());
+    made->middleCols(first, block.gamma.size()) = own;
+    first += block.gamma.size();
+  }
+  if (static_cast<std::size_t>(made->size()) * sizeof(double) <= most_kept) kept->roots = made;
+  return made;
+}
+
 SkinFamily::SkinFamily(const SkinProblem& problem)
     : factors_(std::make_shared<const Factors>(
           problem,

@@ -5,9 +5,11 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "inverse/weighting.hpp"
+#include "numeric/eigen.hpp"
 #include "skin/coordinates.hpp"
 #include "skin/mirror.hpp"
 #include "tactile_net/skin/family.hpp"
@@ -31,11 +33,21 @@ struct SkinFamily::Factors {
   /// V of each class, applied to components: coordinates.
   [[nodiscard]] Eigen::MatrixXd from_components(const Eigen::MatrixXd& components) const;
 
+  /// T V of all classes, a row a traction: what bands are made of. Kept where it is not too large,
+  /// so that frames after the first find it. Thread-safe.
+  [[nodiscard]] std::shared_ptr<const RowMajor> roots() const;
+
   Weighting weighting;
   std::shared_ptr<const SkinCoordinates> coordinates;
   std::vector<Block> blocks{};
   std::vector<double> gamma{};  // of all blocks
   double stabiliser_condition;
+
+  struct Kept {
+    std::mutex mutex{};
+    std::shared_ptr<const RowMajor> roots{};
+  };
+  std::unique_ptr<Kept> kept = std::make_unique<Kept>();
 };
 
 /// The most by which L stretches one traction more than another.

@@ -171,27 +171,40 @@ UncertainWrench resultant_of(const SkinGrid& grid, std::span<const double> tract
                              double noise_rms) {
   const Contact contact(grid, tractions, cells);
   const auto& force = contact.wrench().force;
-  std::array<Gradient, 6> gradients;
-  UncertainWrench result;
-  const auto uncertain = [&](std::size_t i, double value, Gradient gradient) {
-    gradients[i] = std::move(gradient);
-    return Uncertain{value, covariance.deviation(gradients[i]) * noise_rms};
+  std::vector<Gradient> gradients;
+  std::vector<std::size_t> places;  // of each in the covariance
+  const auto differentiated = [&](std::size_t place, Gradient gradient) {
+    gradients.push_back(std::move(gradient));
+    places.push_back(place);
   };
-  result.normal = uncertain(0, force[0], contact.of_force(0));
+  differentiated(0, contact.of_force(0));
   if (contact.drags()) {
-    result.tangential_y = uncertain(1, force[1], contact.of_force(1));
-    result.tangential_z = uncertain(2, force[2], contact.of_force(2));
+    differentiated(1, contact.of_force(1));
+    differentiated(2, contact.of_force(2));
   }
   if (contact.presses()) {
-    result.centre_y = uncertain(3, contact.centre().y, contact.of_centre(false));
-    result.centre_z = uncertain(4, contact.centre().z, contact.of_centre(true));
-    if (contact.drags()) result.torsion = uncertain(5, contact.torsion(), contact.of_torsion());
+    differentiated(3, contact.of_centre(false));
+    differentiated(4, contact.of_centre(true));
+    if (contact.drags()) differentiated(5, contact.of_torsion());
   }
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j <= i; ++j)
-      if (!gradients[i].empty() && !gradients[j].empty())
-        result.covariance[6 * i + j] = result.covariance[6 * j + i] =
-            covariance.covariance(gradients[i], gradients[j]) * noise_rms * noise_rms;
+  std::array<double, 6> deviations{};
+  const std::vector<double> found = covariance.deviations_of(gradients);
+  for (std::size_t i = 0; i < found.size(); ++i) deviations[places[i]] = found[i] * noise_rms;
+  UncertainWrench result;
+  result.normal = {force[0], deviations[0]};
+  if (contact.drags()) {
+    result.tangential_y = {force[1], deviations[1]};
+    result.tangential_z = {force[2], deviations[2]};
+  }
+  if (contact.presses()) {
+    result.centre_y = {contact.centre().y, deviations[3]};
+    result.centre_z = {contact.centre().z, deviations[4]};
+    if (contact.drags()) result.torsion = {contact.torsion(), deviations[5]};
+  }
+  const Matrix joint = covariance.covariances(gradients);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = 0; j < places.size(); ++j)
+      result.covariance[6 * places[i] + places[j]] = joint(i, j) * noise_rms * noise_rms;
   return result;
 }
 
@@ -229,14 +242,17 @@ std::optional<SkinFriction> friction_of(const SkinGrid& grid, std::span<const do
                        contact.of_torsion())
                  : Gradient(tractions.size());
   friction.margin = Result{1.0 - used, of_margin}.uncertain(covariance, noise_rms);
+  std::vector<Gradient> of_cells;
   for (const std::size_t cell : cells) {
     const double q = std::hypot(contact.q_y(cell), contact.q_z(cell));
     const double over = q > 0.0 ? -1.0 / q : 0.0;
-    const Result margin{
-        *limit * contact.p(cell) - q,
-        contact.at(cell, *limit, contact.q_y(cell) * over, contact.q_z(cell) * over)};
-    friction.cell_margins.push_back(margin.uncertain(covariance, noise_rms));
+    friction.cell_margins.push_back({*limit * contact.p(cell) - q, 0.0});
+    of_cells.push_back(
+        contact.at(cell, *limit, contact.q_y(cell) * over, contact.q_z(cell) * over));
   }
+  const std::vector<double> deviations = covariance.deviations_of(of_cells);
+  for (std::size_t i = 0; i < deviations.size(); ++i)
+    friction.cell_margins[i].deviation = deviations[i] * noise_rms;
   return friction;
 }
 

@@ -2,6 +2,7 @@
 #include <exception>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "study/circuits.hpp"
 #include "study/points.hpp"
@@ -27,6 +28,10 @@ void widen_cells(SkinScene& scene, Realization realization) {
   scene.network.spacing = std::max(scene.sensor.pitch_y, scene.sensor.pitch_z);
 }
 
+std::size_t nodes_of(const SkinScene& skin) {
+  return components(skin) * grid(of_circuit(skin)).count();
+}
+
 /// Which are worth a minute: the longest first, since two run at a time.
 constexpr Realization of_lines[] = {Realization::least_squares, Realization::nic,
                                     Realization::crossbar, Realization::lattice, Realization::rail};
@@ -41,10 +46,16 @@ NetworkOptions& network_of(AnyScene& scene) {
 bool is_small(const AnyScene& scene) {
   const auto* const skin = std::get_if<SkinScene>(&scene);
   if (skin == nullptr) return true;
-  const std::size_t nodes = components(*skin) * grid(of_circuit(*skin)).count();
-  const std::size_t readings = reading_count(skin->sensor);
-  return !lab::too_large(skin->network.realization, nodes, readings) &&
-         nodes + readings <= most_drawn_amplifiers;
+  return !lab::too_large(skin->network.realization, nodes_of(*skin), reading_count(skin->sensor)) &&
+         nodes_of(*skin) + reading_count(skin->sensor) <= most_drawn_amplifiers;
+}
+
+std::string why_not_drawn(const AnyScene& scene) {
+  const auto& skin = std::get<SkinScene>(scene);
+  return "no operating point by ngspice and no draws of its parts: its " +
+         std::to_string(nodes_of(skin)) + " nodes and " +
+         std::to_string(reading_count(skin.sensor)) + " residuals are more than " +
+         std::to_string(most_drawn_amplifiers) + ", of which either takes minutes";
 }
 
 AnyScene with_circuit(const StudyInput& input, Realization realization,
@@ -110,6 +121,9 @@ std::vector<StudyJob> circuit_jobs(const StudyInput& input, const lab::Simulator
     add({Kind::circuit_sizes}, 10.0,
         [&input, stop](Simulator&) { return circuit_sizes(input, stop); });
   add({Kind::parts}, 2.0, [&input, stop](Simulator&) { return parts_floors(input, stop); });
+  add({Kind::moving}, 2.0, [&input, stop, realizations_of](Simulator&) {
+    return moving_contacts(input, realizations_of, stop);
+  });
   add({Kind::operating_points}, 2.0,
       [&input](Simulator& simulator) { return operating_points(input, simulator); });
   return jobs;

@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <optional>
+#include <span>
+#include <string>
 
 #include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/simulator/simulator.hpp"
@@ -36,6 +38,8 @@ inline constexpr std::size_t most_simulated_resistors = 40000;
 /// `most_drawn_amplifiers` nodes and residuals, of which either takes minutes.
 [[nodiscard]] bool is_small(const AnyScene& scene);
 inline constexpr std::size_t most_drawn_amplifiers = 200;
+/// What is left out of a circuit that is not, and why.
+[[nodiscard]] std::string why_not_drawn(const AnyScene& scene);
 
 /// One realisation's step response at every bandwidth.
 [[nodiscard]] StudySection settling(const StudyInput& input, Realization realization,
@@ -51,6 +55,11 @@ inline constexpr std::size_t most_drawn_amplifiers = 200;
 
 /// What the simulator takes for the operating point, and how well it agrees.
 [[nodiscard]] StudySection operating_points(const StudyInput& input, Simulator& simulator);
+
+/// How those circuits, their op-amps of 10 MHz, and loops follow the frame's contacts along y.
+/// Nothing without a contact; of circuits those that settle.
+[[nodiscard]] StudySection moving_contacts(const StudyInput& input,
+                                           std::span<const Realization> circuits, const Stop& stop);
 
 /// What components of 1 % and 0.1 % do to each circuit.
 [[nodiscard]] StudySection parts_floors(const StudyInput& input, const Stop& stop);

@@ -11,11 +11,15 @@ StudySection operating_points(const StudyInput& input, Simulator& simulator) {
   for (const Realization realization : realizations) {
     if (!traits(realization).linear()) continue;
     const AnyScene scene = with_circuit(input, realization);
-    if (!is_small(scene)) continue;
     WorkPoint result;
     result.curve = curve_of(input, scene);
     result.knob = {.kind = Knob::Kind::operating_point};
     result.time_of = TimeOf::simulator;
+    if (!is_small(scene)) {
+      result.failure = Failure{.what = why_not_drawn(scene)};
+      section.points.push_back(std::move(result));
+      continue;
+    }
     try {
       const lab::Relaxation relaxation = lab::relax(circuit_of(input, scene), simulator);
       result.seconds = result.seconds_low = result.seconds_high = relaxation.ngspice_seconds;

@@ -6,27 +6,13 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
-#include <thread>
 #include <utility>
 #include <vector>
 
+#include "numeric/threads.hpp"
+
 namespace tactile_net::study {
 namespace {
-
-/// Joined however their owner ends: std::jthread, which libc++ has from version 20 on.
-class Threads {
- public:
-  Threads() = default;
-  Threads(const Threads&) = delete;
-  Threads& operator=(const Threads&) = delete;
-  ~Threads() {
-    for (std::thread& thread : threads_) thread.join();
-  }
-  void start(const auto& work) { threads_.emplace_back(work); }
-
- private:
-  std::vector<std::thread> threads_;
-};
 
 /// What is done, and how long the rest takes at that pace.
 class Pace {

@@ -16,27 +16,44 @@ MissingPoints::MissingPoints(std::size_t missing, std::size_t points, std::size_
                      " points are missing, " + std::to_string(first) + " first") +
           ": the same sweep again does what is missing") {}
 
-Table table(const Rows& rows) {
+namespace {
+
+Table table_of(const Rows& rows, const Shard& shard) {
   const JournalHead& head = rows.head();
-  if (rows.done() < head.points) {
-    std::size_t first = 0;
-    while (rows.has(first)) ++first;
-    throw MissingPoints(head.points - rows.done(), head.points, first);
-  }
   Table table{.title = head.title,
               .study = head.hash,
               .axes = head.axes,
               .units = head.units,
-              .keep = head.keep,
-              .points = head.points};
+              .keep = head.keep};
+  std::size_t missing = 0;
+  std::size_t first = 0;
+  for (std::size_t index = 0; index < head.points; ++index) {
+    if (!shard.has(index)) continue;
+    ++table.points;
+    if (rows.has(index)) continue;
+    if (missing++ == 0) first = index;
+  }
+  if (missing > 0) throw MissingPoints(missing, table.points, first);
   table.csv = header(head.axes, head.keep) + '\n';
-  for (const auto& [index, lines] : rows.points())
+  for (const auto& [index, lines] : rows.points()) {
+    if (!shard.has(index)) continue;
     for (const std::string& line : lines) {
       table.rows.push_back(*row_in(line, head.axes.size(), head.keep));
       (table.csv += line) += '\n';
     }
+  }
   table.sha256 = sha256_text(table.csv);
   return table;
+}
+
+}  // namespace
+
+Table table(const Rows& rows) { return table_of(rows, {}); }
+
+Table shard_table(const Study& study, const std::filesystem::path& folder, const Shard& shard) {
+  Rows rows(head_of(study));
+  for (const auto& journal : journals_in(folder)) rows.add(journal);
+  return table_of(rows, shard);
 }
 
 Table merge(std::span<const std::filesystem::path> folders) {

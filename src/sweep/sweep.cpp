@@ -12,10 +12,10 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
+#include "numeric/threads.hpp"
 #include "sweep/worker.hpp"
 #include "tactile_net/frames/folder_lock.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -36,8 +36,6 @@ void make_folder(const fs::path& folder) {
     throw frames::CannotCreate(folder.string() +
                                ": error: cannot be written to: " + std::strerror(errno));
 }
-
-std::size_t processors() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 [[noreturn]] void fail_to_write(const fs::path& journal, int error) {
   throw std::runtime_error(journal.string() + " could not be written: " + std::strerror(error) +

@@ -43,7 +43,7 @@ TEST_CASE("the half width is the inverse of the force, and its derivatives are r
   const Base base = GENERATE(Base::bonded, Base::frictionless);
   const double a = GENERATE(0.4e-3, 1.5e-3, 4e-3);
   const Material pad = layer(0.42, base);
-  const RodForce at = rod_force(pad, a, radius);
+  const ContactForce at = rod_force(pad, a, radius);
   CHECK_THAT(rod_half_width(pad, std::exp(at.log_force), radius), WithinRel(a, 1e-12));
 
   const double step = 1e-4;

@@ -111,7 +111,7 @@ recorded = scenes / "recorded"
 with tempfile.TemporaryDirectory() as place:
     place = pathlib.Path(place)
     for scene in sorted(scenes.rglob("*.toml")):
-        if scene.parent.name not in ("recorded", "hands", "skins", "sweeps", "calibration"):
+        if scene.parent.name not in ("recorded", "hands", "sweeps", "calibration"):
             check("explain", written("run", scene, "--explain"), scene)
     # Of each: another circuit, other effects, two channels, a scene over time, a method without an answer.
     for name in ("nic", "edge-of-array", "dragged", "two-strains", "effects/everything", "effects/sliding",
@@ -161,6 +161,8 @@ with tempfile.TemporaryDirectory() as place:
     check("check", written("check", skin.with_suffix(".toml"), "--readings", skin.with_suffix(".csv"), "-q"), "a skin")
     log = scenes / "calibration" / "no-loads"
     check("calibrate", written("calibrate", log.with_suffix(".csv"), "--scene", log.with_suffix(".toml"), "--next", "2"), "a log")
+    log = scenes / "calibration" / "skin-layer"
+    check("calibrate", written("calibrate", log.with_suffix(".csv"), "--scene", log.with_suffix(".toml")), "a log of a skin")
     check("plan", written("plan", *counts, "-q"), "a plan for counts")
     check("identify", written("identify", *counts), "counts")
     check("plan", written("plan", scenes / "fingertip.toml", "-q"), "a plan")

@@ -378,16 +378,9 @@ TEST_CASE("check says what is wrong with a skin's recording", "[cli][skin]") {
   CHECK(json.at("units").at("force") == "N");
 }
 
-TEST_CASE("a command that does not know skins yet says so", "[cli][skin]") {
+TEST_CASE("an option that is of lines says so of a skin", "[cli][skin]") {
   const Folder folder;
   const std::string path = folder.write("skin.toml", skin);
-  folder.write("log.csv", "press,depth\n");
-  const ProcessResult refused =
-      tool({"calibrate", folder / "log.csv", "--scene", path, "-o", folder / "c.toml"});
-  CHECK(refused.code != 0);
-  CHECK_THAT(refused.errors, ContainsSubstring("[sensor] is of a skin"));
-  CHECK_THAT(refused.errors, ContainsSubstring("plan, tradeoff, gen, relax and certify know"));
-  CHECK_THAT(tool({"run", path, "--explain"}).errors, ContainsSubstring("--explain"));
   CHECK_THAT(tool({"solve", path, "--method", "dft", "--readings", "x.csv"}).errors,
              ContainsSubstring("--method"));
 }

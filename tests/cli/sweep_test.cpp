@@ -186,6 +186,13 @@ TEST_CASE("a sweep without a single answer is written, and has failed", "[cli][s
                            "scene = \"pad.toml\"\n"
                            "[[axis]]\nkey = \"sensor.depth\"\nvalues = [-1.0, 1.0]\n");
   CHECK(sweep.run({}, "half").code == 0);
+  // So has a shard that has none; another has, and so has the whole.
+  const ProcessResult shard = sweep.run({"--shard", "1/2"}, "shards");
+  CHECK(shard.code == 1);
+  CHECK_THAT(shard.errors, ContainsSubstring(why));
+  CHECK_THAT(shard.output, ContainsSubstring("shard 1/2: 1 point is done"));
+  CHECK(sweep.run({"--shard", "2/2"}, "shards").code == 0);
+  CHECK(tool({"merge", sweep.folder / "shards"}).code == 0);
 }
 
 TEST_CASE("shards are merged when all are there, from one folder or from several", "[cli][sweep]") {

@@ -264,7 +264,7 @@ TEST_CASE("a study says which problem it studied", "[cli][tradeoff]") {
 }
 
 TEST_CASE("a skin's study has its methods, arrays of other sizes, circuits, and a page",
-          "[cli][tradeoff][skin]") {
+          "[cli][tradeoff][skin][long]") {
   const Folder folder;
   const std::string path = std::string(SCENES) + "/skins/circuit.toml";
   const ProcessResult result = tool({"tradeoff", path, "--out", folder / "out"});
@@ -326,7 +326,7 @@ TEST_CASE("a skin's study has its methods, arrays of other sizes, circuits, and 
 }
 
 TEST_CASE("a skin's study takes a demand, and refuses what it cannot study",
-          "[cli][tradeoff][skin]") {
+          "[cli][tradeoff][skin][long]") {
   const Folder folder;
   const std::string path = std::string(SCENES) + "/skins/circuit.toml";
   const ProcessResult met =

@@ -1,7 +1,9 @@
 // A large skin's answer beside the dense one of the same scene.
 #include "src/lab/large_skin.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -85,6 +87,10 @@ TEST_CASE("with a given alpha a large skin's answer is the dense one", "[lab][sk
     REQUIRE(large.ellipse);
     // Four probes of few readings.
     CHECK_THAT(large.degrees_of_freedom, WithinRel(dense.degrees_of_freedom, 0.15));
+    // Bands of cells are off by what is said of them, beside the prior's probes.
+    CHECK(large.iteration->bands.tractions >= 2);
+    CHECK(std::abs(large.iteration->bands.least) < 0.1);
+    CHECK(std::abs(large.iteration->bands.most) < 0.1);
   }
 }
 
@@ -208,10 +214,38 @@ TEST_CASE("a recording of a large skin is solved frame by frame, gaps included",
   CHECK(distance(second->tractions, expected.tractions) < 1e-6 * norm(expected.tractions));
   std::vector<double> again = readings;
   CHECK(solver.solve(again)->tractions == first->tractions);
+}
 
-  SkinScene ruled = skin("[reconstruct]\ntangential_weight = 1.0\n");
-  CHECK_THROWS_WITH(lab::SkinRecordingSolver(without_matrix(ruled), {.share_alpha = 5}),
-                    ContainsSubstring("reconstruct.alpha"));
+TEST_CASE("frames of a large skin share an alpha as those of a dense one do",
+          "[lab][skin][large]") {
+  SkinScene scene = skin("[reconstruct]\ntangential_weight = 1.0\n");
+  std::vector<std::vector<double>> frames;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    scene.noise->seed = seed;
+    frames.push_back(lab::simulate(scene).readings);
+  }
+  const auto alphas = [&](const lab::SkinSceneProblem& problem, std::optional<std::size_t> share,
+                          bool equal = false) {
+    lab::SkinRecordingSolver solver(problem, {.share_alpha = share});
+    std::vector<double> all;
+    for (const std::vector<double>& frame : frames) {
+      std::vector<double> readings = equal ? frames.front() : frame;
+      const auto answer = solver.solve(readings);
+      REQUIRE(answer);
+      all.push_back(std::log(answer->alpha.value));
+    }
+    return all;
+  };
+  const std::vector<double> dense = alphas(lab::SkinSceneProblem(scene), 4);
+  const std::vector<double> large = alphas(without_matrix(scene), 4);
+  for (std::size_t i = 0; i < dense.size(); ++i) CHECK_THAT(large[i], WithinAbs(dense[i], 0.35));
+  // Equal frames have the alpha of each alone; others one between theirs.
+  const std::vector<double> alone = alphas(without_matrix(scene), std::nullopt);
+  for (const double alpha : alphas(without_matrix(scene), 3, true))
+    CHECK_THAT(alpha, WithinAbs(alone.front(), 1e-6));
+  CHECK(large.front() == alone.front());
+  CHECK(large.back() > *std::min_element(alone.begin(), alone.end()));
+  CHECK(large.back() < *std::max_element(alone.begin(), alone.end()));
 }
 
 TEST_CASE("what a large skin cannot have is refused, with what to do", "[lab][skin][large]") {

@@ -3,6 +3,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "tactile_net/network/operating_voltages.hpp"
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
@@ -18,7 +20,7 @@ lab::SceneCircuit board() {
 }  // namespace
 
 TEST_CASE("the list to order is stable with the scene's op-amps, and its draws meet the target",
-          "[parts_list]") {
+          "[parts_list][long]") {
   const lab::SceneCircuit circuit = board();
   const lab::PartsList list = lab::parts_list(circuit, 3e-3);
   REQUIRE(list.choice);
@@ -53,10 +55,36 @@ TEST_CASE("the list to order is stable with the scene's op-amps, and its draws m
   CHECK_THAT(report::order_csv(list), StartsWith("ohm,tolerance,quantity,references\n"));
 }
 
-TEST_CASE("an accuracy that no parts reach is said to be out of reach", "[parts_list]") {
+TEST_CASE("an accuracy that no parts reach is said to be out of reach", "[parts_list][long]") {
   const lab::SceneCircuit circuit = board();
   const lab::PartsList none = lab::parts_list(circuit, 1e-6);
   CHECK_FALSE(none.choice);
   CHECK_THAT(report::in_words(none), StartsWith("No list of parts"));
   CHECK_THROWS_AS(lab::parts_list(circuit, 0.0), std::invalid_argument);
+}
+
+TEST_CASE("the parts of a ladder are ordered as all are, and make its answer",
+          "[parts_list][ladder]") {
+  const lab::SceneCircuit circuit =
+      lab::simulated_circuit(read_scene(SCENES "/circuits/ladder.toml"));
+  const lab::PartsList list = lab::own_parts_list(circuit, 3e-3);
+  REQUIRE(list.choice);
+  const auto& chosen = list.chosen();
+  CHECK(chosen.ladder);
+  CHECK(chosen.p95.value() <= 3e-3);
+  CHECK(chosen.resistors_price <= 1.01 * chosen.resistors_bound);
+  std::size_t counted = 0;
+  std::size_t better = 0;
+  for (const lab::PartsOfArray& array : list.choice->arrays) {
+    counted += std::accumulate(array.counts.begin(), array.counts.end(), std::size_t{0});
+    better += std::accumulate(array.counts.begin() + 1, array.counts.end(), std::size_t{0});
+  }
+  CHECK(counted == circuit.network().reduction().resistors().size());
+  CHECK(better < 70);
+  std::vector<double> soldered = operating_voltages(FlatCircuit(list.choice->soldered.circuit));
+  const double volts = circuit.options().parts.scale.volts;
+  for (double& one : soldered) one /= volts;
+  CHECK(relative_l2_error(soldered, circuit.direct()) < 1.5 * chosen.rounding);
+  CHECK_THAT(report::in_words(list), ContainsSubstring("least_squares with a ladder, 82 op-amps"));
+  CHECK_THAT(report::board_text(list), ContainsSubstring("\"Rg0p"));
 }

@@ -13,6 +13,7 @@
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/checked_recording.hpp"
 
 using namespace tactile_net;
 namespace finding = lab::finding;
@@ -49,34 +50,10 @@ const std::string slides =
 const std::string holds = cylinder + "force = 30.0\n";
 const std::string idles;
 
-struct Recording {
-  Scene scene;
-  Frames frames{};
-};
+using Recording = CheckedRecording<Scene>;
 
 Recording record(const std::string& toml) {
-  Recording recording{parse_scene(toml, "pad.toml")};
-  lab::SensorRecording sensor(recording.scene);
-  while (sensor.next())
-    recording.frames.emplace_back(sensor.readings().begin(), sensor.readings().end());
-  // What a person knows who has the recording: no contact, one frame.
-  recording.scene.contacts.clear();
-  recording.scene.trajectories.clear();
-  recording.scene.time.reset();
-  return recording;
-}
-
-lab::ReadingsCheck check(const Recording& recording) {
-  lab::ReadingsChecker checker(recording.scene);
-  double time = 0.0;
-  for (const std::vector<double>& frame : recording.frames) checker.add(time += 0.01, frame);
-  return checker.result();
-}
-
-std::set<std::string> kinds(const lab::ReadingsCheck& check) {
-  std::set<std::string> names;
-  for (const lab::Finding& one : check.findings) names.emplace(lab::name(one));
-  return names;
+  return record_with<lab::SensorRecording>(parse_scene(toml, "pad.toml"));
 }
 
 template <class Kind>
@@ -86,8 +63,6 @@ Kind found(const lab::ReadingsCheck& check) {
   FAIL("not found");
   throw 0;
 }
-
-using Names = std::set<std::string>;
 
 std::size_t count_of(const Recording& recording) { return recording.scene.sensor.count; }
 
@@ -272,6 +247,30 @@ TEST_CASE("each planted defect is found", "[lab][check]") {
   CHECK(names.contains(defect.expected));
   for (const std::string& one : defect.also) names.erase(one);
   CHECK(names == (defect.also.contains(defect.expected) ? Names{} : Names{defect.expected}));
+}
+
+TEST_CASE("columns in the other order are found by what shears say", "[lab][check]") {
+  const std::uint64_t seed = GENERATE(1u, 2u);
+  const std::string contact = GENERATE(presses, slides);
+  const std::string reads = GENERATE("\"stress_x\", \"shear_xy\"", "\"stress_x\"");
+  Recording recording = record(pad(41, reads, contact, seed));
+  const auto count = static_cast<std::ptrdiff_t>(count_of(recording));
+  for (auto& frame : recording.frames)
+    for (auto first = frame.begin(); first != frame.end(); first += count)
+      std::reverse(first, first + count);
+  const lab::ReadingsCheck result = check(recording);
+  // Pressures alone know no direction.
+  const bool told = recording.scene.sensor.reads.size() > 1;
+  CHECK(kinds(result).contains("order_mirrored") == told);
+  if (!told) return;
+  const auto order = found<finding::OrderMirrored>(result);
+  CHECK(order.along_y);
+  CHECK_FALSE(order.exchanged);
+  CHECK(order.frames == order.of);
+  // The shear's sign turned as well is the pad seen in a mirror.
+  for (auto& frame : recording.frames)
+    std::transform(frame.begin() + count, frame.end(), frame.begin() + count, std::negate<>());
+  CHECK(kinds(check(recording)) == Names{});
 }
 
 TEST_CASE("a constant that is found with the loads is no baseline, a drift of it no drift",

@@ -6,6 +6,7 @@
 #include "tactile_net/lab/recommendation.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/network/operating_voltages.hpp"
+#include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
@@ -165,4 +166,27 @@ TEST_CASE("a recommendation says which, or what it would take", "[lab][recommend
   const lab::Recommendation idle = recommend(circuit(scene));
   CHECK(idle.outcome == no_load);
   CHECK_FALSE(idle.choice);
+}
+
+TEST_CASE("a ladder is recommended where parts of 1 % leave no other circuit its accuracy",
+          "[lab][recommendation][ladder]") {
+  Scene scene = read_scene(SCENES "/circuits/ladder.toml");
+  const lab::SceneCircuit own = circuit(scene);
+  CHECK(own.certificate().ladder);
+  const lab::Recommendation found = recommend(own);
+  REQUIRE(found.outcome == lab::Recommendation::Outcome::reached);
+  CHECK(found.chosen().realization == Realization::least_squares);
+  CHECK(found.chosen().ladder);
+  CHECK(found.chosen().tolerance.p95 < 4e-3);
+  for (const auto& one : found.candidates)
+    CHECK((one.ladder || one.tolerance.p95 > found.drawn.accuracy));
+  CHECK_THAT(report::in_words(found), ContainsSubstring("least_squares with a ladder"));
+
+  // Whichever form the scene has, both are drawn, each once and alike.
+  scene = read_scene(SCENES "/circuits/ladder.toml");
+  scene.network.parts.ladder = false;
+  const lab::Recommendation other = recommend(circuit(scene));
+  REQUIRE(other.candidates.size() == found.candidates.size());
+  CHECK(other.chosen().ladder);
+  CHECK(other.chosen().tolerance.p95 == found.chosen().tolerance.p95);
 }

@@ -10,6 +10,7 @@
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/report/words/check_words.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/checked_recording.hpp"
 
 using namespace tactile_net;
 namespace finding = lab::finding;
@@ -33,36 +34,12 @@ std::string pad(const std::string& reads, bool held) {
 }
 const std::string three = "\"stress_x\", \"shear_xy\", \"shear_xz\"";
 
-struct Recording {
-  SkinScene scene{};
-  std::vector<std::vector<double>> frames{};
-};
+using Recording = CheckedRecording<SkinScene>;
 
 Recording record(const std::string& toml) {
-  Recording recording{std::get<SkinScene>(parse_any_scene(toml, "skin.toml"))};
-  lab::SkinRecording sensor(recording.scene);
-  while (sensor.next())
-    recording.frames.emplace_back(sensor.readings().begin(), sensor.readings().end());
-  recording.scene.contacts.clear();
-  recording.scene.trajectories.clear();
-  recording.scene.time.reset();
-  return recording;
+  return record_with<lab::SkinRecording>(std::get<SkinScene>(parse_any_scene(toml, "skin.toml")));
 }
 
-lab::ReadingsCheck check(const Recording& recording) {
-  lab::ReadingsChecker checker(recording.scene);
-  double time = 0.0;
-  for (const std::vector<double>& frame : recording.frames) checker.add(time += 0.01, frame);
-  return checker.result();
-}
-
-std::set<std::string> kinds(const lab::ReadingsCheck& check) {
-  std::set<std::string> names;
-  for (const lab::Finding& one : check.findings) names.emplace(lab::name(one));
-  return names;
-}
-
-using Names = std::set<std::string>;
 constexpr std::size_t middle = 3 * columns + 2;  // row 3, column 2
 
 struct Defect {
@@ -173,4 +150,47 @@ TEST_CASE("a skin's suspicions name rows and columns, and what its file needs",
   CHECK(kinds(check(recording)) == Names{});
   CHECK_THAT(report::advice(finding::WholePadPulled{}, scene),
              ContainsSubstring("turn the sign of the file's numbers"));
+}
+
+TEST_CASE("taxels in another order than the scene's are found by what shears say",
+          "[lab][check][skin]") {
+  // Square, so that rows can be taken for columns; a contact that is nowhere symmetric.
+  std::string square = pad(three, false);
+  square.replace(square.find("rows = 7"), 8, "rows = 6");
+  const Recording clean = record(square);
+  CHECK(kinds(check(clean)) == Names{});
+  const bool along_y = GENERATE(false, true);
+  const bool along_z = GENERATE(false, true);
+  const bool exchanged = GENERATE(false, true);
+  if (!along_y && !along_z && !exchanged) return;
+  CAPTURE(along_y, along_z, exchanged);
+  Recording recording = clean;
+  constexpr std::size_t n = columns;
+  for (std::size_t k = 0; k < recording.frames.size(); ++k)
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      for (std::size_t row = 0; row < n; ++row)
+        for (std::size_t column = 0; column < n; ++column) {
+          const std::size_t y = exchanged ? column : row;
+          const std::size_t z = exchanged ? row : column;
+          recording.frames[k][(channel * n + row) * n + column] =
+              clean.frames[k][(channel * n + (along_y ? n - 1 - y : y)) * n +
+                              (along_z ? n - 1 - z : z)];
+        }
+  const lab::ReadingsCheck result = check(recording);
+  CAPTURE(kinds(result));
+  REQUIRE(kinds(result).count("order_mirrored") == 1);
+  for (const lab::Finding& one : result.findings)
+    if (const auto* order = std::get_if<finding::OrderMirrored>(&one)) {
+      CHECK(order->exchanged == exchanged);
+      // Of a quarter turn the two mirrors change places with the order in which they are told.
+      CHECK((order->along_y != order->along_z) == (along_y != along_z));
+      CHECK_FALSE(report::advice(one, recording.scene).empty());
+    }
+}
+
+TEST_CASE("readings that know no direction say nothing of the taxels' order",
+          "[lab][check][skin]") {
+  Recording recording = record(pad("\"stress_x\"", false));
+  for (auto& frame : recording.frames) std::reverse(frame.begin(), frame.end());
+  CHECK(kinds(check(recording)) == Names{});
 }

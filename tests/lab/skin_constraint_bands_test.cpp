@@ -90,45 +90,102 @@ TEST_CASE("where nothing may pull deviations hold force and place",
   CHECK(std::abs(coarse.sum) / coarse.draws < 1.0);
 }
 
-TEST_CASE("what constraints move a force by is in its deviation",
+TEST_CASE("what constraints move a force by is found by solving again",
           "[lab][skin][constraints][long]") {
-  // A narrow contact across a gel that shows displacements: inside friction's cone the force is a
-  // tenth too large whatever the noise, and the face alone said 1.5 %.
-  const auto gel = [](int seed) {
-    return std::get<SkinScene>(parse_any_scene(
+  // A gel that hardly changes its volume, on a base: wide loads show less than narrow ones, so that
+  // what noise pushes around a contact makes it too strong. The force was 9 % too large, by 3.3
+  // deviations of the face alone on average.
+  std::mt19937 random(7);
+  const auto uniform = [&](double least, double most) {
+    return std::uniform_real_distribution<double>(least, most)(random);
+  };
+  constexpr int draws = 12;
+  std::optional<lab::SkinSceneProblem> problem;
+  int held = 0;
+  double sum = 0.0;
+  double square = 0.0;
+  for (int i = 0; i < draws; ++i) {
+    const double radius = uniform(0.9, 2.4);
+    const double force = 18.0 * radius * radius * uniform(0.7, 1.5);
+    const double y = uniform(-2.2, 2.2);
+    const double z = uniform(-2.2, 2.2);
+    const auto scene = std::get<SkinScene>(parse_any_scene(
         R"([sensor]
-rows = 14
-columns = 14
+rows = 9
+columns = 9
 pitch = 1.2
 depth = 1.0
 reads = ["displacement_x", "displacement_y", "displacement_z"]
 [material]
-youngs_modulus = 0.1
+youngs_modulus = 100.0
 poisson_ratio = 0.48
 layer = { thickness = 4.0, base = "bonded" }
-[[contact]]
-shape = "ellipsoid"
-place = [0.5, 1.0]
-radii = [5.0, 1.2]
-angle = 65.0
-force = 0.15
-friction = 0.4
-direction = 155.0
 [noise]
 rms = { displacement_x = 0.003, displacement_y = 0.001, displacement_z = 0.001 }
-seed = )" + std::to_string(seed) +
-            "\n[reconstruct]\nspacing = 0.6\nfriction_limit = 0.8\n",
+seed = )" + std::to_string(i + 1) +
+            "\n[reconstruct]\nspacing = 0.6\nfriction_limit = 0.8\n" +
+            "[[contact]]\nshape = \"sphere\"\nfriction = 0.3\ndirection = 155.0\nplace = [" +
+            std::to_string(y) + ", " + std::to_string(z) + "]\nradius = " + std::to_string(radius) +
+            "\nforce = " + std::to_string(force) + "\n",
         "gel.toml"));
-  };
-  for (const int seed : {1, 2, 3}) {
-    const SkinScene scene = gel(seed);
-    const lab::SkinAnswer answer =
-        lab::solve(lab::SkinSceneProblem(scene), lab::simulate(scene).readings);
-    const Uncertain& force = answer.wrench.normal;
-    CAPTURE(seed, force.value, force.deviation);
-    CHECK(std::abs(force.value - 0.15) < 2.5 * force.deviation);
-    CHECK(force.deviation < 0.03);
+    if (!problem) problem.emplace(scene);
+    const lab::SkinAnswer answer = lab::solve(*problem, lab::simulate(scene).readings);
+    const Uncertain& found = answer.wrench.normal;
+    const double error = found.value - force;
+    CAPTURE(i, radius, force, found.value, found.deviation);
+    CHECK(std::abs(error) < 3.0 * found.deviation);
+    CHECK(found.deviation < 0.15 * force);
+    held += std::abs(error) <= 2.0 * found.deviation;
+    sum += error / found.deviation;
+    square += error * error / force / force;
+    // What is left of friction's limit is of that force too.
+    REQUIRE(answer.friction);
+    CHECK_THAT(
+        answer.friction->ratio.value,
+        WithinRel(std::hypot(answer.wrench.tangential_y->value, answer.wrench.tangential_z->value) /
+                      found.value,
+                  1e-12));
   }
+  CHECK(held >= draws - 1);
+  CHECK(std::abs(sum) / draws < 1.2);
+  CHECK(std::sqrt(square / draws) < 0.085);
+}
+
+TEST_CASE("a cell that hardly touches leaves a face that can be judged",
+          "[lab][skin][constraints]") {
+  // Rounding takes one of this contact's cells for slipping, and its pressure for 0: its direction
+  // of slip was 0 / 0, and there was no answer.
+  const auto scene = std::get<SkinScene>(parse_any_scene(
+      R"([sensor]
+rows = 8
+columns = 8
+pitch = 2.0
+depth = 2.0
+reads = ["stress_x", "shear_xy", "shear_xz"]
+[material]
+youngs_modulus = 250.0
+poisson_ratio = 0.48
+[[contact]]
+shape = "sphere"
+place = [-0.095216572551102274, -2.2353626656650114]
+radius = 2.5885437076092135
+force = 718.41659289199447
+friction = 0.011494
+direction = 246.158539
+[noise]
+rms = 0.2
+seed = 21
+[dead_taxels]
+indices = [18, 19, 27, 36, 44, 45]
+[reconstruct]
+friction_limit = 0.8
+)",
+      "skin.toml"));
+  const lab::SkinExperiment found = lab::run(scene);
+  CAPTURE(found.refusal);
+  REQUIRE(found.answer);
+  CHECK(std::abs(found.answer->wrench.normal.value - 718.4) <
+        3.0 * found.answer->wrench.normal.deviation);
 }
 
 TEST_CASE("what an offset lets noise press everywhere is no contact's",
@@ -226,6 +283,39 @@ TEST_CASE("taxels here and there see what lies among them", "[lab][skin][edge]")
   }
   CHECK(beyond_nearest > 0);
   CHECK(outside > 0);
+}
+
+TEST_CASE("a gap that taxels stand around is seen, one at the end is not", "[lab][skin][edge]") {
+  // Every tenth of a depth a cell; taxels at a depth's distance, one of them left out, or all
+  // beyond a line.
+  SkinScene scene = skin("8", "2.0", 0.0, 0.0, "tangential = false\nspacing = 0.4\n");
+  const auto unseen_at = [&](double y, double z) {
+    const lab::SkinSceneProblem problem(scene);
+    const SkinGrid& grid = problem.grid();
+    std::size_t nearest = 0;
+    double least = 1e9;
+    for (std::size_t cell = 0; cell < grid.count(); ++cell)
+      if (const double away =
+              std::hypot(grid.y(cell / grid.columns) - y, grid.z(cell % grid.columns) - z);
+          away < least) {
+        least = away;
+        nearest = cell;
+      }
+    return bool(problem.unseen()[nearest]);
+  };
+  CHECK_FALSE(unseen_at(1.0, 1.0));
+  scene.dead_taxels = {4 * 8 + 4};  // at (1, 1)
+  CHECK_FALSE(unseen_at(1.0, 1.0));
+  // Of nine in a square the middle one is two pitches from any that lives.
+  scene.dead_taxels.clear();
+  for (std::size_t row = 3; row <= 5; ++row)
+    for (std::size_t column = 3; column <= 5; ++column)
+      scene.dead_taxels.push_back(8 * row + column);
+  CHECK(unseen_at(1.0, 1.0));
+  // A corner has taxels on one side alone.
+  scene.dead_taxels = {7};
+  CHECK(unseen_at(-7.0, 7.0));
+  CHECK(unseen_at(-9.0, 0.0));
 }
 
 TEST_CASE("a row of --uncertainty has the names that its header has", "[lab][skin][report]") {

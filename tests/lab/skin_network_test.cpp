@@ -121,7 +121,7 @@ TEST_CASE("the circuit of a skin has the certificate of any", "[lab][skin_networ
 }
 
 TEST_CASE("what ngspice makes of a skin's scene is the digital answer, as far as its parts explain",
-          "[lab][skin_network]") {
+          "[lab][skin_network][long]") {
   AnyScene scene = read_any_scene(SCENES "/skins/circuit.toml");
   const bool pressure_alone = GENERATE(false, true);
   auto& skin = std::get<SkinScene>(scene);

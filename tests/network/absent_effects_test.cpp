@@ -99,6 +99,21 @@ TEST_CASE("a deck holds no element of an effect that nobody asked for", "[deck][
   }
 }
 
+TEST_CASE("1/f noise adds its two diodes to the white noise's cards; an output current nothing",
+          "[deck][identity]") {
+  RealizationOptions options{.opamp = {.bandwidth = 1e6, .noise_voltage = 5e-9}};
+  const std::string white = deck(Realization::lattice, options);
+  CHECK(cards(white, "D") == 0);
+  options.opamp.output_current = 0.02;
+  CHECK(deck(Realization::lattice, options) == white);
+  options.opamp.noise_corner = 100.0;
+  const std::string flicker = deck(Realization::lattice, options);
+  for (const char* card : {"Df ", "Dg ", ".model flicker", ".model quiet"})
+    CHECK(cards(flicker, card) == 1);
+  for (const Effect& effect : effects)
+    CHECK(cards(flicker, effect.card + ' ') == cards(white, effect.card + ' '));
+}
+
 TEST_CASE("a capacitance at the nodes adds one capacitor to each, and nothing else",
           "[deck][identity]") {
   for (const Realization one :

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "network/output_current.hpp"
 #include "tactile_net/network/certificate.hpp"
 #include "tactile_net/network/operating_voltages.hpp"
 #include "tactile_net/network/static_errors.hpp"
@@ -219,6 +220,69 @@ TEST_CASE("a certificate proposes the scale at which its own numbers are what it
   CHECK_FALSE(said().errors);
 }
 
+TEST_CASE("a certificate knows what outputs carry, and names the one that carries too much",
+          "[opamp_errors][certificate]") {
+  const ArrayNetwork network = array_network(11, 1e-3);
+  for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar,
+                                Realization::least_squares, Realization::lattice}) {
+    CAPTURE(name(one));
+    RealizationOptions options{.scale = scaled.scale,
+                               .opamp = {.gain = 1e8, .bandwidth = 1e7, .output_current = 1.0}};
+    const Certificate weak = certify(one, network.problem, options);
+    REQUIRE(weak.output_current);
+    const double carried = weak.output_current->largest;
+    CHECK(carried > 0.0);
+    CHECK(weak.remarks.empty());
+    // In proportion to volts and, where no divider draws its own, to siemens.
+    options.scale.volts *= 2.0;
+    CHECK_THAT(certify(one, network.problem, options).output_current->largest,
+               WithinRel(2.0 * carried, 1e-6));
+    options.opamp.output_current = carried;
+    const Certificate strong = certify(one, network.problem, options);
+    REQUIRE(strong.remarks.size() == 1);
+    CHECK(strong.remarks[0].kind == CircuitRemark::Kind::output_current);
+    CHECK(strong.remarks[0].part == strong.output_current->opamp);
+    CHECK_THAT(strong.remarks[0].repair, WithinRel(volts, 1e-6));
+    options.scale.volts = strong.remarks[0].repair * 0.999;
+    CHECK(certify(one, network.problem, options).remarks.empty());
+    options.opamp.output_current.reset();
+    CHECK_FALSE(certify(one, network.problem, options).output_current);
+  }
+}
+
+TEST_CASE("an amplifier carries its load's current and its feedback's", "[opamp_errors]") {
+  // -1 V from 1 mA into 1 kilo-ohm; 250 ohm from the output to ground: 4 mA, and the 1 mA.
+  Circuit circuit;
+  const Node s = add_node(circuit, "s0");
+  const Node out = add_node(circuit, "n0");
+  circuit.outputs = {out};
+  circuit.amplifiers = {{"opamp", {.gain = 1e12}, Outputs::single}};
+  circuit.instances = {{"X0", {0, s, out}, "opamp"}};
+  circuit.resistors = {{"R0", s, out, 1e-3}, {"R1", out, 0, 4e-3}};
+  circuit.sources = {{"I0", s, 1e-3}};
+  const OutputCurrent carried = output_current(FlatCircuit(circuit));
+  CHECK_THAT(carried.largest, WithinRel(5e-3, 1e-9));
+  CHECK(carried.opamp == "X0");
+}
+
+TEST_CASE("a scale is proposed at which outputs carry no more than they can",
+          "[opamp_errors][certificate]") {
+  const ArrayNetwork network = array_network(21, 1e-3);
+  RealizationOptions options{.opamp = {.gain = 1e6,
+                                       .bandwidth = 1e7,
+                                       .offset = 5e-5,
+                                       .rail = 12.0,
+                                       .noise_voltage = 5e-9,
+                                       .output_current = 1e-3}};
+  const Certificate before = certify(Realization::lattice, network.problem, options);
+  REQUIRE(before.proposal);
+  CHECK(before.proposal->volts_by == ScaleProposal::Bound::current);
+  options.scale = {before.proposal->siemens, before.proposal->volts};
+  const Certificate after = certify(Realization::lattice, network.problem, options);
+  CHECK_THAT(after.output_current->largest, WithinRel(1e-3, 1e-2));
+  CHECK_THAT(after.noise->relative, WithinRel(before.proposal->noise, 1e-3));
+}
+
 TEST_CASE("a theorem that does not know output resistances says so", "[opamp_errors][theorem]") {
   const ArrayNetwork network = array_network(7, 1e-3);
   for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar,
@@ -274,6 +338,7 @@ TEST_CASE("what an op-amp cannot have is refused", "[opamp_errors]") {
   CHECK_THROWS_AS(check(OpAmp{.bandwidth = 1e6, .slew = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(check(OpAmp{.noise_current = 1e-12}), std::invalid_argument);
   CHECK_THROWS_AS(check(OpAmp{.gain = 1e6, .output_resistance = -1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(check(OpAmp{.gain = 1e6, .output_current = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(check(OpAmp{.gain = 1e6, .common_mode_rejection = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(check(OpAmp{.bias_current = INFINITY}), std::invalid_argument);
   for (const OpAmpClass& one : opamp_classes()) CHECK_NOTHROW(check(one.opamp));

@@ -176,3 +176,87 @@ TEST_CASE("T7: a lattice bears any second poles, or any capacitance at its resid
                 {.opamp = opamp(hertz, 1e-9), .node_capacitance = 1e-9})
             .stability == Stability::unstable);
 }
+
+TEST_CASE(
+    "T6L: a ladder bears any gain and ratio of bandwidths, and the lag that its number allows",
+    "[theorems][property]") {
+  Random random(5);
+  unsigned spoken = 0;
+  for (unsigned seed = 0; seed < networks; ++seed) {
+    CAPTURE(seed);
+    const std::size_t columns = 3 + seed % 4;
+    const NetworkProblem problem = random_problem(random, columns + seed % 3, columns);
+    RealizationOptions options{.opamp = opamp(std::nullopt, std::nullopt),
+                               .residual_gain = random.decades(0.1, 1e3),
+                               .ladder = true,
+                               .bandwidth_ratio = random.decades(1e-2, 1e2)};
+    CHECK(certified(Realization::least_squares, problem, options));
+    options.residual_gain = random.decades(0.3, 30.0);
+    options.bandwidth_ratio = random.decades(1e-2, 1.0);
+    const bool of_nodes = seed % 2 == 0;
+    if (of_nodes)
+      options.node_capacitance = random.decades(1e-13, 1e-9);
+    else
+      options.opamp = opamp(hertz * random.decades(1.0, 1e3), random.decades(1e-13, 1e-9));
+    if (certified(Realization::least_squares, problem, options)) {
+      ++spoken;
+      continue;
+    }
+    // What it proposes is within the theorem.
+    const Certificate c = certify(Realization::least_squares, problem, options);
+    CHECK(c.theorem.unmet.value().condition == TheoremCondition::lag_within_bound);
+    const auto kind = of_nodes ? CircuitRemark::Kind::node_lag : CircuitRemark::Kind::summing_lag;
+    const auto remark = std::find_if(c.remarks.begin(), c.remarks.end(),
+                                     [&](const auto& one) { return one.kind == kind; });
+    REQUIRE(remark != c.remarks.end());
+    if (remark->limit > 0.0) {
+      RealizationOptions slower = options;
+      slower.bandwidth_ratio = 0.999 * remark->limit;
+      CHECK(certified(Realization::least_squares, problem, slower));
+    }
+    if (remark->repair > 0.0) {
+      options.scale.siemens = 1.001 * remark->repair;
+      CHECK(certified(Realization::least_squares, problem, options));
+    }
+  }
+  CHECK(spoken > 40);
+  CHECK(spoken < 180);
+}
+
+TEST_CASE("T6L: one ladder outside of each of its conditions is unstable", "[theorems]") {
+  const NetworkProblem problem = array_network(21, 1e-5).problem;
+  const auto unmet = [&](const OpAmp& op, std::optional<double> node) {
+    const Certificate c = certify(Realization::least_squares, problem,
+                                  {.opamp = op, .ladder = true, .node_capacitance = node});
+    CHECK(c.stability == Stability::unstable);
+    return c.theorem.unmet.value().condition;
+  };
+  CHECK(unmet(opamp(2.0 * hertz, std::nullopt), {}) == TheoremCondition::lag_within_bound);
+  CHECK(unmet(opamp({}, 1e-9), {}) == TheoremCondition::lag_within_bound);
+  CHECK(unmet(opamp({}, {}), 1e-11) == TheoremCondition::lag_within_bound);
+  CHECK(unmet(opamp(2.0 * hertz, {}), 1e-11) == TheoremCondition::one_lag);
+  OpAmp behind = opamp({}, 1e-12);
+  behind.input_capacitance.reset();
+  behind.output_resistance = 10.0;
+  CHECK(certify(Realization::least_squares, problem, {.opamp = behind, .ladder = true})
+            .theorem.unmet.value()
+            .condition == TheoremCondition::no_output_resistance);
+
+  // Bandwidths a hundred times up and down among the main amplifiers and among the residuals'.
+  unsigned unstable = 0;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    Random random(seed);
+    Circuit circuit =
+        realize(Realization::least_squares, problem, {.opamp = opamp({}, {}), .ladder = true});
+    const AmplifierModel model = circuit.amplifiers.front();
+    circuit.amplifiers.clear();
+    for (Instance& x : circuit.instances) {
+      x.subcircuit = "a" + std::to_string(circuit.amplifiers.size());
+      circuit.amplifiers.push_back(model);
+      circuit.amplifiers.back().name = x.subcircuit;
+      circuit.amplifiers.back().opamp.bandwidth = hertz * random.decades(1e-2, 1e2);
+    }
+    if (poles(state_space(FlatCircuit(circuit))).front().real() > 0.0) ++unstable;
+  }
+  CHECK(unstable > 0);
+}

@@ -96,9 +96,9 @@ class Loop {
     bad_ = huge_ = readings_;
     bad_[0] = std::numeric_limits<double>::quiet_NaN();
     huge_[0] = 1e308;
-    batch_.assign(3 * readings_.size(), 2.0);
-    tractions_.assign(3 * estimator_->tractions(), 0.0);
-    for (std::size_t k = 0; k < 3; ++k)
+    batch_.assign(frames * readings_.size(), 2.0);
+    tractions_.assign(frames * estimator_->tractions(), 0.0);
+    for (std::size_t k = 0; k < frames; ++k)
       estimates_[k].tractions =
           std::span(tractions_).subspan(k * estimator_->tractions(), estimator_->tractions());
     handover_.offer(std::make_unique<ContactEstimator>(plan));
@@ -129,7 +129,8 @@ class Loop {
   std::unique_ptr<ContactEstimator> estimator_;
   Handover<ContactEstimator> handover_;
   std::vector<double> readings_, bad_, huge_, batch_, tractions_;
-  ContactEstimate estimates_[3];
+  static constexpr std::size_t frames = 27;  // a block, a tile and some beyond
+  ContactEstimate estimates_[frames];
 };
 
 std::vector<EstimatorPlan> plans() {

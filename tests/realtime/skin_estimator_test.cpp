@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -90,6 +91,126 @@ TEST_CASE("products by reflections are what their words say, on every instructio
         CHECK(distance(found.tractions, expected) <= unit * (norm(expected) + norm(readings)));
       }
     }
+}
+
+namespace {
+
+/// Everything but the tractions and the time, as numbers whose bits can be compared.
+std::vector<double> numbers_of(const ContactEstimate& e) {
+  return {e.normal_force,
+          e.tangential_force,
+          e.tangential_y,
+          e.tangential_z,
+          e.centre,
+          e.centre_z,
+          e.torsion,
+          e.angle,
+          e.friction_margin,
+          e.slip_margin,
+          e.residual_rms,
+          static_cast<double>(e.touching),
+          static_cast<double>(e.outlier),
+          static_cast<double>(8 * e.contact + 4 * e.pulls + 2 * e.misfit + e.saturated)};
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+/// A batch beside the loop that it stands for: every bit, and which frames have an answer.
+void check_batch(ContactEstimator& estimator, const std::vector<double>& readings) {
+  const std::size_t frames = readings.size() / estimator.readings();
+  std::vector<std::vector<double>> tractions(frames,
+                                             std::vector<double>(estimator.tractions(), 17.0));
+  std::vector<ContactEstimate> estimates(frames);
+  for (std::size_t k = 0; k < frames; ++k) {
+    estimates[k].tractions = tractions[k];
+    estimates[k].time = static_cast<double>(k);
+  }
+  const FrameStatus all = estimator.update_batch(readings, estimates);
+  FrameStatus first = FrameStatus::ok;
+  for (std::size_t k = 0; k < frames; ++k) {
+    CAPTURE(k, frames);
+    const auto begin = readings.begin() + static_cast<std::ptrdiff_t>(k * estimator.readings());
+    const Answer alone =
+        answer(estimator, {begin, begin + static_cast<std::ptrdiff_t>(estimator.readings())});
+    if (first == FrameStatus::ok) first = alone.status;
+    CHECK(estimates[k].time == static_cast<double>(k));
+    if (alone.status == FrameStatus::ok) {
+      CHECK(same_bits(tractions[k], alone.tractions));
+      CHECK(same_bits(numbers_of(estimates[k]), numbers_of(alone.estimate)));
+    } else {
+      CHECK(tractions[k] == std::vector<double>(estimator.tractions(), 17.0));
+    }
+  }
+  CHECK(all == first);
+}
+
+}  // namespace
+
+TEST_CASE("a batch of a skin is frame after frame, to the bit, on every instruction set",
+          "[skin][batch]") {
+  std::vector<SkinShape> all = shapes();
+  for (const Structure structure : {Structure::dense, Structure::low_rank})
+    for (const Precision precision : {Precision::float64, Precision::float32})
+      all.push_back({.rows = 9, .columns = 7, .structure = structure, .precision = precision});
+  for (const SkinShape& shape : all)
+    for (const bool diagnostics : {false, true}) {
+      SkinShape one = shape;
+      one.diagnostics = diagnostics;
+      one.dead = one.rows * one.columns > 3 && one.columns % 2 == 0 ? 1 : 0;
+      CAPTURE(one.rows, one.columns, one.unknowns, name(one.structure), name(one.precision),
+              one.exchanged, diagnostics, one.dead);
+      EstimatorPlan plan = made_skin_plan(one);
+      plan.cells->deviations.assign(plan.values, 1e-2);
+      plan.cells->rim_rows = plan.cells->rim_columns = 1;
+      const std::size_t n = plan.readings();
+      for (const InstructionSet set :
+           {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+        ContactEstimator estimator(plan, set);
+        // Whole blocks, tiles and single frames are left over; some cannot be true.
+        std::vector<double> readings = some_readings(45 * n);
+        readings[3 * n + n / 2] = std::numeric_limits<double>::quiet_NaN();
+        readings[20 * n] = std::numeric_limits<double>::infinity();
+        readings[21 * n] = 1e308;
+        readings[44 * n] = 2e9;  // beyond the channel's range
+        check_batch(estimator, readings);
+      }
+    }
+}
+
+TEST_CASE("batches of a skin have any size, and know its baseline and its dead taxels",
+          "[skin][batch]") {
+  const EstimatorPlan plan = made_skin_plan({.rows = 8, .columns = 8, .exchanged = true});
+  ContactEstimator estimator(plan);
+  REQUIRE(estimator.set_baseline(some_readings(plan.readings(), 8)) == FrameStatus::ok);
+  const bool dead = estimator.set_dead(11);
+  REQUIRE(dead);
+  for (const std::size_t frames : {0U, 1U, 7U, 8U, 9U, 16U, 17U, 23U, 24U, 33U}) {
+    std::vector<double> readings = some_readings(frames * plan.readings(), 4);
+    if (frames > 5) readings[5 * plan.readings() + 11] = std::numeric_limits<double>::quiet_NaN();
+    check_batch(estimator, readings);
+  }
+  ContactEstimator copy(estimator);
+  check_batch(copy, some_readings(20 * plan.readings(), 6));
+
+  // Tractions may lie where their frame's readings were.
+  SkinShape square{.rows = 8, .columns = 8, .margin = 0};
+  const EstimatorPlan as_many = made_skin_plan(square);
+  ContactEstimator in_place(as_many);
+  const std::vector<double> readings = some_readings(19 * as_many.readings());
+  std::vector<double> memory = readings;
+  std::vector<ContactEstimate> estimates(19);
+  for (std::size_t k = 0; k < 19; ++k)
+    estimates[k].tractions = std::span(memory).subspan(k * as_many.readings(), as_many.readings());
+  REQUIRE(in_place.update_batch(memory, estimates) == FrameStatus::ok);
+  for (std::size_t k = 0; k < 19; ++k) {
+    const auto begin = readings.begin() + static_cast<std::ptrdiff_t>(k * as_many.readings());
+    const Answer alone =
+        answer(in_place, {begin, begin + static_cast<std::ptrdiff_t>(as_many.readings())});
+    CHECK(
+        std::equal(alone.tractions.begin(), alone.tractions.end(), estimates[k].tractions.begin()));
+  }
 }
 
 TEST_CASE("plans of skins survive their file bit by bit, and are of version 6", "[skin]") {

@@ -17,6 +17,40 @@ TEST_CASE("a remark's sentence holds the number that mends the circuit", "[repor
                ContainsSubstring(key));
 }
 
+TEST_CASE("an output that carries too much is named, with what it would carry",
+          "[report][network]") {
+  const CircuitRemark remark{.kind = CircuitRemark::Kind::output_current,
+                             .value = 0.05,
+                             .limit = 0.02,
+                             .repair = 0.4,
+                             .part = "Xn3"};
+  const std::string text = report::in_words(remark);
+  CHECK_THAT(text, ContainsSubstring("the output of Xn3 would carry 50 mA, it gives 20 mA"));
+  CHECK_THAT(text, ContainsSubstring("volts = 0.4"));
+  Certificate certificate;
+  certificate.output_current = OutputCurrent{.largest = 0.05, .opamp = "Xn3"};
+  CHECK(report::opamps_in_words(certificate).back() ==
+        "an output carries at most 50 mA at rest, that of Xn3");
+  certificate.noise =
+      CircuitNoise{.largest = 1e-4, .relative = 0.01, .thermal = 0.5, .flicker = 0.1};
+  CHECK_THAT(report::opamps_in_words(certificate).front(),
+             ContainsSubstring("10 % the op-amps' 1/f noise from 0.1 Hz on"));
+}
+
+TEST_CASE("a study of arrays says what they are, and names no parts that were not drawn",
+          "[report][network]") {
+  const ToleranceResult result{.trials = 1, .stable = 1, .errors = {0.01}, .median = 0.01};
+  const std::vector<std::string> lines =
+      report::in_words(ToleranceOptions{.bits = 8, .wire_resistance = 0.5}, result);
+  REQUIRE(lines.size() == 1);
+  CHECK_THAT(lines[0],
+             ContainsSubstring("1 build of arrays of 8 bits, lines of 0.5 ohm a segment:"));
+  ToleranceResult drawn = result;
+  drawn.worst = {{"Rk0_0", 0.5}};
+  CHECK(report::in_words(ToleranceOptions{.relative = 0.01, .cell_noise = 0.005}, drawn).size() ==
+        2);
+}
+
 TEST_CASE("a lag beyond its bound names the bandwidth ratio that mends it", "[report][network]") {
   const CircuitRemark remark{
       .kind = CircuitRemark::Kind::summing_lag, .value = 9.0, .limit = 0.25, .repair = 2e-3};
@@ -63,4 +97,20 @@ TEST_CASE("warnings of a relaxation begin with its certificate's, each once", "[
   REQUIRE(warnings.size() == 2);
   CHECK(warnings[0] == report::in_words(relaxation.certificate->remarks[0]));
   CHECK(warnings[1] == report::in_words(relaxation.remarks[0]));
+}
+
+TEST_CASE("a ladder's form, lag and missing noise have their words", "[report][network]") {
+  CHECK(report::circuit_in_words(Realization::least_squares, true) ==
+        "least_squares with a ladder");
+  CHECK(report::circuit_in_words(Realization::lattice, false) == "lattice");
+  const UnmetCondition lag{.condition = TheoremCondition::lag_within_bound,
+                           .lag = {.number = 7.0, .of_nodes = true}};
+  CHECK_THAT(report::condition_in_words(Theorem{.name = "T6L", .unmet = lag}),
+             ContainsSubstring("the ladder's nodes is 7 times"));
+  using Kind = CircuitRemark::Kind;
+  const std::string words = report::in_words(
+      CircuitRemark{.kind = Kind::node_lag, .value = 7.0, .limit = 0.14, .repair = 7e-3});
+  CHECK_THAT(words, ContainsSubstring("siemens = 0.007 or more, or bandwidth_ratio = 0.14"));
+  CHECK_THAT(report::in_words(CircuitRemark{.kind = Kind::noise_without_capacitance}),
+             ContainsSubstring("parasitic = { node"));
 }

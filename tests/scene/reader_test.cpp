@@ -265,6 +265,29 @@ TEST_CASE("a class of op-amps is where its keys begin, and each may be another",
                       .output_resistance = 50.0});
 }
 
+TEST_CASE("corner of 1/f noise and output current are an op-amp's own", "[scene]") {
+  const OpAmp real = parse(smallest +
+                           "[network]\nrealization = \"lattice\"\nopamp = { bandwidth = 1e6, "
+                           "noise_voltage = 5e-9, noise_corner = 100, output_current = 0.02 }\n")
+                         .network.parts.opamp;
+  CHECK(real == OpAmp{.bandwidth = 1e6,
+                      .noise_voltage = 5e-9,
+                      .noise_corner = 100.0,
+                      .output_current = 0.02});
+}
+
+TEST_CASE("arrays that are programmed, and the wires of their lines", "[scene]") {
+  const auto options =
+      parse(smallest +
+            "[network]\nrealization = \"crossbar\"\n"
+            "tolerance = { bits = 8, cell_noise = 0.005, wire_resistance = 0.5 }\n")
+          .network.tolerance;
+  CHECK(options.value().bits == 8);
+  CHECK(options->cell_noise == 0.005);
+  CHECK(options->wire_resistance == 0.5);
+  CHECK_FALSE(options->relative);
+}
+
 TEST_CASE("tolerances of their own: the stabiliser's resistors, and balance", "[scene]") {
   const auto options = parse(smallest +
                              "[network]\nrealization = \"lattice\"\n"
@@ -272,4 +295,11 @@ TEST_CASE("tolerances of their own: the stabiliser's resistors, and balance", "[
                            .network.tolerance;
   CHECK(options.value().stabiliser == 1e-3);
   CHECK(options->balance == 2e-3);
+}
+
+TEST_CASE("a ladder is an option of the circuit, off where nobody asks", "[scene]") {
+  CHECK_FALSE(parse(smallest).network.parts.ladder);
+  CHECK(parse(smallest + "[network]\nrealization = \"least_squares\"\nladder = true\n")
+            .network.parts.ladder);
+  CHECK_THROWS_WITH(parse(smallest + "[network]\nladder = 1\n"), ContainsSubstring("ladder"));
 }

@@ -221,6 +221,8 @@ TEST_CASE("what is wrong with a skin's scene is said at its place", "[scene]") {
       {"indices = [5]", "indices = [12]", "36:12", "must be from 0 to 11"},
       {"indices = [5]", "indices = [5, 5]", "36:15", "names a taxel twice"},
       {"methods = [\"tikhonov\"]", "methods = [\"dft\"]", "40:12", "unknown method of skins"},
+      {"methods = [\"tikhonov\"]", "methods = [\"network\"]", "40:12", "asks for a circuit"},
+      {"alpha = \"gml\"", "alpha = \"ncp\"", "41:9", "looks for white noise along a line"},
       {"spacing = 1.0\nmargin", "spacing = 1e-300\nmargin", "43:11", "too many cells"},
       {"spacing = 1.0\nmargin", "spacing = 0.012\nmargin", "43:11", "unknown tractions, more than"},
       {"margin = 2.0", "margin = 2.0\nnonnegative = false", "45:15", "which friction_limit does"},

@@ -199,24 +199,38 @@ TEST_CASE("ngspice is as far behind a moving contact as the certificate's state 
 
 TEST_CASE("the noise of real inputs is ngspice's", "[spice][noise]") {
   const ArrayNetwork network = array_network(11, 1e-3);
-  for (const Realization one : {Realization::crossbar, Realization::lattice}) {
-    const Circuit circuit = realize(
-        one, network.problem,
-        {.scale = {1e-3, 1.0},
-         .opamp = {.gain = 1e6, .bandwidth = 1e7, .noise_voltage = 5e-9, .noise_current = 1e-11}});
+  struct Case {
+    Realization realization;
+    bool ladder = false;
+    std::optional<double> node{};  // a ladder's nodes need one for their noise to have a size
+    double input = 1e-11;          // noise current: residual amplifiers' low resistors hide less
+    double bandwidth = 1e7;
+  };
+  for (const Case& one : {Case{Realization::crossbar}, Case{Realization::lattice},
+                          Case{.realization = Realization::least_squares, .input = 1e-10},
+                          Case{Realization::least_squares, true, 1e-12, 1e-10, 1e6}}) {
+    const Circuit circuit = realize(one.realization, network.problem,
+                                    {.scale = {1e-3, 1.0},
+                                     .opamp = {.gain = 1e6,
+                                               .bandwidth = one.bandwidth,
+                                               .noise_voltage = 5e-9,
+                                               .noise_current = one.input},
+                                     .ladder = one.ladder,
+                                     .node_capacitance = one.node});
     const OutputNoise expected = output_noise(FlatCircuit(circuit));
     std::ostringstream out;
     write_deck(out, circuit, {.title = "noise"}, Answer::raw_file);
     std::string deck = out.str();
     const std::size_t at = deck.find(".op\n");
     deck.replace(at, 4,
-                 ".noise v(n5) I0" + std::string(one == Realization::lattice ? "p" : "") +
-                     " dec 40 1 1e10\n");
-    const std::size_t source = deck.find(one == Realization::lattice ? "I0p " : "I0 ");
+                 ".noise v(n5) I0" +
+                     std::string(one.realization == Realization::lattice ? "p" : "") +
+                     " dec 40 1 1e11\n");
+    const std::size_t source = deck.find(one.realization == Realization::lattice ? "I0p " : "I0 ");
     deck.insert(deck.find('\n', source), " AC 1");
     Ngspice ngspice;
     const Simulation seen = ngspice.run(deck);
-    CAPTURE(name(one), seen.plot.plot);
+    CAPTURE(name(one.realization), one.ladder, seen.plot.plot);
     const double all = expected.thermal(5, 5) + expected.amplifiers(5, 5);
     const std::span<const double> hertz = seen.plot.vector("frequency");
     const std::span<const double> density = seen.plot.vector("onoise_spectrum");
@@ -240,5 +254,36 @@ TEST_CASE("an operating point that takes steps back of gmin is one all the same"
     const Circuit circuit =
         realize(Realization::lattice, network.problem, {.scale = {2e-3, volts}, .opamp = opamp});
     CHECK(relative_l2_error(at_rest(circuit), operating_voltages(FlatCircuit(circuit))) < 1e-4);
+  }
+}
+
+TEST_CASE("the 1/f noise of real inputs is ngspice's", "[spice][noise]") {
+  const ArrayNetwork network = array_network(9, 1e-3);
+  for (const Realization one :
+       {Realization::crossbar, Realization::least_squares, Realization::lattice}) {
+    // A corner at which 1/f is most of it.
+    const Circuit circuit = realize(
+        one, network.problem,
+        {.scale = {1e-3, 1.0},
+         .opamp = {.gain = 1e6, .bandwidth = 1e7, .noise_voltage = 5e-9, .noise_corner = 1e6}});
+    const OutputNoise expected = output_noise(FlatCircuit(circuit));
+    std::ostringstream out;
+    write_deck(out, circuit, {.title = "1/f noise"}, Answer::raw_file);
+    std::string deck = out.str();
+    const std::string source = one == Realization::lattice ? "I0p" : "I0";
+    deck.replace(deck.find(".op\n"), 4, ".noise v(n4) " + source + " dec 40 0.1 1e10\n");
+    deck.insert(deck.find('\n', deck.find(source + ' ')), " AC 1");
+    Ngspice ngspice;
+    const Simulation seen = ngspice.run(deck);
+    CAPTURE(name(one));
+    const std::span<const double> hertz = seen.plot.vector("frequency");
+    const std::span<const double> density = seen.plot.vector("onoise_spectrum");
+    double square = 0.0;
+    for (std::size_t k = 1; k < hertz.size(); ++k)
+      square += 0.5 * (hertz[k] - hertz[k - 1]) *
+                (density[k] * density[k] + density[k - 1] * density[k - 1]);
+    const double all = expected.thermal(4, 4) + expected.amplifiers(4, 4) + expected.flicker(4, 4);
+    CHECK_THAT(std::sqrt(square), WithinRel(std::sqrt(all), 0.03));
+    CHECK(expected.flicker(4, 4) > 0.3 * all);
   }
 }

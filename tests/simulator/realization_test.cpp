@@ -2,9 +2,11 @@
 #include <cmath>
 #include <sstream>
 
+#include "tactile_net/network/certificate.hpp"
 #include "tactile_net/network/deck.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
+#include "tactile_net/simulator/step_response.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/problems.hpp"
 
@@ -39,10 +41,13 @@ TEST_CASE("every realisation solves P f = b, with one unknown and two, on a laye
   for (const Realization one :
        {Realization::ideal, Realization::nic, Realization::rail, Realization::crossbar,
         Realization::least_squares, Realization::lattice, Realization::lc})
-    for (const bool inverters : {false, true}) {
-      if (inverters && !traits(one).drives_nodes) continue;
-      CAPTURE(kind.count, kind.unknowns, kind.layer.has_value(), alpha, name(one), inverters);
-      const RealizationOptions options{.inverters = inverters};
+    for (const RealizationOptions& options :
+         {RealizationOptions{}, RealizationOptions{.inverters = true},
+          RealizationOptions{.ladder = true}}) {
+      if (options.inverters && !traits(one).drives_nodes) continue;
+      if (options.ladder && !has_ladder(one, options)) continue;
+      CAPTURE(kind.count, kind.unknowns, kind.layer.has_value(), alpha, name(one),
+              options.inverters, options.ladder);
       const Analysis analysis = one == Realization::lc
                                     ? Analysis{SingleFrequency{options.frequency}}
                                     : Analysis{DirectCurrent{}};
@@ -104,4 +109,37 @@ TEST_CASE("every step of the op-amp's model leaves the operating point where it 
         one, network.problem, {.scale = {.volts = 100.0}, .opamp = {.gain = 1e6, .rail = 2.0}}));
     CHECK(std::abs(clamped[2]) < 0.7 * 100.0 * network.direct[2]);  // it cannot reach the answer
   }
+}
+
+TEST_CASE("ngspice settles in a ladder's time, with second poles and capacitance at its nodes too",
+          "[spice][ladder]") {
+  const ArrayNetwork network = array_network(21, 1e-3);
+  struct Case {
+    std::optional<double> second_pole{};
+    std::optional<double> node{};
+    double gain = 10.0;
+  };
+  for (const Case& one : {Case{}, Case{.second_pole = 2e7, .gain = 0.3}, Case{.node = 4e-13}}) {
+    CAPTURE(one.second_pole.has_value(), one.node.has_value());
+    const RealizationOptions options{
+        .opamp = {.gain = 1e6, .bandwidth = 1e7, .second_pole = one.second_pole},
+        .residual_gain = one.gain,
+        .ladder = true,
+        .node_capacitance = one.node};
+    const Certificate certificate = certify(Realization::least_squares, network.problem, options);
+    REQUIRE(certificate.stability == Stability::stable);
+    const Circuit circuit = realize(Realization::least_squares, network.problem, options);
+    Ngspice ngspice;
+    const Transient seen = settle(ngspice, circuit, certificate, relaxed(circuit));
+    REQUIRE(seen.end == TransientEnd::settles);
+    CHECK_THAT(*seen.settling_seconds, WithinRel(*certificate.dynamics->settling_seconds, 0.02));
+  }
+  // As op-amps are sold, with the gain that is the default: it grows, in both.
+  const RealizationOptions sold{
+      .opamp = {.gain = 1e6, .bandwidth = 1e7, .second_pole = 2e7, .rail = 12.0}, .ladder = true};
+  const Certificate certificate = certify(Realization::least_squares, network.problem, sold);
+  CHECK(certificate.stability == Stability::unstable);
+  const Circuit circuit = realize(Realization::least_squares, network.problem, sold);
+  Ngspice ngspice;
+  CHECK(settle(ngspice, circuit, certificate, relaxed(circuit)).end != TransientEnd::settles);
 }

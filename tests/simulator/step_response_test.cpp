@@ -58,8 +58,8 @@ TEST_CASE("a capacitor charges as the exponential does", "[spice][step_response]
 TEST_CASE("ngspice settles in the certificate's time", "[spice][step_response]") {
   for (const double alpha : {1e-3, 1e-5}) {
     const ArrayNetwork network = array_network(21, alpha);
-    for (const Realization one :
-         {Realization::nic, Realization::rail, Realization::crossbar, Realization::least_squares}) {
+    for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar,
+                                  Realization::least_squares, Realization::lattice}) {
       const RealizationOptions options{.opamp = one_pole, .node_capacitance = 1e-11};
       const Certificate certificate = certify(one, network.problem, options);
       const Circuit circuit = realize(one, network.problem, options);
@@ -71,6 +71,18 @@ TEST_CASE("ngspice settles in the certificate's time", "[spice][step_response]")
       CHECK(seen.end_error < 1e-3);
     }
   }
+}
+
+TEST_CASE("a lattice settles in ngspice in the time that it was designed to",
+          "[spice][step_response]") {
+  const ArrayNetwork network = array_network(21, 1e-3);
+  const RealizationOptions options{.opamp = one_pole};
+  const Circuit circuit = realize(Realization::lattice, network.problem, options);
+  Ngspice ngspice;
+  const Transient seen = settle(
+      ngspice, circuit, certify(Realization::lattice, network.problem, options), at_rest(circuit));
+  REQUIRE(seen.end == TransientEnd::settles);
+  CHECK_THAT(*seen.settling_seconds, WithinRel(1.38e-6, 0.02));
 }
 
 TEST_CASE("converters with swapped inputs agree at rest, and grow", "[spice][step_response]") {

@@ -1,9 +1,11 @@
 #include "tactile_net/skin/resultant.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
 
 #include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/skin/cone.hpp"
@@ -68,6 +70,57 @@ TEST_CASE("bands are the root of the diagonal of the inverse normal matrix",
   }
   CHECK_THAT(covariance.degrees_of_freedom(), WithinRel(family.degrees_of_freedom(alpha), 1e-14));
   CHECK_THROWS_WITH(SkinCovariance(family, 0.0, 1.0), ContainsSubstring("alpha"));
+}
+
+TEST_CASE("several sums at once err as each by itself, whatever they are over",
+          "[skin][covariance]") {
+  const SkinProblem problem =
+      make_problem(square_skin(4, 2e-3), silicone, {.tangential_weight = 2.0});
+  const std::size_t cells = problem.grid.count();
+  const std::size_t n = 3 * cells;
+  const SkinFamily family(problem);
+  const SkinCovariance covariance(family, 1e-3, 1e-2);  // more tractions than readings
+  std::vector<std::vector<double>> sums(6, std::vector<double>(n));
+  for (std::size_t i = 0; i < cells; ++i) sums[0][i] = 1e-6;  // a force
+  sums[1][7] = 0.8;                                           // the margin of a cell
+  sums[1][cells + 7] = -0.6;
+  sums[1][2 * cells + 7] = 0.3;
+  sums[2][3] = 1e200;             // whose square is no number
+  sums[3][5] = sums[3][6] = 1.0;  // two cells of one component
+  for (std::size_t i = 0; i < n; ++i) sums[5][i] = static_cast<double>(i % 7) - 3.0;
+  const std::vector<double> deviations = covariance.deviations_of(sums);
+  REQUIRE(deviations.size() == sums.size());
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    CAPTURE(k);
+    CHECK_THAT(deviations[k], WithinRel(covariance.deviation(sums[k]), 1e-10));
+  }
+  CHECK(deviations[4] == 0.0);
+
+  sums[2][3] = 1.0;
+  const Matrix joint = covariance.covariances(sums);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    CHECK_THAT(std::sqrt(joint(i, i)), WithinRel(covariance.deviation(sums[i]), 1e-10));
+    for (std::size_t j = 0; j < sums.size(); ++j) {
+      // (a + b)' C (a + b) by itself tells a' C b.
+      std::vector<double> both(n);
+      for (std::size_t m = 0; m < n; ++m) both[m] = sums[i][m] + sums[j][m];
+      const double together = std::pow(covariance.deviation(both), 2);
+      CHECK_THAT(joint(i, i) + joint(j, j) + 2.0 * joint(i, j),
+                 WithinRel(together, 1e-9) || WithinAbs(together, 1e-12 * joint(5, 5)));
+    }
+  }
+  CHECK_THROWS_AS(covariance.deviations_of(std::vector<std::vector<double>>{{1.0, 1.0}}),
+                  std::invalid_argument);
+}
+
+TEST_CASE("what a family keeps for bands serves every alpha, and changes none",
+          "[skin][covariance]") {
+  const SkinProblem problem = make_problem(square_skin(4, 2e-3), silicone, {});
+  const SkinFamily used(problem);
+  (void)SkinCovariance(used, 1e-5, 1e-1).deviations();
+  const SkinFamily fresh(problem);
+  CHECK(SkinCovariance(used, 1e-3, 1e-2).deviations() ==
+        SkinCovariance(fresh, 1e-3, 1e-2).deviations());
 }
 
 TEST_CASE("two deviations hold about the share of the truth that they promise",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "study/array_sizes.hpp"
+#include "study/circuits.hpp"
 #include "study/planned_frame.hpp"
 #include "tactile_net/control/kronecker_sum.hpp"
 #include "tactile_net/numeric/comparison.hpp"
@@ -239,6 +240,27 @@ TEST_CASE("arrays of other sizes are timed, keep their proportions, and have no 
                                ContainsSubstring("; one of 32 x 32 such taxels takes"));
 }
 
+TEST_CASE("circuits too large for operating points and draws are named, with their size",
+          "[tradeoff][skin]") {
+  struct NeverAsked final : Simulator {
+    Simulation run(const std::string&) override {
+      throw SimulatorError(SimulatorError::Cause::not_installed, "asked", {});
+    }
+  } simulator;
+  const StudyInput input =
+      study_input(parse_any_scene(pressed.substr(0, pressed.find("rows = 4")) + "rows = 9" +
+                                      pressed.substr(pressed.find("rows = 4") + 8),
+                                  "skin.toml"));
+  const StudySection section = operating_points(input, simulator);
+  REQUIRE_FALSE(section.points.empty());
+  for (const WorkPoint& point : section.points) {
+    CHECK_FALSE(point.measured());
+    REQUIRE(point.failure);
+    CHECK_THAT(point.failure->what,
+               ContainsSubstring("108 residuals") && ContainsSubstring("more than 200"));
+  }
+}
+
 TEST_CASE("no point of a skin's front is both slower and worse than another", "[tradeoff][skin]") {
   const std::vector<WorkPoint> points = digital().points();
   const auto front = pareto_front(points, &WorkPoint::error_to_solution, TimeOf::frame);
@@ -250,7 +272,7 @@ TEST_CASE("no point of a skin's front is both slower and worse than another", "[
                      *other.error_to_solution < *points[i].error_to_solution));
 }
 
-TEST_CASE("uneven and partly dead skins are studied without what they lack", "[tradeoff][skin]") {
+TEST_CASE("uneven and partly dead skins are studied without what they lack", "[tradeoff][skin][long]") {
   const Study dead = study_of(pressed + "[dead_taxels]\nindices = [\"1_1\"]\n");
   CHECK(dead.complete);
   CHECK(*of(dead, Family::singular_values).front().error_to_solution < 1e-11);

@@ -6,6 +6,7 @@
 
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/network/opamp.hpp"
+#include "tools/circuits/ladder_texts.hpp"
 #include "tools/circuits/numbers.hpp"
 #include "tools/circuits/opamp_texts.hpp"
 
@@ -44,6 +45,7 @@ constexpr const char* choice =
   four resistors an entry of K.
 - With small alpha, where its slowest directions take too long: `least_squares`, which trades amplifiers for time, with op-amps whose second
   pole lies far above their bandwidth (the bound of T6 says how far).
+- With parts of 1 % and more taxels than the lattice bears: `least_squares` with a ladder, under the same conditions on its op-amps.
 - With the fewest parts and alpha of 1e-3 or more: `crossbar` with complementary outputs. No rule on their bandwidths.
 - `nic` is the thesis' own proposal; `rail` does it with O(N) op-amps and is the most sensitive of all. `lc` and `ndr` are its
   two other ones.
@@ -88,14 +90,14 @@ for a resistor within 1, 0.1, 0.05 and 0.01 %, 2 for an op-amp with two outputs.
 alpha = 1e-3, in K at 1e-5.
 
 *Loads*: what a part counts is the mean over five loads, the scene's contacts where they are and moved along the sensor by an eighth and a quarter of its
-length either way; a build's error is the root mean square over them.
+length either way; a build's error is the root mean square over them: for one load alone fewer better parts would do.
 
-*Values* are of the scene's series, E96 where it names none. One part is within 1.5 % of any value, two in series or in parallel within 2e-4. An entry of
+*Values* are of the scene's series, E96 where it names none. One part is within 1.5 % of any value, two in series or in parallel, of 1 ohm to 10 megohm, within 3e-4 (2e-4 from 100 ohm to 100 kilo-ohm). An entry of
 K' becomes what that of K became, times their ratio: an error that both share only changes the model. Parts of better classes are pairs, and as
 many of the others, those that count most first, until values take a sixteenth of the squared error; the rest is left to tolerances.
 
-The folder then holds, of the cheapest circuit whose draws meet the target, `parts.csv` (value, tolerance, quantity, references: to order from), `BOM.csv`
-(a resistor a row, with the other one of its pair and how many there are of its value), and `board.kicad_pcb`, which KiCad from 6 on opens: footprints
+The folder then holds, of the cheapest circuit whose draws meet the target, `parts.csv` (value, tolerance, quantity, references of resistors, and the op-amps: to order from), `BOM.csv`
+(a part a row, with the other one of a resistor's pair and how many there are of its value), and `board.kicad_pcb`, which KiCad from 6 on opens: footprints
 with values, tolerances and nets, resistors in the rows and columns of their entries, 0402 and, for better classes, 0603; op-amps as SO-8 with the usual
 pins; a pin for each current of a reading, each output and the supply. Nothing is routed; capacitors of the supply are yours to place. The deck of the same
 parts, with each tolerance as a comment, is `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`.
@@ -337,11 +339,14 @@ std::string page() {
   return introduction + comparison(1e-3) + "At alpha = 1e-5:\n\n" + comparison(1e-5) + choice +
          table(Realization::ideal) + nic_text + table(Realization::nic) + rail_text +
          table(Realization::rail) + crossbar_text + table(Realization::crossbar) +
-         crossbar_inverters_text + table(Realization::crossbar, true) + least_squares_text +
-         table(Realization::least_squares) + least_squares_inverters_text +
-         table(Realization::least_squares, true) + lattice_text + table(Realization::lattice) +
-         lc_text + table(Realization::lc) + ndr_text + devices() + table(Realization::ndr) +
-         opamps_text + opamp_classes_table() + motion_text + motion_table() + ending;
+         crossbar_inverters_text + table(Realization::crossbar, {.inverters = true}) +
+         least_squares_text + table(Realization::least_squares) + ladder_text + ladder_lags() +
+         ladder_costs + ladder_tolerances() + ladder_numbers +
+         table(Realization::least_squares, {.ladder = true}) + least_squares_inverters_text +
+         table(Realization::least_squares, {.inverters = true}) + lattice_text +
+         table(Realization::lattice) + lc_text + table(Realization::lc) + ndr_text + devices() +
+         table(Realization::ndr) + opamps_text + opamp_classes_table() + motion_text +
+         motion_table() + arrays_text + arrays_table() + ending;
 }
 
 }  // namespace

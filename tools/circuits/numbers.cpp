@@ -30,9 +30,9 @@ struct Network {
   std::vector<double> direct;
 };
 
-/// The array of the page: 21 taxels under a cylinder.
-Network network(double alpha) {
-  const SensorArray array{21, 0.5, {1.5}, {Quantity::strain_x}};
+/// The array of the page, 21 taxels under a cylinder; or more of them, closer together.
+Network network(double alpha, std::size_t taxels = 21, double pitch = 0.5) {
+  const SensorArray array{taxels, pitch, {1.5}, {Quantity::strain_x}};
   const Material pad{1.0, 0.45};
   const std::vector<Contact> contacts = {RigidContact{.half_width = 2.0}};
   const std::vector<double> g = sampled_readings(array, pad, sample(contacts, array));
@@ -56,10 +56,9 @@ struct Row {
   std::optional<ToleranceResult> tolerance;
 };
 
-Row measured(Realization realization, bool inverters, double alpha) {
+Row measured(Realization realization, RealizationOptions options, double alpha) {
   std::cerr << name(realization) << ", alpha " << alpha << '\n';
   const Network one = network(alpha);
-  RealizationOptions options{.inverters = inverters};
   const Circuit ideal = realize(realization, one.problem, options);
   const RealizationTraits& kind = traits(realization);
   const bool lossless = kind.parts == RealizationTraits::Parts::lossless;
@@ -113,10 +112,10 @@ constexpr const char* rule = "|---|---|---|---|---|---|---|---|\n";
 
 }  // namespace
 
-std::string table(Realization realization, bool inverters) {
+std::string table(Realization realization, const RealizationOptions& options) {
   std::string text;
   for (const double alpha : {1e-3, 1e-4, 1e-5}) {
-    const Row row = measured(realization, inverters, alpha);
+    const Row row = measured(realization, options, alpha);
     if (text.empty()) {
       const ElementCounts& n = row.elements;
       std::vector<std::string> parts;
@@ -137,13 +136,80 @@ std::string table(Realization realization, bool inverters) {
 
 std::string comparison(double alpha) {
   std::string text = std::string("| realisation | op-amps ") + head + "|---" + rule;
-  for (const Realization one : realizations)
-    for (const bool inverters : {false, true}) {
-      if (inverters && !traits(one).drives_nodes) continue;
-      const Row row = measured(one, inverters, alpha);
-      text += "| " + std::string(name(one)) + (inverters ? ", inverters" : "") + " | " +
-              std::to_string(row.elements.opamps) + " | " + cells(row);
+  const auto add = [&](Realization one, const RealizationOptions& options, const char* form) {
+    const Row row = measured(one, options, alpha);
+    text += "| " + std::string(name(one)) + form + " | " + std::to_string(row.elements.opamps) +
+            " | " + cells(row);
+  };
+  for (const Realization one : realizations) {
+    add(one, {}, "");
+    if (has_ladder(one, {.ladder = true})) add(one, {.ladder = true}, ", ladder");
+    if (traits(one).drives_nodes) add(one, {.inverters = true}, ", inverters");
+  }
+  return text + '\n';
+}
+
+std::string ladder_tolerances() {
+  struct Taxels {
+    std::size_t count;
+    double pitch;
+    std::size_t trials;
+  };
+  std::string text =
+      "| taxels, pitch | alpha | least_squares | with a ladder | lattice "
+      "|\n|---|---|---|---|---|\n";
+  for (const double alpha : {1e-3, 1e-5})
+    for (const Taxels taxels :
+         {Taxels{21, 0.5, 400}, Taxels{41, 0.25, 400}, Taxels{81, 0.25, 60}}) {
+      const Network one = network(alpha, taxels.count, taxels.pitch);
+      std::cerr << "ladder, " << taxels.count << " taxels, alpha " << alpha << '\n';
+      const auto median = [&](Realization realization, bool ladder) {
+        const Circuit circuit = realize(realization, one.problem, {.ladder = ladder});
+        const ToleranceResult result =
+            tolerate(Reduction(circuit), {.relative = 0.01, .trials = taxels.trials});
+        return error(result.median) + ", " + error(result.p95) + " | ";
+      };
+      text += "| " + std::to_string(taxels.count) + ", " + brief(taxels.pitch) + " | " +
+              brief(alpha) + " | " + median(Realization::least_squares, false) +
+              median(Realization::least_squares, true) + median(Realization::lattice, false);
+      text.back() = '\n';
     }
+  return text + '\n';
+}
+
+std::string ladder_lags() {
+  const Network one = network(1e-3);
+  const auto stable = [&](const RealizationOptions& options) {
+    const Circuit circuit = realize(Realization::least_squares, one.problem, options);
+    return poles(state_space(FlatCircuit(circuit))).front().real() < 0.0;
+  };
+  // Where a circuit that is stable at `good` and not at `bad` turns, halving logarithms.
+  const auto turn = [](double good, double bad, const auto& is_stable) {
+    for (int halving = 0; halving < 20; ++halving) {
+      const double middle = std::sqrt(good * bad);
+      (is_stable(middle) ? good : bad) = middle;
+    }
+    return good;
+  };
+  std::string text =
+      "| residual_gain | settles | second pole from, of the bandwidth | capacitance at the nodes "
+      "up to |\n|---|---|---|---|\n";
+  for (const double gain : {1.0, 3.0, 10.0}) {
+    const RealizationOptions options{.opamp = one_pole, .residual_gain = gain, .ladder = true};
+    const double pole = turn(1e5, 0.01, [&](double ratio) {
+      RealizationOptions slow = options;
+      slow.opamp.second_pole = ratio * *one_pole.bandwidth;
+      return stable(slow);
+    });
+    const double farad = turn(1e-15, 1e-8, [&](double capacitance) {
+      RealizationOptions loaded = options;
+      loaded.node_capacitance = capacitance;
+      return stable(loaded);
+    });
+    const Certificate c = certify(Realization::least_squares, one.problem, options, accuracy);
+    text += "| " + brief(gain) + " | " + time(c.dynamics->settling_seconds) + " | " + brief(pole) +
+            " | " + brief(1e12 * farad) + " pF |\n";
+  }
   return text + '\n';
 }
 

@@ -9,16 +9,25 @@
 namespace tactile_net::circuits {
 
 /// A table of one realisation at several alphas: agreement, settling, tolerance.
-[[nodiscard]] std::string table(Realization realization, bool inverters = false);
+[[nodiscard]] std::string table(Realization realization, const RealizationOptions& options = {});
 
 /// Every realisation at one alpha: what to choose.
 [[nodiscard]] std::string comparison(double alpha);
+
+/// Parts of 1 % with and without a ladder, for more and more taxels.
+[[nodiscard]] std::string ladder_tolerances();
+
+/// What second poles and capacitance at its nodes a ladder bears, by the residual amplifiers' gain.
+[[nodiscard]] std::string ladder_lags();
 
 /// Errors of N-shaped devices over their voltage.
 [[nodiscard]] std::string devices();
 
 /// Typical op-amps in three realisations, at two scales.
 [[nodiscard]] std::string opamp_classes_table();
+
+/// What steps, noise and wires of programmable arrays do.
+[[nodiscard]] std::string arrays_table();
 
 /// How far behind a moving contact they are; lengths taken for mm.
 [[nodiscard]] std::string motion_table();

@@ -28,8 +28,17 @@ D~ s = (c H + w R) e with D~ = D_s - H(0) and V = e'(c H + w R) e/2, so V' = -s'
 1/(1 + c) of D_s, so D~ is strictly diagonally dominant, and V' < 0. P > 0, so V has no other minimum and grows to all sides. Q.E.D.
 Finite gain subtracts (W/A) e'P e of V'. Of least_squares, nic and rail nothing is proven: their energies have parts that slewing couples.
 
-**A scale to take.** Noise, offsets and bias currents fall as 1/volts; volts end where a node reaches 0.8 of what the rail leaves (10 V where none is given), or where two full swings at the
-slew are a fifth of the settling time. More siemens lower the resistors' noise until the op-amps' own is left: the scale proposed is where both are equal, but no resistor below
+**1/f noise.** With a `noise_corner` f_c the op-amps' noise has the density e^2 (1 + f_c/f). Its size has no end towards low frequencies: it is counted from w0 = 2 pi 0.1 Hz on, since
+what moves slower than in ten seconds is an offset. With Q = f_c (W e)^2/2 at the op-amps' states, its intensity at 1 Hz, and F = integral of Re (j w - A)^-1 dw/w from w0 on, the
+covariance solves A X + X A' + 2 (F Q + Q F') = 0, and F = (-A)^-1 Re log(1 - j A/w0): exact, with one logarithm of the triangular factor that Lyapunov's equation has made already. In the deck it is the
+difference of two diodes at 1 A, of which one has flicker noise. ngspice's `.noise` from 0.1 Hz on agrees within 3 %. With bandwidths of megahertz it hardly counts:
+the classes below have none.
+
+**Output current.** What an output carries at rest follows from the sparse equations: the currents of all resistors at it, at both outputs of a pair. Beyond `output_current` the certificate
+names the op-amp and the volts at which it carries just that; the deck's amplifiers give whatever is asked of them.
+
+**A scale to take.** Noise, offsets and bias currents fall as 1/volts; volts end where a node reaches 0.8 of what the rail leaves (10 V where none is given), where two full swings at the
+slew are a fifth of the settling time, or where an output carries its `output_current`. More siemens lower the resistors' noise until the op-amps' own is left: the scale proposed is where both are equal, but no resistor below
 1 kilo-ohm. The certificate proposes; the scene decides.
 
 The classes of op-amps, alpha = 1e-3, 1 mS per unit (with the second poles and input capacitances of the classes):
@@ -46,5 +55,29 @@ While the shape of the readings changes as well, an edge that passes a taxel, th
 that moves over the array in forty pieces at half that speed. A digital answer that is sampled and held at 1 kHz is up to 1 ms behind, whatever its arithmetic takes.
 
 Op-amps of gain 1e6 and 10 MHz, lengths in mm:
+
+)";
+
+inline constexpr const char* arrays_text =
+    R"(## Programmable arrays
+
+Cells that are programmed (memristors, floating gates, switched resistors) in place of resistors that are soldered: `bits`, `cell_noise` and `wire_resistance` in a scene's
+[`tolerance`](scene.md#network). Signs are by complementary lines, so a cell holds |K_ij|.
+
+**Steps.** Rounding the cells of K and K' to the same steps of the largest only changes the model: the circuit solves the rounded K's problem exactly, which costs about 2^-bits
+at any alpha, 8 bits for some 3e-3. In lattice rows of small sums, those at the ends, have small cells, and so fewer steps: at alpha = 1e-5
+it wants two to four bits more. P is what squares the condition number: the crossbar wants 14 to 16 bits at alpha = 1e-5, and is not even stable with few.
+
+**Noise of cells** that is as large for small cells as for large ones (a share of the range) costs far more than parts within so many per cent of their value: K is mostly small
+entries.
+
+**Wires.** A row ends at a summing node and a line at an output, both at the corner of the first cell. What the ends see of each cell comes from the sparse network of all crossings,
+and errs by about 1.5 N r G, G the largest row's conductance and r a segment's resistance, while that is below 5e-2. It falls with siemens, and hardly depends on alpha: wires scale K smoothly.
+
+**One array for many pads.** K in units of its largest column depends on pitch, depth, nu and what is read; E and the load's size do not enter. Reprogramming for another pad is
+2 M N cells of least_squares and 4 M N of lattice, and costs no part; alpha is in the stabiliser alone, 3 N - 2 resistors (twice as many in lattice), which stay soldered: a bank of
+them to switch for as many alphas. A crossbar's cells hold alpha too: N^2 of them anew for every alpha.
+
+An array of 0.5 ohm a segment; noise of 0.5 % of the range; errors of the answer, medians of 200 builds:
 
 )";

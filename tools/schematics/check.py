@@ -156,6 +156,22 @@ def least_squares(sheet):
     return Netlist(sheet, values).voltages(labels), f + [-x for x in f] + e + [-x for x in e]
 
 
+def least_squares_ladder(sheet):
+    k, rho, d, z, a, g = [[1.0, -0.4], [-0.3, 0.8]], 2.5, 0.1, 1.5, 0.7, B[:2]
+    to_ground = [1.6, 1.4]  # of each f, K's own load in it
+    values = {"1/ρ": 1 / rho, "ρd": rho * d, "z": z, "a": a, "g_{0}": g[0], "g_{1}": g[1]}
+    values |= {"K_{00}": 1.0, "|K_{01}|": 0.4, "|K_{10}|": 0.3, "K_{11}": 0.8}
+    values |= {"g_{0}^{+}": to_ground[0] - 1.0, "g_{0}^{−}": to_ground[0] - 0.3}
+    values |= {"g_{1}^{+}": to_ground[1] - 0.8, "g_{1}^{−}": to_ground[1] - 0.4}
+    r = [[d / z * (z + to_ground[i] + a if i == j else -a) for j in (0, 1)] for i in (0, 1)]
+    p = [[sum(k[i][m] * k[i][n] for i in (0, 1)) + r[m][n] for n in (0, 1)] for m in (0, 1)]
+    f = solve(p, [sum(k[i][m] * g[i] for i in (0, 1)) for m in (0, 1)])
+    e = [-rho * (sum(k[i][m] * f[m] for m in (0, 1)) - g[i]) for i in (0, 1)]
+    y = [sum(r[i][j] * f[j] for j in (0, 1)) / d for i in (0, 1)]
+    labels = [f"{sign}{name}_{{{i}}}" for name in "fey" for sign in "+−" for i in (0, 1)]
+    return Netlist(sheet, values).voltages(labels), [s * x for v in (f, e, y) for s in (1, -1) for x in v]
+
+
 def lattice(sheet):
     k, r, a, b, g = [1.0, -0.4], [[0.2, -0.05], [-0.05, 0.3]], 2.0, 0.5, 1.4
     total = (a + b) * (abs(k[0]) + abs(k[1]))
@@ -176,11 +192,13 @@ CHECKS = {
     "crossbar": lambda sheet: crossbar(sheet, "+"),
     "crossbar-inverters": lambda sheet: crossbar(sheet, ""),
     "least_squares": least_squares,
+    "least_squares-ladder": least_squares_ladder,
     "lattice": lattice,
     "lc": three_nodes,
     "ndr": three_nodes,
 }
-OPEN = {"crossbar": 6, "crossbar-inverters": 6, "least_squares": 12, "lattice": 12}  # free ends of rows and columns
+# Free ends of rows and columns
+OPEN = {"crossbar": 6, "crossbar-inverters": 6, "least_squares": 12, "least_squares-ladder": 12, "lattice": 12}
 
 if __name__ == "__main__":
     for name, picture in PICTURES.items():

@@ -281,6 +281,58 @@ def least_squares():
     return sheet
 
 
+def least_squares_ladder():
+    """Least squares with a ladder
+
+    As least squares in two crossbars, but the columns +f_j, -f_j are nodes that nothing drives: from the
+    outputs +y_j, -y_j of the main amplifiers conductances z lead to them, a between neighbours and g to
+    ground. A main row meets the columns of e and, through rho d, its own output y.
+    """
+    sheet = Sheet(920, 1080)
+    f = {"+f_{0}": 50, "+f_{1}": 140, "−f_{0}": 230, "−f_{1}": 320}
+    e = {"−e_{1}": 430, "+e_{1}": 500, "−e_{0}": 570, "+e_{0}": 640}
+    levels = {"+f_{0}": 1010, "+f_{1}": 965, "−f_{0}": 920, "−f_{1}": 875}
+    for k, y, turns in ((0, 130, ((640, 490), (620, 490))), (1, 310, ((600, 470), (580, 450)))):
+        p, m, *outs = sheet.differential_amplifier((490, y + 20))
+        row(sheet, y, f"u_{{{k}}}", m)
+        drawn_out(sheet, 380, y, f"g_{{{k}}}")
+        sheet.grounded(p)
+        sheet.wire((420, y), (420, y - 60))
+        sheet.resistor((420, y - 60), (550, y - 60), "1/ρ")
+        sheet.wire((550, y - 60), (550, y))
+        for sign, out, (x, level), above in zip("+−", outs, turns, (-8, 21)):
+            name = f"{sign}e_{{{k}}}"
+            sheet.wire(out, (x, out[1]), (x, level), (e[name], level), (e[name], 500))
+            column(sheet, e[name], 500, 810, name, 518)
+            sheet.text((545, out[1] + above), f"${name}$", "end")
+    # the main amplifiers, and what they feed
+    for k, y, turns in ((0, 590, (905, 885)), (1, 770, (865, 845))):
+        p, m, *outs = sheet.differential_amplifier((775, y + 20))
+        row(sheet, y, f"s_{{{k}}}", m, 400)
+        sheet.grounded(p)
+        sheet.wire((705, y), (705, y - 60))
+        sheet.resistor((705, y - 60), (835, y - 60), "ρd")
+        sheet.wire((835, y - 60), (835, y))
+        for sign, out, x, above in zip("+−", outs, turns, (-8, 21)):
+            name = f"{sign}f_{{{k}}}"
+            level, at = levels[name], f[name]
+            sheet.wire(out, (x, out[1]), (x, level), (at + 80, level))
+            sheet.resistor((at + 80, level), (at, level), "z")
+            column(sheet, at, level, 60, name, 518)
+            sheet.name((740, level), f"{sign}y_{{{k}}}", 0, -7)
+            sheet.wire((at, 620), (at + 35, 620))
+            sheet.resistor((at + 35, 620), (at + 35, 700), f"g_{{{k}}}^{{{sign}}}")
+            sheet.ground((at + 35, 700))
+    for sign in "+−":
+        sheet.resistor((f[f"{sign}f_{{0}}"], 440), (f[f"{sign}f_{{1}}"], 440), "a")
+    crossings(sheet, f, 130, {"+f_{0}": "K_{00}", "−f_{1}": "|K_{01}|"})
+    crossings(sheet, f, 310, {"−f_{0}": "|K_{10}|", "+f_{1}": "K_{11}"})
+    crossings(sheet, e, 590, {"−e_{0}": "K_{00}", "+e_{1}": "|K_{10}|"})
+    crossings(sheet, e, 770, {"+e_{0}": "|K_{01}|", "−e_{1}": "K_{11}"})
+    sheet.text((460, 1058), "Resistors are labelled with their conductances;  here $K_{01}, K_{10} < 0$", "middle")
+    return sheet
+
+
 def lattice():
     """Least squares with passive residuals
 
@@ -396,6 +448,7 @@ PICTURES = {
     "crossbar": crossbar,
     "crossbar-inverters": crossbar_inverters,
     "least_squares": least_squares,
+    "least_squares-ladder": least_squares_ladder,
     "lattice": lattice,
     "lc": lc,
     "ndr": ndr,

@@ -33,7 +33,7 @@ struct NextPresses {
 /// parameter's standard deviation, of depth, thickness, E and pitch relative.
 ///
 /// @param fit  of the same model, log and options
-/// @throw std::invalid_argument  the target is not free
+/// @throw std::invalid_argument  the target is not free; a skin: presses are planned on lines
 [[nodiscard]] NextPresses next_presses(const PressModel& model, const PressLog& log,
                                        const CalibrationOptions& options, const PressFit& fit,
                                        std::size_t count, std::optional<PadParameter> target = {});

@@ -54,13 +54,13 @@ struct ValueWithSd {
 };
 
 /// What a log states of a press, in the order in which a fit moves it.
-enum class PressQuantity { force, position, half_width, friction };
-/// "force", "position", "half_width", "friction".
+enum class PressQuantity { force, position, half_width, friction, position_z };
+/// "force", "position", "half_width", "friction", "position_z".
 [[nodiscard]] std::string_view name(PressQuantity quantity) noexcept;
 
 struct FittedPress {
   std::size_t number = 0;
-  ValueWithSd force{}, center{}, half_width{}, friction{};
+  ValueWithSd force{}, center{}, half_width{}, friction{}, center_z{};
   double weight = 1.0;               ///< mean of its readings' robust weights
   double rms = 0.0;                  ///< of its residuals, in standard deviations of the noise
   double rms_before = 0.0;           ///< the same for the nominal pad without gains
@@ -160,7 +160,9 @@ struct PressFit {
 
 /// Penalised least squares on all of them and all that is unknown of each press together, by
 /// Levenberg-Marquardt on orthogonal factors; linear in presses in time, presses x readings in
-/// memory. Presses' own unknowns are eliminated press by press. Where every load is stated the
+/// memory: presses' own unknowns are eliminated press by press. Where readings are many, as on a
+/// skin, what belongs to a reading is eliminated instead, reading by reading: linear in readings,
+/// and in time as the cube of the presses. Where every load is stated the
 /// first start alone is made: all find the one minimum.
 ///
 /// Depth, thickness, pitch and every indenter stay where they can be on this array, and steps are

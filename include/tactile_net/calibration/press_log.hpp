@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "tactile_net/elasticity/contact.hpp"
-#include "tactile_net/sensing/array.hpp"
+#include "tactile_net/elasticity/space/disc.hpp"
+#include "tactile_net/sensing/effects/signal_layout.hpp"
 
 namespace tactile_net {
 
@@ -23,14 +24,16 @@ struct Stated {
 
 /// A rigid indenter held against the pad while the readings were taken.
 struct Press {
-  std::size_t number = 0;  ///< as the log counts, from 1
-  Shape shape = Shape::cylinder;
-  Stated force{};                  ///< [N/m], > 0
-  Stated position{};               ///< of the middle; 0 is the middle of the array [m]
-  Stated half_width{};             ///< of the contact [m], > 0
-  std::optional<double> radius{};  ///< of a rod [m]: ties the half width to the force
-  Stated friction{.value = 0.0};   ///< tangential over normal traction
-  std::vector<double> readings{};  ///< mean of its steady frames, in the array's order
+  std::size_t number = 0;           ///< as the log counts, from 1
+  Shape shape = Shape::cylinder;    ///< on a line
+  Stated force{};                   ///< [N/m], on a skin [N], > 0
+  Stated position{};                ///< y of the middle; 0 is the middle of the array [m]
+  Stated half_width{};              ///< of the contact [m], > 0
+  std::optional<double> radius{};   ///< of a rod or a ball [m]: ties the half width to the force
+  Stated friction{.value = 0.0};    ///< tangential over normal traction; on a skin exactly 0
+  std::vector<double> readings{};   ///< mean of its steady frames, in the array's order
+  Stated position_z{.value = 0.0};  ///< z of the middle [m]; on a line exactly 0
+  DiscProfile disc = DiscProfile::sphere;  ///< on a skin
 };
 
 /// What the sensor says when nothing touches it.
@@ -43,10 +46,10 @@ struct UnloadedFrames {
   double neighbour_correlation = 0.0;  ///< mean correlation of neighbours of one channel
 };
 
-/// Mean and noise of unloaded frames, each as long as the array's frames.
+/// Mean and noise of unloaded frames, each as long as the sensor's frames.
 ///
 /// @throw std::invalid_argument  fewer than two frames, or one of another length
-[[nodiscard]] UnloadedFrames unloaded_frames(const SensorArray& array,
+[[nodiscard]] UnloadedFrames unloaded_frames(const SignalLayout& sensor,
                                              const std::vector<std::vector<double>>& frames);
 
 struct PressLog {

@@ -1,6 +1,6 @@
 /// @file
 /// Readings under rigid indenters by their transforms, with every derivative that a calibration
-/// asks for.
+/// asks for. Of a line
 ///
 ///     r(y) = P/pi integral_0^inf phi(k a) [even(k) cos k(y - c) + odd(k) sin k(y - c)] dk
 ///
@@ -8,18 +8,35 @@
 /// friction times those of the tangential load; phi is the indenter's:
 ///
 ///     cylinder  2 J1(z)/z        punch (no rounded edge)  J0(z)        wedge  1/z integral_0^z J0
+///
+/// Of a skin, at the distance r from the contact's middle and the angle theta from the y axis, sums
+/// of
+///
+///     F/(2 pi) integral_0^inf k phi(k a) T(k) J_n(k r) dk  times cos or sin of n theta,   n = 0,
+///     1, 2
+///
+/// where T are the same transforms (docs/internals/space.md) and
+///
+///     sphere  3 j1(z)/z        punch  sin(z)/z        cone  2 (1 - cos z)/z^2
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tactile_net/calibration/calibration_options.hpp"
+#include "tactile_net/calibration/rod_contact.hpp"
 #include "tactile_net/elasticity/contact.hpp"
 #include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/elasticity/space/disc.hpp"
+#include "tactile_net/elasticity/space/skin_quantity.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/sensing/array.hpp"
+#include "tactile_net/sensing/effects/signal_layout.hpp"
+#include "tactile_net/skin/array.hpp"
 
 namespace tactile_net {
 
@@ -36,34 +53,51 @@ struct PadState {
 
 /// An indenter as a calibration moves it.
 struct PressState {
-  Shape shape = Shape::cylinder;
-  double log_force = 0.0;       ///< of P [N/m]
-  double center = 0.0;          ///< c [m]
-  double log_half_width = 0.0;  ///< of a [m]
-  double friction = 0.0;
+  Shape shape = Shape::cylinder;           ///< on a line
+  double log_force = 0.0;                  ///< of P [N/m], on a skin of F [N]
+  double center = 0.0;                     ///< y of the middle [m]
+  double log_half_width = 0.0;             ///< of a [m]
+  double friction = 0.0;                   ///< on a line
+  double center_z = 0.0;                   ///< on a skin [m]
+  DiscProfile disc = DiscProfile::sphere;  ///< on a skin
 };
 
 /// Readings and their derivatives, presses x readings each.
 struct PressReadings {
   Matrix value{};
   std::array<Matrix, pad_parameter_count> by_pad{};  ///< by PadState's members, in their order
-  Matrix by_log_force{}, by_center{}, by_log_half_width{}, by_friction{};
+  Matrix by_log_force{}, by_center{}, by_log_half_width{}, by_friction{}, by_center_z{};
 };
 
-/// One array on one pad.
+/// Where and what a reading is of, on a line or a skin.
+struct PressSite {
+  double y = 0.0, z = 0.0, depth = 0.0;  ///< [m]
+  SkinQuantity quantity = SkinQuantity::stress_x;
+  std::size_t taxel = 0;
+  std::size_t channel = 0;
+};
+
+struct PressChannel {
+  std::string name{};  ///< "stress_x"
+  SkinQuantity quantity = SkinQuantity::stress_x;
+};
+
+/// One array or one skin on one pad.
 ///
 ///     const PressModel model(scene.sensor, scene.material);
 ///     const PressReadings r = model.readings(model.nominal(), presses, true);
 ///     r.by_pad[0](0, 20);   // what the depth does to reading 20 of press 0
 ///
 /// Costs presses x nodes x readings multiplications a quantity, nodes some 20 times the distance
-/// of the farthest taxel over the depth; const, and thread-safe.
+/// of the farthest taxel over the depth; of a skin presses x nodes x radii, some 20 radii for each
+/// depth of that distance. Const, and thread-safe. A copy shares what it is made of.
 class PressModel {
  public:
   /// @param crosstalk  fraction to each neighbour, as the effect has it: part of the nominal pad
-  /// @throw std::invalid_argument  the array, the material or the fraction is out of range, or
-  ///                               taxels have widths
+  /// @throw std::invalid_argument  the array, the material or the fraction is out of range, taxels
+  ///                               have widths, or a layer that slips under what a skin reads
   PressModel(const SensorArray& array, const Material& material, double crosstalk = 0.0);
+  PressModel(const SkinArray& skin, const Material& material, double crosstalk = 0.0);
 
   [[nodiscard]] PadState nominal() const noexcept;
 
@@ -75,16 +109,35 @@ class PressModel {
   [[nodiscard]] PressReadings readings(const PadState& pad, std::span<const PressState> presses,
                                        bool with_derivatives, bool tied_to_base = false) const;
 
+  /// What a rod's contact, on a skin a ball's, needs: `rod_force`, `ball_force`.
+  [[nodiscard]] ContactForce contact_force(const Material& material, double half_width,
+                                           double radius) const;
+  /// Their inverses.
+  [[nodiscard]] double contact_half_width(const Material& material, double force,
+                                          double radius) const;
+  [[nodiscard]] double indenter_radius(const Material& material, double half_width,
+                                       double force) const;
+
+  /// A little below what an array can lose to its neighbours.
+  [[nodiscard]] double most_crosstalk() const noexcept;
+
+  [[nodiscard]] bool is_skin() const noexcept { return is_skin_; }
   [[nodiscard]] const Material& material() const noexcept { return material_; }
-  [[nodiscard]] const std::vector<Site>& sites() const noexcept { return sites_; }
-  [[nodiscard]] const SensorArray& array() const noexcept { return array_; }
+  [[nodiscard]] const std::vector<PressSite>& sites() const noexcept { return sites_; }
+  [[nodiscard]] const std::vector<PressChannel>& channels() const noexcept { return channels_; }
+  [[nodiscard]] double pitch() const noexcept { return pitch_; }  ///< of a skin the larger one [m]
   [[nodiscard]] double depth() const noexcept { return depth_; }  ///< the least, nominal [m]
 
  private:
-  SensorArray array_;
+  void check_and_finish(double crosstalk);
+
   Material material_;
-  std::vector<Site> sites_;
-  double depth_;
+  bool is_skin_;
+  std::vector<PressSite> sites_{};
+  std::vector<PressChannel> channels_{};
+  SignalLayout layout_;
+  double pitch_;
+  double depth_ = 0.0;
   double crosstalk_;
 };
 

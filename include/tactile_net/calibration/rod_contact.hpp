@@ -18,16 +18,16 @@ namespace tactile_net {
 ///     frictionless  (cosh 2H - 1) / (sinh 2H + 2H)
 ///
 /// over that of the half plane, H = k h; b is b_0. Good to 1e-8 up to a = 2 h.
-struct RodForce {
-  double log_force = 0.0;          ///< of P [N/m]
-  double by_log_half_width = 2.0;  ///< derivatives of log P
+struct ContactForce {
+  double log_force = 0.0;          ///< of P [N/m], of a ball's F [N]
+  double by_log_half_width = 2.0;  ///< its derivatives
   double by_log_thickness = 0.0;   ///<
   double by_poisson_ratio = 0.0;   ///<
 };
 
 /// @param half_width  a [m], > 0; on a layer at most 3 h, beyond which it is taken as 3 h in b
 /// @param radius      R [m], > 0
-[[nodiscard]] RodForce rod_force(const Material& material, double half_width, double radius);
+[[nodiscard]] ContactForce rod_force(const Material& material, double half_width, double radius);
 
 /// The half width [m] at which `rod_force` is `force` [N/m], > 0.
 [[nodiscard]] double rod_half_width(const Material& material, double force, double radius);

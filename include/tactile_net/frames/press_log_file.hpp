@@ -11,7 +11,7 @@
 
 #include "tactile_net/calibration/calibration_options.hpp"
 #include "tactile_net/calibration/press_log.hpp"
-#include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::frames {
 
@@ -28,7 +28,7 @@ inline constexpr std::size_t least_unloaded = 20;
 ///                    than 20 unloaded rows, no press, a column missing, a value that is no number
 ///                    or out of range, a press number twice, an indenter beyond the array, a
 ///                    reading stuck at one value, a shape that there is not
-[[nodiscard]] PressLogFile read_press_log(const std::filesystem::path& path, const Scene& scene,
+[[nodiscard]] PressLogFile read_press_log(const std::filesystem::path& path, const AnyScene& scene,
                                           const CalibrationOptions& options = {});
 
 }  // namespace tactile_net::frames

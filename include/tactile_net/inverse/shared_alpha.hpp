@@ -20,7 +20,9 @@ namespace tactile_net {
 
 class SharedAlpha {
  public:
-  /// @param tables     of the family that all frames are of
+  /// @param tables     of the family that all frames are of. Of frames with shares, whose
+  ///                   components are nodes of a quadrature (skin/large/family.hpp), those of the
+  ///                   first: each of the others has nodes of its own, at the same alphas
   /// @param frames     how many the sum is over: the last `frames` pushed, fewer at the beginning
   /// @param noise_rms  of one weighted reading
   /// @throw std::invalid_argument  frames is 0; noise_rms is not >= 0, or absent and the rule needs

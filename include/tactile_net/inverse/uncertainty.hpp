@@ -52,6 +52,12 @@ class Covariance {
   [[nodiscard]] virtual double covariance(std::span<const double> a,
                                           std::span<const double> b) const = 0;
 
+  /// `deviation` of several sums. Here one after the other.
+  [[nodiscard]] virtual std::vector<double> deviations_of(
+      std::span<const std::vector<double>> weights) const;
+  /// `covariance` of each of several sums with each. Here pair after pair.
+  [[nodiscard]] virtual Matrix covariances(std::span<const std::vector<double>> weights) const;
+
   /// tr H: how many of the readings' degrees of freedom the tractions use up.
   [[nodiscard]] virtual double degrees_of_freedom() const noexcept = 0;
 

@@ -9,29 +9,41 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "tactile_net/calibration/next_press.hpp"
 #include "tactile_net/calibration/press_fit.hpp"
-#include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::lab {
 
 struct SceneCalibration {
-  Scene scene{};  ///< the nominal one
+  AnyScene scene{};  ///< the nominal one
   CalibrationOptions options{};
   PressLog log{};
   PressFit fit{};
   NextPresses next{};                    ///< none where not asked for
   std::optional<PadParameter> target{};  ///< that they are to tell; none: readings
-  double spread = 0.0;                   ///< of the presses' centres, first to last [m]
-  bool forced = false;                   ///< the fit failed, and its scene is written all the same
+  double spread = 0.0;  ///< of the presses' centres, the farthest two along y or z [m]
+  bool forced = false;  ///< the fit failed, and its scene is written all the same
+  std::vector<std::string> readings{};  ///< of each reading its column's name
+  std::vector<PressSite> sites{};       ///< of each reading
+  std::vector<PressChannel> channels{};
+
+  [[nodiscard]] bool is_skin() const noexcept { return std::holds_alternative<SkinScene>(scene); }
+  [[nodiscard]] const std::string& file() const;
+  [[nodiscard]] const std::string& title() const;
+  [[nodiscard]] const std::optional<Units>& units() const;
+  [[nodiscard]] const Material& material() const;
 };
 
-/// The scene's own [crosstalk] is part of the model, its dead taxels are left out.
+/// The scene's own [crosstalk] is part of the model, its dead taxels are left out. A skin's place
+/// on its stage is not asked for: `options.shift_sd` is 0 there.
 ///
 /// @param watch  as `fit_presses` has it
 /// @throw std::invalid_argument  as `fit_presses`
-[[nodiscard]] SceneCalibration calibrate(const Scene& scene, PressLog log,
+[[nodiscard]] SceneCalibration calibrate(const AnyScene& scene, PressLog log,
                                          const CalibrationOptions& options,
                                          const std::function<void(std::size_t)>& watch = {});
 

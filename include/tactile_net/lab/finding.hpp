@@ -110,6 +110,15 @@ struct WholePadPulled {
   std::size_t loaded = 0;  ///< frames that were solved and hold more than noise
 };
 
+// The order of the taxels, or what comes to the same, the signs and names of their channels.
+struct OrderMirrored {
+  bool along_y = false;    ///< the readings are those of taxels numbered against y
+  bool along_z = false;    ///< or against z
+  bool exchanged = false;  ///< after rows were taken for columns
+  std::size_t frames = 0;  ///< that are likelier so
+  std::size_t of = 0;      ///< that were asked
+};
+
 // Readings and stiffness.
 struct TractionExceedsModulus {
   double times = 0.0;  ///< the largest traction over Young's modulus, > 3
@@ -141,8 +150,8 @@ using Finding =
                  finding::SaturatedTaxels, finding::Baseline, finding::Drift, finding::NoiseTaken,
                  finding::NoiseDiffers, finding::NoiseColoured, finding::ResidualDiffers,
                  finding::ScaleBy1000, finding::GainsChanged, finding::WholePadPulled,
-                 finding::TractionExceedsModulus, finding::DeformationTiny, finding::MixedUnits,
-                 finding::DepthBeyondArray, finding::PitchCoarse>;
+                 finding::OrderMirrored, finding::TractionExceedsModulus, finding::DeformationTiny,
+                 finding::MixedUnits, finding::DepthBeyondArray, finding::PitchCoarse>;
 using Findings = std::vector<Finding>;
 
 /// The spelling in JSON: "dead_taxels".

@@ -31,6 +31,7 @@ struct PartsOfArray {
 struct PartsList {
   struct Candidate {
     Realization realization = Realization::lattice;
+    bool ladder = false;  ///< see `has_ladder`
     std::size_t opamps = 0;
     bool stable = true;     ///< with the scene's own op-amps
     Allocation list{};      ///< what is left for errors of parts once their values are rounded

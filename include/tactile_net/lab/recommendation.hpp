@@ -14,6 +14,7 @@ namespace tactile_net::lab {
 struct Recommendation {
   struct Candidate {
     Realization realization = Realization::nic;
+    bool ladder = false;  ///< see `has_ladder`
     std::size_t opamps = 0;
     /// With the scene's own op-amps, second poles and capacitances included; never chosen if not.
     bool stable = true;

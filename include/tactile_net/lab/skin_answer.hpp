@@ -37,11 +37,16 @@ struct SkinAnswer {
   std::vector<double> offsets{};            ///< of each channel [its unit]; none: they are known
   /// Of a skin with more tractions than dense matrices take (scene/skin_size.hpp): how near to the
   /// minimiser conjugate gradients came; under constraints that is in `cone`, and here no step.
-  /// Single cells' deviations are then estimates, at most 2 % too wide and 10 % too narrow, and all
-  /// are those without constraints.
+  /// Single cells' deviations are then estimates, and all are those without constraints.
+  struct BandProbes {
+    std::size_t tractions = 0;  ///< whose deviation was solved for
+    double least = 0.0;         ///< of the estimates over those, less 1; negative: too narrow
+    double most = 0.0;
+  };
   struct Iteration {
     std::size_t steps = 0;
     double estimate = 0.0;  ///< of the distance, over the tractions' 2-norm
+    BandProbes bands{};
   };
   std::optional<Iteration> iteration{};
   double unseen = 0.0;  ///< share of their force where no taxel sees (skin_sight.hpp)

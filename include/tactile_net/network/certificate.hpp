@@ -12,6 +12,7 @@
 #include <complex>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -32,11 +33,13 @@ enum class Stability {
 
 /// How much lag the loop of `least_squares` has, and what brings it within theorem T6: stable where
 /// 4 theta^2 W_main tau < gamma (1 - W tau/4)^2, tau the largest C/D + 1/W2 of a row, W the
-/// amplifiers' largest bandwidth, W_main the main ones' [1/s].
+/// amplifiers' largest bandwidth, W_main the main ones' [1/s]. The same of T6L; of capacitance at
+/// the nodes of its ladder 4 theta^2 W_main tau < gamma.
 struct LagBound {
   double number = 0.0;   ///< the left side over the right one; infinite: W tau is 4 or more
   double siemens = 0.0;  ///< the least `Scale::siemens` that makes it 1; 0: second poles exceed it
   double bandwidth_ratio = 0.0;  ///< the largest that makes it 1; 0: none is known
+  bool of_nodes = false;         ///< the lag of a ladder's nodes
 };
 
 /// A condition of a theorem that a circuit does not meet.
@@ -72,6 +75,8 @@ struct CircuitRemark {
     /// The lag of summing nodes and second poles is `value` times what is proven stable; `repair`,
     /// `limit`: `LagBound::siemens`, `LagBound::bandwidth_ratio`.
     summing_lag,
+    /// The same of capacitance at a ladder's nodes.
+    node_lag,
     /// Capacitance at floating inputs and residuals, W C/D = `value`, beyond what was found stable,
     /// `limit`;
     /// `repair`: the least `Scale::siemens` that is not.
@@ -90,6 +95,12 @@ struct CircuitRemark {
     slews,
     /// More than `most_slewing_states` states: the settling time is without the slew.
     slewing_left_out,
+    /// The amplifiers' noise is asked for, and an output has no capacitance that ends the
+    /// resistors': white noise there has no size.
+    noise_without_capacitance,
+    /// At rest an op-amp's output would carry `value` [A], it can give `limit`; `part` names it;
+    /// `repair`: the `Scale::volts` at which it carries that.
+    output_current,
   };
   Kind kind = Kind::clamps;
   double value = 0.0;
@@ -97,6 +108,7 @@ struct CircuitRemark {
   double least = 0.0;
   double greatest = 0.0;
   double repair = 0.0;
+  std::string part{};
 };
 
 /// What the linear state space of the circuit says.
@@ -118,6 +130,13 @@ struct CircuitNoise {
   double total = 0.0;     ///< of all outputs, 2-norm [V]
   double relative = 0.0;  ///< `total` over the answer's 2-norm; infinite without a load
   double thermal = 0.0;   ///< the resistors' share of `total` squared
+  double flicker = 0.0;   ///< that of the op-amps' 1/f noise, from `lowest_noise_hertz` on
+};
+
+/// What the op-amps' outputs carry at rest, both of them where they are complementary.
+struct OutputCurrent {
+  double largest = 0.0;  ///< of one output [A], in size
+  std::string opamp{};   ///< whose: "Xn3"
 };
 
 /// Volts and siemens at which what disturbs the answer is least for what the op-amps can give.
@@ -126,6 +145,7 @@ struct ScaleProposal {
     swing,      ///< a node would reach 0.8 of rail - 0.6 V
     ten_volts,  ///< no rail is given: 10 V at the largest node
     slew,       ///< slewing would make settling a fifth longer
+    current,    ///< an output would carry more than the op-amps give, at those siemens
   };
   double volts = 0.0;  ///< `Scale::volts`
   Bound volts_by = Bound::ten_volts;
@@ -137,6 +157,7 @@ struct ScaleProposal {
 
 struct Certificate {
   Realization realization = Realization::ideal;
+  bool ladder = false;               ///< see `has_ladder`
   double smallest_eigenvalue = 0.0;  ///< of P
   double condition = 0.0;            ///< of P, exact; infinite if it is not positive definite
   Stability stability = Stability::not_modelled;
@@ -151,11 +172,12 @@ struct Certificate {
   bool margin_for_one_bandwidth = false;  ///< the same, as long as the op-amps share it
   std::optional<Dynamics> dynamics{};     ///< absent: op-amps without bandwidth, or too many states
   std::optional<CircuitNoise>
-      noise{};                       ///< absent: none is asked for, or the circuit does not settle
-  std::optional<Theorem> slewing{};  ///< absent: the op-amps have no slew, or nothing is proven
+      noise{};  ///< absent: none is asked for, it has no size, or the circuit does not settle
+  std::optional<Theorem> slewing{};      ///< absent: the op-amps have no slew, or nothing is proven
   std::optional<StaticErrors> errors{};  ///< absent: nothing of the op-amps makes any, or no load
-  std::optional<ScaleProposal> proposal{};  ///< absent: no noise and no offset to balance
-  double accuracy = 1e-3;                   ///< that settling is measured to
+  std::optional<OutputCurrent> output_current{};  ///< absent: the op-amps' is not given, or no load
+  std::optional<ScaleProposal> proposal{};        ///< absent: no noise and no offset to balance
+  double accuracy = 1e-3;                         ///< that settling is measured to
   ElementCounts elements{};
   double least_ohm = 0.0;        ///< smallest resistor [ohm], in size; 0: there is none
   double greatest_ohm = 0.0;     ///< largest resistor

@@ -23,6 +23,9 @@ struct OpAmp {
 
   /// White noise at the input [V per square root of Hz], > 0; absent: no noise is asked for.
   std::optional<double> noise_voltage{};
+  /// Up to where the 1/f part of the noise at the input exceeds the white one [Hz], > 0; needs
+  /// `noise_voltage`.
+  std::optional<double> noise_corner{};
   /// White noise of each input [A per square root of Hz], > 0; needs the bandwidth.
   std::optional<double> noise_current{};
   std::optional<double> bias_current{};  ///< that every input takes in [A], of either sign
@@ -33,6 +36,9 @@ struct OpAmp {
   /// In series with every output [ohm], > 0. Complementary outputs stay each other's opposite: a
   /// loop of their own holds their sum at 0 V.
   std::optional<double> output_resistance{};
+  /// The most that an output gives off or takes in [A], > 0. Certificates compare it with what the
+  /// circuit draws; a deck does not limit it.
+  std::optional<double> output_current{};
 
   [[nodiscard]] bool is_nullor() const noexcept {
     return !gain && !bandwidth && !second_pole && !offset && !rail && !bias_current &&

@@ -26,10 +26,14 @@ struct PartValue {
   [[nodiscard]] double ohm() const noexcept;
 };
 
+/// Whether resistors of this value are found in every shop: 1 ohm to 10 megohm.
+[[nodiscard]] constexpr bool is_common(double ohm) noexcept { return ohm >= 1.0 && ohm <= 1e7; }
+
 /// One part. @throw std::invalid_argument  as `nearest_in`
 [[nodiscard]] PartValue nearest_part(Series series, double ohm);
 
-/// One part or two, in series or in parallel, whichever comes nearest: of E96 within 2e-4.
+/// One part or two, in series or in parallel, whichever comes nearest: of E96 within 2e-4,
+/// below 100 ohm and above 100 kilo-ohm 3e-4. Both are common where one of this value would be.
 /// @throw std::invalid_argument  as `nearest_in`
 [[nodiscard]] PartValue nearest_pair(Series series, double ohm);
 

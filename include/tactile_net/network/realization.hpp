@@ -53,6 +53,10 @@ struct RealizationOptions {
   /// Where op-amps drive the nodes: inverters instead of complementary outputs.
   bool inverters = false;
   double residual_gain = 10.0;  ///< least_squares: rho, the residual amplifiers' gain, > 0
+  /// least_squares: the tractions are nodes of resistors between the amplifiers, in place of the
+  /// stabiliser's differences of large currents. The stabiliser must be one that resistors make:
+  /// no entry beside its diagonal > 0, every row's sum > 0.
+  bool ladder = false;
   /// Where op-amps drive the nodes: bandwidth of the main ones over that of the others; absent:
   /// 1, and with inverters what keeps the loop stable: 1/2 (crossbar), 0.2/rho (least_squares).
   std::optional<double> bandwidth_ratio{};
@@ -79,8 +83,9 @@ enum class TheoremCondition {
   divider_fast_enough,
   /// No second pole; or no capacitance at summing nodes; or the pole at or above the bandwidth.
   second_pole_beyond_bandwidth,
-  lag_within_bound,                ///< of capacitance and second poles together
-  one_lag,                         ///< a second pole, or capacitance at the nodes, not both
+  lag_within_bound,  ///< of capacitance and second poles together
+  /// Capacitance at nodes that nothing drives; or a second pole and capacitance at inputs.
+  one_lag,
   complementary_outputs,           ///< inverters are not covered: never met with them
   main_at_most_half_of_inverters,  ///< bandwidth of the main op-amps over the inverters'
   main_slow_enough,                ///< how slow is enough is not proven: never met
@@ -125,6 +130,7 @@ struct RealizationTraits {
 
   StabilityTheorem theorem{};
   StabilityTheorem theorem_with_inverters{};  ///< if `drives_nodes`
+  StabilityTheorem theorem_with_ladder{};     ///< no name: it has no such form
   StabilityTheorem theorem_of_slewing{};      ///< of op-amps that slew; no name: none is proven
   /// With inverters: default of `RealizationOptions::bandwidth_ratio`; nullptr: 1.
   double (*bandwidth_ratio)(const RealizationOptions&) = nullptr;
@@ -135,6 +141,9 @@ struct RealizationTraits {
 };
 
 [[nodiscard]] const RealizationTraits& traits(Realization realization) noexcept;
+
+/// Whether the options ask for a ladder and the realisation has that form.
+[[nodiscard]] bool has_ladder(Realization realization, const RealizationOptions& options) noexcept;
 
 /// Whether a realisation is built from op-amps.
 [[nodiscard]] bool has_amplifiers(Realization realization) noexcept;

@@ -20,13 +20,14 @@ namespace tactile_net {
 ///
 /// An amplifier both of whose inputs float has two rows: half the difference of the currents into
 /// its inputs (z its output), and the sum of those that leave them (z the voltage that both have).
-/// There T is `input` over 2 pi bandwidth, in the outputs' columns.
+/// There T is `input` over 2 pi bandwidth, in the amplifiers' columns; and so it is where nodes
+/// that nothing drives stand beside amplifiers, which then feel the voltages at their inputs.
 struct Equations {
   Matrix matrix{};                   ///< S [S], square, in general not symmetric
   std::vector<double> right_side{};  ///< h [A]
   std::vector<double> total{};       ///< conductance at each row's node [S]
-  /// What a volt between an amplifier's inputs adds to each row, one column an output [S]; empty
-  /// where every '+' is grounded.
+  /// What a volt between an amplifier's inputs adds to each row, one column an amplifier [S]; empty
+  /// where every '+' is grounded and every node but summing nodes is driven.
   Matrix input{};
 };
 
@@ -70,6 +71,15 @@ class Reduction {
 
   /// Whether row i is an amplifier's: its unknown is the output.
   [[nodiscard]] bool is_amplifier(std::size_t row) const { return amplifier_rows_[row]; }
+
+  /// Where a resistor that leads into an amplifier's grounded summing node gets its voltage from.
+  enum class Feed {
+    none,     ///< it leads elsewhere
+    output,   ///< an amplifier's output
+    inverse,  ///< its second output
+    other,    ///< an inverter's output
+  };
+  [[nodiscard]] Feed feed(std::size_t resistor) const;
 
   /// d(S z - h)/d(log g) of every resistor, in the order of `resistors()`: each a row of `rows()`
   /// currents [A]. Through -S^-1 they are what relative errors of components do to z.
@@ -123,11 +133,10 @@ class Reduction {
 
   std::size_t rows_ = 0;
   std::size_t outputs_ = 0;
-  bool floating_ = false;  // every amplifier's '+' is a node
   std::vector<bool> amplifier_rows_;
   std::vector<Voltage> fixed_;  // of every node, ideal parts
   std::vector<Node> inverses_;  // of the amplifiers that have one
-  std::vector<Voltage> input_;  // floating: what half a volt between the inputs makes of it
+  std::vector<Voltage> input_;  // what a volt between an amplifier's inputs makes of it, or empty
   std::vector<Laws> laws_;      // of every node
   std::vector<Derived> derived_;
   std::vector<Part> parts_;  // of the circuit's own resistors, and inverters' inputs after them

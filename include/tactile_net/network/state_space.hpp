@@ -45,17 +45,24 @@ struct StateSpace {
 /// The covariance of a circuit's outputs at rest [V^2], which its own noise makes.
 struct OutputNoise {
   Matrix thermal{};     ///< of its resistors: 4 k T g each [A^2/Hz]
-  Matrix amplifiers{};  ///< of their `OpAmp::noise_voltage`
+  Matrix amplifiers{};  ///< of their `OpAmp::noise_voltage` and `OpAmp::noise_current`
+  Matrix flicker{};     ///< of their `OpAmp::noise_corner`; 0 where there is none
 };
+
+/// Below this the 1/f part of noise, whose size has no end, is not counted [Hz]: what moves slower
+/// than in ten seconds is an offset.
+inline constexpr double lowest_noise_hertz = 0.1;
 
 /// By Lyapunov's equation, exact for the linear circuit: one Schur decomposition, O(states^3).
 /// Behind output resistances what the op-amps and capacitances leave of it is taken.
 ///
-/// @param kelvin  the resistors' temperature, >= 0; the default is what simulators take
+/// @param kelvin        the resistors' temperature, >= 0; the default is what simulators take
+/// @param lowest_hertz  where the 1/f part begins, > 0
 /// @throw std::invalid_argument  as `state_space`
 /// @throw std::domain_error      as `state_space`, the circuit is unstable, or an output has
 ///                               neither capacitance nor a pole: its white noise has no size
-[[nodiscard]] OutputNoise output_noise(const FlatCircuit& circuit, double kelvin = 300.15);
+[[nodiscard]] OutputNoise output_noise(const FlatCircuit& circuit, double kelvin = 300.15,
+                                       double lowest_hertz = lowest_noise_hertz);
 
 /// Every eigenvalue of A, the one of largest real part first. O(states^3), 25 states^3 or so.
 [[nodiscard]] std::vector<std::complex<double>> poles(const StateSpace& system);

@@ -35,7 +35,18 @@ struct ToleranceOptions {
   /// Of each resistor, as `Reduction::resistors()`, in place of `relative`; empty: all alike.
   std::vector<double> each{};
   std::optional<Series> series{};  ///< rounded to the nearest value of the series, first
-  std::size_t trials = 1000;       ///< >= 1; one suffices where nothing is drawn
+  /// Arrays that are programmed instead of soldered: their cells are the resistors of K and K', or
+  /// of P where there is no K, and `relative`, `each` and `series` are of the others alone. A cell
+  /// is a multiple of the array's largest over 2^bits - 1, 1 to 32.
+  std::optional<int> bits{};
+  /// Standard deviation of every cell, over its array's largest, whatever the cell holds, > 0, < 1;
+  /// none falls below 0.
+  std::optional<double> cell_noise{};
+  /// Of every segment of an array's lines, from one cell to the next [ohm], > 0. Rows lie at
+  /// summing nodes; lines, two a column, are driven at the same corner. Soldered arrays have it
+  /// too.
+  std::optional<double> wire_resistance{};
+  std::size_t trials = 1000;  ///< >= 1; one suffices where nothing is drawn
   std::uint64_t seed = 1;
   double accuracy = 0.05;  ///< largest relative error of an answer that counts as accurate, > 0
 };
@@ -45,7 +56,8 @@ struct ToleranceOptions {
 [[nodiscard]] std::vector<double> drawn(const Reduction& reduction, const ToleranceOptions& options,
                                         std::size_t trial);
 
-/// The circuit of one trial, without sub-circuits: to be replayed in a simulator.
+/// The circuit of one trial, without sub-circuits: to be replayed in a simulator. Conductances of 0
+/// are left out.
 [[nodiscard]] Circuit perturbed(const FlatCircuit& circuit, std::span<const double> siemens);
 
 struct Trial {
@@ -78,14 +90,17 @@ struct ToleranceResult {
   double median = 0.0;           ///< of the errors
   double p95 = 0.0;
   double predicted = 0.0;  ///< root mean square of the error, to first order in the tolerances
-  std::vector<Contribution> worst{};  ///< the five that count most, to first order
+  /// The five that count most, to first order; empty: no part is drawn, or of a series.
+  std::vector<Contribution> worst{};
 
   [[nodiscard]] double yield() const noexcept {
     return static_cast<double>(accurate) / static_cast<double>(trials);
   }
 };
 
-/// @throw std::invalid_argument  an option is out of range
+/// @throw std::invalid_argument  an option is out of range; `bits`, `cell_noise` or
+///                               `wire_resistance` for a circuit without arrays into summing nodes
+///                               (`wire_resistance`: from complementary outputs)
 /// @throw std::domain_error      the nominal network has no unique answer
 [[nodiscard]] ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options);
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tactile_net/calibration/press_fit.hpp"
-#include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net {
 
@@ -19,7 +19,7 @@ struct SensorScale {
 
 /// What a fit says of the numbers that the sensor gives, through what the nominal scene's
 /// [calibration] and [units] made of them before the fit.
-[[nodiscard]] SensorScale sensor_scale(const Scene& nominal, const PressFit& fit);
+[[nodiscard]] SensorScale sensor_scale(const AnyScene& nominal, const PressFit& fit);
 
 /// Depth, thickness, E, nu, pitch and the crosstalk's fraction are replaced where they stand,
 /// [noise] gets the measured rms, and [calibration] is written anew at the end, with what the
@@ -31,11 +31,12 @@ struct SensorScale {
 /// @param toml   the text that `nominal` was read from
 /// @param from   name of the log, for [calibration]
 /// Taxels of a file of their own stand in the scene then, one by one, with their depths: the file
-/// is not changed.
+/// is not changed. A skin's file stays and gets `depth_factor` beside it: the scene that is written
+/// belongs into the folder of the nominal one.
 ///
 /// @throw std::invalid_argument  `taxels` shares its line with other keys
 /// @throw InputError  the text is not that of a scene
-[[nodiscard]] std::string calibrated_scene(std::string_view toml, const Scene& nominal,
+[[nodiscard]] std::string calibrated_scene(std::string_view toml, const AnyScene& nominal,
                                            const PressLog& log, const PressFit& fit,
                                            std::string_view from);
 

@@ -26,7 +26,8 @@ class SkinCovariance final : public CellCovariance {
   /// @throw std::invalid_argument  alpha or prior_alpha is not > 0 and finite
   SkinCovariance(const SkinFamily& family, double alpha, double prior_alpha);
 
-  /// O(columns x readings), and a transform of each component.
+  /// O(columns x readings), and the first time that the family is asked a transform of each
+  /// component.
   [[nodiscard]] std::vector<double> deviations() const override;
   /// As `deviations`, and sums over windows.
   [[nodiscard]] std::vector<double> window_deviations(const SkinGrid& grid,
@@ -35,14 +36,16 @@ class SkinCovariance final : public CellCovariance {
   [[nodiscard]] double deviation(std::span<const double> weights) const override;
   [[nodiscard]] double covariance(std::span<const double> a,
                                   std::span<const double> b) const override;
+  /// One product for all. Sums over a single traction of each component, as the margin of a cell
+  /// is, take O(readings) each.
+  [[nodiscard]] std::vector<double> deviations_of(
+      std::span<const std::vector<double>> weights) const override;
+  [[nodiscard]] Matrix covariances(std::span<const std::vector<double>> weights) const override;
   [[nodiscard]] double degrees_of_freedom() const noexcept override { return degrees_; }
 
  private:
-  /// Of what `sums` makes of tractions, in columns, where without noise and readings the squares
-  /// would be `most`.
-  template <class Sums>
-  [[nodiscard]] std::vector<double> deviations_of(const std::vector<double>& most,
-                                                  const Sums& sums) const;
+  struct Sums;
+  [[nodiscard]] Sums sums(std::span<const std::vector<double>> weights) const;
 
   std::shared_ptr<const SkinFamily::Factors> factors_;
 

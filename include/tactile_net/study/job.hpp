@@ -23,6 +23,7 @@ struct Job {
     settling,          ///< the step response of a circuit of `realization`
     circuit_sizes,     ///< of skins: how circuits of arrays of other sizes settle
     parts,             ///< what inaccurate components do to each circuit
+    moving,            ///< how circuits and loops follow contacts that move
     operating_points,  ///< what the simulator takes for one frame
   };
   Kind kind = Kind::products;

@@ -8,6 +8,7 @@
 
 #include "tactile_net/study/input.hpp"
 #include "tactile_net/study/job.hpp"
+#include "tactile_net/study/moving_contacts.hpp"
 #include "tactile_net/study/work_point.hpp"
 
 namespace tactile_net::study {
@@ -26,6 +27,7 @@ struct StudySection {
   Job job{};
   std::vector<WorkPoint> points{};
   std::vector<PartsFloor> floors{};
+  std::optional<MovingContacts> moving{};
 
   /// Nothing in it failed.
   [[nodiscard]] bool whole() const noexcept;

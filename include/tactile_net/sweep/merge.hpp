@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tactile_net/sweep/journal.hpp"
+#include "tactile_net/sweep/sweep.hpp"
 
 namespace tactile_net::sweep {
 
@@ -34,6 +35,14 @@ class MissingPoints : public std::runtime_error {
 
 /// @throw MissingPoints  naming how many, and the first
 [[nodiscard]] Table table(const Rows& rows);
+
+/// The points of one shard alone, which are the table's: others may be missing.
+///
+/// @param folder  of the sweep, with the journals of all its shards
+/// @throw InputError     as `merge`
+/// @throw MissingPoints  as `table`, of the shard's points
+[[nodiscard]] Table shard_table(const Study& study, const std::filesystem::path& folder,
+                                const Shard& shard);
 
 /// All journals of these folders and of the folders in them, of one study.
 /// @throw InputError     there is no journal, or not all are of one study; as `Rows::add`

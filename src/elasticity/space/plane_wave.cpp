@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "elasticity/layer_functions.hpp"
+#include "elasticity/space/displacement_amplitudes.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 
 namespace tactile_net {
@@ -11,10 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Displacements, in the order in which the tables of docs/internals/space.md have them.
-struct Displacements {
-  double normal_x, normal_along, tangential_x, tangential_along;
-};
+using Displacements = DisplacementsOf<double>;
 
 void set(PlaneWave& wave, const Displacements& u, const AntiPlaneAmplitudes& across) {
   wave.normal.displacement_x = u.normal_x;
@@ -35,38 +33,6 @@ void half_space(PlaneWave& wave, double nu, double depth, double k) {
       {decay, decay, 2.0 * decay / k});
 }
 
-/// Times k and Delta.
-Displacements bonded(double nu, const LayerFunctions& f) {
-  const double kappa = 3.0 - 4.0 * nu;
-  const double m = 1.0 - 2.0 * nu;
-  const double n = 2.0 - 2.0 * nu;
-  const double even = n * kappa * (f.sinh_U - f.sinh_a);
-  const double even_wave = kappa * f.a * f.cosh_U - (kappa * f.H + f.t) * f.cosh_a;
-  const double odd = m * kappa * (f.cosh_U - f.cosh_a);
-  const double odd_wave = kappa * f.a * f.sinh_U - (kappa * f.H - f.t) * f.sinh_a;
-  return {0.5 * (even + even_wave) - f.H * f.t * f.sinh_a,
-          0.5 * (odd_wave - odd) + f.H * f.t * f.cosh_a,
-          0.5 * (odd_wave + odd) - f.H * f.t * f.cosh_a,
-          0.5 * (even - even_wave) - f.H * f.t * f.sinh_a};
-}
-
-/// Times k and D. The sums and differences of hyperbolic functions are products, or a thin layer's
-/// u_x would be a difference of ones.
-Displacements frictionless(double nu, const LayerFunctions& f) {
-  const double m = 1.0 - 2.0 * nu;
-  const double n = 2.0 - 2.0 * nu;
-  const double x_wave = f.a * f.sinh_U - (f.H + f.t) * f.sinh_a;
-  const double along_wave = f.a * f.cosh_U + (f.H + f.t) * f.cosh_a;
-  const double cosh_H = 1.0 + std::exp(-2.0 * f.H);  // times 2 exp(-H), as the next
-  const double sinh_H = -std::expm1(-2.0 * f.H);
-  const double decay = std::exp(-f.a);
-  const double cosh_t = decay * (1.0 + std::exp(-2.0 * f.t));  // times 2 exp(-H), as the next
-  const double sinh_t = -decay * std::expm1(-2.0 * f.t);
-  return {n * sinh_H * sinh_t + 0.5 * x_wave, 0.5 * along_wave - m * sinh_H * cosh_t,
-          m * cosh_H * sinh_t + 0.5 * (f.a * f.cosh_U - (f.H + f.t) * f.cosh_a),
-          n * cosh_H * cosh_t - 0.5 * (f.a * f.sinh_U + (f.H + f.t) * f.sinh_a)};
-}
-
 void layer(PlaneWave& wave, const Material& material, double depth, double k) {
   const double nu = material.poisson_ratio;
   const double h = material.layer->thickness;
@@ -81,7 +47,8 @@ void layer(PlaneWave& wave, const Material& material, double depth, double k) {
     return set(wave, {(1.0 - nu) * rest, 0.0, 0.0, infinity}, {rest / h, 0.0, infinity});
   }
   const LayerFunctions f(h, depth, k);
-  const Displacements u = is_bonded ? bonded(nu, f) : frictionless(nu, f);
+  const Displacements u =
+      is_bonded ? bonded_displacements(nu, f) : frictionless_displacements(nu, f);
   const double scale = 1.0 / (is_bonded ? f.bonded_determinant(nu) : f.frictionless_determinant());
   // The anti-plane functions over cosh H or sinh H, times exp(-a) top and bottom.
   const double decay = std::exp(-f.a);

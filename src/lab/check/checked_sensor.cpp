@@ -52,6 +52,7 @@ CheckedSensor checked_sensor(const Scene& scene) {
 CheckedSensor checked_sensor(const SkinScene& scene) {
   CheckedSensor sensor = common(scene, channels(scene.sensor));
   sensor.layout = signal_layout(scene.sensor);
+  sensor.has_columns = true;
   sensor.noise = SkinSceneProblem(scene).stated_noise();
   const std::vector<SkinSite> all = sites(scene.sensor);
   std::vector<std::vector<std::size_t>> near(all.size());

@@ -21,7 +21,8 @@ struct CheckedSensor {
   std::vector<double> weights{};
   std::optional<double> noise{};  ///< of one weighted reading, by the scene
   std::vector<std::size_t> dead_taxels{};
-  bool offset = false;  ///< each channel has a constant that is not known
+  bool has_columns = false;  ///< taxels lie along z too
+  bool offset = false;       ///< each channel has a constant that is not known
   double youngs_modulus = 0.0;
   /// Readings of a channel around one: what a load over it shows in.
   struct Around {

@@ -80,6 +80,7 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
   finding::WholePadPulled sign;
   std::vector<double> residuals;
   std::optional<PeakFrame> found;
+  std::vector<std::vector<double>> loaded;
   for (const auto& [number, frame] : frames) {
     observer.step({.kind = Step::Kind::frame, .count = number});
     const std::vector<double> readings = at_rest(frame);
@@ -91,10 +92,12 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
     if (!is_loaded(readings, evidence, check)) continue;
     ++sign.loaded;
     if (pull_of(solved->normal).pulled) ++sign.pulled;
+    loaded.push_back(readings);
   }
   check.peak = found;
   if (!residuals.empty()) check.residual = median(residuals);
   if (sign.loaded > 0 && 5 * sign.pulled >= 4 * sign.loaded) check.findings.emplace_back(sign);
+  judge_order(evidence, loaded, solver, check);
   if (sign.loaded > 0) {
     const double times = std::abs(found->traction) / evidence.sensor.youngs_modulus;
     if (times > 3.0)

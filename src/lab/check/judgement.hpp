@@ -67,6 +67,14 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
                  std::span<const double> peak, PatternSolver& solver, Observer& observer,
                  ReadingsCheck& check);
 
+/// Taxels that are numbered the other way, or rows that are columns: such readings are likelier
+/// those of a load than the stated ones are. Where a channel is odd along the axis: a mirror image
+/// of readings that know no direction is as true.
+///
+/// @param loaded  frames under load, without the baseline
+void judge_order(const Evidence& evidence, const std::vector<std::vector<double>>& loaded,
+                 PatternSolver& solver, ReadingsCheck& check);
+
 /// Gains that are no longer what [calibration] says, by frames under loads that nobody knows. Of
 /// recordings that are sound otherwise, of up to 128 readings.
 ///

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lab/pattern_cache.hpp"
+#include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/missing.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
@@ -87,6 +88,18 @@ class LineSolver final : public PatternSolver {
     return solved;
   }
 
+  std::optional<double> surprise(std::span<const double> readings,
+                                 const std::vector<bool>& living) override {
+    if (!solve(readings, living)) return std::nullopt;
+    const SceneProblem& problem = frames_.problem();  // without what is dead
+    if (problem.is_large()) return std::nullopt;
+    std::vector<double> frame(readings.begin(), readings.end());
+    for (std::size_t i = 0; i < frame.size(); ++i)
+      if (!living[i]) frame[i] = 0.0;
+    const FilterFrame analysed = problem.family().analyse(frame);
+    return tactile_net::surprise(analysed, problem.alpha_tables(analysed), problem.stated_noise());
+  }
+
  private:
   SceneProblem problem_;
   IncompleteFrames frames_;
@@ -99,17 +112,9 @@ class SkinSolver final : public PatternSolver {
 
   std::optional<SolvedPattern> solve(std::span<const double> readings,
                                      const std::vector<bool>& living) override {
-    std::vector<double> frame = with_missing(readings, living);
-    const SkinScene& scene = whole_.scene();
-    const std::vector<SkinSite> all = sites(scene.sensor);
-    const std::vector<std::size_t> dead = dead_with_missing(scene.dead_taxels, all, frame);
-    if (!is_measured(scene.sensor, dead, scene.reconstruct.offset)) return std::nullopt;
-    for (std::size_t i = 0; i < frame.size(); ++i)
-      if (std::binary_search(dead.begin(), dead.end(), all[i].taxel)) frame[i] = 0.0;
-    if (dead != dead_) {
-      problem_ = whole_.without(dead);
-      dead_ = dead;
-    }
+    const auto known = without_dead(readings, living);
+    if (!known) return std::nullopt;
+    const std::vector<double>& frame = *known;
     const SkinFamily& family = problem_.family();
     const double alpha = problem_.alpha(frame).value;
     std::vector<double> tractions = family.solve(family.analyse(frame), alpha);
@@ -131,7 +136,33 @@ class SkinSolver final : public PatternSolver {
     return solved;
   }
 
+  std::optional<double> surprise(std::span<const double> readings,
+                                 const std::vector<bool>& living) override {
+    const auto frame = without_dead(readings, living);
+    if (!frame) return std::nullopt;
+    const FilterFrame analysed = problem_.family().analyse(*frame);
+    return tactile_net::surprise(analysed, problem_.alpha_tables(analysed),
+                                 problem_.stated_noise());
+  }
+
  private:
+  /// The frame with zeros for what is dead, which `problem_` is then without.
+  std::optional<std::vector<double>> without_dead(std::span<const double> readings,
+                                                  const std::vector<bool>& living) {
+    std::vector<double> frame = with_missing(readings, living);
+    const SkinScene& scene = whole_.scene();
+    const std::vector<SkinSite> all = sites(scene.sensor);
+    const std::vector<std::size_t> dead = dead_with_missing(scene.dead_taxels, all, frame);
+    if (!is_measured(scene.sensor, dead, scene.reconstruct.offset)) return std::nullopt;
+    for (std::size_t i = 0; i < frame.size(); ++i)
+      if (std::binary_search(dead.begin(), dead.end(), all[i].taxel)) frame[i] = 0.0;
+    if (dead != dead_) {
+      problem_ = whole_.without(dead);
+      dead_ = dead;
+    }
+    return frame;
+  }
+
   /// 0 where the tractions use up every reading, and nothing is left to tell the noise by.
   [[nodiscard]] double residual_of(std::span<const double> frame, std::span<const double> tractions,
                                    double alpha) const {

@@ -34,6 +34,11 @@ class PatternSolver {
   /// @return        nothing where no taxel is left, or the tractions overflow
   [[nodiscard]] virtual std::optional<SolvedPattern> solve(std::span<const double> readings,
                                                            const std::vector<bool>& living) = 0;
+
+  /// How little the readings are to be expected of any load: `surprise` at the likeliest alpha.
+  /// Nothing where it cannot be told: of an array solved without a matrix, or without a taxel.
+  [[nodiscard]] virtual std::optional<double> surprise(std::span<const double> readings,
+                                                       const std::vector<bool>& living) = 0;
 };
 
 /// Of a line with the rule rgcv where taxels are dense, of a skin with aicc: rules that know the

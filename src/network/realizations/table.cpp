@@ -28,6 +28,10 @@ std::optional<Realization> realization_named(std::string_view text) noexcept {
   return found == table.end() ? std::nullopt : std::optional((*found)->realization);
 }
 
+bool has_ladder(Realization realization, const RealizationOptions& options) noexcept {
+  return options.ladder && !traits(realization).theorem_with_ladder.name.empty();
+}
+
 bool has_amplifiers(Realization realization) noexcept { return traits(realization).uses_opamps; }
 
 double RealizationOptions::main_bandwidth(Realization realization) const noexcept {

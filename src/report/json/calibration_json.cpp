@@ -1,5 +1,7 @@
 #include "tactile_net/report/json/calibration_json.hpp"
 
+#include <variant>
+
 #include "report/json/scene_json.hpp"
 #include "tactile_net/report/words/calibration_words.hpp"
 #include "tactile_net/scene/calibrated_scene.hpp"
@@ -39,16 +41,18 @@ Json matrix_json(const Matrix& matrix) {
   return rows;
 }
 
-Json press_json(const FittedPress& press) {
-  return {{"press", press.number},
-          {"force", value_json(press.force)},
-          {"centre", value_json(press.center)},
-          {"half_width", value_json(press.half_width)},
-          {"friction", value_json(press.friction)},
-          {"weight", press.weight},
-          {"rms", press.rms},
-          {"rms_before", press.rms_before},
-          {"put_aside", press.put_aside ? Json(name(*press.put_aside)) : Json(nullptr)}};
+Json press_json(const FittedPress& press, bool is_skin) {
+  Json json = {{"press", press.number},
+               {"force", value_json(press.force)},
+               {"centre", value_json(press.center)},
+               {"half_width", value_json(press.half_width)},
+               {"friction", value_json(press.friction)},
+               {"weight", press.weight},
+               {"rms", press.rms},
+               {"rms_before", press.rms_before},
+               {"put_aside", press.put_aside ? Json(name(*press.put_aside)) : Json(nullptr)}};
+  if (is_skin) json["centre_z"] = value_json(press.center_z);
+  return json;
 }
 
 Json fit_json(const PressFit& fit, bool forced) {
@@ -76,7 +80,8 @@ Json fit_json(const PressFit& fit, bool forced) {
 
 std::string calibration_json(const lab::SceneCalibration& found, const std::string& log) {
   const PressFit& fit = found.fit;
-  Json json = scene_json(kind::calibrate, found.scene);
+  Json json =
+      std::visit([](const auto& scene) { return scene_json(kind::calibrate, scene); }, found.scene);
   json["log"] = log;
   json["fit"] = fit_json(fit, found.forced);
   json["words"] = calibration_in_words(found);
@@ -84,8 +89,8 @@ std::string calibration_json(const lab::SceneCalibration& found, const std::stri
   for (std::size_t i = 0; i < pad_parameter_count; ++i)
     json["parameters"][std::string(name(static_cast<PadParameter>(i)))] =
         value_json(fit.parameters[i]);
-  if (!found.scene.material.layer) json["parameters"]["thickness"] = nullptr;
-  const std::vector<Channel> channel = channels(found.scene.sensor);
+  if (!found.material().layer) json["parameters"]["thickness"] = nullptr;
+  const std::vector<PressChannel>& channel = found.channels;
   json["mean_gains"] = Json::object();
   json["noise_rms"] = Json::object();
   for (std::size_t c = 0; c < channel.size(); ++c) {
@@ -98,7 +103,8 @@ std::string calibration_json(const lab::SceneCalibration& found, const std::stri
     json["gains"][j]["verdict_about_mean"] = name(fit.gain_about_mean[j]);
   json["offsets"] = list_json(scale.offsets, scale.offset_sds, fit.offset);
   json["presses"] = Json::array();
-  for (const FittedPress& press : fit.presses) json["presses"].push_back(press_json(press));
+  for (const FittedPress& press : fit.presses)
+    json["presses"].push_back(press_json(press, found.is_skin()));
   Json free = Json::array();
   for (const PadParameter parameter : fit.free) free.push_back(name(parameter));
   json["free"] = free;
@@ -106,14 +112,11 @@ std::string calibration_json(const lab::SceneCalibration& found, const std::stri
   json["correlation"] = matrix_json(fit.correlation);
   json["null_directions"] = Json::array();
   for (const NullDirection& direction : fit.null_directions) {
-    lab::SceneCalibration one{.scene = found.scene, .log = found.log};
-    one.fit.null_directions = {direction};
     Json pad = Json::object();
     for (std::size_t i = 0; i < pad_parameter_count; ++i)
       pad[std::string(name(static_cast<PadParameter>(i)))] = direction.pad[i];
-    json["null_directions"].push_back({{"text", null_directions_in_words(one).front()},
-                                       {"parameters", pad},
-                                       {"gains", direction.gains}});
+    json["null_directions"].push_back(
+        {{"text", in_words(found, direction)}, {"parameters", pad}, {"gains", direction.gains}});
   }
   json["outliers"] = Json::array();
   for (const OutlyingReading& one : fit.outliers)

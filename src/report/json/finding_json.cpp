@@ -55,6 +55,13 @@ Json numbers(const finding::GainsChanged& f) {
 Json numbers(const finding::WholePadPulled& f) {
   return {{"pulled", f.pulled}, {"loaded", f.loaded}};
 }
+Json numbers(const finding::OrderMirrored& f) {
+  return {{"along_y", f.along_y},
+          {"along_z", f.along_z},
+          {"exchanged", f.exchanged},
+          {"frames", f.frames},
+          {"of", f.of}};
+}
 Json numbers(const finding::TractionExceedsModulus& f) { return {{"times", f.times}}; }
 Json numbers(const finding::DeformationTiny& f) { return {{"times", f.times}}; }
 Json numbers(const finding::MixedUnits& f) {

@@ -58,14 +58,20 @@ Json certificate(const Certificate& c) {
                {"noise", nullptr},
                {"slewing", c.slewing ? theorem_json(*c.slewing) : Json(nullptr)},
                {"static_errors", c.errors ? errors_json(*c.errors) : Json(nullptr)},
+               {"output_current", nullptr},
                {"proposal", nullptr},
                {"warnings", Json::array()}};
+  if (c.ladder) json["ladder"] = true;
   for (const CircuitRemark& remark : c.remarks) json["warnings"].push_back(in_words(remark));
   if (c.noise)
     json["noise"] = {{"largest_volts", c.noise->largest},
                      {"total_volts", c.noise->total},
                      {"relative", finite_or_null(c.noise->relative)},
-                     {"thermal_share", c.noise->thermal}};
+                     {"thermal_share", c.noise->thermal},
+                     {"flicker_share", c.noise->flicker}};
+  if (c.output_current)
+    json["output_current"] = {{"ampere", c.output_current->largest},
+                              {"opamp", c.output_current->opamp}};
   if (c.proposal)
     json["proposal"] = {{"volts", c.proposal->volts},
                         {"volts_by", name(c.proposal->volts_by)},
@@ -112,7 +118,7 @@ Json parts_json(const lab::PartsList& list) {
   for (const PartClass& one : list.wanted.classes)
     classes.push_back({{"tolerance", one.tolerance}, {"price", one.price}});
   Json candidates = Json::array();
-  for (const auto& one : list.candidates)
+  for (const auto& one : list.candidates) {
     candidates.push_back({{"realization", name(one.realization)},
                           {"opamps", one.opamps},
                           {"stable_with_opamps", one.stable},
@@ -124,14 +130,18 @@ Json parts_json(const lab::PartsList& list) {
                           {"resistors_price", one.resistors_price},
                           {"resistors_price_bound", one.resistors_bound},
                           {"p95_error", one.p95 ? finite_or_null(*one.p95) : Json(nullptr)}});
-  return {{"target", list.wanted.target},
-          {"text", in_words(list)},
-          {"opamp_price", list.opamp_price},
-          {"series", "E" + std::to_string(static_cast<int>(list.series))},
-          {"loads", list.loads},
-          {"classes", classes},
-          {"candidates", candidates},
-          {"choice", list.choice ? Json(name(list.chosen().realization)) : Json(nullptr)}};
+    if (one.ladder) candidates.back()["ladder"] = true;
+  }
+  Json json = {{"target", list.wanted.target},
+               {"text", in_words(list)},
+               {"opamp_price", list.opamp_price},
+               {"series", "E" + std::to_string(static_cast<int>(list.series))},
+               {"loads", list.loads},
+               {"classes", classes},
+               {"candidates", candidates},
+               {"choice", list.choice ? Json(name(list.chosen().realization)) : Json(nullptr)}};
+  if (list.choice && list.chosen().ladder) json["choice_ladder"] = true;
+  return json;
 }
 
 }  // namespace
@@ -192,6 +202,7 @@ std::string certificate_json(const lab::Certification& c) {
     row["realization"] = name(one.realization);
     row["opamps"] = one.opamps;
     row["stable_with_opamps"] = one.stable;
+    if (one.ladder) row["ladder"] = true;
     candidates.push_back(row);
   }
   json["recommendation"] = {{"text", in_words(c.recommendation)}, {"candidates", candidates}};

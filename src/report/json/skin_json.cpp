@@ -121,7 +121,11 @@ Json answer_json(const lab::SkinExperiment& experiment) {
                  {"frame", finite_or_null(experiment.frame_seconds)}}}};
   if (const auto& iteration = answer.iteration)
     json["iteration"] = {{"steps", iteration->steps},
-                         {"estimate", finite_or_null(iteration->estimate)}};
+                         {"estimate", finite_or_null(iteration->estimate)},
+                         {"bands",
+                          {{"tractions", iteration->bands.tractions},
+                           {"least", finite_or_null(iteration->bands.least)},
+                           {"most", finite_or_null(iteration->bands.most)}}}};
   json["constraints"] = nullptr;
   if (const auto& cone = answer.cone)
     json["constraints"] = {{"residual", cone->residual},

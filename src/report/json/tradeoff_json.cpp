@@ -60,6 +60,33 @@ study::WorkPoint point_of(const Json& json) {
   return point;
 }
 
+Json json_of(const study::MovingContacts& moving) {
+  Json followers = Json::array();
+  for (const study::Follower& one : moving.followers)
+    followers.push_back(
+        {{"realization", one.realization ? Json(name(*one.realization)) : Json(nullptr)},
+         {"sampling_hertz", one.realization ? Json(nullptr) : Json(one.sampling_hertz)},
+         {"delay_seconds", one.delay},
+         {"speed_at_one_percent",
+          number_or_null(speed_at_error(moving, one, study::one_percent))}});
+  return {{"displacements", moving.displacements},
+          {"errors", moving.errors},
+          {"followers", std::move(followers)}};
+}
+
+study::MovingContacts moving_of(const Json& json) {
+  study::MovingContacts moving{.displacements = json.at("displacements"),
+                               .errors = json.at("errors")};
+  for (const Json& one : json.at("followers")) {
+    study::Follower follower{.delay = one.at("delay_seconds")};
+    if (const Json& kind = one.at("realization"); !kind.is_null())
+      follower.realization = known(realization_named(kind.get<std::string>()));
+    follower.sampling_hertz = optional_number(one.at("sampling_hertz")).value_or(0.0);
+    moving.followers.push_back(follower);
+  }
+  return moving;
+}
+
 }  // namespace
 
 std::string study_json(const study::Study& study, std::string_view scene_text) {
@@ -86,6 +113,7 @@ std::string study_json(const study::Study& study, std::string_view scene_text) {
                         {"median", number_or_null(floor.median)}});
     jobs.push_back({{"job", in_words(section.job)}, {"points", std::move(points)}});
     if (!floors.empty()) jobs.back()["parts"] = std::move(floors);
+    if (section.moving) jobs.back()["moving"] = json_of(*section.moving);
   }
   Json json = document(kind::tradeoff);
   json.update(Json{
@@ -148,6 +176,7 @@ std::vector<study::StudySection> finished_jobs(const std::string& text, std::str
               {.realization = known(realization_named(floor.at("realization").get<std::string>())),
                .relative = floor.at("relative"),
                .median = optional_number(floor.at("median"))});
+      if (job.contains("moving")) section.moving = moving_of(job.at("moving"));
       sections.push_back(std::move(section));
     }
     return sections;

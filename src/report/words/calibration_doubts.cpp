@@ -13,10 +13,12 @@ std::string value_of(const lab::SceneCalibration& found, PressQuantity quantity,
                      double sd) {
   switch (quantity) {
     case PressQuantity::force:
-      return in_unit(found.scene, Dimension::force, value, sd);
+      return in_unit(found.units(), found.is_skin() ? Dimension::point_force : Dimension::force,
+                     value, sd);
     case PressQuantity::position:
     case PressQuantity::half_width:
-      return in_unit(found.scene, Dimension::length, value, sd);
+    case PressQuantity::position_z:
+      return in_unit(found.units(), Dimension::length, value, sd);
     case PressQuantity::friction:
       break;
   }
@@ -37,7 +39,8 @@ const Press& press_of(const lab::SceneCalibration& found, std::size_t number) {
 std::string put_aside_in_words(const lab::SceneCalibration& found, const FittedPress& press) {
   const PressQuantity quantity = *press.put_aside;
   const Press& log = press_of(found, press.number);
-  const Stated* const stated[] = {&log.force, &log.position, &log.half_width, &log.friction};
+  const Stated* const stated[] = {&log.force, &log.position, &log.half_width, &log.friction,
+                                  &log.position_z};
   const double said = stated[static_cast<std::size_t>(quantity)]->value.value_or(0.0);
   const ValueWithSd& value = press.at(quantity);
   std::string text = "Press " + std::to_string(press.number) + " does not fit its stated " +
@@ -70,11 +73,11 @@ void say_contradicted_presses(const lab::SceneCalibration& found, std::vector<st
 
 void say_doubtful_readings(const lab::SceneCalibration& found, std::vector<std::string>& text) {
   const PressFit& fit = found.fit;
-  const std::vector<std::string> names = reading_names(found.scene.sensor);
+  const std::vector<std::string>& names = found.readings;
   for (const std::size_t j : fit.doubtful_readings)
     text.push_back("The gain of " + names[j] + " ended at " + brief(fit.gains[j]) +
                    ", far from the others': a dead, stuck or loose taxel? List taxel " +
-                   std::to_string(sites(found.scene.sensor)[j].taxel) +
+                   std::to_string(found.sites[j].taxel) +
                    " in [dead_taxels], or state a larger gain_sd.");
 }
 

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <variant>
 
 #include "report/words/calibration_doubts.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
+#include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/scene/calibrated_scene.hpp"
@@ -61,7 +64,7 @@ std::string spoken(ValueVerdict verdict) {
 /// The parameter belongs to this scene: it was free, or nothing can be known of it.
 bool is_shown(const lab::SceneCalibration& found, PadParameter parameter) {
   const FittedValue& value = found.fit.at(parameter);
-  if (parameter == PadParameter::thickness) return found.scene.material.layer.has_value();
+  if (parameter == PadParameter::thickness) return found.material().layer.has_value();
   if (parameter == PadParameter::depth || parameter == PadParameter::poisson_ratio ||
       parameter == PadParameter::youngs_modulus)
     return true;
@@ -70,14 +73,14 @@ bool is_shown(const lab::SceneCalibration& found, PadParameter parameter) {
 
 std::string number(const lab::SceneCalibration& found, PadParameter parameter, double value) {
   const auto which = dimension(parameter);
-  return which ? in_unit(found.scene, *which, value) : brief(value);
+  return which ? in_unit(found.units(), *which, value) : brief(value);
 }
 
 std::string number(const lab::SceneCalibration& found, PadParameter parameter, double value,
                    double sd) {
   if (!std::isfinite(sd) || sd == 0.0) return number(found, parameter, value);
   const auto which = dimension(parameter);
-  return which ? in_unit(found.scene, *which, value, sd) : plus_minus(value, sd);
+  return which ? in_unit(found.units(), *which, value, sd) : plus_minus(value, sd);
 }
 
 /// "9 to 14, 20" of indices.
@@ -100,7 +103,7 @@ bool all_forces_unknown(const PressLog& log) {
 }
 
 std::string mean_gain_name(const lab::SceneCalibration& found, std::size_t channel) {
-  return channels(found.scene.sensor)[channel].name;
+  return found.channels[channel].name;
 }
 
 std::string words_of(const lab::SceneCalibration& found, const NullDirection& direction) {
@@ -127,19 +130,26 @@ std::string words_of(const lab::SceneCalibration& found, const NullDirection& di
     return "The common gain cannot be told from the forces, which the log does not state: gains "
            "are known relative to each other. State one force.";
   if (parts.empty()) return "The gains of readings " + runs(gains) + " cannot be told apart.";
-  const std::vector<Quantity>& reads = found.scene.sensor.reads;
-  if (modulus && only_modulus && gains.empty() &&
-      std::any_of(reads.begin(), reads.end(), is_strain))
+  const std::string rods = found.is_skin() ? "balls'" : "rods'";
+  const bool strains =
+      std::any_of(found.channels.begin(), found.channels.end(), [](const PressChannel& channel) {
+        return traits(channel.quantity).kind != QuantityKind::stress;
+      });
+  if (modulus && only_modulus && gains.empty() && strains)
     return "Young's modulus cannot be told from forces that are not stated: both scale the "
-           "readings. State one force, and the rods' radius.";
+           "readings. State one force, and the " +
+           rods + " radius.";
   if (modulus && only_modulus && gains.empty())
     return "Young's modulus leaves no trace in these readings: stresses follow the forces, "
-           "whatever the pad's stiffness. Give the rods' radius, or its value from elsewhere; "
+           "whatever the pad's stiffness. Give the " +
+           rods +
+           " radius, or its value from elsewhere; "
            "tractions from stresses do not depend on it.";
   if (modulus && only_modulus)
     return "Young's modulus cannot be told from the gains" +
            std::string(forces ? ", nor both from the forces" : "") +
-           ": all of them together scale the readings. Give the rods' radius, or the modulus.";
+           ": all of them together scale the readings. Give the " + rods +
+           " radius, or the modulus.";
   if (parts.size() == 1 && gains.empty())
     return "The " + parts.front() + " leaves no trace in these readings" +
            (direction.pad[static_cast<std::size_t>(PadParameter::shift)] != 0.0 &&
@@ -147,8 +157,10 @@ std::string words_of(const lab::SceneCalibration& found, const NullDirection& di
                 ? ": no position is stated. State one."
                 : ": it keeps the value that the scene states.");
   return join(parts, ", ") + (gains.empty() ? "" : " and gains") +
-         " cannot be told apart by these presses: the first keeps the value that the scene states. "
-         "State positions, widths or forces, or press at other places with other widths.";
+         " cannot be told apart by these presses: what is known of each follows from what the "
+         "scene "
+         "states of the others. State positions, widths or forces, or press at other places with "
+         "other widths.";
 }
 
 }  // namespace
@@ -175,6 +187,16 @@ std::vector<std::vector<std::string>> calibration_cells(const lab::SceneCalibrat
                         : plus_minus(value.value, value.sd)});
   }
   return rows;
+}
+
+std::string calibrated_in_words(const lab::SceneCalibration& found) {
+  return std::visit(
+      [](const auto& scene) { return sensor_in_words(scene) + "; " + material_in_words(scene); },
+      found.scene);
+}
+
+std::string in_words(const lab::SceneCalibration& found, const NullDirection& direction) {
+  return words_of(found, direction);
 }
 
 std::vector<std::string> null_directions_in_words(const lab::SceneCalibration& found) {
@@ -228,7 +250,7 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
   if (!prior_only.empty())
     text.push_back("Gains of readings " + runs(prior_only) +
                    " are what the scene states, no more: no press tells them.");
-  const std::vector<std::string> names = reading_names(found.scene.sensor);
+  const std::vector<std::string>& names = found.readings;
   std::size_t told = 0;
   for (const OutlyingReading& one : fit.outliers)
     if (++told <= 5)
@@ -240,10 +262,11 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
     if (press.half_width_at_bound)
       text.push_back("Press " + std::to_string(press.number) +
                      " is narrower than a tenth of the depth: its width is not seen.");
-  if (found.spread < found.scene.sensor.depths.front() && fit.presses.size() > 1)
-    text.push_back(
-        "All presses are at about one place: press over the whole array, narrow and wide rods in "
-        "turn, as hard as allowed.");
+  if (found.spread < fit.at(PadParameter::depth).nominal && fit.presses.size() > 1)
+    text.push_back("All presses are at about one place: press over the whole " +
+                   std::string(found.is_skin() ? "skin, small and large balls"
+                                               : "array, narrow and wide rods") +
+                   " in turn, as hard as allowed.");
   for (const ProfilePoint& point : fit.profile)
     if (point.z != 0.0 && std::abs(point.root / point.z - 1.0) > 0.3) {
       text.emplace_back(
@@ -266,7 +289,7 @@ std::vector<Answer> answers(const lab::SceneCalibration& found) {
   boxes.push_back({number(found, PadParameter::depth, depth.value, depth.sd),
                    "depth, stated as " + number(found, PadParameter::depth, depth.nominal),
                    depth.verdict != ValueVerdict::identified});
-  if (const FittedValue& h = fit.at(PadParameter::thickness); found.scene.material.layer)
+  if (const FittedValue& h = fit.at(PadParameter::thickness); found.material().layer)
     boxes.push_back({number(found, PadParameter::thickness, h.value, h.sd),
                      "thickness, stated as " + number(found, PadParameter::thickness, h.nominal),
                      h.verdict != ValueVerdict::identified});
@@ -299,11 +322,11 @@ std::vector<std::vector<std::string>> next_press_cells(const lab::SceneCalibrati
       {"next press", "place", "rod radius", "half width", "force", "unknown then"}};
   std::size_t number = 0;
   for (const NextPress& press : found.next.presses)
-    rows.push_back({std::to_string(++number),
-                    in_unit(found.scene, Dimension::length, press.position),
-                    in_unit(found.scene, Dimension::length, press.radius),
-                    in_unit(found.scene, Dimension::length, press.half_width),
-                    in_unit(found.scene, Dimension::force, press.force), percent(press.remaining)});
+    rows.push_back(
+        {std::to_string(++number), in_unit(found.units(), Dimension::length, press.position),
+         in_unit(found.units(), Dimension::length, press.radius),
+         in_unit(found.units(), Dimension::length, press.half_width),
+         in_unit(found.units(), Dimension::force, press.force), percent(press.remaining)});
   return rows;
 }
 

@@ -277,6 +277,32 @@ Words say(const finding::WholePadPulled& f, const auto& scene) {
               by_calibration(scene, "under [calibration], gain = -1 turns the sign",
                              "turn the sign of the file's numbers")};
 }
+Words say(const finding::OrderMirrored& f, const Scene&) {
+  return {"in " + std::to_string(f.frames) + " of " + std::to_string(f.of) +
+              " loaded frames the readings are likelier those of taxels numbered against y",
+          "turn the order of each quantity's columns round, or if that is right the sign of the "
+          "shear"};
+}
+Words say(const finding::OrderMirrored& f, const SkinScene&) {
+  std::vector<std::string> how;
+  std::vector<std::string> instead;
+  if (f.exchanged) {
+    how.emplace_back("in columns for rows");
+    instead.emplace_back("the names of what is read along y and along z");
+  }
+  if (f.along_y) {
+    how.emplace_back("numbered against y");
+    instead.emplace_back("the sign of what is read along y");
+  }
+  if (f.along_z) {
+    how.emplace_back("numbered against z");
+    instead.emplace_back("the sign of what is read along z");
+  }
+  return {
+      "in " + std::to_string(f.frames) + " of " + std::to_string(f.of) +
+          " loaded frames the readings are likelier those of taxels " + join(how, " and "),
+      "put the taxels into the scene's order, or if that is right turn " + join(instead, " and ")};
+}
 Words say(const finding::TractionExceedsModulus& f, const auto& scene) {
   return {"the largest traction is " + brief(f.times) + " times Young's modulus: no pad bears that",
           "readings and youngs_modulus are in different units, or strains are "

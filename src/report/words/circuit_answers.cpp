@@ -9,7 +9,7 @@ namespace {
 
 Answer stability(const lab::Certification& c) {
   const Certificate& certificate = c.certificate();
-  const std::string circuit(name(certificate.realization));
+  const std::string circuit = circuit_in_words(certificate.realization, certificate.ladder);
   switch (certificate.stability) {
     case Stability::stable:
       if (c.tolerance && 2 * c.tolerance->stable <= c.tolerance->trials)
@@ -66,9 +66,11 @@ std::vector<Answer> answers(const lab::Certification& c) {
   std::vector<Answer> all = {stability(c), settling(c.certificate()), cost(c.certificate())};
   const lab::Recommendation& r = c.recommendation;
   using Outcome = lab::Recommendation::Outcome;
-  const std::string chosen = r.choice ? std::string(name(r.chosen().realization)) : "";
+  const std::string chosen =
+      r.choice ? circuit_in_words(r.chosen().realization, r.chosen().ladder) : "";
   if (c.tolerance) {
-    const bool other = r.choice && r.chosen().realization != c.circuit.options().realization;
+    const bool other = r.choice && (r.chosen().realization != c.circuit.options().realization ||
+                                    r.chosen().ladder != c.certificate().ladder);
     all.push_back({percent(c.tolerance->yield()) + " yield",
                    "builds with real parts within " + percent(c.circuit.tolerance().accuracy) +
                        " of the exact network" +

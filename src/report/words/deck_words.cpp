@@ -10,6 +10,7 @@
 #include "tactile_net/network/dialect_deck.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
@@ -78,7 +79,8 @@ std::vector<std::string> comments_of(const SkinScene& scene, const lab::SceneCir
 DeckHeader header_of(const lab::SceneCircuit& circuit, Realization realization) {
   DeckHeader header{
       .title = "tactile-net " + std::string(version()) + ": " + printable(circuit.file()) +
-               ", realization " + std::string(name(realization)),
+               ", realization " +
+               circuit_in_words(realization, has_ladder(realization, circuit.options().parts)),
       .comments = std::visit([&](const auto& scene) { return comments_of(scene, circuit); },
                              circuit.scene()),
       .expected = circuit.direct()};

@@ -7,15 +7,12 @@
 #include "tactile_net/network/slewing.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
+#include "tactile_net/numeric/unit_text.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 
 namespace tactile_net::report {
 namespace {
-
-std::string error_in_words(double error) {
-  return std::isfinite(error) ? percent(error) : "unstable";
-}
 
 std::string stability_in_words(const Certificate& c) {
   switch (c.stability) {
@@ -95,10 +92,12 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
     case TheoremCondition::second_pole_beyond_bandwidth:
       return "capacitance at the summing nodes and a second pole below the bandwidth";
     case TheoremCondition::lag_within_bound:
-      return "the lag of summing nodes and second poles is " + brief(unmet.lag.number) +
-             " times what it proves stable";
+      return (unmet.lag.of_nodes ? "the lag of the ladder's nodes is "
+                                 : "the lag of summing nodes and second poles is ") +
+             brief(unmet.lag.number) + " times what it proves stable";
     case TheoremCondition::one_lag:
-      return "a second pole and capacitance at the residuals' nodes";
+      return "capacitance at nodes that nothing drives, beside a second pole or capacitance at "
+             "inputs";
     case TheoremCondition::complementary_outputs:
       return "inverters in place of complementary outputs";
     case TheoremCondition::main_at_most_half_of_inverters:
@@ -116,6 +115,10 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
 }
 
 }  // namespace
+
+std::string circuit_in_words(Realization realization, bool ladder) {
+  return std::string(name(realization)) + (ladder ? " with a ladder" : "");
+}
 
 std::string elements_in_words(const ElementCounts& elements) {
   std::vector<std::string> parts;
@@ -171,6 +174,10 @@ std::string in_words(const CircuitRemark& remark) {
       return "the lag of summing nodes and second poles is " + brief(remark.value) +
              " times what is proven stable: " + repair;
     }
+    case Kind::node_lag:
+      return "the lag of the ladder's nodes is " + brief(remark.value) +
+             " times what is proven stable: siemens = " + brief(remark.repair) +
+             " or more, or bandwidth_ratio = " + brief(remark.limit) + " or less";
     case Kind::floating_input_capacitance:
       return "capacitance at the amplifiers' inputs and at the residuals counts (W C/D = " +
              brief(remark.value) + ", found stable up to " + brief(remark.limit) +
@@ -190,16 +197,24 @@ std::string in_words(const CircuitRemark& remark) {
       return "the op-amps slew: from rest they would rise at " + brief(remark.value) +
              " V/s, their slew is " + brief(remark.limit) +
              " V/s; none slews from volts = " + brief(remark.repair) + " down";
+    case Kind::output_current:
+      return "the output of " + remark.part + " would carry " + with_unit(remark.value, "A") +
+             ", it gives " + with_unit(remark.limit, "A") +
+             " at most, which the deck does not know: volts = " + brief(remark.repair) +
+             ", or fewer siemens";
     case Kind::slewing_left_out:
       return "more than " + std::to_string(most_slewing_states) +
              " states: the settling time is without the op-amps' slew";
+    case Kind::noise_without_capacitance:
+      return "noise is left out: at a node without capacitance white noise has no size; give the "
+             "nodes one, parasitic = { node = 1e-12 }";
   }
   return {};
 }
 
 std::vector<std::string> in_words(const Certificate& c) {
   std::vector<std::string> lines;
-  lines.push_back(std::string(name(c.realization)) + ": " + stability_in_words(c));
+  lines.push_back(circuit_in_words(c.realization, c.ladder) + ": " + stability_in_words(c));
   lines.push_back(in_words(c.theorem));
   lines.push_back("P: smallest eigenvalue " + brief(c.smallest_eigenvalue) + ", condition number " +
                   brief(c.condition));
@@ -220,29 +235,6 @@ std::vector<std::string> in_words(const Certificate& c) {
                     (c.power < 1.0 ? brief(1e3 * c.power) + " mW" : brief(c.power) + " W") +
                     " in the resistors");
   for (const CircuitRemark& remark : c.remarks) lines.push_back("warning: " + in_words(remark));
-  return lines;
-}
-
-std::vector<std::string> in_words(const ToleranceOptions& options, const ToleranceResult& result) {
-  std::vector<std::string> lines;
-  std::string drawn;
-  if (options.series)
-    drawn = "values of the series E" + std::to_string(static_cast<int>(*options.series));
-  if (options.relative)
-    drawn += (drawn.empty() ? "parts within " : ", within ") + percent(*options.relative);
-  if (options.balance) drawn += ", complementary outputs within " + percent(*options.balance);
-  if (options.stabiliser) drawn += ", the stabiliser's within " + percent(*options.stabiliser);
-  lines.push_back(std::to_string(result.trials) +
-                  (result.trials == 1 ? " build of " : " builds of ") + drawn + ": " +
-                  std::to_string(result.stable) + " stable, yield " + percent(result.yield()) +
-                  " (within " + percent(options.accuracy) + " of the exact network); median " +
-                  error_in_words(result.median) + ", 95 of 100 " +
-                  (std::isfinite(result.p95) ? "within " : "") + error_in_words(result.p95) +
-                  "; first order predicts " + percent(result.predicted));
-  std::vector<std::string> worst;
-  for (const Contribution& one : result.worst)
-    worst.push_back(one.component + " " + percent(one.share));
-  lines.push_back("components that count most (share of the squared error): " + join(worst, ", "));
   return lines;
 }
 
@@ -340,51 +332,6 @@ std::vector<std::string> in_words(const lab::Relaxation& relaxation) {
     lines.push_back("warning: " + in_words(remark));
   lines.push_back("ngspice took " + duration(relaxation.ngspice_seconds) +
                   " for the operating point");
-  return lines;
-}
-
-std::vector<std::vector<std::string>> cells(const lab::Recommendation& recommendation) {
-  std::vector<std::vector<std::string>> rows = {
-      {"realisation", "op-amps", "stable", "median error", "95 of 100", "yield"}};
-  for (const auto& one : recommendation.candidates)
-    rows.push_back({std::string(name(one.realization)), std::to_string(one.opamps),
-                    one.stable ? std::to_string(one.tolerance.stable) + " of " +
-                                     std::to_string(one.tolerance.trials)
-                               : "not with its op-amps",
-                    error_in_words(one.tolerance.median), error_in_words(one.tolerance.p95),
-                    percent(one.tolerance.yield())});
-  return rows;
-}
-
-std::string in_words(const lab::Recommendation& r) {
-  using Outcome = lab::Recommendation::Outcome;
-  if (r.outcome == Outcome::no_load)
-    return "There is no load: nothing for errors of components to change.";
-  std::string parts =
-      r.drawn.relative ? "parts of " + percent(*r.drawn.relative) : "parts of the series";
-  if (r.inverters_replaced) parts += ", complementary outputs instead of the scene's inverters,";
-  const std::string accuracy = percent(r.drawn.accuracy);
-  const lab::Recommendation::Candidate& chosen = r.chosen();
-  if (r.outcome == Outcome::reached)
-    return "With " + parts + " and an accuracy of " + accuracy + ": " +
-           std::string(name(chosen.realization)) + ", the fewest amplifiers (" +
-           std::to_string(chosen.opamps) + ") of those that reach it in 95 of 100 builds.";
-  std::string text = "With " + parts + " no realisation is within " + accuracy +
-                     " in 95 of 100 builds; " + std::string(name(chosen.realization)) +
-                     " comes nearest" +
-                     (std::isfinite(chosen.tolerance.p95)
-                          ? " (95 of 100 within " + percent(chosen.tolerance.p95) + ")."
-                          : ", and is not stable in 95 of 100 either.");
-  if (r.parts_needed)
-    text += " It would take parts of about " + percent(*r.parts_needed) + ", or a larger alpha.";
-  return text;
-}
-
-std::vector<std::string> tolerance_in_words(const lab::Certification& c) {
-  std::vector<std::string> lines = in_words(c.circuit.tolerance(), *c.tolerance);
-  if (c.certificate().stability == Stability::unstable && c.tolerance->stable > 0)
-    lines.push_back(
-        "the builds take op-amps for infinitely fast: the certificate's poles say otherwise");
   return lines;
 }
 

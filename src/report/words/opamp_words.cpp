@@ -38,6 +38,8 @@ std::string bound_in_words(ScaleProposal::Bound bound) {
       return "10 V at the largest node";
     case ScaleProposal::Bound::slew:
       return "with more of them slewing would take over a fifth of the settling time";
+    case ScaleProposal::Bound::current:
+      return "the outputs give no more current";
   }
   return {};
 }
@@ -55,12 +57,8 @@ std::string proposal_in_words(const ScaleProposal& proposal, const Scale& scale)
 
 constexpr Named<ScaleProposal::Bound> bounds[] = {{ScaleProposal::Bound::swing, "rail"},
                                                   {ScaleProposal::Bound::ten_volts, "ten_volts"},
-                                                  {ScaleProposal::Bound::slew, "slew"}};
-
-/// "1.34 m/s", and a bare number where the scene states no units.
-std::string speed(double value, const std::optional<Units>& units) {
-  return units ? with_unit(value, "m/s") : brief(value) + " of the pitch's units a second";
-}
+                                                  {ScaleProposal::Bound::slew, "slew"},
+                                                  {ScaleProposal::Bound::current, "current"}};
 
 }  // namespace
 
@@ -81,18 +79,29 @@ std::vector<std::string> opamps_in_words(const Certificate& c) {
                     (std::isfinite(c.noise->relative)
                          ? ", " + percent(c.noise->relative) + " of the answer"
                          : "") +
-                    "; " + percent(c.noise->thermal) + " of its power is the resistors'");
+                    "; " + percent(c.noise->thermal) + " of its power is the resistors'" +
+                    (c.noise->flicker > 0.0
+                         ? ", " + percent(c.noise->flicker) + " the op-amps' 1/f noise from " +
+                               brief(lowest_noise_hertz) + " Hz on"
+                         : ""));
+  if (c.output_current)
+    lines.push_back("an output carries at most " + with_unit(c.output_current->largest, "A") +
+                    " at rest, that of " + c.output_current->opamp);
   return lines;
+}
+
+std::string speed_in_words(double speed, const std::optional<Units>& units) {
+  return units ? with_unit(speed, "m/s") : brief(speed) + " of the pitch's units a second";
 }
 
 std::string in_words(const lab::ContactMotion& motion, const std::optional<Units>& units) {
   return "moving contacts: the answer is " + duration(motion.delay) + " behind, " +
-         percent(lab::ContactMotion::lag) + " of it at " + speed(motion.speed, units) +
+         percent(lab::ContactMotion::lag) + " of it at " + speed_in_words(motion.speed, units) +
          "; its slowest direction follows up to " + with_unit(motion.slowest_hertz, "Hz") +
          "; sampled and held at " + with_unit(lab::ContactMotion::sampling_hertz, "Hz") +
          " an answer is up to " + duration(1.0 / lab::ContactMotion::sampling_hertz) +
          " behind: " + percent(lab::ContactMotion::lag) + " at " +
-         speed(motion.sampled_speed, units);
+         speed_in_words(motion.sampled_speed, units);
 }
 
 std::vector<std::string> facts_in_words(const lab::Certification& c) {

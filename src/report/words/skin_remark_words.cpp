@@ -1,5 +1,9 @@
 #include "report/words/skin_remark_words.hpp"
 
+#include <cmath>
+
+#include "tactile_net/numeric/counted.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
@@ -15,14 +19,25 @@ std::string offsets_in_words(const SkinScene& scene, std::span<const double> off
   return offsets_found(each);
 }
 
+namespace {
+
+/// "1.2 % too narrow".
+std::string off_in_words(double off) {
+  return percent(std::abs(off)) + (off < 0.0 ? " too narrow" : " too wide");
+}
+
+}  // namespace
+
 std::string without_matrix(const lab::SkinAnswer& answer) {
   const bool constrained = answer.cone.has_value();
   const std::size_t steps = constrained ? answer.cone->iterations : answer.iteration->steps;
+  const auto& bands = answer.iteration->bands;
   return "more tractions than a dense matrix takes: solved by products, in " +
          std::to_string(steps) + (constrained ? " projected gradients" : " conjugate gradients") +
          "; alpha's traces are means over random probes, bands of forces one solve each with that "
-         "alpha, those of single cells "
-         "estimates, at most 2 % too wide and 10 % too narrow" +
+         "alpha, those of single cells estimates, " +
+         off_in_words(bands.least) + " to " + off_in_words(bands.most) + " at the " +
+         counted(bands.tractions, "traction") + " whose band was solved for" +
          (constrained ? "; all are those without constraints, wider than need be" : "");
 }
 

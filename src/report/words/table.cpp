@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "numeric/named.hpp"
+#include "report/words/check_parts.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
@@ -17,6 +18,13 @@ namespace tactile_net::report {
 namespace {
 
 using Matrix = lab::Condition::Matrix;
+
+std::string with_units(const lab::remark::OffsetsFound& offsets, const Scene& scene) {
+  std::vector<std::string> each;
+  for (const auto& [channel, offset] : offsets.channels)
+    each.push_back(channel + ' ' + reading(scene, each.size(), offset));
+  return offsets_found(each);
+}
 
 constexpr Named<Matrix> matrices[] = {
     {Matrix::stacked, "W K above sqrt(alpha) L"},
@@ -95,7 +103,11 @@ std::vector<std::string> remarks_in_words(const lab::Experiment& experiment,
   std::vector<std::string> sentences;
   if (result.method == Method::network && experiment.relaxation)
     sentences = warnings_of(*experiment.relaxation);
-  for (const lab::Remark& one : result.remarks) sentences.push_back(in_words(one));
+  for (const lab::Remark& one : result.remarks) {
+    const auto* offsets = std::get_if<lab::remark::OffsetsFound>(&one);
+    sentences.push_back(offsets != nullptr ? with_units(*offsets, experiment.scene)
+                                           : in_words(one));
+  }
   return sentences;
 }
 

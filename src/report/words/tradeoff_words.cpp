@@ -179,6 +179,8 @@ std::vector<std::string> in_words(const study::Study& study) {
                  ": more accuracy than that cannot be seen");
   for (std::string& sentence : sizes_in_words(study)) text.push_back(std::move(sentence));
   add_circuits(text, study, points);
+  if (std::string sentence = moving_in_words(study); !sentence.empty())
+    text.push_back(std::move(sentence));
   return text;
 }
 

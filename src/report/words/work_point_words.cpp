@@ -18,7 +18,7 @@ using Setting = study::Knob::Kind;
 
 // The words of which nothing is a number. Writers and readers below share every table.
 
-constexpr std::array<std::pair<study::Job::Kind, std::string_view>, 13> job_words = {{
+constexpr std::array<std::pair<study::Job::Kind, std::string_view>, 14> job_words = {{
     {study::Job::Kind::products, "products with M"},
     {study::Job::Kind::factorisations, "factorisations"},
     {study::Job::Kind::fft, "FFT"},
@@ -31,6 +31,7 @@ constexpr std::array<std::pair<study::Job::Kind, std::string_view>, 13> job_word
     {study::Job::Kind::forward_model, "forward model"},
     {study::Job::Kind::circuit_sizes, "circuits over array sizes"},
     {study::Job::Kind::parts, "accuracy of parts"},
+    {study::Job::Kind::moving, "moving contacts"},
     {study::Job::Kind::operating_points, "ngspice, operating points"},
 }};
 constexpr std::string_view settling_job = "settling, ";  // and the realisation

@@ -3,33 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <list>
+#include <optional>
 #include <utility>
 
 #include "inverse/checks.hpp"
 #include "numeric/eigen.hpp"
-#include "skin/coordinates.hpp"
-#include "skin/family_factors.hpp"
+#include "skin/large/band_probes.hpp"
+#include "skin/large/piece.hpp"
 #include "skin/scaled_deviation.hpp"
-#include "skin/window_sums.hpp"
-#include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net {
-namespace {
-
-/// Taxels along the smaller skin's sides, at most.
-constexpr std::size_t most_taxels = 14;
-
-/// Of a cell of a long line the one of a short line that is as far from the nearer end, or the
-/// middle one, with as many cells between it and the nearest taxel.
-std::size_t like(std::size_t cell, std::size_t cells, std::size_t fewer, std::size_t stride) {
-  const std::size_t middle = (fewer - stride) / 2;
-  const std::size_t left = cells - 1 - cell;
-  if (cell < middle) return cell;
-  if (left + middle + stride < fewer) return fewer - 1 - left;
-  return middle + (cell - middle) % stride;
-}
-
-}  // namespace
 
 struct LargeSkinBands::Parts {
   /// Weights, and [W K; sqrt(alpha) L] P^-1 times them.
@@ -69,142 +52,103 @@ struct LargeSkinBands::Parts {
     return {sum, most};
   }
 
-  /// Where a cell's like is among the piece's, and whether its nearest taxel is dead.
-  [[nodiscard]] std::size_t like_cell(std::size_t cell) const;
-  [[nodiscard]] bool is_dead(std::size_t cell) const;
+  /// How far these deviations are off what probes have, of this prior. An error varies slowly with
+  /// both alphas: one within a factor of two serves.
+  BandError error(double prior_alpha, std::span<const double> deviations) {
+    const auto near = [](double a, double b) { return a <= 2.0 * b && b <= 2.0 * a; };
+    if (known_error && near(known_error->alpha, solver.alpha()) &&
+        near(known_error->prior_alpha, prior_alpha))
+      return known_error->error;
+    BandError found;
+    for (const BandProbe& probe : band_probes(solver.problem())) {
+      const std::vector<double> exact = probed_deviations(solver, prior_alpha, probe);
+      for (std::size_t i = 0; i < exact.size(); ++i) {
+        if (!(exact[i] > 0.0)) continue;
+        const double off = deviations[probe.tractions[i]] / exact[i] - 1.0;
+        found.least = found.tractions == 0 ? off : std::min(found.least, off);
+        found.most = found.tractions == 0 ? off : std::max(found.most, off);
+        ++found.tractions;
+      }
+    }
+    known_error = {solver.alpha(), prior_alpha, found};
+    return found;
+  }
+
+  struct KnownError {
+    double alpha;
+    double prior_alpha;
+    BandError error;
+  };
 
   LargeSkinTikhonov& solver;
-  SkinArray skin;
-  SkinProblem piece;
-  SkinFamily family;
-  std::vector<bool> dead;         // taxels
-  Eigen::VectorXd piece_squares;  // of the piece's prior
+  std::shared_ptr<SkinPiece> piece;
   double alpha = 0.0;
   std::list<Solved> solved{};  // orthonormal weights
+  std::optional<KnownError> known_error{};
 
   static constexpr std::size_t most_solved = 24;
   static constexpr double known = 1e-10;  // of weights: no more than rounding
   static constexpr double residual = 1e-6;
 };
 
-/// Of a cell of the whole the cell of the piece that is as far from the nearer ends.
-std::size_t LargeSkinBands::Parts::like_cell(std::size_t cell) const {
-  const SkinGrid& grid = solver.problem().grid;
-  const SkinGrid& small = piece.grid;
-  return like(cell / grid.columns, grid.rows, small.rows, grid.stride_rows) * small.columns +
-         like(cell % grid.columns, grid.columns, small.columns, grid.stride_columns);
-}
-
-bool LargeSkinBands::Parts::is_dead(std::size_t cell) const {
-  const SkinGrid& grid = solver.problem().grid;
-  const auto nearest = [](std::size_t at, std::size_t margin, std::size_t stride,
-                          std::size_t taxels) {
-    const std::size_t from = at < margin ? 0 : (at - margin + stride / 2) / stride;
-    return std::min(from, taxels - 1);
-  };
-  return dead[nearest(cell / grid.columns, grid.margin_rows, grid.stride_rows, skin.rows) *
-                  skin.columns +
-              nearest(cell % grid.columns, grid.margin_columns, grid.stride_columns, skin.columns)];
-}
-
-namespace {
-
-SkinProblem piece_of(SkinArray skin, const Material& material, SkinProblemOptions options,
-                     const SkinProblem& whole) {
-  skin.rows = std::min(skin.rows, most_taxels);
-  skin.columns = std::min(skin.columns, most_taxels);
-  options.dead_taxels.clear();
-  options.smoothing_length = whole.smoothing_length;
-  return make_problem(skin, material, options);
-}
-
-}  // namespace
-
 LargeSkinBands::LargeSkinBands(LargeSkinTikhonov& solver, const SkinArray& skin,
-                               const Material& material, const SkinProblemOptions& options) {
-  SkinProblem piece = piece_of(skin, material, options, solver.problem());
-  SkinFamily family(piece);
-  const SkinProblem& whole = solver.problem();
-  std::vector<bool> dead(whole.taxels);
-  for (std::size_t i = 0; i < whole.sites.size(); ++i)
-    if (whole.weights[i] == 0.0) dead[whole.sites[i].taxel] = true;
-  Eigen::VectorXd squares =
-      CosineCoordinates(piece, stabiliser_spectrum(piece).cwiseSqrt()).squares();
-  parts_ = std::make_unique<Parts>(Parts{solver, skin, std::move(piece), std::move(family),
-                                         std::move(dead), std::move(squares)});
-}
+                               const Material& material, const SkinProblemOptions& options)
+    : parts_(std::make_unique<Parts>(
+          Parts{solver, std::make_shared<SkinPiece>(skin, material, options, solver.problem())})) {}
+LargeSkinBands::LargeSkinBands(LargeSkinTikhonov& solver, const LargeSkinBands& like)
+    : parts_(std::make_unique<Parts>(Parts{solver, like.parts_->piece})) {}
 LargeSkinBands::~LargeSkinBands() = default;
 
 LargeSkinCovariance::LargeSkinCovariance(LargeSkinBands& bands, double prior_alpha,
                                          double degrees_of_freedom)
-    : bands_(bands), prior_alpha_(prior_alpha), degrees_(degrees_of_freedom) {
+    : bands_(bands),
+      alpha_(bands.parts_->solver.alpha()),
+      prior_alpha_(prior_alpha),
+      degrees_(degrees_of_freedom) {
   check_alpha(prior_alpha);
 }
 
-std::vector<double> LargeSkinCovariance::deviations() const {
+const std::vector<double>& LargeSkinCovariance::estimates() const {
   const LargeSkinBands::Parts& parts = *bands_.parts_;
-  const std::size_t cells = parts.solver.problem().grid.count();
-  const std::size_t small = parts.piece.grid.count();
-  const std::vector<double> own =
-      SkinCovariance(parts.family, parts.solver.alpha(), prior_alpha_).deviations();
-  std::vector<double> all(parts.solver.problem().components * cells);
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    const std::size_t like = parts.like_cell(cell);
-    const bool dead = parts.is_dead(cell);
-    for (std::size_t from = like, to = cell; to < all.size(); from += small, to += cells)
-      all[to] = dead ? std::max(own[from], prior_deviation(from)) : own[from];
-  }
-  return all;
+  if (estimates_.empty())
+    estimates_ = parts.piece->deviations(parts.solver.problem(), alpha_, prior_alpha_);
+  return estimates_;
 }
 
-std::vector<double> LargeSkinCovariance::window_deviations(const SkinGrid& grid,
+std::vector<double> LargeSkinCovariance::deviations() const { return estimates(); }
+
+std::vector<double> LargeSkinCovariance::window_deviations(const SkinGrid&,
                                                            const CellWindow& window) const {
   const LargeSkinBands::Parts& parts = *bands_.parts_;
-  const SkinGrid& small = parts.piece.grid;
-  const std::vector<double> own = SkinCovariance(parts.family, parts.solver.alpha(), prior_alpha_)
-                                      .window_deviations(small, window);
-  const Eigen::VectorXd prior =
-      parts.family.factors()->coordinates->squares(small, window).cwiseSqrt() /
-      std::sqrt(prior_alpha_);
-  std::vector<double> dead(grid.count());
-  for (std::size_t cell = 0; cell < dead.size(); ++cell)
-    dead[cell] = parts.is_dead(cell) ? 1.0 : 0.0;
-  window_sums(grid, window, dead);
-  std::vector<double> all(grid.count());
-  for (std::size_t cell = 0; cell < all.size(); ++cell) {
-    const std::size_t like = parts.like_cell(cell);
-    all[cell] =
-        dead[cell] > 0.0 ? std::max(own[like], prior(static_cast<Eigen::Index>(like))) : own[like];
-  }
-  return all;
+  return parts.piece->window_deviations(parts.solver.problem(), alpha_, prior_alpha_, window);
 }
 
-double LargeSkinCovariance::prior_deviation(std::size_t of_piece) const {
-  return std::sqrt(bands_.parts_->piece_squares(static_cast<Eigen::Index>(of_piece)) /
-                   prior_alpha_);
+BandError LargeSkinCovariance::error() const {
+  return bands_.parts_->error(prior_alpha_, estimates());
 }
 
 double LargeSkinCovariance::deviation(std::span<const double> weights) const {
   const LargeSkinBands::Parts& parts = *bands_.parts_;
-  const std::size_t cells = parts.solver.problem().grid.count();
+  const SkinProblem& problem = parts.solver.problem();
+  const std::size_t cells = problem.grid.count();
   const auto first =
       std::find_if(weights.begin(), weights.end(), [](double w) { return w != 0.0; });
   if (first == weights.end()) return 0.0;
   const std::size_t cell = static_cast<std::size_t>(first - weights.begin()) % cells;
   for (std::size_t i = 0; i < weights.size(); ++i)
     if (weights[i] != 0.0 && i % cells != cell) return scaled_deviation(*this, weights);
-  // Of a single cell.
-  const std::size_t small = parts.piece.grid.count();
-  const std::size_t like = parts.like_cell(cell);
-  std::vector<double> of_piece(parts.piece.components * small);
-  double prior = 0.0;
-  for (std::size_t from = cell, to = like; from < weights.size(); from += cells, to += small) {
-    of_piece[to] = weights[from];
-    prior = std::hypot(prior, weights[from] * prior_deviation(to));
+  // Of a single cell: as the piece has it, times the most that dead taxels make of its tractions.
+  std::vector<double> of_cell(problem.components);
+  std::vector<double> one(problem.components);
+  double more = 0.0;
+  for (std::size_t u = 0; u < one.size(); ++u) {
+    of_cell[u] = weights[u * cells + cell];
+    std::fill(one.begin(), one.end(), 0.0);
+    one[u] = 1.0;
+    more = std::max(more, estimates()[u * cells + cell] /
+                              parts.piece->deviation(problem, alpha_, prior_alpha_, cell, one));
   }
-  const double own =
-      SkinCovariance(parts.family, parts.solver.alpha(), prior_alpha_).deviation(of_piece);
-  return parts.is_dead(cell) ? std::max(own, prior) : own;
+  return more * parts.piece->deviation(problem, alpha_, prior_alpha_, cell, of_cell);
 }
 
 double LargeSkinCovariance::covariance(std::span<const double> a, std::span<const double> b) const {

@@ -149,6 +149,12 @@ LargeSkinFamily::LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, std::s
 }
 LargeSkinFamily::LargeSkinFamily(const LargeSkinTikhonov& solver, std::size_t probes)
     : LargeSkinFamily(solver.system(), probes) {}
+LargeSkinFamily::LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system,
+                                 const LargeSkinFamily& like) {
+  auto parts = std::make_unique<Parts>(std::move(system));
+  parts->probes = like.parts_->probes;  // of each row on average, whatever their number
+  parts_ = std::move(parts);
+}
 LargeSkinFamily::~LargeSkinFamily() = default;
 LargeSkinFamily::LargeSkinFamily(LargeSkinFamily&&) noexcept = default;
 LargeSkinFamily& LargeSkinFamily::operator=(LargeSkinFamily&&) noexcept = default;

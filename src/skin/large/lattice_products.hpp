@@ -2,6 +2,7 @@
 /// K f and K' g of taxels on the lattice of the cells, by FFT. Private.
 #pragma once
 
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <span>
@@ -20,8 +21,11 @@ namespace tactile_net {
 
 /// Transforms on a plane of at least twice the cells, so that nothing meets what it should not: row
 /// by row, and only of rows that hold something; then column by column, from the transform of the
-/// components over the kernels' spectra to what the channels read, while a column is at hand. A
-/// kernel is even or odd, so that its spectrum is a real number times 1, i or -1.
+/// components over the kernels' spectra to what the channels read, while a column is at hand. Half
+/// of a column is empty: bins of even number are the transform of the other half, those of odd
+/// number that of the half turned by what half a bin turns; no transform is as long as a column.
+///
+/// A kernel is even or odd, so that its spectrum is a real number times 1, i or -1.
 class LatticeProducts {
  public:
   /// @pre  the taxels lie on the grid's lattice
@@ -47,38 +51,49 @@ class LatticeProducts {
     }
     [[nodiscard]] std::size_t count() const noexcept { return rows * columns; }
   };
-  /// A column's numbers one after the other: the spectrum, or that over i.
+  /// The spectrum, or that over i, column by column: of even bins 0 to half_ / 2 and of odd ones
+  /// the first half. The others mirror them, as the kernel does itself along y.
   struct Response {
     std::vector<double> values;
     bool imaginary;
+    double mirrored;  // 1 or -1
   };
+  /// A column of one input or output: bins of even number, bins of odd number.
+  using Column = std::array<ComplexFft, 2>;
 
   [[nodiscard]] std::size_t bins() noexcept { return along_row_.bins().size(); }
   /// Of all rows, and half of the columns.
-  void add_response(const LatticeKernel& kernel, bool imaginary);
+  void add_response(const LatticeKernel& kernel, bool is_odd_y, bool is_odd_z);
+  /// Where bin k of row m is: columns are taken out of rows some at a time, which lie together; a
+  /// column alone would touch a page for each row. One row more than there are, for with a power of
+  /// two all bins of a row would want one place of the cache.
+  [[nodiscard]] std::size_t place(std::size_t k, std::size_t m) const noexcept {
+    return (k / strip * (grid_.rows + 1) + m) * strip + k % strip;
+  }
   void transform_rows(std::span<const double> from, const Places& places,
-                      std::vector<Complex>& rows) noexcept;
-  void transform_back(const std::vector<Complex>& rows, const Places& places,
+                      std::span<Complex> rows) noexcept;
+  void transform_back(std::span<const Complex> rows, const Places& places,
                       std::span<double> to) noexcept;
-  /// Columns [first, first + some) of the rows that came in, one after the other in `block_in_`.
-  void gather(std::size_t first, std::size_t some, std::size_t inputs, std::size_t rows) noexcept;
-  /// From `block_out_` to the rows that go out.
-  void scatter(std::size_t first, std::size_t some, std::size_t outputs, std::size_t rows) noexcept;
-  /// Column k, number `in_block` of its block.
-  void multiply_column(std::size_t k, std::size_t in_block, const Places& from, const Places& to,
-                       std::size_t inputs, std::size_t outputs, bool transposed) noexcept;
+  /// out_[o] += column k of a response times in_[i]; of input 0 first it is what there is.
+  void add_product(const Response& response, std::size_t k, bool transposed, std::size_t i,
+                   std::size_t o, std::size_t parity) noexcept;
+  void multiply_column(std::size_t k, const Places& from, const Places& to, std::size_t inputs,
+                       std::size_t outputs, bool transposed) noexcept;
   void multiply(std::span<const double> from, const Places& from_places, std::size_t inputs,
                 std::span<double> to, const Places& to_places, std::size_t outputs,
                 bool transposed) noexcept;
+
+  static constexpr std::size_t strip = 16;
 
   SkinGrid grid_;
   std::size_t components_, channels_;
   Places cells_, taxels_;
   RealFft along_row_, back_along_row_;
-  std::vector<ComplexFft> in_, out_;  // a column each, of each input and output
-  std::vector<std::vector<Complex>> rows_in_, rows_out_;
-  std::vector<std::vector<Complex>> block_in_, block_out_;  // some columns at a time
-  std::vector<Response> responses_;                         // channels x components
+  std::size_t half_;                 // of a column
+  std::vector<Complex> half_turns_;  // exp(-i pi m / half_)
+  std::vector<Column> in_, out_;
+  std::vector<std::vector<Complex>> rows_;  // of each input, then of each output
+  std::vector<Response> responses_;         // channels x components
 };
 
 }  // namespace tactile_net

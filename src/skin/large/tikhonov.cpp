@@ -18,8 +18,20 @@ double dot(std::span<const double> a, std::span<const double> b) noexcept {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// From this share of the square of what even pressure reads on down tiles are larger.
-constexpr double small_alpha = 1e-7;
+/// Cells along a tile's side, from which share of the square of what even pressure reads on down:
+/// the smaller alpha, the farther a traction is felt.
+struct TileSide {
+  double below;
+  std::size_t cells;
+};
+constexpr std::array tile_sides{TileSide{1e-7, 28}, TileSide{1e-5, 20}};
+constexpr std::size_t least_side = 16;
+
+std::size_t tile_side(double alpha, double even_reading) noexcept {
+  for (const TileSide& side : tile_sides)
+    if (std::sqrt(alpha / side.below) < even_reading) return side.cells;
+  return least_side;
+}
 
 /// y = x + factor y
 void turn(std::span<double> y, double factor, std::span<const double> x) noexcept {
@@ -124,9 +136,8 @@ LargeSkinTikhonov::LargeSkinTikhonov(std::shared_ptr<LargeSkinSystem> system, do
 void LargeSkinTikhonov::use_alpha(double alpha) {
   check_alpha(alpha);
   if (alpha == parts_->alpha) return;
-  const bool is_small = std::sqrt(alpha / small_alpha) < parts_->largest;
-  parts_->tiles = std::make_unique<SkinTiles>(*parts_->system, alpha,
-                                              SkinTiles::Size{.cells = is_small ? 24U : 16U});
+  parts_->tiles = std::make_unique<SkinTiles>(
+      *parts_->system, alpha, SkinTiles::Size{.cells = tile_side(alpha, parts_->largest)});
   parts_->alpha = alpha;
 }
 

@@ -21,14 +21,8 @@ constexpr std::size_t batch = 64;
 SkinTiles::SkinTiles(const LargeSkinSystem& system, double alpha, const Size& size)
     : system_(system), alpha_(alpha), reach_(size.reach) {
   const SkinGrid& grid = system.problem.grid;
-  const auto side = [&](std::size_t cells, std::size_t stride) {
-    return std::min(std::max(size.cells, 2 * stride), cells);
-  };
-  const auto step = [&](std::size_t stride) {
-    return std::max(size.cells / 2 / stride, std::size_t{1}) * stride;
-  };
-  rows_ = side(grid.rows, grid.stride_rows);
-  columns_ = side(grid.columns, grid.stride_columns);
+  rows_ = side(grid.rows, grid.stride_rows, size.cells);
+  columns_ = side(grid.columns, grid.stride_columns, size.cells);
   for (const SkinChannel& channel : channels(system.skin)) {
     double most = 0.0;
     for (std::size_t i = 0; i < channel.count; ++i)
@@ -39,8 +33,8 @@ SkinTiles::SkinTiles(const LargeSkinSystem& system, double alpha, const Size& si
   for (std::size_t i = 0; i < system.problem.sites.size(); ++i)
     if (system.problem.weights[i] == 0.0) dead[system.problem.sites[i].taxel] = true;
 
-  for (const std::size_t row : starts(grid.rows, rows_, step(grid.stride_rows)))
-    for (const std::size_t column : starts(grid.columns, columns_, step(grid.stride_columns))) {
+  for (const std::size_t row : starts(grid.rows, rows_, grid.stride_rows))
+    for (const std::size_t column : starts(grid.columns, columns_, grid.stride_columns)) {
       const Line y =
           line(row, rows_, grid.rows, grid.margin_rows, grid.stride_rows, system.skin.rows);
       const Line z = line(column, columns_, grid.columns, grid.margin_columns, grid.stride_columns,
@@ -59,12 +53,25 @@ SkinTiles::SkinTiles(const LargeSkinSystem& system, double alpha, const Size& si
                  static_cast<Index>(std::min(batch, tiles_.size())));
 }
 
-/// From both ends alike, so that tiles mirror each other; in the middle they overlap by more.
-std::vector<std::size_t> SkinTiles::starts(std::size_t cells, std::size_t side, std::size_t step) {
-  const std::size_t count = (cells - side + step - 1) / step + 1;
+/// So that the taxels of a tile away from the ends mirror themselves, as those of the grid do.
+std::size_t SkinTiles::side(std::size_t cells, std::size_t stride, std::size_t most) {
+  most = std::max(most, 2 * stride);
+  return cells <= most ? cells : cells - (cells - most + stride - 1) / stride * stride;
+}
+
+/// Evenly, and from both ends alike, so that tiles mirror each other; they overlap by half at
+/// least.
+std::vector<std::size_t> SkinTiles::starts(std::size_t cells, std::size_t side,
+                                           std::size_t stride) {
+  const std::size_t step = std::max(side / 2 / stride, std::size_t{1});  // in strides, as `last`
+  const std::size_t last = (cells - side) / stride;
+  const std::size_t steps = (last + step - 1) / step;
   std::vector<std::size_t> all;
-  for (std::size_t i = 0; i < count; ++i)
-    all.push_back(2 * i < count ? i * step : cells - side - (count - 1 - i) * step);
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const std::size_t from_end = std::min(i, steps - i);
+    const std::size_t at = steps == 0 ? 0 : (last * from_end + steps - 1) / steps;
+    all.push_back((2 * i <= steps ? at : last - at) * stride);
+  }
   return all;
 }
 
@@ -82,6 +89,7 @@ SkinTiles::Line SkinTiles::line(std::size_t start, std::size_t side, std::size_t
   const auto key = [](const Line& one) {
     return std::tuple(!one.at_start, one.at_end, one.taxels);
   };
+  own.mirrors_itself = other.mirrors_itself = key(other) == key(own);
   return key(other) < key(own) ? other : own;
 }
 
@@ -93,8 +101,8 @@ std::size_t SkinTiles::kind_of(const Line& y, const Line& z) {
     return alike(kind.y, y) && alike(kind.z, z);
   });
   if (found != kinds_.end()) return static_cast<std::size_t>(found - kinds_.begin());
-  kinds_.push_back({y, z, Cholesky(block(y, z))});
-  if (!kinds_.back().factor.is_positive_definite())
+  kinds_.push_back({y, z, block(y, z)});
+  if (!kinds_.back().block.is_positive_definite())
     throw std::invalid_argument(
         "alpha is so small that double precision cannot tell the tractions apart: choose a larger "
         "one");
@@ -102,7 +110,7 @@ std::size_t SkinTiles::kind_of(const Line& y, const Line& z) {
 }
 
 void SkinTiles::kernel_row(std::size_t channel, std::ptrdiff_t row, std::ptrdiff_t column,
-                           Eigen::Ref<Eigen::RowVectorXd> entries) const {
+                           Eigen::Ref<Eigen::VectorXd> entries) const {
   const auto up = static_cast<std::ptrdiff_t>(reach_);
   const auto at_row = static_cast<std::size_t>(row + up);
   const auto at_column = static_cast<std::size_t>(column + up);
@@ -116,21 +124,50 @@ void SkinTiles::kernel_row(std::size_t channel, std::ptrdiff_t row, std::ptrdiff
   }
 }
 
-Eigen::MatrixXd SkinTiles::block(const Line& y, const Line& z) const {
-  const auto n = static_cast<Index>(system_.problem.components * rows_ * columns_);
-  RowMajor rows(std::ssize(channel_weights_) * std::ssize(y.taxels) * std::ssize(z.taxels), n);
+TileBlock SkinTiles::block(const Line& y, const Line& z) const {
+  const TileShape shape{system_.problem.components, rows_, columns_, y.mirrors_itself,
+                        z.mirrors_itself};
+  std::vector<TileClass> classes = tile_classes(shape);
+  // Taxels that mirror each other tell of a class the same: one of them, for both.
+  const auto taxels = [](const Line& line, std::size_t side) {
+    std::vector<std::pair<std::ptrdiff_t, double>> all;  // and how many it stands for
+    for (const std::ptrdiff_t at : line.taxels) {
+      const std::ptrdiff_t mirror = static_cast<std::ptrdiff_t>(side) - 1 - at;
+      if (line.mirrors_itself && mirror < at) break;
+      all.emplace_back(at, line.mirrors_itself && mirror != at ? 2.0 : 1.0);
+    }
+    return all;
+  };
+  const auto along_y = taxels(y, rows_);
+  const auto along_z = taxels(z, columns_);
+  const Index count = std::ssize(channel_weights_) * std::ssize(along_y) * std::ssize(along_z);
+  std::vector<Eigen::MatrixXd> rows;
+  for (const TileClass& one : classes) rows.emplace_back(one.size, count);
+  Eigen::VectorXd row(static_cast<Index>(shape.tractions()));
   Index at = 0;
   for (std::size_t c = 0; c < channel_weights_.size(); ++c)
-    for (const std::ptrdiff_t row : y.taxels)
-      for (const std::ptrdiff_t column : z.taxels) kernel_row(c, row, column, rows.row(at++));
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, n);
-  all.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
-  add_stabiliser(y, z, all);
-  return all;
+    for (const auto& [of_row, twins_y] : along_y)
+      for (const auto& [of_column, twins_z] : along_z) {
+        kernel_row(c, of_row, of_column, row);
+        row *= std::sqrt(twins_y * twins_z);
+        for (std::size_t i = 0; i < classes.size(); ++i) classes[i].fold(row, rows[i].col(at));
+        ++at;
+      }
+  std::vector<Eigen::MatrixXd> folded;
+  for (const Eigen::MatrixXd& of_class : rows) {
+    folded.emplace_back(Eigen::MatrixXd::Zero(of_class.rows(), of_class.rows()));
+    folded.back().selfadjointView<Eigen::Lower>().rankUpdate(of_class);
+  }
+  add_stabiliser(y, z, classes, folded);
+  return {std::move(classes), folded};
 }
 
 /// Cells beyond a tile are held at 0, those beyond the grid's ends do not exist.
-void SkinTiles::add_stabiliser(const Line& y, const Line& z, Eigen::MatrixXd& block) const {
+void SkinTiles::add_stabiliser(const Line& y, const Line& z, std::span<const TileClass> classes,
+                               std::span<Eigen::MatrixXd> folded) const {
+  const auto add = [&](std::size_t a, std::size_t b, double value) {
+    for (std::size_t i = 0; i < classes.size(); ++i) classes[i].add_entry(a, b, value, folded[i]);
+  };
   const SkinProblem& problem = system_.problem;
   const double along_y = std::pow(problem.smoothing_length / problem.grid.spacing_y, 2);
   const double along_z = std::pow(problem.smoothing_length / problem.grid.spacing_z, 2);
@@ -138,16 +175,15 @@ void SkinTiles::add_stabiliser(const Line& y, const Line& z, Eigen::MatrixXd& bl
     const double size = std::pow(system_.size_of(alpha_, u), 2);
     for (std::size_t m = 0; m < rows_; ++m)
       for (std::size_t n = 0; n < columns_; ++n) {
-        const auto at = static_cast<Index>((u * rows_ + m) * columns_ + n);
-        const auto down = static_cast<Index>(columns_);
+        const std::size_t at = (u * rows_ + m) * columns_ + n;
         double own = 1.0;
         if (m > 0 || !y.at_start) own += along_y;
         if (m + 1 < rows_ || !y.at_end) own += along_y;
         if (n > 0 || !z.at_start) own += along_z;
         if (n + 1 < columns_ || !z.at_end) own += along_z;
-        block(at, at) += size * own;
-        if (m + 1 < rows_) block(at + down, at) -= size * along_y;
-        if (n + 1 < columns_) block(at + 1, at) -= size * along_z;
+        add(at, at, size * own);
+        if (m + 1 < rows_) add(at, at + columns_, -size * along_y);
+        if (n + 1 < columns_) add(at, at + 1, -size * along_z);
       }
   }
 }
@@ -167,7 +203,7 @@ void SkinTiles::account_for_dead(Tile& tile, const std::vector<bool>& dead) cons
   if (places.empty()) return;
   const auto ranks = static_cast<Index>(places.size() * channel_weights_.size());
   Eigen::MatrixXd rows(static_cast<Index>(system_.problem.components * rows_ * columns_), ranks);
-  Eigen::RowVectorXd row(rows.rows());
+  Eigen::VectorXd row(rows.rows());
   Index at = 0;
   for (const LatticeCell& cell : places)
     for (std::size_t c = 0; c < channel_weights_.size(); ++c, ++at) {
@@ -181,7 +217,7 @@ void SkinTiles::account_for_dead(Tile& tile, const std::vector<bool>& dead) cons
       });
     }
   Eigen::MatrixXd images = rows;
-  kinds_[tile.kind].factor.solve_in_place(images);
+  kinds_[tile.kind].block.solve_in_place(images);
   Cholesky core(Eigen::MatrixXd::Identity(ranks, ranks) - rows.transpose() * images);
   if (!core.is_positive_definite())
     throw std::invalid_argument(
@@ -216,7 +252,7 @@ void SkinTiles::apply(std::span<const double> x, std::span<double> z) {
       double* to = values.col(static_cast<Index>(t - first)).data();
       visit(tiles_[t], [&](std::size_t at, std::size_t, double sign) { *to++ = sign * x[at]; });
     }
-    kinds_[kind].factor.solve_in_place(values);
+    kinds_[kind].block.solve_in_place(values);
     for (std::size_t t = first; t < last; ++t) {
       auto own = values.col(static_cast<Index>(t - first));
       if (const auto& dead = tiles_[t].dead) {

@@ -10,6 +10,7 @@
 
 #include "numeric/cholesky.hpp"
 #include "skin/large/system.hpp"
+#include "skin/large/tile_block.hpp"
 
 namespace tactile_net {
 
@@ -18,8 +19,9 @@ namespace tactile_net {
 /// depths, and so does P: half a tile of overlap needs no coarse grid.
 ///
 /// A block holds the taxels in reach. Away from the grid's ends all blocks are equal, and those at
-/// opposite ends mirror each other: few kinds are factored. A dead taxel is a change of low rank,
-/// which its tiles take into account without factors of their own.
+/// opposite ends mirror each other: few kinds are factored, those that mirror themselves by their
+/// classes. A dead taxel is a change of low rank, which its tiles take into account without factors
+/// of their own.
 class SkinTiles {
  public:
   struct Size {
@@ -42,11 +44,12 @@ class SkinTiles {
   struct Line {
     bool at_start = false, at_end = false;  // of the grid
     std::vector<std::ptrdiff_t> taxels{};   // cells from the tile's first
-    bool mirrored = false;                  // not part of the kind
+    bool mirrored = false;                  // not part of the kind, here and below
+    bool mirrors_itself = false;
   };
   struct Kind {
     Line y, z;
-    Cholesky factor;
+    TileBlock block;
   };
   /// (A - U'U)^-1 = A^-1 + Y (1 - U Y)^-1 Y', Y = A^-1 U', U: the rows of dead taxels.
   struct Dead {
@@ -60,16 +63,20 @@ class SkinTiles {
     std::size_t kind;
   };
 
+  /// @param most  cells along a tile's side, if the grid has more
+  [[nodiscard]] static std::size_t side(std::size_t cells, std::size_t stride, std::size_t most);
   [[nodiscard]] static std::vector<std::size_t> starts(std::size_t cells, std::size_t side,
-                                                       std::size_t step);
+                                                       std::size_t stride);
   [[nodiscard]] Line line(std::size_t start, std::size_t side, std::size_t cells,
                           std::size_t margin, std::size_t stride, std::size_t taxels) const;
   [[nodiscard]] std::size_t kind_of(const Line& y, const Line& z);
   /// W K of a taxel (row, column, from the tile's first cell) and channel, for the tile's cells.
   void kernel_row(std::size_t channel, std::ptrdiff_t row, std::ptrdiff_t column,
-                  Eigen::Ref<Eigen::RowVectorXd> entries) const;
-  [[nodiscard]] Eigen::MatrixXd block(const Line& y, const Line& z) const;
-  void add_stabiliser(const Line& y, const Line& z, Eigen::MatrixXd& block) const;
+                  Eigen::Ref<Eigen::VectorXd> entries) const;
+  [[nodiscard]] TileBlock block(const Line& y, const Line& z) const;
+  /// To what each class has of a block.
+  void add_stabiliser(const Line& y, const Line& z, std::span<const TileClass> classes,
+                      std::span<Eigen::MatrixXd> folded) const;
   void account_for_dead(Tile& tile, const std::vector<bool>& dead) const;
   /// Where a tile's value is among all tractions, and with which sign.
   template <typename Each>

@@ -81,7 +81,10 @@ void add_calibrate(AllCommands& all) {
             "-o calibrated.toml",
             "a scene that solve, run, identify and plan take"},
            {"calibrate log.csv --scene pad.toml --robust --out out",
-            "with a page, in out/report.html; wrong readings and forces count little"}}});
+            "with a page, in out/report.html; wrong readings and forces count little"},
+           {"calibrate scenes/calibration/skin-balls.csv --scene scenes/calibration/skin-balls.toml "
+            "-o skin.toml",
+            "of a skin, from presses by balls"}}});
   command
       .add_option("LOG", options.log, file("LOG", {"csv"}),
                   "Log of presses (CSV): a row a press, and 20 rows without load")
@@ -99,7 +102,7 @@ void add_calibrate(AllCommands& all) {
                    "Let readings, forces and positions that stand out count little, and put a "
                    "force aside that does not fit");
   command.add_option("--next", options.next, number(),
-                     "Say which so many presses to do next, and what each buys");
+                     "Say which so many presses to do next on a line, and what each buys");
   command.add_option("--target", options.target, text("NAME"),
                      "What these are to tell best: depth, ... (default: readings under any load)");
   command.add_option("--fix", options.fixed, text("LIST"),

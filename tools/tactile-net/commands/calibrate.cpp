@@ -16,7 +16,6 @@
 #include "tactile_net/pages/calibration_page.hpp"
 #include "tactile_net/report/json/calibration_json.hpp"
 #include "tactile_net/report/words/calibration_words.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/scene/calibrated_scene.hpp"
 #include "tactile_net/system/printable.hpp"
 
@@ -43,9 +42,8 @@ void fix(const std::vector<std::string>& names, CalibrationOptions& options) {
 }
 
 void print(std::ostream& out, const lab::SceneCalibration& found, const std::string& log) {
-  out << found.scene.file << ", " << log << ": "
-      << (found.scene.title.empty() ? "" : found.scene.title + "\n  ")
-      << report::sensor_in_words(found.scene) << "; " << report::material_in_words(found.scene)
+  out << found.file() << ", " << log << ": "
+      << (found.title().empty() ? "" : found.title() + "\n  ") << report::calibrated_in_words(found)
       << "\n\n";
   report::print_calibration(out, found);
 }
@@ -61,7 +59,7 @@ std::string failure_of(const lab::SceneCalibration& found) {
 
 void run(const CalibrateOptions& options, const Streams& streams) {
   const InputText text = input_text(options.scene, streams.in);
-  const Scene scene = parse_scene(text.text, text.name);
+  const AnyScene scene = parse_any_scene(text.text, text.name);
   CalibrationOptions how = parse_calibration_options(text.text, text.name);
   how.robust = options.robust;
   how.profile = !options.results.folder.empty() || !options.results.json.empty();
@@ -70,6 +68,10 @@ void run(const CalibrateOptions& options, const Streams& streams) {
   if (!options.target.empty()) target = parameter_of("--target", options.target);
   if (options.next && (*options.next == 0 || *options.next > most_planned))
     throw WrongUsage("--next", "plans 1 to 100 presses");
+  if (options.next && std::holds_alternative<SkinScene>(scene))
+    throw WrongUsage("--next",
+                     "plans presses of lines alone; on a skin press with the largest force, evenly "
+                     "over it to its edges, small and large balls in turn");
   frames::PressLogFile file = frames::read_press_log(options.log, scene, how);
   for (const std::string& note : file.notes)
     streams.err << "note: " << options.log << ": " << note << '\n';

@@ -9,13 +9,16 @@
 #include "failure.hpp"
 #include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/lab/skin_workload.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/pages/run_page.hpp"
 #include "tactile_net/pages/skin_page.hpp"
 #include "tactile_net/report/json/run_json.hpp"
 #include "tactile_net/report/json/skin_json.hpp"
+#include "tactile_net/report/json/skin_workload_json.hpp"
 #include "tactile_net/report/json/workload_json.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
+#include "tactile_net/report/words/skin_workload_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
 
@@ -43,18 +46,30 @@ void explain(const Scene& scene, const RunOptions& options, const Streams& strea
                 progress);
 }
 
+void explain(const SkinScene& scene, const RunOptions& options, const Streams& streams) {
+  if (options.network.any())
+    throw WrongUsage("--explain",
+                     "counts a skin's work without its circuit: leave out its options");
+  const lab::SkinWorkload work = lab::workload(scene, !options.results.folder.empty());
+  Results results({.json = options.results.json}, streams);
+  Progress progress(streams);
+  results.write({.print = [&](std::ostream& out) { report::print_workload(out, scene, work); },
+                 .json = [&] { return report::workload_json(scene, work); }},
+                progress);
+}
+
 /// What a skin's run does not do.
 void refuse_for_skins(const RunOptions& options) {
   const auto refuse = [](bool given, const char* option, const char* why) {
     if (given) throw WrongUsage(option, std::string(why) + ", and this scene is of a skin");
   };
-  refuse(options.explain, "--explain", "counts the work for line arrays");
   refuse(options.compare_rules, "--compare-rules", "compares rules for line arrays");
 }
 
 void run(SkinScene scene, const RunOptions& options, const Streams& streams) {
   refuse_for_skins(options);
   if (options.frame) scene = at_frame(std::move(scene), *options.frame);
+  if (options.explain) return explain(scene, options, streams);
   apply(options.network, scene.network, streams.err);
   Results results(options.results, streams);
   Progress progress(streams);

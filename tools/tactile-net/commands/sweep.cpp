@@ -132,6 +132,10 @@ void run(const SweepOptions& options, const Streams& streams) {
     streams.out << "shard " << options.shard << ": " << counted(progress.points, "point")
                 << (progress.points == 1 ? " is" : " are")
                 << " done; when all shards are: tactile-net merge " << folder.string() << '\n';
+    if (const std::string nothing =
+            report::nothing_found_in_words(sweep::shard_table(study, folder, shard));
+        !nothing.empty())
+      throw CheckFailed(nothing);
     return;
   }
   const std::vector<fs::path> folders = {folder};

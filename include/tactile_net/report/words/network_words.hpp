@@ -14,6 +14,9 @@ namespace tactile_net::report {
 /// "3321 resistors (539 negative), 81 sources"; kinds that are absent are left out.
 [[nodiscard]] std::string elements_in_words(const ElementCounts& elements);
 
+/// "least_squares with a ladder": a realisation in the form that it has.
+[[nodiscard]] std::string circuit_in_words(Realization realization, bool ladder);
+
 /// "a second pole": which of the theorem's conditions is not met; empty if it holds.
 [[nodiscard]] std::string condition_in_words(const Theorem& theorem);
 

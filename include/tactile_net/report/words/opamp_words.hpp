@@ -15,6 +15,9 @@ namespace tactile_net::report {
 /// Slewing, errors at rest and noise: one fact a line, as far as they are known.
 [[nodiscard]] std::vector<std::string> opamps_in_words(const Certificate& certificate);
 
+/// "1.34 m/s", and a bare number where the scene states no units.
+[[nodiscard]] std::string speed_in_words(double speed, const std::optional<Units>& units);
+
 /// @param units  of the scene; absent: speeds are bare numbers
 [[nodiscard]] std::string in_words(const lab::ContactMotion& motion,
                                    const std::optional<Units>& units);
@@ -22,7 +25,7 @@ namespace tactile_net::report {
 /// A scale that suits the op-amps, and moving contacts: what a certificate's own lines leave out.
 [[nodiscard]] std::vector<std::string> facts_in_words(const lab::Certification& certification);
 
-/// "rail", "ten_volts" or "slew": what keeps the volts from being more.
+/// "rail", "ten_volts", "slew" or "current": what keeps the volts from being more.
 [[nodiscard]] std::string_view name(ScaleProposal::Bound bound) noexcept;
 
 }  // namespace tactile_net::report

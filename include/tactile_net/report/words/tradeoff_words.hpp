@@ -33,6 +33,23 @@ namespace tactile_net::report {
 /// array on a circuit is faster than this machine. Empty where no array of another size was timed.
 [[nodiscard]] std::vector<std::string> sizes_in_words(const study::Study& study);
 
+/// "lattice", "a loop of 1 kHz".
+[[nodiscard]] std::string in_words(const study::Follower& follower);
+
+/// How circuits of op-amps of 10 MHz and sampled loops follow contacts that move, as rows; the
+/// headings stand alone where nothing moves:
+///
+///     follower               the realisation's name, or "a loop of 1 kHz"
+///     behind                 the circuit's delay; of a loop the mean
+///     1 % of the answer at   that speed
+///     nearer from            the speed from which the circuit, of parts of 1 %, errs less than a
+///                            loop of 1 kHz that computes the exact answer, then of 10 kHz
+[[nodiscard]] std::vector<std::vector<std::string>> moving_cells(const study::Study& study);
+
+/// The same as a sentence of the circuit that bears its parts best; empty: nothing moves, or there
+/// is none.
+[[nodiscard]] std::string moving_in_words(const study::Study& study);
+
 /// The answer to a demand, with its margins.
 [[nodiscard]] std::string answer(const study::Study& study, const study::Requirement& requirement);
 

@@ -29,6 +29,10 @@ class LargeSkinFamily {
   /// @param probes  >= 1
   explicit LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, std::size_t probes = 4);
   explicit LargeSkinFamily(const LargeSkinTikhonov& solver, std::size_t probes = 4);
+  /// With the probes of another's, of the same skin without these dead taxels: no product. Their
+  /// share of the taxels is about what the traces may be off by; of some hundredths that is less
+  /// than the probes' own deviation.
+  LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, const LargeSkinFamily& like);
   ~LargeSkinFamily();
   LargeSkinFamily(LargeSkinFamily&&) noexcept;
   LargeSkinFamily& operator=(LargeSkinFamily&&) noexcept;

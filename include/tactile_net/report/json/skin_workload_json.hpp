@@ -1,0 +1,13 @@
+/// @file
+/// What a skin's run would do, as JSON (docs/schemas/explain.json).
+#pragma once
+
+#include <string>
+
+#include "tactile_net/lab/skin_workload.hpp"
+
+namespace tactile_net::report {
+
+[[nodiscard]] std::string workload_json(const SkinScene& scene, const lab::SkinWorkload& work);
+
+}  // namespace tactile_net::report

@@ -1,0 +1,28 @@
+/// @file
+/// What a press does to the readings of a line or a skin, before crosstalk. Private.
+#pragma once
+
+#include <span>
+
+#include "tactile_net/calibration/press_model.hpp"
+#include "tactile_net/elasticity/material.hpp"
+
+namespace tactile_net {
+
+/// The taxels of a pad whose state is known.
+struct PadTaxels {
+  std::span<const PressSite> sites{};  ///< nominal
+  std::span<const double> y{}, z{};    ///< of each reading, as they are [m]
+  double depth_factor = 1.0;           ///< on the nominal depths
+  Material material{};                 ///< as it is
+  bool tied_to_base = false;           ///< a layer is as thick as each taxel is deep
+};
+
+/// Adds to `value`, and with derivatives to those by depth, thickness, nu, place, half width and
+/// friction, which have presses x readings numbers.
+void add_line_readings(const PadTaxels& taxels, std::span<const PressState> presses,
+                       bool with_derivatives, PressReadings& out);
+void add_skin_readings(const PadTaxels& taxels, std::span<const PressState> presses,
+                       bool with_derivatives, PressReadings& out);
+
+}  // namespace tactile_net

@@ -1,0 +1,110 @@
+#include "frames/log_sensor.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <variant>
+
+#include "numeric/named.hpp"
+#include "tactile_net/calibration/ball_contact.hpp"
+#include "tactile_net/calibration/rod_contact.hpp"
+#include "tactile_net/skin/signal_layout.hpp"
+
+namespace tactile_net::frames {
+namespace {
+
+constexpr std::array line_shapes = {std::pair{std::string_view("cylinder"), Shape::cylinder},
+                                    std::pair{std::string_view("punch"), Shape::punch},
+                                    std::pair{std::string_view("wedge"), Shape::wedge}};
+constexpr std::array skin_shapes = {std::pair{std::string_view("sphere"), DiscProfile::sphere},
+                                    std::pair{std::string_view("punch"), DiscProfile::punch},
+                                    std::pair{std::string_view("cone"), DiscProfile::cone}};
+
+template <typename Shapes, typename Kind>
+bool set(const Shapes& shapes, std::string_view text, Kind& kind) {
+  for (const auto& [name, value] : shapes)
+    if (name == text) {
+      kind = value;
+      return true;
+    }
+  return false;
+}
+
+LogSensor::End ends(const std::vector<double>& places) {
+  const auto [low, high] = std::minmax_element(places.begin(), places.end());
+  return {*low, *high};
+}
+
+SignalLayout layout_of(const Scene& scene) { return {scene.sensor}; }
+SignalLayout layout_of(const SkinScene& scene) { return signal_layout(scene.sensor); }
+
+double z_of(const Site&) { return 0.0; }
+double z_of(const SkinSite& site) { return site.z; }
+
+}  // namespace
+
+LogSensor::LogSensor(const AnyScene& scene) : is_skin(std::holds_alternative<SkinScene>(scene)) {
+  std::visit(
+      [this](const auto& one) {
+        units = one.units.value_or(Units{});
+        layout = layout_of(one);
+        readings = reading_names(one.sensor);
+        for (const auto& channel : tactile_net::channels(one.sensor))
+          channels.push_back(channel.name);
+        std::vector<double> along_y, along_z;
+        for (const auto& site : sites(one.sensor)) {
+          dead.push_back(std::count(one.dead_taxels.begin(), one.dead_taxels.end(), site.taxel) >
+                         0);
+          along_y.push_back(site.y);
+          along_z.push_back(z_of(site));
+        }
+        y = ends(along_y);
+        z = ends(along_z);
+        calibration = one.calibration;
+        material = one.material;
+        has_contacts = !one.contacts.empty();
+      },
+      scene);
+  force = units.force;
+}
+
+std::vector<std::string> LogSensor::described() const {
+  if (is_skin)
+    return {"press",      "shape",       "force",  "force_sd",  "position_y",
+            "position_z", "position_sd", "radius", "half_width"};
+  return {"press", "shape", "force", "force_sd", "position", "position_sd", "radius", "half_width"};
+}
+
+std::vector<std::string> LogSensor::optional_columns() const {
+  if (is_skin) return {"half_width_sd", "t"};
+  return {"half_width_sd", "friction", "friction_sd", "t"};
+}
+
+std::string LogSensor::header() const {
+  std::string text;
+  for (const std::string& name : described()) text += (text.empty() ? "" : ",") + name;
+  return text;
+}
+
+bool LogSensor::set_shape(std::string_view text, Press& press) const {
+  return is_skin ? set(skin_shapes, text, press.disc) : set(line_shapes, text, press.shape);
+}
+
+std::string_view LogSensor::shapes() const noexcept {
+  return is_skin ? "sphere, punch, cone; none: unloaded. A rod that is longer than the skin is no "
+                   "load of it"
+                 : "cylinder, punch, wedge; none: unloaded. A ball is no line load";
+}
+
+std::string_view LogSensor::round_shape() const noexcept { return is_skin ? "sphere" : "cylinder"; }
+
+bool LogSensor::is_round(const Press& press) const noexcept {
+  return is_skin ? press.disc == DiscProfile::sphere : press.shape == Shape::cylinder;
+}
+
+double LogSensor::half_width(double press_force, double radius) const {
+  return is_skin ? ball_contact_radius(material, press_force, radius)
+                 : rod_half_width(material, press_force, radius);
+}
+
+}  // namespace tactile_net::frames

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lab/check/judgement.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+/// A pad that is turned over or round is a pad: a mirror image of its taxels' order differs from
+/// the order stated by the signs, or the names, of the channels alone.
+struct Turn {
+  finding::OrderMirrored as{};
+  std::vector<std::size_t> from{};  ///< of each channel, which takes its place
+  std::vector<double> sign{};
+};
+
+constexpr Axis other(Axis axis) noexcept { return axis == Axis::x ? axis : across(axis); }
+
+/// With y for z.
+SkinQuantity exchanged(SkinQuantity quantity) {
+  const SkinQuantityTraits& row = traits(quantity);
+  for (const SkinQuantityTraits& one : skin_quantity_traits)
+    if (one.kind == row.kind &&
+        ((one.first == other(row.first) && one.second == other(row.second)) ||
+         (one.first == other(row.second) && one.second == other(row.first))))
+      return one.value;
+  return quantity;
+}
+
+/// The channels in which the exchange of y and z has what each reads; none where one is not read.
+/// Channels of one depth lie behind one another, and so do depths.
+std::vector<std::size_t> exchanged_channels(const std::vector<SignalChannel>& channels,
+                                            std::size_t quantities) {
+  std::vector<std::size_t> from;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const SkinQuantity wanted = exchanged(channels[c].quantity);
+    const std::size_t depth = c / quantities * quantities;
+    std::size_t found = channels.size();
+    for (std::size_t k = depth; k < std::min(depth + quantities, channels.size()); ++k)
+      if (SkinQuantity(channels[k].quantity) == wanted && channels[k].count == channels[c].count)
+        found = k;
+    if (found == channels.size()) return {};
+    from.push_back(found);
+  }
+  return from;
+}
+
+std::vector<Turn> turns(const std::vector<SignalChannel>& channels, bool has_columns) {
+  std::size_t quantities = 1;  // read at each depth
+  while (quantities < channels.size() &&
+         !(channels[quantities].quantity == channels.front().quantity))
+    ++quantities;
+  std::vector<Turn> all;
+  const auto add = [&](const finding::OrderMirrored& as, const std::vector<std::size_t>& from) {
+    Turn turn{.as = as, .from = from};
+    bool moves = false;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      const bool odd_y = is_odd(channels[c].quantity, SkinTraction::normal, Axis::y);
+      const bool odd_z = is_odd(channels[c].quantity, SkinTraction::normal, Axis::z);
+      turn.sign.push_back((as.along_y && odd_y) != (as.along_z && odd_z) ? -1.0 : 1.0);
+      moves = moves || turn.sign.back() < 0.0 || from[c] != c;
+    }
+    const bool known = std::any_of(all.begin(), all.end(), [&](const Turn& one) {
+      return one.from == turn.from && one.sign == turn.sign;
+    });
+    if (moves && !known) all.push_back(std::move(turn));
+  };
+  std::vector<std::size_t> own;
+  for (std::size_t c = 0; c < channels.size(); ++c) own.push_back(c);
+  const std::vector<std::size_t> swapped =
+      has_columns ? exchanged_channels(channels, quantities) : std::vector<std::size_t>{};
+  // The fewest changes first: they are taken where others fit as well.
+  for (const bool exchange : {false, true})
+    for (const auto& [y, z] : {std::pair(false, false), std::pair(true, false),
+                               std::pair(false, true), std::pair(true, true)}) {
+      if ((z && !has_columns) || (exchange && swapped.empty())) continue;
+      add({.along_y = y, .along_z = z, .exchanged = exchange}, exchange ? swapped : own);
+    }
+  return all;
+}
+
+std::vector<double> turned(std::span<const double> readings, const Turn& turn,
+                           const std::vector<SignalChannel>& channels) {
+  std::vector<double> result(readings.begin(), readings.end());
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    for (std::size_t i = 0; i < channels[c].count; ++i)
+      result[channels[c].first + i] = turn.sign[c] * readings[channels[turn.from[c]].first + i];
+  return result;
+}
+
+}  // namespace
+
+void judge_order(const Evidence& evidence, const std::vector<std::vector<double>>& loaded,
+                 PatternSolver& solver, ReadingsCheck& check) {
+  constexpr std::size_t most_frames = 8;
+  const std::vector<SignalChannel>& channels = evidence.channels();
+  const std::vector<Turn> all = turns(channels, evidence.sensor.has_columns);
+  if (all.empty() || loaded.empty()) return;
+  std::vector<double> gain(all.size());
+  std::vector<std::size_t> better(all.size());
+  const std::size_t frames = std::min(most_frames, loaded.size());
+  for (std::size_t k = 0; k < frames; ++k) {
+    const std::vector<double>& readings = loaded[k * loaded.size() / frames];
+    const auto stated = solver.surprise(readings, evidence.living);
+    if (!stated) return;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto other = solver.surprise(turned(readings, all[i], channels), evidence.living);
+      if (!other) return;
+      gain[i] += *stated - *other;
+      better[i] += *other < *stated;
+    }
+  }
+  const auto best = std::max_element(gain.begin(), gain.end()) - gain.begin();
+  const auto at = static_cast<std::size_t>(best);
+  // Of two log-likelihoods: a frame of which neither order is likelier gains nothing, and a pad
+  // that is a little other than stated does not gain by turning it.
+  constexpr double least_gain = 20.0;
+  if (!(gain[at] > least_gain) || 5 * better[at] < 4 * frames) return;
+  finding::OrderMirrored found = all[at].as;
+  found.frames = better[at];
+  found.of = frames;
+  check.findings.emplace_back(found);
+}
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,172 @@
+/// @file
+/// Readings of skins under rigid indenters, against the exact forward model that simulations use.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tactile_net/calibration/press_model.hpp"
+#include "tactile_net/skin/forward.hpp"
+#include "tests/catch.hpp"
+
+namespace tactile_net {
+namespace {
+
+SkinArray array_of(std::vector<SkinQuantity> reads, double depth = 1.5e-3) {
+  return {.rows = 5,
+          .columns = 4,
+          .pitch_y = 1.5e-3,
+          .pitch_z = 1.2e-3,
+          .depths = {depth},
+          .reads = std::move(reads)};
+}
+
+const std::vector<SkinQuantity> all(skin_quantities.begin(), skin_quantities.end());
+
+Material pad_of(int kind) {
+  Material material{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
+  if (kind > 0) material.layer = Layer{3e-3, kind == 1 ? Base::bonded : Base::frictionless};
+  return material;
+}
+
+PressState press(DiscProfile disc, double force, double y, double z, double a) {
+  PressState state;
+  state.log_force = std::log(force);
+  state.center = y;
+  state.log_half_width = std::log(a);
+  state.center_z = z;
+  state.disc = disc;
+  return state;
+}
+
+const std::vector<PressState> presses{press(DiscProfile::sphere, 0.5, 0.3e-3, -1.1e-3, 1.1e-3),
+                                      press(DiscProfile::punch, 0.2, -3e-3, 1.8e-3, 0.6e-3),
+                                      press(DiscProfile::cone, 0.8, 0.0, 0.6e-3, 1.9e-3)};
+
+SkinLoad load_of(const PressState& one) {
+  const SkinShape shape = one.disc == DiscProfile::sphere  ? SkinShape::sphere
+                          : one.disc == DiscProfile::punch ? SkinShape::punch
+                                                           : SkinShape::cone;
+  return SkinContact{.shape = shape,
+                     .y = one.center,
+                     .z = one.center_z,
+                     .radius = std::exp(one.log_half_width),
+                     .force = std::exp(one.log_force)};
+}
+
+double peak(const Matrix& rows, std::size_t row) {
+  double most = 0.0;
+  for (const double value : rows.row(row)) most = std::max(most, std::abs(value));
+  return most;
+}
+
+PadState moved(PadState pad, std::size_t parameter, double step) {
+  double* const members[] = {&pad.log_depth,   &pad.log_thickness, &pad.poisson_ratio,
+                             &pad.log_modulus, &pad.crosstalk,     &pad.shift,
+                             &pad.log_pitch};
+  *members[parameter] += step;
+  return pad;
+}
+
+}  // namespace
+
+TEST_CASE("a skin's readings under rigid indenters are those of the exact forward model") {
+  const int kind = GENERATE(0, 1, 2);
+  const Material pad = pad_of(kind);
+  for (const SkinQuantity quantity : skin_quantities) {
+    const SkinArray skin = array_of({quantity});
+    const PressModel model(skin, pad);
+    const PressReadings readings = model.readings(model.nominal(), presses, false);
+    for (std::size_t p = 0; p < presses.size(); ++p) {
+      const std::vector<SkinLoad> loads{load_of(presses[p])};
+      const std::vector<double> exact = exact_readings(skin, pad, loads);
+      const double most =
+          std::abs(*std::max_element(exact.begin(), exact.end(),
+                                     [](double a, double b) { return std::abs(a) < std::abs(b); }));
+      for (std::size_t j = 0; j < exact.size(); ++j) {
+        CAPTURE(kind, name(quantity), p, j);
+        CHECK(std::abs(readings.value(p, j) - exact[j]) <= 1e-8 * most);
+      }
+    }
+  }
+}
+
+TEST_CASE("a taxel below the middle of a press is read right") {
+  const SkinArray skin = uneven_skin({{"middle", 0.0, 0.0, 2e-3, all}});
+  const Material pad = pad_of(0);
+  const PressModel model(skin, pad);
+  const std::vector<PressState> one{press(DiscProfile::sphere, 0.5, 0.0, 0.0, 1e-3)};
+  const PressReadings at = model.readings(model.nominal(), one, true);
+  const std::vector<SkinLoad> loads{load_of(one.front())};
+  const std::vector<double> exact = exact_readings(skin, pad, loads);
+  for (std::size_t j = 0; j < exact.size(); ++j)
+    CHECK_THAT(at.value(0, j), WithinAbs(exact[j], 1e-9 * std::max(1e-6, std::abs(exact[0]))));
+}
+
+TEST_CASE("derivatives of a skin's readings are those of central differences") {
+  const int kind = GENERATE(0, 1, 2);
+  const PressModel model(array_of(all), pad_of(kind));
+  PadState pad = model.nominal();
+  pad.log_depth = 0.1;
+  pad.poisson_ratio = 0.43;
+  pad.crosstalk = 0.04;
+  pad.shift = 2e-4;
+  pad.log_pitch = 0.01;
+  const PressReadings at = model.readings(pad, presses, true);
+  const std::size_t channels = model.channels().size();
+  const std::size_t taxels = model.sites().size() / channels;
+  // Fourth order: (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / 12 h. Quantities of other units stand
+  // beside each other: each is compared with its own largest.
+  const auto compare = [&](const auto& value_at, const Matrix& column, double step,
+                           const char* what) {
+    const Matrix near = value_at(step), back = value_at(-step);
+    const Matrix far = value_at(2.0 * step), behind = value_at(-2.0 * step);
+    for (std::size_t p = 0; p < presses.size(); ++p)
+      for (std::size_t c = 0; c < channels; ++c) {
+        double slope = 0.0, value = 0.0;
+        for (std::size_t j = c * taxels; j < (c + 1) * taxels; ++j) {
+          slope = std::max(slope, std::abs(column(p, j)));
+          value = std::max(value, std::abs(at.value(p, j)));
+        }
+        for (std::size_t j = c * taxels; j < (c + 1) * taxels; ++j) {
+          const double difference =
+              (8.0 * (near(p, j) - back(p, j)) - (far(p, j) - behind(p, j))) / (12.0 * step);
+          CAPTURE(kind, what, p, model.channels()[c].name, j);
+          CHECK(std::abs(column(p, j) - difference) <= 1e-7 * slope + 1e-13 * value / step);
+        }
+      }
+  };
+  for (std::size_t i = 0; i < pad_parameter_count; ++i) {
+    const double step = static_cast<PadParameter>(i) == PadParameter::shift ? 2e-6 : 2e-3;
+    compare([&](double by) { return model.readings(moved(pad, i, by), presses, false).value; },
+            at.by_pad[i], step, name(static_cast<PadParameter>(i)).data());
+  }
+  const auto with = [&](auto member, double by) {
+    std::vector<PressState> other = presses;
+    for (PressState& one : other) one.*member += by;
+    return model.readings(pad, other, false).value;
+  };
+  compare([&](double by) { return with(&PressState::log_force, by); }, at.by_log_force, 2e-3, "F");
+  compare([&](double by) { return with(&PressState::center, by); }, at.by_center, 2e-6, "y");
+  compare([&](double by) { return with(&PressState::center_z, by); }, at.by_center_z, 2e-6, "z");
+  compare([&](double by) { return with(&PressState::log_half_width, by); }, at.by_log_half_width,
+          2e-3, "a");
+}
+
+TEST_CASE("at a skin's base one derivative moves depth and thickness together") {
+  const PressModel model(array_of({SkinQuantity::stress_x, SkinQuantity::shear_xy}, 3e-3),
+                         pad_of(1));
+  const PadState state = model.nominal();
+  const PressReadings at = model.readings(state, presses, true, true);
+  const auto value = [&](double by) {
+    PadState other = state;
+    other.log_depth += by;
+    return model.readings(other, presses, false, true).value;
+  };
+  const Matrix up = value(1e-4), down = value(-1e-4);
+  for (std::size_t p = 0; p < presses.size(); ++p)
+    for (std::size_t j = 0; j < up.columns; ++j)
+      CHECK(std::abs(at.by_pad[0](p, j) - (up(p, j) - down(p, j)) / 2e-4) <=
+            1e-7 * peak(at.by_pad[0], p));
+}
+
+}  // namespace tactile_net

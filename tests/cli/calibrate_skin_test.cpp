@@ -1,0 +1,239 @@
+// Skins calibrated by the command: the shipped logs and their truth, what the calibrated scene does
+// to contacts that were not in the log, and logs that are wrong.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+#include "tests/cli/tool.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::string log_of(const std::string& name) { return scene("calibration/" + name + ".csv"); }
+std::string nominal_of(const std::string& name) { return scene("calibration/" + name + ".toml"); }
+Json truth_of(const std::string& name) {
+  return Json::parse(read_text(scene("calibration/" + name + ".truth.json")));
+}
+
+/// What calibrate says, and the scene that it writes into the folder.
+Json calibrated(const Folder& folder, const std::string& log, const std::string& nominal,
+                std::vector<std::string> options = {}) {
+  options.insert(options.begin(), {"calibrate", log, "--scene", nominal, "-o",
+                                   folder / "calibrated.toml", "--json", folder / "found.json"});
+  const ProcessResult result = tool(options);
+  CAPTURE(result.output, result.errors);
+  REQUIRE(result.code == 0);
+  return Json::parse(read_text(folder / "found.json"));
+}
+
+void check_near(const Json& json, const std::string& parameter, double truth, double most_sd) {
+  const Json& one = json["parameters"][parameter];
+  CAPTURE(parameter, one.dump(), truth);
+  CHECK(std::abs(one["value"].get<double>() - truth) <= 3.0 * one["sd"].get<double>());
+  CHECK(one["sd"].get<double>() <= most_sd);
+}
+
+/// Rms of the gains about the true ones, their common factor aside.
+double gains_left(const Json& json, const Json& truth) {
+  std::vector<double> logs;
+  double mean = 0.0;
+  const std::size_t n = truth["gains"].size();
+  for (std::size_t j = 0; j < n; ++j) {
+    // JSON has them in the scene's units: kPa over SI's Pa.
+    logs.push_back(
+        std::log(json["gains"][j]["value"].get<double>() / truth["gains"][j].get<double>()));
+    mean += logs.back() / static_cast<double>(n);
+  }
+  double squares = 0.0;
+  for (const double one : logs) squares += std::pow(one - mean, 2) / static_cast<double>(n);
+  return std::sqrt(squares);
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  REQUIRE(text.find(what) != std::string::npos);
+  return text.replace(text.find(what), what.size(), with);
+}
+
+/// A line of a log with one field changed, both counted from 1.
+std::string edited(const std::string& text, std::size_t line, std::size_t field,
+                   const std::string& with) {
+  std::size_t at = 0;
+  for (std::size_t i = 1; i < line; ++i) at = text.find('\n', at) + 1;
+  for (std::size_t i = 1; i < field; ++i) at = text.find(',', at) + 1;
+  return text.substr(0, at) + with + text.substr(text.find(',', at));
+}
+
+}  // namespace
+
+TEST_CASE("a skin's depth and gains are found from balls on a half space", "[cli][calibrate]") {
+  const Folder folder;
+  const Json truth = truth_of("skin-balls");
+  const Json json = calibrated(folder, log_of("skin-balls"), nominal_of("skin-balls"));
+  CHECK(json["fit"]["verdict"] == "ok");
+  check_near(json, "depth", truth["truth"]["depth"], 0.02e-3);
+  CHECK(std::abs(json["fit"]["rms"].get<double>() - 1.0) < 0.05);
+  CHECK(gains_left(json, truth) < 0.03);
+  // Balls tell E / (1 - nu^2) alone, and E as well as nu is stated.
+  check_near(json, "youngs_modulus", truth["truth"]["E"], 0.02e6);
+  CHECK(json["parameters"]["poisson_ratio"]["verdict"] == "prior_only");
+  CHECK(json["null_directions"].size() == 1);
+  for (std::size_t p = 0; p < json["presses"].size(); ++p) {
+    const Json& press = json["presses"][p];
+    const Json& one = truth["presses"][p];
+    const auto off = [&](const char* key, double value) {
+      return std::abs(press[key]["value"].get<double>() - value) / press[key]["sd"].get<double>();
+    };
+    CHECK(off("centre", one["y"].get<double>() * 1e-3) < 4.5);
+    CHECK(off("centre_z", one["z"].get<double>() * 1e-3) < 4.5);
+    CHECK(off("force", one["F"].get<double>()) < 4.5);
+  }
+}
+
+TEST_CASE("a skin's layer is found from contacts of known width", "[cli][calibrate]") {
+  const Folder folder;
+  const Json truth = truth_of("skin-layer");
+  const Json json = calibrated(folder, log_of("skin-layer"), nominal_of("skin-layer"));
+  CHECK(json["fit"]["verdict"] == "ok");
+  check_near(json, "depth", truth["truth"]["depth"], 0.05e-3);
+  check_near(json, "thickness", truth["truth"]["thickness"], 0.3e-3);
+  CHECK(std::abs(json["fit"]["rms"].get<double>() - 1.0) < 0.06);
+  CHECK(json["parameters"]["youngs_modulus"]["verdict"] == "not_identifiable");
+  // Comments stay, and what was found stands in place of what was stated.
+  const std::string text = read_text(folder / "calibrated.toml");
+  CHECK(text.substr(0, 20) == read_text(nominal_of("skin-layer")).substr(0, 20));
+  const auto written = std::get<SkinScene>(read_any_scene(folder / "calibrated.toml"));
+  CHECK_THAT(written.sensor.depths.front(),
+             WithinRel(json["parameters"]["depth"]["value"].get<double>(), 1e-4));
+  CHECK(written.material.youngs_modulus == 0.25e6);
+  CHECK(written.calibration);
+}
+
+TEST_CASE("a calibrated skin finds contacts that were not in the log better", "[cli][calibrate]") {
+  const Folder folder;
+  const Json truth = truth_of("skin-balls");
+  static_cast<void>(calibrated(folder, log_of("skin-balls"), nominal_of("skin-balls")));
+  const std::string calibrated_scene = read_text(folder / "calibrated.toml");
+  const std::string nominal = read_text(nominal_of("skin-balls"));
+  // The true sensor under contacts of its own: the exact readings, its gains, offsets, noise.
+  std::string sensor = replaced(nominal, "depth = 1.6", "depth = 1.9");
+  sensor = replaced(sensor, "youngs_modulus = 0.2", "youngs_modulus = 0.26");
+  std::mt19937_64 random(77);
+  std::normal_distribution<double> normal;
+  std::string recording;
+  std::string tared;
+  std::vector<double> forces;
+  for (int i = 0; i < 6; ++i) {
+    forces.push_back(0.4 + 0.1 * i);
+    const std::string toml = sensor + "\n[[contact]]\nshape = \"sphere\"\nplace = [" +
+                             shortest(-4.0 + 1.7 * i) + ", " + shortest(3.0 - 1.3 * i) +
+                             "]\nradius = " + shortest(1.5 + 0.2 * i) +
+                             "\nforce = " + shortest(forces.back()) + '\n';
+    const ProcessResult made = tool({"simulate", folder.write("truth.toml", toml)});
+    REQUIRE(made.code == 0);
+    const std::vector<std::string> lines = lines_of(made.output);
+    if (recording.empty()) recording = tared = lines[0] + '\n';
+    std::size_t j = 0;
+    std::string raw, zeroed;
+    for (std::size_t from = 0; from < lines[1].size(); ++j) {
+      const std::size_t end = std::min(lines[1].find(',', from), lines[1].size());
+      const double clean = std::stod(lines[1].substr(from, end - from));
+      const double rms = truth["noise_rms"][truth["quantities"][j / 64].get<std::string>()];
+      const double above = truth["gains"][j].get<double>() * clean + rms * normal(random);
+      raw += (j > 0 ? "," : "") + shortest(above + truth["offsets"][j].get<double>());
+      zeroed += (j > 0 ? "," : "") + shortest(above);
+      from = end + 1;
+    }
+    recording += raw + '\n';
+    tared += zeroed + '\n';
+  }
+  const auto error = [&](const std::string& toml, const std::string& readings) {
+    const ProcessResult solved = tool(
+        {"solve", folder.write("pad.toml", toml + "\n[reconstruct]\nnonnegative = true\n"),
+         "--readings", folder.write("readings.csv", readings), "--json", folder / "solved.json"});
+    CAPTURE(solved.errors);
+    REQUIRE(solved.code == 0);
+    const Json json = Json::parse(read_text(folder / "solved.json"));
+    double squares = 0.0;
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      squares +=
+          std::pow(
+              json["frames"][i]["resultant"]["normal"]["value"].get<double>() / forces[i] - 1.0,
+              2) /
+          static_cast<double>(forces.size());
+    return std::sqrt(squares);
+  };
+  // The nominal scene is spared the offsets.
+  std::string noise;
+  for (const auto& [quantity, rms] : truth["noise_rms"].items())
+    noise += (noise.empty() ? "" : ", ") + quantity + " = " + rms.dump();
+  const double before = error(nominal + "\n[noise]\nrms = { " + noise + " }\n", tared);
+  const double after = error(calibrated_scene, recording);
+  CAPTURE(before, after);
+  CHECK(after < 0.5 * before);
+  CHECK(after < 0.04);
+}
+
+TEST_CASE("taxels of a file get a factor on their depths", "[cli][calibrate]") {
+  const Folder folder;
+  const std::string text = read_text(log_of("skin-layer"));
+  // The same skin as taxels of a file: columns are called by the taxels' names.
+  std::string taxels = "name,y,z,depth\n";
+  for (int row = 0; row < 6; ++row)
+    for (int column = 0; column < 6; ++column)
+      taxels += std::to_string(row) + '_' + std::to_string(column) + ',' +
+                shortest(1.8 * (row - 2.5)) + ',' + shortest(1.8 * (column - 2.5)) + ",1.4\n";
+  folder.write("taxels.csv", taxels);
+  std::string toml = read_text(nominal_of("skin-layer"));
+  toml =
+      replaced(toml, "rows = 6\ncolumns = 6\npitch = 1.8\ndepth = 1.4", "taxels = \"taxels.csv\"");
+  const Json json =
+      calibrated(folder, folder.write("log.csv", text), folder.write("nominal.toml", toml));
+  const Json even = calibrated(Folder(), log_of("skin-layer"), nominal_of("skin-layer"));
+  const double depth = json["parameters"]["depth"]["value"];
+  CHECK_THAT(depth, WithinRel(even["parameters"]["depth"]["value"].get<double>(), 1e-6));
+  const auto written = std::get<SkinScene>(read_any_scene(folder / "calibrated.toml"));
+  CHECK_THAT(written.sensor.depths.front(), WithinRel(depth, 1e-4));
+}
+
+TEST_CASE("a log of a skin that is wrong is refused with its line and the rule",
+          "[cli][calibrate]") {
+  const Folder folder;
+  const std::string text = read_text(log_of("skin-layer"));
+  const auto errors = [&](const std::string& log, const std::string& table = "") {
+    const ProcessResult result =
+        tool({"calibrate", folder.write("log.csv", log), "--scene",
+              folder.write("pad.toml", read_text(nominal_of("skin-layer")) + table), "-o",
+              folder / "out.toml"});
+    CHECK(result.code == 2);
+    return result.errors;
+  };
+  CHECK_THAT(errors(edited(text, 22, 2, "cylinder")),
+             ContainsSubstring("log.csv:22") && ContainsSubstring("sphere, punch, cone"));
+  CHECK_THAT(errors(edited(text, 22, 3, "-1")), ContainsSubstring("force must be > 0"));
+  CHECK_THAT(errors(edited(text, 23, 6, "60")),
+             ContainsSubstring("position_z lies beyond the array"));
+  CHECK_THAT(errors(edited(text, 23, 8, "4")), ContainsSubstring("radius is of a sphere"));
+  CHECK_THAT(errors(replaced(text, "position_y", "position")),
+             ContainsSubstring("has no column 'position_y'"));
+  CHECK_THAT(errors(replaced(text, "stress_x_0_0,", "stress_x_9_9,")),
+             ContainsSubstring("has no column 'stress_x_0_0'"));
+  // Columns that were swapped: places are seen along the other axis.
+  CHECK_THAT(errors(replaced(
+                 replaced(replaced(text, "position_y", "position_q"), "position_z", "position_y"),
+                 "position_q", "position_z")),
+             ContainsSubstring("swapped"));
+  CHECK_THAT(errors(text, "\n[calibrate]\nshift_sd = 0.1\n"), ContainsSubstring("position_sd"));
+  const ProcessResult planned =
+      tool({"calibrate", log_of("skin-layer"), "--scene", nominal_of("skin-layer"), "--next", "3"});
+  CHECK(planned.code == 2);
+  CHECK_THAT(planned.errors, ContainsSubstring("lines alone"));
+}

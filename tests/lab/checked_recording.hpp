@@ -1,0 +1,52 @@
+/// @file
+/// What tests of `ReadingsChecker` on lines and on skins have alike.
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tactile_net/lab/readings_check.hpp"
+
+namespace tactile_net {
+
+template <typename Scene>
+struct CheckedRecording {
+  Scene scene{};
+  std::vector<std::vector<double>> frames{};
+};
+
+/// What somebody knows who has a scene's recording alone: no contact, one frame.
+///
+/// @tparam Sensor  that reads such a scene frame by frame
+template <typename Sensor, typename Scene>
+CheckedRecording<Scene> record_with(Scene scene) {
+  CheckedRecording<Scene> recording{std::move(scene)};
+  Sensor sensor(recording.scene);
+  while (sensor.next())
+    recording.frames.emplace_back(sensor.readings().begin(), sensor.readings().end());
+  recording.scene.contacts.clear();
+  recording.scene.trajectories.clear();
+  recording.scene.time.reset();
+  return recording;
+}
+
+/// At 100 frames a second.
+template <typename Scene>
+lab::ReadingsCheck check(const CheckedRecording<Scene>& recording) {
+  lab::ReadingsChecker checker(recording.scene);
+  double time = 0.0;
+  for (const std::vector<double>& frame : recording.frames) checker.add(time += 0.01, frame);
+  return checker.result();
+}
+
+using Names = std::set<std::string>;
+
+inline Names kinds(const lab::ReadingsCheck& check) {
+  Names names;
+  for (const lab::Finding& one : check.findings) names.emplace(lab::name(one));
+  return names;
+}
+
+}  // namespace tactile_net

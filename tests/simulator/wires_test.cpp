@@ -1,0 +1,36 @@
+// Arrays of wires in ngspice, every crossing two nodes.
+#include <sstream>
+
+#include "tactile_net/network/deck.hpp"
+#include "tactile_net/network/tolerance.hpp"
+#include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/simulator/ngspice.hpp"
+#include "tactile_net/simulator/step_response.hpp"
+#include "tests/catch.hpp"
+#include "tests/network/problems.hpp"
+#include "tests/network/wired.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+std::vector<double> at_rest(const Circuit& circuit) {
+  std::ostringstream deck;
+  write_deck(deck, circuit, {.title = "wires"}, Answer::raw_file);
+  Ngspice ngspice;
+  return operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
+}
+
+}  // namespace
+
+TEST_CASE("wires err in ngspice as in the study of tolerances", "[spice][programmed]") {
+  const NetworkProblem problem = array_network(9, 1e-3).problem;
+  for (const Realization one : {Realization::least_squares, Realization::crossbar}) {
+    CAPTURE(name(one));
+    const Circuit circuit = realize(one, problem);
+    const double seen = relative_l2_error(at_rest(with_wires(circuit, 5.0)), at_rest(circuit));
+    CHECK_THAT(tolerate(Reduction(circuit), {.wire_resistance = 5.0}).median,
+               WithinRel(seen, 0.02));
+    CHECK(seen > 1e-3);
+  }
+}
