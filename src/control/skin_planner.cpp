@@ -163,10 +163,15 @@ std::vector<std::uint32_t> edge_taxels(const SkinProblem& problem) {
   return edge;
 }
 
-PlanCells cells_of(const SkinProblem& problem) {
-  const SkinGrid& grid = problem.grid;
+double least_depth(const SkinProblem& problem) {
   double depth = problem.sites.front().depth;
   for (const SkinSite& site : problem.sites) depth = std::min(depth, site.depth);
+  return depth;
+}
+
+PlanCells cells_of(const SkinProblem& problem) {
+  const SkinGrid& grid = problem.grid;
+  const double depth = least_depth(problem);
   const auto rim = [&](double spacing) {
     return static_cast<std::size_t>(std::lround(std::min(0.5 * depth / spacing, 1e6)));
   };
@@ -188,6 +193,11 @@ void take_noise(EstimatorPlan& plan, const SkinProblem& problem, const SkinFamil
   cells.deviations = covariance.deviations();
   cells.deviations.resize(plan.values);
   for (double& deviation : cells.deviations) deviation *= options.noise_rms;
+  const CellWindow window = window_of(problem.grid, least_depth(problem));
+  cells.window_deviations = covariance.window_deviations(problem.grid, window);
+  for (double& deviation : cells.window_deviations) deviation *= options.noise_rms;
+  cells.window_rows = window.rows;
+  cells.window_columns = window.columns;
   std::vector<double> sum(plan.tractions());
   std::fill_n(sum.begin(), plan.values, cells.area());
   plan.force_deviation = options.noise_rms * covariance.deviation(sum);

@@ -35,6 +35,23 @@ bool is_felt(const Uncertain& force) {
   return force.value > deviations * force.deviation;
 }
 
+/// Of sums over windows as wide as what a taxel looks at, without constraints: noise moves a sum
+/// that may only be pushed no further.
+WindowBands windows_of(const SkinSceneProblem& problem, const CellCovariance& covariance,
+                       double rms) {
+  const SkinGrid& grid = problem.grid();
+  WindowBands bands{.window = window_of(grid, least_depth(problem.scene().sensor))};
+  bands.deviations = covariance.window_deviations(grid, bands.window);
+  for (double& deviation : bands.deviations) deviation *= rms;
+  return bands;
+}
+
+double sum_over(std::span<const double> tractions, std::span<const std::size_t> cells) {
+  double sum = 0.0;
+  for (const std::size_t cell : cells) sum += tractions[cell];
+  return sum;
+}
+
 /// Makes deviations small enough for the highest pressure to be certain.
 void scale_to_peak(std::vector<double>& deviations, std::span<const double> pressure) {
   const auto peak = static_cast<std::size_t>(std::max_element(pressure.begin(), pressure.end()) -
@@ -172,8 +189,8 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   const AlphaRule rule = problem.alpha_rule();
   const double prior =
       prior_of(frame, problem.alpha_tables(frame), rule, alpha, problem.stated_noise()).alpha;
-  const std::unique_ptr<const Covariance> free = method.covariance(alpha, prior);
-  const Covariance& own = *free;
+  const std::unique_ptr<const CellCovariance> free = method.covariance(alpha, prior);
+  const CellCovariance& own = *free;
   answer.deviations = own.deviations();
   if (const auto error = method.band_error(own); error && answer.iteration)
     answer.iteration->bands = {error->tractions, error->least, error->most};
@@ -196,7 +213,13 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   const std::span<const double> f = answer.tractions;
   // Under constraints the cells around a contact hold what noise pushes there, and nothing pulls.
   const double rim = (face ? 0.5 : 1.0) * least_depth(problem.scene().sensor);
-  answer.cells = contact_cells(grid, f, touching, rim);
+  // Where nothing may pull an unknown offset presses everywhere, and windows would take it for one
+  // contact: there cells alone tell.
+  const FoundContacts found =
+      face && problem.layout().unknown_offsets
+          ? FoundContacts{.cells = contact_cells(grid, f, touching, rim)}
+          : find_contacts(grid, f, touching, windows_of(problem, own, rms), rim);
+  answer.cells = found.cells;
   std::vector<std::size_t> summed;
   if (answer.cells.empty()) {
     summed.resize(grid.count());
@@ -244,7 +267,8 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   answer.friction = friction_of(grid, contact, answer.cells, known, rms,
                                 problem.scene().reconstruct.friction_limit);
   // The contact found is smoother than the true one, and so is what it loses the second time.
-  double doubt = std::hypot(pushed.doubt, bias * answer.wrench.normal.value);
+  double doubt = std::hypot(pushed.doubt, bias * answer.wrench.normal.value,
+                            grid.area() * sum_over(f, found.doubted));
   if (answer.cone && !solved_again) {
     const std::vector<double> free_tractions = method.solve(frame, readings, alpha);
     const UncertainWrench free_wrench =

@@ -32,7 +32,8 @@ class DenseMethod final : public SkinMethod {
   SkinConeSolution solve_in_cones(std::span<const double> readings, double alpha) const override {
     return problem_.cone(alpha).solve(readings);
   }
-  std::unique_ptr<const Covariance> covariance(double alpha, double prior_alpha) const override {
+  std::unique_ptr<const CellCovariance> covariance(double alpha,
+                                                   double prior_alpha) const override {
     return std::make_unique<SkinCovariance>(problem_.family(), alpha, prior_alpha);
   }
   double residual(std::span<const double> readings,
@@ -82,7 +83,8 @@ class LargeMethod final : public SkinMethod {
   SkinConeSolution solve_in_cones(std::span<const double> readings, double alpha) const override {
     return large_.solve_in_cones(readings, alpha, *constraints_);
   }
-  std::unique_ptr<const Covariance> covariance(double alpha, double prior_alpha) const override {
+  std::unique_ptr<const CellCovariance> covariance(double alpha,
+                                                   double prior_alpha) const override {
     return large_.covariance(alpha, prior_alpha);
   }
   std::optional<BandError> band_error(const Covariance& covariance) const override {

@@ -11,6 +11,7 @@
 #include "tactile_net/inverse/filter_frame.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
+#include "tactile_net/skin/cell_window.hpp"
 #include "tactile_net/skin/large/covariance.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
 
@@ -35,8 +36,8 @@ class SkinMethod {
   /// @pre  the problem has constraints
   [[nodiscard]] virtual SkinConeSolution solve_in_cones(std::span<const double> readings,
                                                         double alpha) const = 0;
-  [[nodiscard]] virtual std::unique_ptr<const Covariance> covariance(double alpha,
-                                                                     double prior_alpha) const = 0;
+  [[nodiscard]] virtual std::unique_ptr<const CellCovariance> covariance(
+      double alpha, double prior_alpha) const = 0;
   /// Of a covariance that this method gave; absent: it is exact.
   [[nodiscard]] virtual std::optional<BandError> band_error(const Covariance&) const { return {}; }
   /// |P W (K f - g)|

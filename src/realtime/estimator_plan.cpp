@@ -33,6 +33,12 @@ void check_skin(const EstimatorPlan& plan) {
               (cells.deviations.size() == plan.values &&
                std::all_of(cells.deviations.begin(), cells.deviations.end(), not_negative)),
           "deviations need one value >= 0 per cell");
+  require(cells.window_deviations.empty() ||
+              (cells.window_deviations.size() == plan.values && !cells.deviations.empty() &&
+               cells.window_rows < cells.rows && cells.window_columns < cells.columns &&
+               std::all_of(cells.window_deviations.begin(), cells.window_deviations.end(),
+                           not_negative)),
+          "windows need one deviation >= 0 per cell, those of cells, and fit into the grid");
 }
 
 void check_fill(const EstimatorPlan& plan) {

@@ -158,7 +158,8 @@ struct ContactEstimator::Scratch {
                            ready.prediction ? ready.prediction->scratch_size() : 0)),
         product32(ready.product32 ? ready.product32->scratch_size() : 0),
         fill(ready.fill_rows),
-        marks(ready.cells ? ready.values : 0),
+        marks(ready.cells ? ready.values : 0,
+              ready.cells && !ready.cells->window_deviations.empty()),
         block(FrameBlock::of(ready)) {
     for (std::size_t i = 0; i < ready.readings(); ++i)
       if (ready.weights[i] == 0.0) unread.push_back(i);

@@ -213,7 +213,8 @@ class Reader {
 };
 
 PlanVersion version_of(const EstimatorPlan& plan) {
-  if (plan.cells) return PlanVersion::skin;
+  if (plan.cells)
+    return plan.cells->window_deviations.empty() ? PlanVersion::skin : PlanVersion::windows;
   if (!plan.taxels.empty()) return PlanVersion::taxels;
   if (plan.residual_limit > 0.0 || plan.traction_limit > 0.0 || plan.force_deviation > 0.0)
     return PlanVersion::doubts;
@@ -265,6 +266,11 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
       fill.columns = plan.readings();
       fill.values = in.numbers();
     }
+  }
+  if (version >= PlanVersion::windows) {
+    plan.cells->window_deviations = in.numbers();
+    plan.cells->window_rows = in.size();
+    plan.cells->window_columns = in.size();
   }
   if (version_of(plan) != version)
     throw std::runtime_error("the plan holds nothing of what its version is for");
@@ -322,6 +328,11 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
       payload.size(plan.fill->rows);
       payload.numbers(plan.fill->values);
     }
+  }
+  if (version >= PlanVersion::windows) {
+    payload.numbers(plan.cells->window_deviations);
+    payload.size(plan.cells->window_rows);
+    payload.size(plan.cells->window_columns);
   }
 
   Writer file;

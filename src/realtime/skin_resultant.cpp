@@ -55,11 +55,16 @@ void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const doub
   double all = 0.0;
   for (std::size_t i = 0; i < count; ++i) all += f[i];
   all *= area;
+  const TouchedWindows windows{cells.window_rows, cells.window_columns,
+                               cells.window_deviations.data(), scratch.sums.data(),
+                               scratch.along.data()};
   estimate.touching =
       cells.deviations.empty()
           ? 0
-          : mark_touching(cells.rows, cells.columns, f, cells.deviations.data(), cells.rim_rows,
-                          cells.rim_columns, scratch.marks.data(), scratch.queue.data());
+          : mark_touching({cells.rows, cells.columns, cells.rim_rows, cells.rim_columns}, f,
+                          cells.deviations.data(),
+                          cells.window_deviations.empty() ? nullptr : &windows,
+                          scratch.marks.data(), scratch.queue.data(), [](std::size_t) {});
   const std::uint8_t* const marks = estimate.touching > 0 ? scratch.marks.data() : nullptr;
   const Sums sums = sums_of(cells, unknowns, f, marks);
 

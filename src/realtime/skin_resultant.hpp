@@ -13,10 +13,12 @@ namespace tactile_net {
 
 /// Scratch of one thread.
 struct CellMarks {
-  explicit CellMarks(std::size_t cells) : marks(cells), queue(cells) {}
+  CellMarks(std::size_t cells, bool windows)
+      : marks(cells), queue(cells), sums(windows ? cells : 0), along(windows ? cells : 0) {}
 
   Aligned<std::uint8_t> marks;
   Aligned<std::uint32_t> queue;
+  Aligned<double> sums, along;  // over windows, where the plan has any
 };
 
 /// Fills in forces, centre, torsion, margins, contact and touching. O(cells); no allocation.

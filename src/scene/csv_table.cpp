@@ -28,10 +28,18 @@ std::string_view cut(std::string_view& text, char separator) {
   return part;
 }
 
-std::vector<std::string> fields_of(std::string_view line) {
+/// Spreadsheets of half the world write ; for they need the comma: a header without any is theirs.
+char separator_of(std::string_view header) {
+  return header.find(',') == std::string_view::npos && header.find(';') != std::string_view::npos
+             ? ';'
+             : ',';
+}
+
+std::vector<std::string> fields_of(std::string_view line, char separator) {
   std::vector<std::string> fields;
-  const auto separators = std::count(line.begin(), line.end(), ',');
-  for (std::ptrdiff_t i = 0; i <= separators; ++i) fields.emplace_back(trimmed(cut(line, ',')));
+  const auto separators = std::count(line.begin(), line.end(), separator);
+  for (std::ptrdiff_t i = 0; i <= separators; ++i)
+    fields.emplace_back(trimmed(cut(line, separator)));
   return fields;
 }
 
@@ -57,7 +65,8 @@ std::vector<std::string> read_csv_header(const std::filesystem::path& path) {
   const std::string held = text_of(path);
   std::string_view text = without_byte_order_mark(held);
   while (!text.empty())
-    if (const auto content = trimmed(cut(text, '\n')); is_row(content)) return fields_of(content);
+    if (const auto content = trimmed(cut(text, '\n')); is_row(content))
+      return fields_of(content, separator_of(content));
   throw std::runtime_error(no_header);
 }
 
@@ -65,10 +74,12 @@ CsvTable read_csv_table(const std::filesystem::path& path) {
   const std::string held = text_of(path);
   std::string_view text = without_byte_order_mark(held);
   CsvTable table;
+  char separator = ',';
   for (std::size_t line = 1; !text.empty(); ++line) {
     const std::string_view content = trimmed(cut(text, '\n'));
     if (!is_row(content)) continue;
-    CsvTable::Row row{line, fields_of(content)};
+    if (table.header.line == 0) separator = separator_of(content);
+    CsvTable::Row row{line, fields_of(content, separator)};
     if (table.header.line == 0)
       table.header = std::move(row);
     else if (row.fields.size() != table.header.fields.size())

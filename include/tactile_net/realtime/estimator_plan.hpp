@@ -32,6 +32,11 @@ struct PlanCells {
   std::vector<double> deviations{};
   std::size_t rim_rows = 0;  ///< by which what touches is widened
   std::size_t rim_columns = 0;
+  /// Of the sums of normal tractions over windows around cells, one standard deviation [Pa]: they
+  /// tell of contacts of which no single cell is certain. Empty: cells alone tell.
+  std::vector<double> window_deviations{};
+  std::size_t window_rows = 0;  ///< that a window reaches to either side, < rows
+  std::size_t window_columns = 0;
 
   [[nodiscard]] double area() const noexcept { return spacing_y * spacing_z; }
 };

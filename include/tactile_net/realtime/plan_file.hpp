@@ -24,8 +24,9 @@ enum class PlanVersion : std::uint32_t {
   doubts = 4,    ///< what a frame is doubted by
   taxels = 5,    ///< taxels that do not all read the same
   skin = 6,      ///< tractions of a skin's cells
+  windows = 7,   ///< what these tell together
 };
-inline constexpr auto newest_plan_version = PlanVersion::skin;
+inline constexpr auto newest_plan_version = PlanVersion::windows;
 
 /// @throw std::invalid_argument  `check(plan)` does
 [[nodiscard]] std::vector<std::byte> encode_plan(const EstimatorPlan& plan);

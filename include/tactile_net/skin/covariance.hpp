@@ -12,11 +12,12 @@
 #include <vector>
 
 #include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/skin/cell_window.hpp"
 #include "tactile_net/skin/family.hpp"
 
 namespace tactile_net {
 
-class SkinCovariance final : public Covariance {
+class SkinCovariance final : public CellCovariance {
  public:
   /// Of `SkinFamily::solve`; of the family on a face, of `SkinCone::solve`: what the cones hold is
   /// then taken for certain. O(columns). Shares the family's factors.
@@ -28,6 +29,9 @@ class SkinCovariance final : public Covariance {
   /// O(columns x readings), and the first time that the family is asked a transform of each
   /// component.
   [[nodiscard]] std::vector<double> deviations() const override;
+  /// As `deviations`, and sums over windows.
+  [[nodiscard]] std::vector<double> window_deviations(const SkinGrid& grid,
+                                                      const CellWindow& window) const override;
   /// O(columns x readings) of the classes.
   [[nodiscard]] double deviation(std::span<const double> weights) const override;
   [[nodiscard]] double covariance(std::span<const double> a,
@@ -44,6 +48,7 @@ class SkinCovariance final : public Covariance {
   [[nodiscard]] Sums sums(std::span<const std::vector<double>> weights) const;
 
   std::shared_ptr<const SkinFamily::Factors> factors_;
+
   std::vector<double> sizes_{};  // standard deviation of each component
   double hidden_ = 0.0;          // of what no reading shows
   double degrees_;

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/skin/cell_window.hpp"
 #include "tactile_net/skin/grid.hpp"
 
 namespace tactile_net {
@@ -34,6 +35,28 @@ namespace tactile_net {
                                                      std::span<const double> tractions,
                                                      std::span<const double> deviations,
                                                      double rim = 0.0);
+
+/// Deviations of the sums over the windows around cells, the noise included.
+struct WindowBands {
+  CellWindow window{};
+  std::vector<double> deviations{};  ///< one for each cell: `window_deviations` [Pa]
+};
+
+/// What presses, and what may.
+struct FoundContacts {
+  std::vector<std::size_t> cells{};    ///< that touch, in rising order
+  std::vector<std::size_t> doubted{};  ///< that do, or noise does: in rising order, none that touch
+};
+
+/// As `contact_cells`, and of what these leave the patches of cells whose windows' sums are above
+/// twice their deviation, with a peak above four times its own: cells that are narrow for their
+/// depth share what is told of them, and no single one of a certain contact need be certain.
+/// Patches without such a peak are doubted.
+///
+/// @throw std::invalid_argument  as `contact_cells`
+[[nodiscard]] FoundContacts find_contacts(const SkinGrid& grid, std::span<const double> tractions,
+                                          std::span<const double> deviations,
+                                          const WindowBands& windows, double rim = 0.0);
 
 /// Each patch of cells that touch one another, by an edge or a corner, the strongest first.
 [[nodiscard]] std::vector<std::vector<std::size_t>> separate_contacts(

@@ -117,6 +117,12 @@ const std::vector<double>& LargeSkinCovariance::estimates() const {
 
 std::vector<double> LargeSkinCovariance::deviations() const { return estimates(); }
 
+std::vector<double> LargeSkinCovariance::window_deviations(const SkinGrid&,
+                                                           const CellWindow& window) const {
+  const LargeSkinBands::Parts& parts = *bands_.parts_;
+  return parts.piece->window_deviations(parts.solver.problem(), alpha_, prior_alpha_, window);
+}
+
 BandError LargeSkinCovariance::error() const {
   return bands_.parts_->error(prior_alpha_, estimates());
 }

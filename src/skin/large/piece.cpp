@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "skin/coordinates.hpp"
+#include "skin/window_sums.hpp"
 #include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net {
@@ -56,6 +57,13 @@ std::size_t nearest_taxel(const SkinGrid& grid, const SkinArray& skin, std::size
          nearest(cell % grid.columns, grid.margin_columns, grid.stride_columns, skin.columns);
 }
 
+std::vector<bool> dead_taxels(const SkinProblem& whole) {
+  std::vector<bool> dead(whole.taxels);
+  for (std::size_t i = 0; i < whole.sites.size(); ++i)
+    if (whole.weights[i] == 0.0) dead[whole.sites[i].taxel] = true;
+  return dead;
+}
+
 /// Taxels that are dead with all around them: what is above them nothing tells.
 std::vector<bool> blind_taxels(const SkinArray& skin, const std::vector<bool>& dead) {
   std::vector<bool> blind = dead;
@@ -98,11 +106,34 @@ std::vector<double> SkinPiece::deviations(const SkinProblem& whole, double alpha
   return all;
 }
 
+std::vector<double> SkinPiece::window_deviations(const SkinProblem& whole, double alpha,
+                                                 double prior_alpha,
+                                                 const CellWindow& window) const {
+  const SkinGrid& grid = whole.grid;
+  const std::vector<double> own =
+      SkinCovariance(family_, alpha, prior_alpha).window_deviations(problem_.grid, window);
+  const Eigen::VectorXd prior =
+      CosineCoordinates(problem_, stabiliser_spectrum(problem_).cwiseSqrt())
+          .squares(problem_.grid, window)
+          .cwiseSqrt() /
+      std::sqrt(prior_alpha);
+  const std::vector<bool> dead = dead_taxels(whole);
+  std::vector<double> touched(grid.count());
+  for (std::size_t cell = 0; cell < touched.size(); ++cell)
+    touched[cell] = dead[nearest_taxel(grid, skin_, cell)] ? 1.0 : 0.0;
+  window_sums(grid, window, touched);
+  std::vector<double> all(grid.count());
+  for (std::size_t cell = 0; cell < all.size(); ++cell) {
+    const std::size_t from = like_cell(grid, cell);
+    all[cell] = touched[cell] > 0.0 ? std::max(own[from], prior(static_cast<Eigen::Index>(from)))
+                                    : own[from];
+  }
+  return all;
+}
+
 void SkinPiece::add_dead(std::vector<double>& deviations, const std::vector<double>& alive,
                          const SkinProblem& whole, double alpha, double prior_alpha) {
-  std::vector<bool> dead(whole.taxels);
-  for (std::size_t i = 0; i < whole.sites.size(); ++i)
-    if (whole.weights[i] == 0.0) dead[whole.sites[i].taxel] = true;
+  const std::vector<bool> dead = dead_taxels(whole);
   if (std::find(dead.begin(), dead.end(), true) == dead.end()) return;
 
   const SkinGrid& small = problem_.grid;

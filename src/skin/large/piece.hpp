@@ -11,6 +11,7 @@
 
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/skin/array.hpp"
+#include "tactile_net/skin/cell_window.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/problem.hpp"
 
@@ -33,6 +34,12 @@ class SkinPiece {
   /// @param whole  as the constructor's, with any taxels dead
   [[nodiscard]] std::vector<double> deviations(const SkinProblem& whole, double alpha,
                                                double prior_alpha);
+
+  /// Of the sums of normal tractions in the window around each cell of the whole. A window that
+  /// holds a dead taxel's cell has at least the prior's.
+  [[nodiscard]] std::vector<double> window_deviations(const SkinProblem& whole, double alpha,
+                                                      double prior_alpha,
+                                                      const CellWindow& window) const;
 
   /// Of a sum over the tractions of one cell, as if no taxel were dead.
   ///

@@ -19,6 +19,7 @@
 
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/skin/cell_window.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
 
@@ -52,7 +53,7 @@ class LargeSkinBands {
   std::unique_ptr<Parts> parts_;
 };
 
-class LargeSkinCovariance final : public Covariance {
+class LargeSkinCovariance final : public CellCovariance {
  public:
   /// Of the solver's alpha as it is now; another one starts anew.
   ///
@@ -63,6 +64,9 @@ class LargeSkinCovariance final : public Covariance {
   LargeSkinCovariance(LargeSkinBands& bands, double prior_alpha, double degrees_of_freedom);
 
   [[nodiscard]] std::vector<double> deviations() const override;
+  /// Estimates as `deviations`; a window that a dead taxel's cell is in gets the prior's.
+  [[nodiscard]] std::vector<double> window_deviations(const SkinGrid& grid,
+                                                      const CellWindow& window) const override;
   /// Of `deviations`, measured by four to six solves; of alphas within a factor of two of those it
   /// was measured for what it was there.
   [[nodiscard]] BandError error() const;
