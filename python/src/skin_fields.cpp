@@ -106,7 +106,8 @@ nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinGrid&
   return found;
 }
 
-nb::typed<nb::tuple, nb::typed<nb::list, nb::any>, nb::any> uncertainty_of(Answers answers, const SkinScene& scene) {
+nb::typed<nb::tuple, nb::typed<nb::list, nb::any>, nb::any> uncertainty_of(Answers answers,
+                                                                           const SkinScene& scene) {
   std::vector<std::string> names = report::uncertainty_columns(scene);
   names.pop_back();
   const Array values = rows_of(answers, names.size(), [&](const lab::SkinAnswer& one) {

@@ -22,7 +22,7 @@ using Answers = std::span<const std::optional<lab::SkinAnswer>>;
                                                               std::size_t width);
 
 /// The names of `report::uncertainty_columns` but the verdict, and their values, a row a frame.
-[[nodiscard]] nb::typed<nb::tuple, nb::typed<nb::list, nb::any>, nb::any> uncertainty_of(Answers answers,
-                                                                     const SkinScene& scene);
+[[nodiscard]] nb::typed<nb::tuple, nb::typed<nb::list, nb::any>, nb::any> uncertainty_of(
+    Answers answers, const SkinScene& scene);
 
 }  // namespace tactile_net::python
