@@ -52,7 +52,7 @@ TEST_CASE("the list to order is stable with the scene's op-amps, and its draws m
   }
   CHECK(counted + chosen.pairs == ordered);
   CHECK_THAT(report::in_words(list), StartsWith("For 0.3 % in 95 of 100 builds: lattice"));
-  CHECK_THAT(report::order_csv(list), StartsWith("ohm,tolerance,quantity,references\n"));
+  CHECK_THAT(report::order_csv(list), StartsWith("ohm,tolerance,quantity,references,part\n"));
 }
 
 TEST_CASE("an accuracy that no parts reach is said to be out of reach", "[parts_list][long]") {

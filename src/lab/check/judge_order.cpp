@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lab/check/judgement.hpp"
+#include "numeric/finite.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -96,12 +97,15 @@ void judge_order(const Evidence& evidence, const std::vector<std::vector<double>
   constexpr std::size_t most_frames = 8;
   const std::vector<SignalChannel>& channels = evidence.channels();
   const std::vector<Turn> all = turns(channels, evidence.sensor.has_columns);
-  if (all.empty() || loaded.empty()) return;
+  std::vector<const std::vector<double>*> whole;  // turned, a gap would be another taxel's
+  for (const std::vector<double>& readings : loaded)
+    if (all_finite(readings)) whole.push_back(&readings);
+  if (all.empty() || whole.empty()) return;
   std::vector<double> gain(all.size());
   std::vector<std::size_t> better(all.size());
-  const std::size_t frames = std::min(most_frames, loaded.size());
+  const std::size_t frames = std::min(most_frames, whole.size());
   for (std::size_t k = 0; k < frames; ++k) {
-    const std::vector<double>& readings = loaded[k * loaded.size() / frames];
+    const std::vector<double>& readings = *whole[k * whole.size() / frames];
     const auto stated = solver.surprise(readings, evidence.living);
     if (!stated) return;
     for (std::size_t i = 0; i < all.size(); ++i) {

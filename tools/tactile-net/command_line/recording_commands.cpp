@@ -82,7 +82,7 @@ void add_calibrate(AllCommands& all) {
             "a scene that solve, run, identify and plan take"},
            {"calibrate log.csv --scene pad.toml --robust --out out",
             "with a page, in out/report.html; wrong readings and forces count little"},
-           {"calibrate scenes/calibration/skin-balls.csv --scene scenes/calibration/skin-balls.toml "
+           {"calibrate skin-balls.csv --scene skin-balls.toml "
             "-o skin.toml",
             "of a skin, from presses by balls"}}});
   command
