@@ -2,74 +2,18 @@
 #include <numeric>
 #include <optional>
 
-#include "src/skin/large/band_probes.hpp"
 #include "src/skin/large/lattice_products.hpp"
 #include "src/skin/large/tiles.hpp"
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/covariance.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/large/cone.hpp"
-#include "tactile_net/skin/large/covariance.hpp"
 #include "tactile_net/skin/large/family.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
-#include "tactile_net/skin/stabiliser.hpp"
 #include "tests/catch.hpp"
-#include "tests/skin/skins.hpp"
+#include "tests/skin/large_skins.hpp"
 
 using namespace tactile_net;
-
-namespace {
-
-const Material thin{
-    .youngs_modulus = 2e5, .poisson_ratio = 0.45, .layer = Layer{4e-3, Base::bonded}};
-
-SkinProblemOptions with_dead(std::vector<std::size_t> dead, SkinGridOptions grid = {}) {
-  return {.dead_taxels = std::move(dead), .grid = grid};
-}
-
-/// One contact and 1 % noise, by the matrix.
-std::vector<double> readings_of(const SkinProblem& problem, unsigned seed) {
-  std::mt19937 random(seed);
-  std::vector<double> tractions(problem.kernel.columns);
-  const SkinGrid& grid = problem.grid;
-  for (std::size_t u = 0; u < problem.components; ++u)
-    for (std::size_t i = 0; i < grid.count(); ++i) {
-      const double y = (grid.y(i / grid.columns) - 1e-3) / 3e-3;
-      const double z = grid.z(i % grid.columns) / 3e-3;
-      tractions[u * grid.count() + i] =
-          std::sqrt(std::max(1.0 - y * y - z * z, 0.0)) * (u == 0   ? 1e4
-                                                           : u == 1 ? 3e3
-                                                                    : -2e3);
-    }
-  std::vector<double> readings = product(problem.kernel, tractions);
-  add_noise(readings, 0.01, random);
-  return readings;
-}
-
-/// K' y.
-std::vector<double> transposed_product(const Matrix& matrix, std::span<const double> y) {
-  std::vector<double> x(matrix.columns);
-  for (std::size_t i = 0; i < matrix.rows; ++i)
-    for (std::size_t j = 0; j < matrix.columns; ++j) x[j] += matrix(i, j) * y[i];
-  return x;
-}
-
-/// |P x - b| / |b| by the matrices.
-double normal_residual(const SkinProblem& problem, double alpha, std::span<const double> x,
-                       std::span<const double> b) {
-  std::vector<double> image = transposed_product(problem.kernel, product(problem.kernel, x));
-  const std::vector<double> smooth = product(stabiliser_matrix(problem, alpha), x);
-  for (std::size_t i = 0; i < image.size(); ++i) image[i] += smooth[i];
-  return distance(image, b) / norm(b);
-}
-
-/// The square of the largest singular value.
-double size_of(const SkinProblem& problem) {
-  return std::pow(SkinFamily(problem).singular_values().front(), 2);
-}
-
-}  // namespace
 
 TEST_CASE("products by FFT are those of the matrix, both ways", "[skin][large]") {
   SkinArray mixed = square_skin(
@@ -330,148 +274,6 @@ TEST_CASE("alpha of a large skin is that of all singular values", "[skin][large]
     const auto of_found = family.solve(exact, found);
     CHECK(distance(of_found, of_expected) < 0.03 * norm(of_expected));
   }
-}
-
-TEST_CASE("bands of a large skin are those of its decomposition", "[skin][large]") {
-  for (const double spacing : {1e-3, 0.5e-3}) {
-    SkinArray skin = square_skin(20, 2e-3);
-    skin.columns = 17;
-    const SkinProblemOptions options =
-        with_dead(spacing < 1e-3 ? std::vector<std::size_t>{} : std::vector<std::size_t>{50, 51},
-                  {.spacing = spacing});
-    if (spacing < 1e-3) skin.rows = 15;
-    const SkinProblem dense = make_problem(skin, silicone, options);
-    const SkinFamily family(dense);
-    const double alpha = 1e-4 * std::pow(family.singular_values().front(), 2);
-    LargeSkinTikhonov solver(skin, silicone, options, alpha);
-    LargeSkinBands bands(solver, skin, silicone, options);
-    for (const double prior : {alpha, 0.1 * alpha}) {
-      const SkinCovariance exact(family, alpha, prior);
-      const LargeSkinCovariance large(bands, prior, 1.0);
-      const auto expected = exact.deviations();
-      const auto found = large.deviations();
-      const SkinGrid& grid = dense.grid;
-      for (std::size_t i = 0; i < expected.size(); ++i)
-        CHECK_THAT(found[i], WithinRel(expected[i], 0.04));  // at dead taxels too
-      std::vector<double> force(expected.size()), moment(expected.size());
-      for (std::size_t i = 0; i < grid.count(); ++i) {
-        force[i] = grid.area();
-        moment[grid.count() + i] = grid.area() * grid.z(i % grid.columns);
-        moment[i] = 0.3 * grid.area();
-      }
-      CHECK_THAT(large.deviation(force), WithinRel(exact.deviation(force), 1e-5));
-      CHECK_THAT(large.covariance(force, moment), WithinRel(exact.covariance(force, moment), 1e-4));
-    }
-  }
-}
-
-TEST_CASE("bands of single cells are off by what is said of them", "[skin][large]") {
-  const SkinArray skin = square_skin(20, 2e-3);
-  for (const auto& dead : {std::vector<std::size_t>{}, std::vector<std::size_t>{41, 128, 189, 192},
-                           std::vector<std::size_t>{205, 206, 225, 310, 311}}) {
-    const SkinProblemOptions options = with_dead(dead);
-    const SkinProblem dense = make_problem(skin, silicone, options);
-    REQUIRE(dense.grid.count() == 24 * 24);
-    const SkinFamily family(dense);
-    const double size = std::pow(family.singular_values().front(), 2);
-    for (const double share : {1e-2, 1e-4, 1e-6}) {
-      LargeSkinTikhonov solver(skin, silicone, options, share * size);
-      for (const double prior : {share * size, 0.1 * share * size}) {
-        CAPTURE(dead.size(), share, prior / size);
-        LargeSkinBands bands(solver, skin, silicone, options);
-        const LargeSkinCovariance large(bands, prior, 1.0);
-        const auto expected = SkinCovariance(family, share * size, prior).deviations();
-        // What is solved for is the deviation itself.
-        for (const BandProbe& probe : band_probes(dense)) {
-          const std::vector<double> probed = probed_deviations(solver, prior, probe);
-          for (std::size_t i = 0; i < probed.size(); ++i)
-            CHECK_THAT(probed[i], WithinRel(expected[probe.tractions[i]], 0.02));
-        }
-        const BandError error = large.error();
-        CHECK(error.tractions >= 5);
-        CHECK(error.least <= error.most);
-        const auto found = large.deviations();
-        std::size_t beyond = 0;
-        for (std::size_t i = 0; i < expected.size(); ++i) {
-          const double off = found[i] / expected[i] - 1.0;
-          if (off < error.least - 0.01 || off > error.most + 0.01) ++beyond;
-          CHECK(std::abs(off) < (share < 1e-5 ? 0.1 : 0.025));
-        }
-        CHECK(beyond <= expected.size() / 40);
-        // Of another skin whose dead taxels are others it is the same smaller one.
-        const LargeSkinBands again(solver, bands);
-        LargeSkinBands copied(solver, again);
-        CHECK(LargeSkinCovariance(copied, prior, 1.0).deviations() == found);
-      }
-    }
-  }
-}
-
-TEST_CASE("bands are wide in a block of dead taxels, and at its rim a sixth too narrow at most",
-          "[skin][large]") {
-  const SkinArray skin = square_skin(16, 2e-3);
-  std::vector<std::size_t> block;
-  for (std::size_t row = 4; row < 10; ++row)
-    for (std::size_t column = 5; column < 11; ++column) block.push_back(16 * row + column);
-  const SkinProblemOptions options = with_dead(block);
-  const SkinProblem dense = make_problem(skin, silicone, options);
-  const SkinFamily family(dense);
-  const double alpha = 1e-4 * std::pow(family.singular_values().front(), 2);
-  LargeSkinTikhonov solver(skin, silicone, options, alpha);
-  LargeSkinBands bands(solver, skin, silicone, options);
-  const auto found = LargeSkinCovariance(bands, alpha, 1.0).deviations();
-  const auto expected = SkinCovariance(family, alpha, alpha).deviations();
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    CHECK(found[i] > 0.83 * expected[i]);
-    CHECK(found[i] < 4.0 * expected[i]);
-  }
-}
-
-TEST_CASE("probes of a skin serve it where a few taxels are dead", "[skin][large]") {
-  const SkinArray skin = square_skin(24, 2e-3);
-  const auto whole = make_large_skin_system(skin, silicone, {});
-  const auto rest = without_taxels(*whole, {100, 250, 251, 400});
-  const LargeSkinFamily probed(whole);
-  const LargeSkinFamily taken(rest, probed);
-  const LargeSkinFamily own(rest);
-  for (const double alpha : {1e-2, 1e-4, 1e-6}) {
-    const double exact = own.degrees_of_freedom(alpha);
-    CHECK_THAT(taken.degrees_of_freedom(alpha),
-               WithinAbs(exact, 0.01 * exact + 2.0 * own.degrees_deviation(alpha)));
-  }
-  const std::vector<double> readings =
-      readings_of(make_problem(skin, silicone, with_dead({100, 250, 251, 400})), 3);
-  CHECK(taken.analyse(readings).rows == own.analyse(readings).rows);
-}
-
-TEST_CASE("sums that follow from sums before need no solve, and have their deviations",
-          "[skin][large]") {
-  const SkinArray skin = square_skin(12, 2e-3);
-  const SkinProblem dense = make_problem(skin, silicone);
-  const SkinFamily family(dense);
-  const double alpha = 1e-3 * size_of(dense);
-  LargeSkinTikhonov solver(skin, silicone, {}, alpha);
-  LargeSkinBands bands(solver, skin, silicone, {});
-  const LargeSkinCovariance large(bands, 0.5 * alpha, 1.0);
-  const SkinCovariance exact(family, alpha, 0.5 * alpha);
-  const std::size_t cells = dense.grid.count();
-  std::vector<double> press(3 * cells), drag(3 * cells), both(3 * cells);
-  for (std::size_t i = 0; i < cells; i += 3) press[i] = drag[cells + i] = 1e-6;
-  for (std::size_t i = 0; i < both.size(); ++i) both[i] = -2.0 * press[i] + 0.3 * drag[i];
-  CHECK_THAT(large.deviation(press), WithinRel(exact.deviation(press), 1e-5));
-  CHECK_THAT(large.deviation(drag), WithinRel(exact.deviation(drag), 1e-5));
-  const std::size_t before = solver.convergence().steps;
-  (void)solver.solve_normal(std::vector<double>(3 * cells, 0.0));  // leaves a mark
-  REQUIRE(solver.convergence().steps == 0);
-  CHECK_THAT(large.deviation(both), WithinRel(exact.deviation(both), 1e-5));
-  CHECK_THAT(large.covariance(both, press), WithinRel(exact.covariance(both, press), 1e-4));
-  CHECK(solver.convergence().steps == 0);
-  CHECK(before > 0);
-  // Weights of the size of an area's square hold no less.
-  std::vector<double> tiny = press;
-  for (double& weight : tiny) weight *= 1e-200;
-  CHECK_THAT(large.deviation(tiny), WithinRel(1e-200 * exact.deviation(press), 1e-5));
-  CHECK(large.deviation(std::vector<double>(3 * cells)) == 0.0);
 }
 
 TEST_CASE("a large skin's cone is that of the dense problem", "[skin][large][cone]") {

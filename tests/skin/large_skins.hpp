@@ -1,0 +1,65 @@
+/// @file
+/// What the tests of large skins share: a thin pad, readings of a contact, and what matrices say.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "tactile_net/skin/family.hpp"
+#include "tactile_net/skin/stabiliser.hpp"
+#include "tests/skin/skins.hpp"
+
+namespace tactile_net {
+
+inline const Material thin{
+    .youngs_modulus = 2e5, .poisson_ratio = 0.45, .layer = Layer{4e-3, Base::bonded}};
+
+inline SkinProblemOptions with_dead(std::vector<std::size_t> dead, SkinGridOptions grid = {}) {
+  return {.dead_taxels = std::move(dead), .grid = grid};
+}
+
+/// One contact and 1 % noise, by the matrix.
+inline std::vector<double> readings_of(const SkinProblem& problem, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<double> tractions(problem.kernel.columns);
+  const SkinGrid& grid = problem.grid;
+  for (std::size_t u = 0; u < problem.components; ++u)
+    for (std::size_t i = 0; i < grid.count(); ++i) {
+      const double y = (grid.y(i / grid.columns) - 1e-3) / 3e-3;
+      const double z = grid.z(i % grid.columns) / 3e-3;
+      tractions[u * grid.count() + i] =
+          std::sqrt(std::max(1.0 - y * y - z * z, 0.0)) * (u == 0   ? 1e4
+                                                           : u == 1 ? 3e3
+                                                                    : -2e3);
+    }
+  std::vector<double> readings = product(problem.kernel, tractions);
+  add_noise(readings, 0.01, random);
+  return readings;
+}
+
+/// K' y.
+inline std::vector<double> transposed_product(const Matrix& matrix, std::span<const double> y) {
+  std::vector<double> x(matrix.columns);
+  for (std::size_t i = 0; i < matrix.rows; ++i)
+    for (std::size_t j = 0; j < matrix.columns; ++j) x[j] += matrix(i, j) * y[i];
+  return x;
+}
+
+/// |P x - b| / |b| by the matrices.
+inline double normal_residual(const SkinProblem& problem, double alpha, std::span<const double> x,
+                              std::span<const double> b) {
+  std::vector<double> image = transposed_product(problem.kernel, product(problem.kernel, x));
+  const std::vector<double> smooth = product(stabiliser_matrix(problem, alpha), x);
+  for (std::size_t i = 0; i < image.size(); ++i) image[i] += smooth[i];
+  return distance(image, b) / norm(b);
+}
+
+/// The square of the largest singular value.
+inline double size_of(const SkinProblem& problem) {
+  return std::pow(SkinFamily(problem).singular_values().front(), 2);
+}
+
+}  // namespace tactile_net
