@@ -67,16 +67,16 @@ TEST_CASE("a large skin is said to be solved by products", "[lab][skin][workload
   const SkinScene wide =
       skin("[time]\nframes = 3\nrate = 10.0\n[reconstruct]\nfriction_limit = 0.6\n",
            "rows = 60\ncolumns = 60");
-  const SkinWorkload large = workload(wide, true);
-  CHECK(large.task(Computation::tikhonov).cost == Cost::tiles);
-  CHECK(large.task(Computation::tikhonov).count == 3 * 64 * 64);
-  CHECK(large.task(Computation::alpha_rule).cost == Cost::probes);
-  CHECK(large.task(Computation::constraints).cost == Cost::projected_gradients);
-  CHECK(large.task(Computation::bands).cost == Cost::solves);
-  CHECK(large.task(Computation::report).done);
-  CHECK(large.task(Computation::history).done);
+  const SkinWorkload told = workload(wide, true);
+  CHECK(told.task(Computation::tikhonov).cost == Cost::tiles);
+  CHECK(told.task(Computation::tikhonov).count == 3 * 64 * 64);
+  CHECK(told.task(Computation::alpha_rule).cost == Cost::probes);
+  CHECK(told.task(Computation::constraints).cost == Cost::projected_gradients);
+  CHECK(told.task(Computation::bands).cost == Cost::solves);
+  CHECK(told.task(Computation::report).done);
+  CHECK(told.task(Computation::history).done);
   std::ostringstream words;
-  report::print_workload(words, wide, large);
+  report::print_workload(words, wide, told);
   CHECK_THAT(words.str(), ContainsSubstring("60 x 60 taxels") &&
                               ContainsSubstring("the last of 3 frames: frame 2") &&
                               ContainsSubstring("overlapping tiles") &&
