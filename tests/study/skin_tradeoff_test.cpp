@@ -272,7 +272,8 @@ TEST_CASE("no point of a skin's front is both slower and worse than another", "[
                      *other.error_to_solution < *points[i].error_to_solution));
 }
 
-TEST_CASE("uneven and partly dead skins are studied without what they lack", "[tradeoff][skin][long]") {
+TEST_CASE("uneven and partly dead skins are studied without what they lack",
+          "[tradeoff][skin][long]") {
   const Study dead = study_of(pressed + "[dead_taxels]\nindices = [\"1_1\"]\n");
   CHECK(dead.complete);
   CHECK(*of(dead, Family::singular_values).front().error_to_solution < 1e-11);
