@@ -1,12 +1,12 @@
 #include "tactile_net/calibration/ball_contact.hpp"
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "calibration/layered_contact.hpp"
 #include "calibration/surface_compliance.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/dual.hpp"
@@ -16,15 +16,8 @@ namespace {
 
 using Rule = boost::math::quadrature::gauss<double, 20>;
 
-constexpr double largest_ratio = 3.0;  // a / h
-
-/// b and its derivatives by a/h and by nu.
-struct Factor {
-  double value = 1.0, by_ratio = 0.0, by_nu = 0.0;
-};
-
 /// phi at Gauss' points and, last, at the edge.
-Factor layer_factor(Base base, double nu, double ratio) {
+LayerFactor layer_factor(Base base, double nu, double ratio) {
   constexpr int panels = 5;
   constexpr Eigen::Index size = 21;
   constexpr Eigen::Index edge = size - 1;
@@ -83,28 +76,15 @@ ContactForce ball_force(const Material& material, double contact_radius, double 
   force.by_log_half_width = 3.0;
   force.by_poisson_ratio = 2.0 * nu / (1.0 - nu * nu);
   if (!material.layer) return force;
-  const double ratio = contact_radius / material.layer->thickness;
-  const Factor b = layer_factor(material.layer->base, nu, std::min(ratio, largest_ratio));
-  const double by_log_ratio = ratio < largest_ratio ? b.by_ratio * ratio / b.value : 0.0;
-  force.log_force += std::log(b.value);
-  force.by_log_half_width += by_log_ratio;
-  force.by_log_thickness = -by_log_ratio;
-  force.by_poisson_ratio += b.by_nu / b.value;
+  add_layer(force, *material.layer, nu, contact_radius, layer_factor);
   return force;
 }
 
 double ball_contact_radius(const Material& material, double force, double radius) {
   const double nu = material.poisson_ratio;
-  double log_a =
+  const double log_a =
       std::log(3.0 * force * radius * (1.0 - nu * nu) / (4.0 * material.youngs_modulus)) / 3.0;
-  // log F of log a is smooth, steeper than 3 and convex: Newton from the half space's converges.
-  for (int step = 0; step < 50; ++step) {
-    const ContactForce at = ball_force(material, std::exp(log_a), radius);
-    const double change = (std::log(force) - at.log_force) / at.by_log_half_width;
-    log_a += change;
-    if (std::abs(change) < 1e-14) break;
-  }
-  return std::exp(log_a);
+  return width_under(force, log_a, [&](double a) { return ball_force(material, a, radius); });
 }
 
 }  // namespace tactile_net

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "calibration/layered_contact.hpp"
 #include "calibration/surface_compliance.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/dual.hpp"
@@ -17,7 +18,6 @@ namespace tactile_net {
 namespace {
 
 constexpr std::size_t terms = 8;
-constexpr double largest_ratio = 3.0;  // a / h
 
 /// J_0 ... J_last at z by the recurrence downwards.
 std::vector<double> bessel(std::size_t last, double z) {
@@ -49,16 +49,14 @@ std::vector<double> bessel(std::size_t last, double z) {
 }
 
 /// b_0 and its derivatives by a/h and by nu.
-struct Factor {
-  double value = 1.0, by_ratio = 0.0, by_nu = 0.0;
-};
-
-Factor layer_factor(Base base, double nu, double ratio) {
+LayerFactor layer_factor(Base base, double nu, double ratio) {
   using Rule = boost::math::quadrature::gauss<double, 20>;
   constexpr int panels = 5;
   constexpr auto size = static_cast<Eigen::Index>(terms);
   std::array<double, terms> t{};
-  Eigen::MatrixXd system(size, size), by_ratio(size, size), by_nu(size, size);
+  Eigen::MatrixXd system(size, size);
+  Eigen::MatrixXd by_ratio(size, size);
+  Eigen::MatrixXd by_nu(size, size);
   Eigen::VectorXd right(size);
   for (std::size_t i = 0; i < terms; ++i) {
     const double angle = std::numbers::pi * (2.0 * static_cast<double>(i) + 1.0) /
@@ -113,28 +111,15 @@ ContactForce rod_force(const Material& material, double half_width, double radiu
                              material.youngs_modulus / (4.0 * (1.0 - nu * nu)));
   force.by_poisson_ratio = 2.0 * nu / (1.0 - nu * nu);
   if (!material.layer) return force;
-  const double ratio = half_width / material.layer->thickness;
-  const Factor b = layer_factor(material.layer->base, nu, std::min(ratio, largest_ratio));
-  const double by_log_ratio = ratio < largest_ratio ? b.by_ratio * ratio / b.value : 0.0;
-  force.log_force += std::log(b.value);
-  force.by_log_half_width += by_log_ratio;
-  force.by_log_thickness = -by_log_ratio;
-  force.by_poisson_ratio += b.by_nu / b.value;
+  add_layer(force, *material.layer, nu, half_width, layer_factor);
   return force;
 }
 
 double rod_half_width(const Material& material, double force, double radius) {
   const double nu = material.poisson_ratio;
-  double log_a = 0.5 * std::log(4.0 * force * radius * (1.0 - nu * nu) /
-                                (std::numbers::pi * material.youngs_modulus));
-  // log P of log a is smooth, steeper than 2 and convex: Newton from the half plane's converges.
-  for (int step = 0; step < 50; ++step) {
-    const ContactForce at = rod_force(material, std::exp(log_a), radius);
-    const double change = (std::log(force) - at.log_force) / at.by_log_half_width;
-    log_a += change;
-    if (std::abs(change) < 1e-14) break;
-  }
-  return std::exp(log_a);
+  const double log_a = 0.5 * std::log(4.0 * force * radius * (1.0 - nu * nu) /
+                                      (std::numbers::pi * material.youngs_modulus));
+  return width_under(force, log_a, [&](double a) { return rod_force(material, a, radius); });
 }
 
 double rod_radius(const Material& material, double half_width, double force) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "report/json/computations_json.hpp"
 #include "report/json/scene_json.hpp"
-#include "tactile_net/report/words/skin_workload_words.hpp"
 
 namespace tactile_net::report {
 
@@ -20,13 +20,7 @@ std::string workload_json(const SkinScene& scene, const lab::SkinWorkload& work)
          {"operations_per_frame", simulated ? effect.operations(scene) * operations : 0.0},
          {"text", simulated ? effect.words(scene) : std::string(effect.absence)}});
   }
-  Json computations = Json::array();
-  for (const lab::SkinWorkload::Task& task : work.tasks)
-    computations.push_back({{"computation", name(task.what)},
-                            {"done", task.done},
-                            {"why", why_in_words(task)},
-                            {"cost", task.cost ? Json(cost_in_words(task)) : Json(nullptr)}});
-  json["plan"] = {{"effects", effects}, {"computations", computations}};
+  json["plan"] = {{"effects", effects}, {"computations", computations_json(work.tasks)}};
   return text_of(json);
 }
 

@@ -1,5 +1,6 @@
 #include "tactile_net/report/json/workload_json.hpp"
 
+#include "report/json/computations_json.hpp"
 #include "report/json/scene_json.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
@@ -14,13 +15,7 @@ std::string workload_json(const Scene& scene, const lab::Workload& work) {
                        {"simulated", effect.simulated},
                        {"operations_per_frame", effect.operations},
                        {"text", effect_in_words(effect, scene)}});
-  Json computations = Json::array();
-  for (const lab::Workload::Task& task : work.tasks)
-    computations.push_back({{"computation", name(task.what)},
-                            {"done", task.done},
-                            {"why", why_in_words(task)},
-                            {"cost", task.cost ? Json(cost_in_words(task)) : Json(nullptr)}});
-  json["plan"] = {{"effects", effects}, {"computations", computations}};
+  json["plan"] = {{"effects", effects}, {"computations", computations_json(work.tasks)}};
   return text_of(json);
 }
 
