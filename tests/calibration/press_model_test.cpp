@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tactile_net/sensing/exact.hpp"
+#include "tests/calibration/press_states.hpp"
 #include "tests/catch.hpp"
 
 namespace tactile_net {
@@ -16,23 +17,11 @@ SensorArray array_of(std::vector<Quantity> reads, double depth = 1.5e-3) {
 
 const std::vector<Quantity> all(quantities.begin(), quantities.end());
 
-Material pad_of(int kind) {
-  Material material{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
-  if (kind > 0) material.layer = Layer{3e-3, kind == 1 ? Base::bonded : Base::frictionless};
-  return material;
-}
-
 const std::vector<PressState> presses{
     {Shape::cylinder, std::log(200.0), 1.3e-3, std::log(1.1e-3), 0.0},
     {Shape::punch, std::log(90.0), -6e-3, std::log(0.7e-3), 0.0},
     {Shape::wedge, std::log(300.0), 8e-3, std::log(1.9e-3), 0.0},
     {Shape::cylinder, std::log(120.0), -2e-3, std::log(0.9e-3), 0.4}};
-
-double peak(const Matrix& rows, std::size_t row) {
-  double most = 0.0;
-  for (const double value : rows.row(row)) most = std::max(most, std::abs(value));
-  return most;
-}
 
 RigidContact contact_of(const PressState& press) {
   return {.shape = press.shape,
@@ -40,15 +29,6 @@ RigidContact contact_of(const PressState& press) {
           .half_width = std::exp(press.log_half_width),
           .force = std::exp(press.log_force),
           .friction = press.friction};
-}
-
-/// Another place in the space of parameters, by `step` along one of them.
-PadState moved(PadState pad, std::size_t parameter, double step) {
-  double* const members[] = {&pad.log_depth,   &pad.log_thickness, &pad.poisson_ratio,
-                             &pad.log_modulus, &pad.crosstalk,     &pad.shift,
-                             &pad.log_pitch};
-  *members[parameter] += step;
-  return pad;
 }
 
 }  // namespace

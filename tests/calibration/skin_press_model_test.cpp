@@ -6,6 +6,7 @@
 
 #include "tactile_net/calibration/press_model.hpp"
 #include "tactile_net/skin/forward.hpp"
+#include "tests/calibration/press_states.hpp"
 #include "tests/catch.hpp"
 
 namespace tactile_net {
@@ -21,12 +22,6 @@ SkinArray array_of(std::vector<SkinQuantity> reads, double depth = 1.5e-3) {
 }
 
 const std::vector<SkinQuantity> all(skin_quantities.begin(), skin_quantities.end());
-
-Material pad_of(int kind) {
-  Material material{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
-  if (kind > 0) material.layer = Layer{3e-3, kind == 1 ? Base::bonded : Base::frictionless};
-  return material;
-}
 
 PressState press(DiscProfile disc, double force, double y, double z, double a) {
   PressState state;
@@ -51,20 +46,6 @@ SkinLoad load_of(const PressState& one) {
                      .z = one.center_z,
                      .radius = std::exp(one.log_half_width),
                      .force = std::exp(one.log_force)};
-}
-
-double peak(const Matrix& rows, std::size_t row) {
-  double most = 0.0;
-  for (const double value : rows.row(row)) most = std::max(most, std::abs(value));
-  return most;
-}
-
-PadState moved(PadState pad, std::size_t parameter, double step) {
-  double* const members[] = {&pad.log_depth,   &pad.log_thickness, &pad.poisson_ratio,
-                             &pad.log_modulus, &pad.crosstalk,     &pad.shift,
-                             &pad.log_pitch};
-  *members[parameter] += step;
-  return pad;
 }
 
 }  // namespace

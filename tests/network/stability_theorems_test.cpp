@@ -75,6 +75,20 @@ bool certified(Realization one, const NetworkProblem& problem, const Realization
 
 constexpr unsigned networks = 200;
 
+/// What a remark proposes is within the theorem.
+void check_proposals(const NetworkProblem& problem, RealizationOptions options,
+                     const CircuitRemark& remark) {
+  if (remark.limit > 0.0) {
+    RealizationOptions slower = options;
+    slower.bandwidth_ratio = 0.999 * remark.limit;
+    CHECK(certified(Realization::least_squares, problem, slower));
+  }
+  if (remark.repair > 0.0) {
+    options.scale.siemens = 1.001 * remark.repair;
+    CHECK(certified(Realization::least_squares, problem, options));
+  }
+}
+
 }  // namespace
 
 TEST_CASE("T5: a crossbar bears second poles, and capacitance where they are not slow",
@@ -129,22 +143,13 @@ TEST_CASE("T6: least squares bears the lag that its number allows", "[theorems][
       ++spoken;
       continue;
     }
-    // What it proposes is within the theorem.
     const Certificate c = certify(Realization::least_squares, problem, options);
     const auto remark = std::find_if(c.remarks.begin(), c.remarks.end(), [](const auto& one) {
       return one.kind == CircuitRemark::Kind::summing_lag;
     });
     REQUIRE(remark != c.remarks.end());
     CHECK(remark->value == c.theorem.unmet.value().lag.number);
-    if (remark->limit > 0.0) {
-      RealizationOptions slower = options;
-      slower.bandwidth_ratio = 0.999 * remark->limit;
-      CHECK(certified(Realization::least_squares, problem, slower));
-    }
-    if (remark->repair > 0.0) {
-      options.scale.siemens = 1.001 * remark->repair;
-      CHECK(certified(Realization::least_squares, problem, options));
-    }
+    check_proposals(problem, options, *remark);
   }
   CHECK(spoken > 40);
   CHECK(spoken < 180);
@@ -202,22 +207,13 @@ TEST_CASE(
       ++spoken;
       continue;
     }
-    // What it proposes is within the theorem.
     const Certificate c = certify(Realization::least_squares, problem, options);
     CHECK(c.theorem.unmet.value().condition == TheoremCondition::lag_within_bound);
     const auto kind = of_nodes ? CircuitRemark::Kind::node_lag : CircuitRemark::Kind::summing_lag;
     const auto remark = std::find_if(c.remarks.begin(), c.remarks.end(),
                                      [&](const auto& one) { return one.kind == kind; });
     REQUIRE(remark != c.remarks.end());
-    if (remark->limit > 0.0) {
-      RealizationOptions slower = options;
-      slower.bandwidth_ratio = 0.999 * remark->limit;
-      CHECK(certified(Realization::least_squares, problem, slower));
-    }
-    if (remark->repair > 0.0) {
-      options.scale.siemens = 1.001 * remark->repair;
-      CHECK(certified(Realization::least_squares, problem, options));
-    }
+    check_proposals(problem, options, *remark);
   }
   CHECK(spoken > 40);
   CHECK(spoken < 180);
