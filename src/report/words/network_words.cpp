@@ -199,8 +199,8 @@ std::string in_words(const CircuitRemark& remark) {
              " V/s; none slews from volts = " + scale + " down";
     case Kind::output_current:
       return "the output of " + remark.part + " would carry " + with_unit(remark.value, "A") +
-             ", it gives " + with_unit(remark.limit, "A") +
-             " at most: volts = " + scale + ", or fewer siemens";
+             ", it gives " + with_unit(remark.limit, "A") + " at most: volts = " + scale +
+             ", or fewer siemens";
     case Kind::slewing_left_out:
       return "more than " + std::to_string(most_slewing_states) +
              " states: the settling time is without the op-amps' slew";
