@@ -18,12 +18,6 @@ bool of_parts_alone(const ToleranceOptions& drawn) {
   return !drawn.bits && !drawn.cell_noise && !drawn.wire_resistance;
 }
 
-/// Whether a realisation has the arrays that are programmed, or whose lines have resistance.
-bool has_arrays(const CircuitForm& form, const ToleranceOptions& drawn) {
-  const RealizationTraits& one = traits(form.realization);
-  return one.drives_nodes && !(drawn.wire_resistance && (one.passive_residuals || form.ladder));
-}
-
 Recommendation::Candidate tried(const NetworkCircuit& circuit, const ToleranceOptions& options) {
   return {.realization = circuit.realization(),
           .ladder = form_of(circuit).ladder,
@@ -61,7 +55,7 @@ Recommendation recommend(const SceneCircuit& circuit) {
   result.drawn.trials = std::min(result.drawn.trials, draws(circuit.nodes()));
   const NetworkCircuit& own = circuit.network();
   for (const CircuitForm& one : candidates(circuit)) {
-    if (!of_parts_alone(result.drawn) && !has_arrays(one, result.drawn)) continue;
+    if (!of_parts_alone(result.drawn) && !traits(one.realization).drives_nodes) continue;
     const bool built = one.realization == own.realization() && one.ladder == form_of(own).ladder &&
                        !result.inverters_replaced;
     result.candidates.push_back(built ? tried(own, result.drawn)

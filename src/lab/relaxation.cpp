@@ -46,12 +46,13 @@ void run_transient(const SceneCircuit& circuit, Simulator& simulator, Relaxation
 void replay(const SceneCircuit& circuit, Simulator& simulator, ToleranceStudy& study) {
   const Reduction& reduction = circuit.network().reduction();
   const std::size_t most = std::min<std::size_t>(3, study.result.trials);
+  const std::vector<Resistor> paths = paths_of_lines(reduction, study.options);
   for (; study.replayed < most; ++study.replayed) {
     // Draws from all over the study, not its first ones.
     const std::size_t trial = study.replayed * (study.result.trials / most);
     const std::vector<double> siemens = drawn(reduction, study.options, trial);
-    const Trial expected = try_out(reduction, siemens);
-    Circuit built = perturbed(circuit.network().flat(), siemens);
+    const Trial expected = try_out(reduction, siemens, paths);
+    Circuit built = perturbed(circuit.network().flat(), siemens, paths);
     for (AmplifierModel& model : built.amplifiers) model.opamp = {};
     built.capacitors.clear();
     std::ostringstream deck;

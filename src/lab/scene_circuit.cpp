@@ -12,6 +12,7 @@
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/network/operating_voltages.hpp"
 #include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/scene/scale_units.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -54,6 +55,32 @@ double bound_of_curves(const SceneCircuit& circuit) {
   const std::vector<double> moved = solve_symmetric(matrix, extra);
   const double size = l2_norm(direct);
   return size > 0.0 ? 2.0 * l2_norm(moved) / size : 0.0;
+}
+
+/// In which the scene writes what mends a circuit; 1 where that is no scale's number.
+double unit_of_repair(CircuitRemark::Kind kind, const ScaleUnits& units) {
+  using Kind = CircuitRemark::Kind;
+  switch (kind) {
+    case Kind::clamps:
+    case Kind::odd_voltage:
+    case Kind::slews:
+    case Kind::output_current:
+      return units.volts.to_si(1.0);
+    case Kind::summing_lag:
+    case Kind::node_lag:
+    case Kind::floating_input_capacitance:
+    case Kind::not_for_sale:
+      return units.siemens.to_si(1.0);
+    case Kind::capacitance_at_outputs:
+    case Kind::capacitance_at_one_frequency:
+    case Kind::divider_rings:
+    case Kind::beyond_digits:
+    case Kind::too_many_states:
+    case Kind::slewing_left_out:
+    case Kind::noise_without_capacitance:
+      return 1.0;
+  }
+  return 1.0;
 }
 
 /// Between what a circuit like this one gives at rest and the direct solve, from linear equations.
@@ -158,8 +185,12 @@ const std::optional<SceneCircuit::Ordered>& SceneCircuit::ordered() const {
 }
 
 const Certificate& SceneCircuit::certificate() const {
-  return certificate_.get(
-      [&] { return tactile_net::certify(network_, options().settling_accuracy.value_or(1e-3)); });
+  return certificate_.get([&] {
+    Certificate result = tactile_net::certify(network_, options().settling_accuracy.value_or(1e-3));
+    const ScaleUnits units = std::visit([](const auto& one) { return scale_units(one); }, scene());
+    for (CircuitRemark& remark : result.remarks) remark.unit = unit_of_repair(remark.kind, units);
+    return result;
+  });
 }
 
 Analysis SceneCircuit::analysis() const {

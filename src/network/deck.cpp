@@ -112,10 +112,13 @@ void check(const Circuit& circuit, const DeckHeader& header, const Analysis& ana
   check(analysis);
 }
 
-/// A sub-circuit of the library as a dialect writes its parameters.
-std::string in_dialect(std::string_view library, Dialect dialect) {
-  std::string text(library);
+/// A sub-circuit as a dialect writes its parameters, and the currents of its B cards.
+std::string in_dialect(std::string text, Dialect dialect) {
   if (dialect != Dialect::xyce) return text;
+  for (std::size_t at = text.find("\nB"); at != std::string::npos; at = text.find("\nB", at)) {
+    text.insert(at = text.find("I=", at) + 2, 1, '{');
+    text.insert(at = text.find('\n', at), 1, '}');
+  }
   const std::size_t card = text.find("\n.subckt ") + 1;
   const std::size_t sign = text.find('=', card);
   if (sign < text.find('\n', card)) text.insert(text.rfind(' ', sign) + 1, "PARAMS: ");
@@ -129,11 +132,11 @@ void append_subcircuits(std::string& deck, const Circuit& circuit, Dialect diale
   std::string library;
   for (const Subcircuit& one : subcircuits())
     if (used.contains(one.name)) {
-      library += in_dialect(one.text, dialect);
+      library += in_dialect(std::string(one.text), dialect);
       used.insert("opamp");
     }
   for (const AmplifierModel& model : circuit.amplifiers)
-    if (used.contains(model.name)) deck += subcircuit_text(model);
+    if (used.contains(model.name)) deck += in_dialect(subcircuit_text(model), dialect);
   deck += library;
 }
 

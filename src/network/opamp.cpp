@@ -1,5 +1,6 @@
 #include "tactile_net/network/opamp.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -21,6 +22,11 @@ void check(const std::optional<double>& value, const char* name) {
 std::string farad(double hertz) {
   return shortest(transconductance / (2.0 * std::numbers::pi * hertz));
 }
+
+/// What is left of an output's slope while it gives all it has: of the slope, and at most so much
+/// of the limit a volt.
+constexpr double leak_of_slope = 1e-3;
+constexpr double leak_of_limit = 1e-2;
 
 constexpr double four_k_t = 4.0 * 1.380649e-23 * 300.15;  // at a simulator's 27 degrees
 
@@ -47,7 +53,7 @@ std::string description(const AmplifierModel& model) {
            (o.common_mode_rejection ? ", finite common-mode rejection" : "") +
            (o.noise_voltage || o.noise_current ? ", input noise" : "") + (o.slew ? ", slew" : "") +
            (o.rail ? ", clamped output" : "") + (o.output_resistance ? ", output resistance" : "") +
-           ".\n";
+           (o.output_resistance && o.output_current ? ", limited current" : "") + ".\n";
   return text +
          "* Pins: p = non-inverting input, n = inverting input, out = output (against ground)" +
          (model.outputs == Outputs::complementary ? ", inv = -out" : "") + ".\n";
@@ -169,9 +175,26 @@ std::string core_text(const OpAmp& o, const std::string& input) {
          shortest(slewing_leak * transconductance) + '*' + difference + '\n';
 }
 
+/// The current through the output resistance, bent by what the output gives, of a voltage across
+/// it. Its slope never is 0: an operating point would be anywhere.
+std::string limited_current(const OpAmp& o, const std::string& voltage) {
+  const double limit = *o.output_current;
+  const double siemens = 1.0 / *o.output_resistance;
+  const double leak = std::min(leak_of_slope * siemens, leak_of_limit * limit);
+  return "I=" + shortest(limit) + "*tanh(" + shortest((siemens - leak) / limit) + '*' + voltage +
+         ")+" + shortest(leak) + '*' + voltage + '\n';
+}
+
 /// From the core's voltage to `out`.
 std::string output_text(const OpAmp& o, const std::string& core, bool both) {
   if (!o.output_resistance) return "E1 out 0 " + core + " 0 1\n";
+  if (o.output_current && !both)
+    return "E1 e 0 " + core + " 0 1\nBo e out " + limited_current(o, "V(e,out)");
+  if (o.output_current)  // each output by itself, measured by Vo and Vi; out is half their
+                         // difference
+    return "Bo 0 o " + limited_current(o, "V(" + core + ",o)") + "Fo o 0 Vo 1\nBi 0 m " +
+           limited_current(o, "(-V(" + core + ")-V(m))") +
+           "Fi m 0 Vi 1\nE1 e 0 o m 0.5\nVo e out 0\n";
   const std::string source = "E1 e 0 " + core + " 0 1\nRo e ";
   if (!both) return source + "out " + shortest(*o.output_resistance) + '\n';
   // out = core - resistance (i_out - i_inv) / 2, the latter current measured by Vi

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include "network/random.hpp"
 #include "network/wired_array.hpp"
-#include "tactile_net/network/arrays.hpp"
 
 namespace tactile_net {
 namespace {
@@ -45,6 +45,52 @@ std::map<Array, std::vector<std::size_t>> cells_of(const Reduction& reduction) {
   return arrays;
 }
 
+/// Whether an array leads from outputs into summing nodes, whose voltages its lines do not change.
+bool is_driven(const Reduction& reduction, std::span<const std::size_t> resistors) {
+  const bool driven = std::all_of(resistors.begin(), resistors.end(), [&](std::size_t r) {
+    const Reduction::Feed feed = reduction.feed(r);
+    return feed == Reduction::Feed::output || feed == Reduction::Feed::inverse;
+  });
+  if (!driven && reduction.has_subcircuits())
+    throw std::invalid_argument(
+        "wire_resistance is of arrays with complementary outputs: leave out inverters");
+  return driven;
+}
+
+/// The ends of an array's rows, or of its lines, in their order: one or two at each place, the
+/// circuit's nodes in pairs.
+class Ends {
+ public:
+  void add(std::size_t place, Node node) {
+    if (places_.size() <= place) places_.resize(place + 1);
+    places_[place].insert(node);
+  }
+
+  /// Once all are added. A single one of a pair is the first if it is an output.
+  void number(const Reduction& reduction) {
+    const bool pairs = std::any_of(places_.begin(), places_.end(),
+                                   [](const std::set<Node>& one) { return one.size() > 1; });
+    for (const std::set<Node>& place : places_) {
+      std::size_t at = nodes_.size();
+      nodes_.resize(at + (pairs ? 2 : 1));
+      if (pairs && place.size() == 1 && !reduction.is_output(*place.begin())) ++at;
+      for (const Node node : place) {
+        nodes_[at] = node;
+        at_[node] = at++;
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t count() const noexcept { return nodes_.size(); }
+  [[nodiscard]] std::size_t at(Node node) const { return at_.at(node); }
+  [[nodiscard]] const std::vector<Node>& nodes() const noexcept { return nodes_; }  // 0: none
+
+ private:
+  std::vector<std::set<Node>> places_;
+  std::vector<Node> nodes_;
+  std::map<Node, std::size_t> at_;
+};
+
 }  // namespace
 
 void check_arrays(const ToleranceOptions& options) {
@@ -72,7 +118,12 @@ ProgrammedArrays::ProgrammedArrays(const Reduction& reduction, const ToleranceOp
       cells_.push_back({r, largest});
       programmed_[r] = programs_cells(options);
     }
-    if (options.wire_resistance) find_shares(reduction, std::span(cells_).subspan(first));
+    if (!options.wire_resistance) continue;
+    const std::span<Cell> own = std::span(cells_).subspan(first);
+    if (is_driven(reduction, resistors))
+      find_shares(reduction, own);
+    else
+      find_paths(reduction, array, own);
   }
 }
 
@@ -83,12 +134,8 @@ void ProgrammedArrays::find_shares(const Reduction& reduction, std::span<Cell> c
   std::size_t rows = 0;
   std::size_t lines = 0;
   for (const Cell& cell : cells) {
-    const Reduction::Feed feed = reduction.feed(cell.resistor);
-    if (feed != Reduction::Feed::output && feed != Reduction::Feed::inverse)
-      throw std::invalid_argument(
-          "wire_resistance is of arrays from complementary outputs into summing nodes: of the "
-          "realisations crossbar and least_squares without inverters or a ladder");
-    const Crossing at = crossing(place_of(reduction.resistors()[cell.resistor]), feed);
+    const Crossing at =
+        crossing(place_of(reduction.resistors()[cell.resistor]), reduction.feed(cell.resistor));
     crossings.push_back({at.row, at.line, siemens[cell.resistor]});
     rows = std::max(rows, at.row + 1);
     lines = std::max(lines, (at.line / 2 + 1) * 2);
@@ -100,6 +147,43 @@ void ProgrammedArrays::find_shares(const Reduction& reduction, std::span<Cell> c
     // A line and its inverse carry opposite voltages.
     cells[k].share = (seen(one.row, one.line) - seen(one.row, one.line ^ 1U)) / one.siemens;
   }
+}
+
+void ProgrammedArrays::find_paths(const Reduction& reduction, Array array, std::span<Cell> cells) {
+  Ends rows;
+  Ends lines;
+  for (const Cell& cell : cells) {
+    const ResistorPlace place = place_of(reduction.resistors()[cell.resistor]);
+    const auto [from, to] = reduction.ends(cell.resistor);
+    rows.add(place.row, array == Array::transposed ? from : to);
+    lines.add(place.column, array == Array::transposed ? to : from);
+  }
+  rows.number(reduction);
+  lines.number(reduction);
+  std::vector<double> siemens(reduction.siemens().begin(), reduction.siemens().end());
+  round(siemens);
+  std::vector<ArrayCell> crossings;
+  for (const Cell& cell : cells) {
+    const auto [from, to] = reduction.ends(cell.resistor);
+    const bool turned = array == Array::transposed;
+    crossings.push_back(
+        {rows.at(turned ? from : to), lines.at(turned ? to : from), siemens[cell.resistor]});
+  }
+  Matrix between = between_ends(crossings, rows.count(), lines.count(), *options_.wire_resistance);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const ArrayCell& one = crossings[k];
+    if (one.siemens == 0.0) continue;
+    double& seen = between(one.row, rows.count() + one.line);
+    cells[k].share = seen / one.siemens;
+    seen = 0.0;  // its resistor carries it
+  }
+  std::vector<Node> nodes = rows.nodes();
+  const std::vector<Node> of_lines = lines.nodes();
+  nodes.insert(nodes.end(), of_lines.begin(), of_lines.end());
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+    for (std::size_t b = a + 1; b < nodes.size(); ++b)
+      if (between(a, b) != 0.0 && nodes[a] != 0 && nodes[b] != 0)
+        paths_.push_back({"Rw" + std::to_string(paths_.size()), nodes[a], nodes[b], between(a, b)});
 }
 
 void ProgrammedArrays::round(std::vector<double>& siemens) const {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/network/arrays.hpp"
 #include "tactile_net/network/tolerance.hpp"
 
 namespace tactile_net {
@@ -47,6 +48,11 @@ class ProgrammedArrays {
   /// errors: it is the rounded cells' share.
   void through_lines(std::vector<double>& siemens) const;
 
+  /// What lines add where an array's ends are not all at outputs and summing nodes: the
+  /// conductances between ends that no cell joins, of the rounded cells. Between the circuit's
+  /// nodes; empty where there is none.
+  [[nodiscard]] const std::vector<Resistor>& paths() const noexcept { return paths_; }
+
  private:
   struct Cell {
     std::size_t resistor = 0;
@@ -54,10 +60,13 @@ class ProgrammedArrays {
     double share = 1.0;    // that the ends of the lines see
   };
   void find_shares(const Reduction& reduction, std::span<Cell> cells);
+  /// The same where ends are at nodes that nothing drives, and what else the lines add.
+  void find_paths(const Reduction& reduction, Array array, std::span<Cell> cells);
 
   ToleranceOptions options_;
   std::vector<Cell> cells_;
   std::vector<bool> programmed_;
+  std::vector<Resistor> paths_;
 };
 
 }  // namespace tactile_net

@@ -170,8 +170,12 @@ std::vector<Reduction::Voltage> Reduction::voltages(std::span<const double> siem
   return all;
 }
 
+double Reduction::value_of(const Voltage& v, std::span<const double> unknowns) {
+  return (v.i != none ? v.a * unknowns[v.i] : 0.0) + (v.j != none ? v.b * unknowns[v.j] : 0.0);
+}
+
 void Reduction::assemble(std::span<const double> siemens, Equations& equations,
-                         std::span<const double> balance) const {
+                         std::span<const double> balance, std::span<const Resistor> more) const {
   if (!balance.empty() && balance.size() != inverses_.size())
     throw std::invalid_argument(
         "a balance needs one value an amplifier with complementary outputs");
@@ -194,9 +198,8 @@ void Reduction::assemble(std::span<const double> siemens, Equations& equations,
     if (v.i != none) matrix(row, v.i) += conductance * v.a;
     if (v.j != none) matrix(row, v.j) += conductance * v.b;
   };
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const double g = siemens[part_resistor_[p]];
-    at_ends(parts_[p], [&](const Law& law, Node here, Node there) {
+  const auto stamp = [&](const Part& part, double g) {
+    at_ends(part, [&](const Law& law, Node here, Node there) {
       equations.total[law.row] += g;
       add(equations.matrix, law.row, all[here], law.factor * g);
       add(equations.matrix, law.row, all[there], -law.factor * g);
@@ -204,7 +207,21 @@ void Reduction::assemble(std::span<const double> siemens, Equations& equations,
       add(equations.input, law.row, input_[here], law.factor * g);
       add(equations.input, law.row, input_[there], -law.factor * g);
     });
-  }
+  };
+  for (std::size_t p = 0; p < parts_.size(); ++p) stamp(parts_[p], siemens[part_resistor_[p]]);
+  for (const Resistor& one : more) stamp({one.from, one.to}, one.siemens);
+}
+
+std::vector<double> Reduction::currents(std::span<const Resistor> more,
+                                        std::span<const double> unknowns) const {
+  const std::vector<Voltage> all = voltages(siemens_);
+  const auto value = [&](const Voltage& v) { return value_of(v, unknowns); };
+  std::vector<double> result(rows_);
+  for (const Resistor& one : more)
+    at_ends({one.from, one.to}, [&](const Law& law, Node here, Node there) {
+      result[law.row] += law.factor * one.siemens * (value(all[here]) - value(all[there]));
+    });
+  return result;
 }
 
 Equations Reduction::equations() const {
@@ -256,9 +273,7 @@ Reduction::Feed Reduction::feed(std::size_t resistor) const {
 
 Matrix Reduction::sensitivities(std::span<const double> unknowns) const {
   const std::vector<Voltage> all = voltages(siemens_);
-  const auto value = [&](const Voltage& v) {
-    return (v.i != none ? v.a * unknowns[v.i] : 0.0) + (v.j != none ? v.b * unknowns[v.j] : 0.0);
-  };
+  const auto value = [&](const Voltage& v) { return value_of(v, unknowns); };
   Matrix result{names_.size(), rows_, std::vector<double>(names_.size() * rows_)};
   std::vector<std::vector<std::size_t>> at_node(fixed_.size());
   for (std::size_t p = 0; p < parts_.size(); ++p) {

@@ -157,6 +157,8 @@ class Draws {
     arrays_.through_lines(siemens);
   }
 
+  [[nodiscard]] const std::vector<Resistor>& paths() const noexcept { return arrays_.paths(); }
+
   /// The first-order part of a result.
   void predict(ToleranceResult& result) const;
 
@@ -205,7 +207,12 @@ void Draws::predict(ToleranceResult& result) const {
   if (options_.balance)
     sum += *options_.balance * *options_.balance / 3.0 * of_balance(reduction_, first);
   const bool drawn_alone = sum > 0.0;
-  if (is_of_arrays(options_)) sum += first.squares(changes().transpose() * by_resistors)(0);
+  if (is_of_arrays(options_)) {
+    Eigen::MatrixXd moved = changes().transpose() * by_resistors;
+    const std::vector<double> besides = reduction_.currents(paths(), first.unknowns);
+    moved += as_eigen(std::span(besides)).transpose();
+    sum += first.squares(moved)(0);
+  }
   result.predicted = std::sqrt(sum);
   if (!drawn_alone) return;
 
@@ -246,19 +253,26 @@ std::vector<double> drawn(const Reduction& reduction, const ToleranceOptions& op
   return siemens;
 }
 
-Circuit perturbed(const FlatCircuit& circuit, std::span<const double> siemens) {
+std::vector<Resistor> paths_of_lines(const Reduction& reduction, const ToleranceOptions& options) {
+  return ProgrammedArrays(reduction, options).paths();
+}
+
+Circuit perturbed(const FlatCircuit& circuit, std::span<const double> siemens,
+                  std::span<const Resistor> paths) {
   Circuit flat = circuit.circuit();
   if (siemens.size() != flat.resistors.size())
     throw std::invalid_argument("the circuit has another number of resistors");
   for (std::size_t r = 0; r < siemens.size(); ++r) flat.resistors[r].siemens = siemens[r];
   std::erase_if(flat.resistors, [](const Resistor& r) { return r.siemens == 0.0; });
+  flat.resistors.insert(flat.resistors.end(), paths.begin(), paths.end());
   return flat;
 }
 
-Trial try_out(const Reduction& reduction, std::span<const double> siemens) {
+Trial try_out(const Reduction& reduction, std::span<const double> siemens,
+              std::span<const Resistor> paths) {
   const Eigen::VectorXd nominal = outputs_of(reduction, reduction.equations());
   Equations equations;
-  reduction.assemble(siemens, equations);
+  reduction.assemble(siemens, equations, {}, paths);
   const Eigen::VectorXd v = outputs_of(reduction, equations);
   return {
       is_stable(reduction, equations), (v - nominal).norm() / nominal.norm(), {v.begin(), v.end()}};
@@ -278,7 +292,7 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
   Equations equations;
   for (std::size_t trial = 0; trial < result.trials; ++trial) {
     built.draw(trial, siemens);
-    reduction.assemble(siemens, equations, balances(reduction, options, trial));
+    reduction.assemble(siemens, equations, balances(reduction, options, trial), built.paths());
     if (!is_stable(reduction, equations)) {
       errors.push_back(std::numeric_limits<double>::infinity());
       continue;

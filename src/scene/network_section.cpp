@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "scene/common_sections.hpp"
+#include "tactile_net/scene/scale_units.hpp"
 
 namespace tactile_net {
 
@@ -94,12 +95,8 @@ void read_arrays(Table& table, const NetworkOptions& network, ToleranceOptions& 
   if (!wire) return;
   tolerance.wire_resistance = wire->number(positive);
   of_arrays(*wire);
-  if (realization.passive_residuals || has_ladder(network.realization, network.parts) ||
-      (realization.drives_nodes && network.parts.inverters))
-    wire->problem(
-        "is of arrays from complementary outputs into summing nodes",
-        "under [network], realization = \"least_squares\" or \"crossbar\", without inverters or "
-        "a ladder");
+  if (realization.drives_nodes && network.parts.inverters)
+    wire->problem("is of arrays with complementary outputs", "under [network], no inverters");
 }
 
 ToleranceOptions read_tolerance(Table table, const NetworkOptions& network) {
@@ -165,9 +162,10 @@ NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
       target = value->number(positive, unit).value_or(target);
   };
   // Per unit of P and of a traction.
-  number("siemens", parts.scale.siemens, inverse(alpha));
+  const ScaleUnits scale = scale_units(units, alpha);
+  number("siemens", parts.scale.siemens, scale.siemens);
   options.one_volt = !table.value("volts");
-  number("volts", parts.scale.volts, {"", units.stress.divisor, units.stress.multiplier});
+  number("volts", parts.scale.volts, scale.volts);
   number("residual_gain", parts.residual_gain);
   number("divider", parts.divider);
   number("frequency", parts.frequency, in_hertz);

@@ -56,19 +56,6 @@ SensorOfEffects effects_sensor(const Read& read, const SkinScene& scene) {
   return sensor;
 }
 
-/// (weighted readings over tractions) squared.
-Unit alpha_unit(const Units& units, const SkinScene& scene) {
-  const bool weighted = scene.noise && scene.noise->weights_rows;
-  const QuantityKind kind =
-      scene.sensor.reads.empty() ? QuantityKind::stress : traits(scene.sensor.reads.front()).kind;
-  if (!weighted && kind == QuantityKind::stress) return {};
-  const Unit& stress = units.stress;
-  Unit one = inverse(stress);
-  if (!weighted && kind == QuantityKind::displacement)
-    one = {"", one.multiplier * units.length.multiplier, one.divisor * units.length.divisor};
-  return {"", one.multiplier * one.multiplier, one.divisor * one.divisor};
-}
-
 /// What would make fewer cells, with its count.
 std::string fewer_cells(const SkinScene& scene, const Units& units) {
   SkinScene other = scene;

@@ -23,6 +23,9 @@ void refuse_skin(const toml::table& scene, Problems& problems);
 /// @param folder  of the scene's file: of the files that it names
 void read_skin_sections(Table& root, const std::filesystem::path& folder, SkinScene& scene);
 
+/// The unit of alpha and of the matrix P: that of weighted readings over tractions, squared.
+[[nodiscard]] Unit alpha_unit(const Units& units, const SkinScene& scene);
+
 /// The table [sensor]; without taxels where it is wrong.
 [[nodiscard]] SkinArray read_skin_sensor(Table table, const std::filesystem::path& folder,
                                          Read& read);

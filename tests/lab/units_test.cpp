@@ -1,6 +1,8 @@
 // A scene's units and calibration do not change what is found.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <variant>
@@ -9,11 +11,13 @@
 #include "tactile_net/frames/frame_of.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/planned_controller.hpp"
+#include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/skin_answer.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
@@ -188,4 +192,43 @@ TEST_CASE("a skin's controller finds in counts what solve finds in readings, and
   CHECK(estimate.saturated);
   raw.calibration->baseline_frames = FrameRange{0, 9};
   CHECK(plan_controller(SkinSceneProblem(raw), {.value = 1e-6}).needs_baseline);
+}
+
+TEST_CASE("a circuit's remarks say numbers that mend it where the scene writes them",
+          "[lab][units][circuit]") {
+  using Kind = CircuitRemark::Kind;
+  const auto circuit_with = [](const std::string& scale) {
+    return simulated_circuit(parse_scene(
+        pad("[units]\nlength = \"mm\"\nmodulus = \"MPa\"\nstress = \"kPa\"\nforce = \"N/mm\"\n",
+            "0.5", "1.5", "0.25", "2", "1.5",
+            "[reconstruct]\nalpha = 1e-3\n[network]\nrealization = \"crossbar\"\n"
+            "opamp = { gain = 1e6, rail = 5 }\n" +
+                scale),
+        "scene.toml"));
+  };
+  const auto remark_of = [](const SceneCircuit& circuit, Kind kind) {
+    const auto& all = circuit.certificate().remarks;
+    const auto at = std::find_if(all.begin(), all.end(),
+                                 [&](const CircuitRemark& one) { return one.kind == kind; });
+    return at == all.end() ? std::optional<CircuitRemark>() : *at;
+  };
+  const auto written = [](const std::string& words, const std::string& key) {
+    const std::size_t at = words.find(key + " = ");
+    REQUIRE(at != std::string::npos);
+    return key + " = " +
+           words.substr(at + key.size() + 3,
+                        words.find(' ', at + key.size() + 3) - (at + key.size() + 3)) +
+           "\n";
+  };
+  const auto clamps = remark_of(circuit_with("volts = 100\n"), Kind::clamps);
+  REQUIRE(clamps);
+  const SceneCircuit mended = circuit_with(written(report::in_words(*clamps), "volts"));
+  CHECK_FALSE(remark_of(mended, Kind::clamps));
+  CHECK_THAT(mended.certificate().largest_voltage, WithinRel(0.8 * 4.4, 0.01));
+
+  const auto not_sold = remark_of(circuit_with("siemens = 1e4\n"), Kind::not_for_sale);
+  REQUIRE(not_sold);
+  const Certificate centred =
+      circuit_with(written(report::in_words(*not_sold), "siemens")).certificate();
+  CHECK_THAT(std::sqrt(centred.least_ohm * centred.greatest_ohm), WithinRel(1e5, 0.01));
 }

@@ -1,5 +1,6 @@
 #include "tactile_net/network/dialect.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -43,6 +44,27 @@ TEST_CASE("every realisation makes a deck of every dialect that keeps its rules"
         CAPTURE(name(one), name(dialect));
         CHECK_NOTHROW(check_dialect(deck(one, dialect, curve), dialect));
       }
+}
+
+TEST_CASE("op-amps as they are sold, and a ladder, make decks of every dialect", "[dialect]") {
+  for (const Realization one : realizations)
+    for (const bool ladder : {false, true}) {
+      if (!traits(one).uses_opamps || (ladder && !has_ladder(one, {.ladder = true}))) continue;
+      for (const OpAmpClass& sold : opamp_classes())
+        for (const Dialect dialect : dialects) {
+          CAPTURE(name(one), ladder, sold.name, name(dialect));
+          std::ostringstream out;
+          const Circuit circuit =
+              realize(one, array_network(7, 1e-3).problem, {.opamp = sold.opamp, .ladder = ladder});
+          CHECK_NOTHROW(write_deck(out, circuit, {.title = "t"}, Answer::printed,
+                                   StepResponse{.step = 1e-8, .stop = 1e-5}, {.dialect = dialect}));
+          const std::string text = out.str();
+          CHECK_THAT(text,
+                     ContainsSubstring(dialect == Dialect::xyce ? "\nBg 0 x I={" : "\nBg 0 x I="));
+          CHECK(std::count(text.begin(), text.end(), '{') ==
+                std::count(text.begin(), text.end(), '}'));
+        }
+    }
 }
 
 TEST_CASE("a deck of another dialect breaks the rules that they differ by", "[dialect]") {

@@ -20,20 +20,26 @@ ToleranceResult study(Realization one, const NetworkProblem& problem,
   return tolerate(Reduction(realize(one, problem, {.scale = {siemens, 1.0}})), options);
 }
 
+/// A realisation whose arrays have lines that may be wires.
+struct Form {
+  Realization realization;
+  bool ladder = false;
+};
+constexpr Form forms[] = {{Realization::crossbar},
+                          {Realization::least_squares},
+                          {Realization::least_squares, true},
+                          {Realization::lattice}};
+
+Circuit circuit_of(const Form& form, const NetworkProblem& problem, double siemens = 1e-3) {
+  return realize(form.realization, problem, {.scale = {siemens, 1.0}, .ladder = form.ladder});
+}
+
 /// Of a circuit with wires in it, every path through them counted.
 double wired_error(const Circuit& circuit, double ohm) {
   const auto at_rest = [](const Circuit& one) { return operating_voltages(FlatCircuit(one)); };
   Circuit exact = circuit;
   for (AmplifierModel& model : exact.amplifiers) model.opamp = {.gain = 1e10};
   return relative_l2_error(at_rest(with_wires(exact, ohm)), at_rest(exact));
-}
-
-/// The largest sum of |siemens| into a summing node of an array.
-double largest_row(const Circuit& circuit, Array array) {
-  std::vector<double> rows(circuit.nodes.size());
-  for (const Resistor& r : circuit.resistors)
-    if (place_of(r.name).array == array) rows[r.to] += r.siemens;
-  return *std::max_element(rows.begin(), rows.end());
 }
 
 }  // namespace
@@ -86,15 +92,73 @@ TEST_CASE("wires err as the whole network of their crossings does", "[programmed
     double siemens;
   };
   for (const auto& [count, siemens] : {Row{21, 1e-3}, Row{21, 1e-4}, Row{41, 1e-4}})
-    for (const Realization one : {Realization::least_squares, Realization::crossbar}) {
-      CAPTURE(count, siemens, name(one));
+    for (const Form& one : forms) {
+      CAPTURE(count, siemens, name(one.realization), one.ladder);
       const NetworkProblem problem = array_network(count, 1e-3).problem;
-      const Circuit circuit = realize(one, problem, {.scale = {siemens, 1.0}});
-      const ToleranceResult seen = study(one, problem, {.wire_resistance = 0.5}, siemens);
+      const Circuit circuit = circuit_of(one, problem, siemens);
+      const ToleranceResult seen = tolerate(Reduction(circuit), {.wire_resistance = 0.5});
       CHECK(seen.trials == 1);
       CHECK_THAT(seen.median, WithinRel(wired_error(circuit, 0.5), 0.01));
-      CHECK_THAT(seen.predicted, WithinRel(seen.median, 0.05));
+      CHECK_THAT(seen.predicted, WithinRel(seen.median, 0.1));
     }
+}
+
+TEST_CASE("arrays at nodes that nothing drives are exactly what their wires make of them",
+          "[programmed][wires]") {
+  NetworkProblem problem = array_network(7, 1e-3).problem;
+  for (std::size_t j = 0; j < 7; ++j) problem.kernel(3, j) = 0.0;  // a dead taxel
+  for (std::size_t i = 0; i < 7; ++i)  // a column of one sign, and a line without a cell
+    problem.kernel(i, 5) = std::abs(problem.kernel(i, 5));
+  for (const Form& one : {Form{Realization::least_squares, true}, Form{Realization::lattice}}) {
+    CAPTURE(name(one.realization), one.ladder);
+    const Circuit circuit = circuit_of(one, problem);
+    const Reduction reduction(circuit);
+    const ToleranceOptions options{.wire_resistance = 20.0};
+    const std::vector<Resistor> paths = paths_of_lines(reduction, options);
+    CHECK_FALSE(paths.empty());
+    const std::vector<double> siemens = drawn(reduction, options, 0);
+    const Trial seen = try_out(reduction, siemens, paths);
+    CHECK(seen.stable);
+    CHECK(seen.error > 0.02);
+    Circuit exact = circuit;
+    for (AmplifierModel& model : exact.amplifiers) model.opamp = {.gain = 1e11};
+    const std::vector<double> wired = operating_voltages(FlatCircuit(with_wires(exact, 20.0)));
+    // Of a ladder K transposed leads from outputs into summing nodes, where a line and its inverse
+    // are one; that is exact too.
+    CHECK(relative_l2_error(seen.voltages, wired) < 1e-6);
+    const Circuit replayed = perturbed(FlatCircuit(exact), siemens, paths);
+    CHECK(relative_l2_error(operating_voltages(FlatCircuit(replayed)), seen.voltages) < 1e-6);
+  }
+  CHECK(
+      paths_of_lines(Reduction(realize(Realization::crossbar, problem)), {.wire_resistance = 20.0})
+          .empty());
+}
+
+TEST_CASE("what two ends have between them is symmetric, and all of it is the array",
+          "[programmed][wires][property]") {
+  std::vector<ArrayCell> cells;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t c = 0; c < 5; ++c)
+      if ((i + c) % 3 != 0) cells.push_back({i, c, 1e-3 * static_cast<double>(1 + 2 * i + c)});
+  const Matrix between = between_ends(cells, 4, 5, 3.0);
+  const Matrix driven = seen_from_ends(cells, 4, 5, 3.0);
+  for (std::size_t a = 0; a < 9; ++a) {
+    CHECK(between(a, a) == 0.0);
+    for (std::size_t b = 0; b < 9; ++b) {
+      CHECK(between(a, b) >= 0.0);
+      CHECK_THAT(between(a, b), WithinRel(between(b, a), 1e-10));
+      if (a < 4 && b >= 4) CHECK(between(a, b) == driven(a, b - 4));
+    }
+  }
+  // Wires of nothing leave each cell, and nothing else.
+  const Matrix bare = between_ends(cells, 4, 5, 1e-9);
+  double rest = 0.0;
+  for (const double one : bare.values) rest += one;
+  for (const ArrayCell& cell : cells) {
+    CHECK_THAT(bare(cell.row, 4 + cell.line), WithinRel(cell.siemens, 1e-6));
+    rest -= 2.0 * bare(cell.row, 4 + cell.line);
+  }
+  CHECK(std::abs(rest) < 1e-8);
 }
 
 TEST_CASE("wires of arrays that are not symmetric lie as they do", "[programmed][wires]") {
@@ -102,40 +166,56 @@ TEST_CASE("wires of arrays that are not symmetric lie as they do", "[programmed]
   for (std::size_t i = 0; i < problem.kernel.rows; ++i)
     for (std::size_t j = 0; j < problem.kernel.columns; ++j)
       problem.kernel(i, j) *= i == 4 ? 0.0 : 1.0 + 0.3 * static_cast<double>(i);
-  const Circuit circuit = realize(Realization::least_squares, problem);
-  CHECK_THAT(study(Realization::least_squares, problem, {.wire_resistance = 2.0}).median,
-             WithinRel(wired_error(circuit, 2.0), 0.01));
+  for (const Form& one : forms) {
+    if (one.realization == Realization::crossbar) continue;  // has no K
+    CAPTURE(name(one.realization), one.ladder);
+    const Circuit circuit = circuit_of(one, problem);
+    CHECK_THAT(tolerate(Reduction(circuit), {.wire_resistance = 2.0}).median,
+               WithinRel(wired_error(circuit, 2.0), 0.01));
+  }
 }
 
-TEST_CASE("ends of an array's lines see 1.5 N r G less, G the largest row's",
+TEST_CASE("ends of an array's lines see 1.5 N r G less, of lattice's 1.75 N r G",
           "[programmed][wires]") {
-  for (const std::size_t count : {21U, 41U})
-    for (const double siemens : {1e-5, 1e-4, 1e-3}) {
-      const Circuit circuit =
-          realize(Realization::least_squares, array_network(count, 1e-3).problem,
-                  {.scale = {siemens, 1.0}});
-      const double ohm = 5.0;
-      std::vector<ArrayCell> cells;
-      for (const Resistor& r : circuit.resistors) {
-        const ResistorPlace place = place_of(r.name);
-        if (place.array == Array::kernel)
-          cells.push_back({place.row,
-                           2 * place.column + (circuit.nodes[r.from][0] == 'r' ? 1U : 0U),
-                           r.siemens});
+  struct Row {
+    Realization realization;
+    Array array;
+    double factor;
+  };
+  constexpr double ohm = 5.0;
+  for (const auto& [one, array, factor] : {Row{Realization::least_squares, Array::kernel, 1.5},
+                                           Row{Realization::lattice, Array::kernel, 1.75},
+                                           Row{Realization::lattice, Array::transposed, 1.75}})
+    for (const std::size_t count : {21U, 41U})
+      for (const double siemens : {1e-5, 1e-4, 1e-3}) {
+        const Circuit circuit = circuit_of({one}, array_network(count, 1e-3).problem, siemens);
+        const std::size_t rows = one == Realization::lattice ? 2 * count : count;
+        const bool turned = array == Array::transposed;
+        std::vector<ArrayCell> cells;
+        std::vector<double> totals(rows);
+        for (const Resistor& r : circuit.resistors) {
+          const ResistorPlace place = place_of(r.name);
+          if (place.array != array) continue;
+          const char row = circuit.nodes[turned ? r.from : r.to][0];
+          const char line = circuit.nodes[turned ? r.to : r.from][0];
+          const std::size_t at = rows == count ? place.row : 2 * place.row + (row == 'v' ? 1U : 0U);
+          cells.push_back(
+              {at, 2 * place.column + (line == 'r' || line == 's' ? 1U : 0U), r.siemens});
+          totals[at] += r.siemens;
+        }
+        const Matrix seen = seen_from_ends(cells, rows, 2 * count, ohm);
+        double change = 0.0;
+        double size = 0.0;
+        for (const ArrayCell& cell : cells) {
+          change += std::pow(seen(cell.row, cell.line) - cell.siemens, 2);
+          size += std::pow(cell.siemens, 2);
+        }
+        const double error = std::sqrt(change / size);
+        const double largest = *std::max_element(totals.begin(), totals.end());
+        const double formula = factor * static_cast<double>(count) * ohm * largest;
+        CAPTURE(name(one), count, siemens, error);
+        if (formula < 5e-2) CHECK_THAT(error, WithinRel(formula, 0.2));
       }
-      const Matrix seen = seen_from_ends(cells, count, 2 * count, ohm);
-      double change = 0.0;
-      double size = 0.0;
-      for (const ArrayCell& cell : cells) {
-        change += std::pow(seen(cell.row, cell.line) - cell.siemens, 2);
-        size += std::pow(cell.siemens, 2);
-      }
-      const double error = std::sqrt(change / size);
-      const double formula =
-          1.5 * static_cast<double>(count) * ohm * largest_row(circuit, Array::kernel);
-      CAPTURE(count, siemens, error);
-      if (formula < 5e-2) CHECK_THAT(error, WithinRel(formula, 0.2));
-    }
 }
 
 TEST_CASE("what steps and wires do vanishes with them", "[programmed][property]") {
@@ -152,7 +232,6 @@ TEST_CASE("what steps and wires do vanishes with them", "[programmed][property]"
       before = result.median;
     }
     CHECK(before < 1e-5);
-    if (one == Realization::lattice) continue;
     const double thin = study(one, problem, {.wire_resistance = 1e-3}).median;
     CHECK_THAT(study(one, problem, {.wire_resistance = 1e-4}).median, WithinRel(0.1 * thin, 0.01));
   }
@@ -223,8 +302,8 @@ TEST_CASE("arrays with dead taxels, blind columns and two taxels are programmed 
   for (std::size_t k = 0; k < edges.size(); ++k)
     for (const Realization one : {Realization::least_squares, Realization::lattice}) {
       CAPTURE(k, name(one));
-      ToleranceOptions options{.bits = 1, .cell_noise = 0.1, .trials = 20};
-      if (one == Realization::least_squares) options.wire_resistance = 10.0;
+      const ToleranceOptions options{
+          .bits = 1, .cell_noise = 0.1, .wire_resistance = 10.0, .trials = 20};
       const ToleranceResult result = study(one, edges[k], options);
       CHECK(result.errors.size() == 20);
       CHECK(std::isfinite(result.predicted));
@@ -239,12 +318,11 @@ TEST_CASE("what is no array cannot be programmed, nor what is out of range", "[p
     CHECK_THROWS_AS(study(one, problem, {.bits = 8}), std::invalid_argument);
     CHECK_THROWS_AS(study(one, problem, {.wire_resistance = 1.0}), std::invalid_argument);
   }
-  CHECK_THROWS_AS(study(Realization::lattice, problem, {.wire_resistance = 1.0}),
-                  std::invalid_argument);
-  const Reduction inverters(
-      realize(Realization::crossbar, array_network(11, 1e-3).problem, {.inverters = true}));
-  CHECK_THROWS_AS(tolerate(inverters, {.wire_resistance = 1.0}), std::invalid_argument);
-  CHECK(tolerate(inverters, {.bits = 16}).stable == 1);
+  for (const Realization one : {Realization::crossbar, Realization::lattice}) {
+    const Reduction inverters(realize(one, array_network(11, 1e-3).problem, {.inverters = true}));
+    CHECK_THROWS_AS(tolerate(inverters, {.wire_resistance = 1.0}), std::invalid_argument);
+    CHECK(tolerate(inverters, {.bits = 16}).stable == 1);
+  }
   const auto refused = [&](const ToleranceOptions& options) {
     CHECK_THROWS_AS(study(Realization::crossbar, problem, options), std::invalid_argument);
   };

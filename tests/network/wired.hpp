@@ -34,13 +34,19 @@ inline Circuit with_wires(Circuit circuit, double ohm) {
     std::map<std::pair<std::size_t, std::size_t>, const Resistor*> at;
     std::map<std::size_t, Node> ends_of_rows;
     std::map<std::size_t, Node> ends_of_lines;
+    // A lattice's residuals are pairs of nodes u, v, and so are its inputs p, s.
+    const auto name_of = [&](Node node) { return circuit.nodes[node][0]; };
+    const bool pairs = std::any_of(cells.begin(), cells.end(), [&](const Resistor& r) {
+      return name_of(r.to) == 'u' || name_of(r.from) == 'u';
+    });
     const bool turned = array == Array::transposed;
     for (const Resistor& r : cells) {
       const ResistorPlace place = place_of(r.name);
-      const std::size_t row = turned ? place.column : place.row;
-      const std::size_t column = turned ? place.row : place.column;
-      const char first = circuit.nodes[r.from][0];
-      const std::size_t line = 2 * column + (first == 'r' || first == 'q' ? 1U : 0U);
+      const char first = name_of(r.from);
+      const std::size_t second = first == 'r' || first == 'q' || first == 'v' ? 1U : 0U;
+      const std::size_t line = 2 * (turned ? place.row : place.column) + second;
+      std::size_t row = turned ? place.column : place.row;
+      if (pairs) row = 2 * row + (name_of(r.to) == 'v' || name_of(r.to) == 's' ? 1U : 0U);
       at[{row, line}] = &r;
       ends_of_rows[row] = r.to;
       ends_of_lines[line] = r.from;

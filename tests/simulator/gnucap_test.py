@@ -1,9 +1,10 @@
 """A second simulator, gnucap, finds what the decks of `gen` expect.
 
-usage: gnucap_test.py COMMAND SCENE
+usage: gnucap_test.py COMMAND SCENE SCENE_OF_A_LADDER
 """
 
 import math
+import pathlib
 import shutil
 import subprocess
 import sys
@@ -27,13 +28,13 @@ def voltages(deck, nodes):
     return [float(word) for word in lines[head + 1].split()[1:]], done.stdout
 
 
-def main(command, scene):
+def main(command, scene, ladder):
     if shutil.which("gnucap") is None:
         print("skipped: apt-get install gnucap gnucap-default-plugins0")
         return 0
-    for realisation in REALISATIONS:
+    for realisation, of in [(realisation, scene) for realisation in REALISATIONS] + [("least_squares", ladder)]:
         deck = subprocess.run(
-            [command, "gen", scene, "--realization", realisation], check=True, capture_output=True, text=True
+            [command, "gen", of, "--realization", realisation], check=True, capture_output=True, text=True
         ).stdout
         expected = {}
         for line in deck.splitlines():
@@ -42,7 +43,7 @@ def main(command, scene):
         found, output = voltages(deck, list(expected))
         assert len(found) == len(expected), output
         off = math.dist(found, expected.values()) / math.hypot(*expected.values())
-        print(f"{realisation}: {len(found)} nodes, {off:.1e} off the direct solve")
+        print(f"{realisation} of {pathlib.Path(of).stem}: {len(found)} nodes, {off:.1e} off the direct solve")
         assert off < 5e-5, (realisation, off)
     return 0
 

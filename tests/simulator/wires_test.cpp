@@ -25,9 +25,14 @@ std::vector<double> at_rest(const Circuit& circuit) {
 
 TEST_CASE("wires err in ngspice as in the study of tolerances", "[spice][programmed]") {
   const NetworkProblem problem = array_network(9, 1e-3).problem;
-  for (const Realization one : {Realization::least_squares, Realization::crossbar}) {
-    CAPTURE(name(one));
-    const Circuit circuit = realize(one, problem);
+  struct Form {
+    Realization realization;
+    bool ladder = false;
+  };
+  for (const Form& one : {Form{Realization::least_squares}, Form{Realization::crossbar},
+                          Form{Realization::least_squares, true}, Form{Realization::lattice}}) {
+    CAPTURE(name(one.realization), one.ladder);
+    const Circuit circuit = realize(one.realization, problem, {.ladder = one.ladder});
     const double seen = relative_l2_error(at_rest(with_wires(circuit, 5.0)), at_rest(circuit));
     CHECK_THAT(tolerate(Reduction(circuit), {.wire_resistance = 5.0}).median,
                WithinRel(seen, 0.02));

@@ -26,13 +26,19 @@ struct Case {
   Realization realization;
   std::size_t count;
   double alpha;
+  bool ladder = false;
 };
 
-constexpr Case cases[] = {
-    {Realization::least_squares, 21, 1e-3}, {Realization::least_squares, 21, 1e-5},
-    {Realization::least_squares, 41, 1e-3}, {Realization::lattice, 21, 1e-3},
-    {Realization::lattice, 21, 1e-5},       {Realization::crossbar, 21, 1e-3},
-    {Realization::crossbar, 21, 1e-5}};
+constexpr Case cases[] = {{Realization::least_squares, 21, 1e-3},
+                          {Realization::least_squares, 21, 1e-5},
+                          {Realization::least_squares, 41, 1e-3},
+                          {Realization::least_squares, 21, 1e-3, true},
+                          {Realization::least_squares, 41, 1e-3, true},
+                          {Realization::lattice, 21, 1e-3},
+                          {Realization::lattice, 21, 1e-5},
+                          {Realization::lattice, 41, 1e-3},
+                          {Realization::crossbar, 21, 1e-3},
+                          {Realization::crossbar, 21, 1e-5}};
 
 }  // namespace
 
@@ -50,18 +56,16 @@ std::string arrays_table() {
     std::cerr << "arrays, " << name(one.realization) << ' ' << one.count << '\n';
     const NetworkProblem network = problem(one.count, one.alpha);
     const auto median = [&](double scale, const ToleranceOptions& options) {
-      return error(
-          tolerate(Reduction(realize(one.realization, network, {.scale = {scale, 1.0}})), options)
-              .median);
+      return error(tolerate(Reduction(realize(one.realization, network,
+                                              {.scale = {scale, 1.0}, .ladder = one.ladder})),
+                            options)
+                       .median);
     };
-    text += "| " + std::string(name(one.realization)) + " | " + std::to_string(one.count) + ", " +
-            brief(one.alpha) + " |";
+    text += "| " + std::string(name(one.realization)) + (one.ladder ? ", ladder" : "") + " | " +
+            std::to_string(one.count) + ", " + brief(one.alpha) + " |";
     for (const int b : bits) text += " " + median(1e-3, {.bits = b}) + " |";
     text += " " + median(1e-3, {.cell_noise = 0.005, .trials = 200}) + " |";
-    for (const double scale : siemens)
-      text += one.realization == Realization::lattice
-                  ? " - |"
-                  : " " + median(scale, {.wire_resistance = 0.5}) + " |";
+    for (const double scale : siemens) text += " " + median(scale, {.wire_resistance = 0.5}) + " |";
     text += '\n';
   }
   return text + '\n';

@@ -35,7 +35,9 @@ difference of two diodes at 1 A, of which one has flicker noise. ngspice's `.noi
 the classes below have none.
 
 **Output current.** What an output carries at rest follows from the sparse equations: the currents of all resistors at it, at both outputs of a pair. Beyond `output_current` the certificate
-names the op-amp and the volts at which it carries just that; the deck's amplifiers give whatever is asked of them.
+names the op-amp and the volts at which it carries just that. Where an `output_resistance` r is given too, the deck limits it: a stage whose core is u above its output gives I tanh((1/r - k) u/I) + k u, k the
+less of 1e-3/r and I/100 a volt, since without that rest of a slope an operating point would be anywhere; of complementary outputs each stage by itself, and the output is half the difference of both. ngspice settles
+as these equations do within 5 %, and comes to rest where more is asked for than is given. Settling times of the certificate know no such limit; the current at rest is what it judges.
 
 **A scale to take.** Noise, offsets and bias currents fall as 1/volts; volts end where a node reaches 0.8 of what the rail leaves (10 V where none is given), where two full swings at the
 slew are a fifth of the settling time, or where an output carries its `output_current`. More siemens lower the resistors' noise until the op-amps' own is left: the scale proposed is where both are equal, but no resistor below
@@ -73,6 +75,9 @@ entries.
 
 **Wires.** A row ends at a summing node and a line at an output, both at the corner of the first cell. What the ends see of each cell comes from the sparse network of all crossings,
 and errs by about 1.5 N r G, G the largest row's conductance and r a segment's resistance, while that is below 5e-2. It falls with siemens, and hardly depends on alpha: wires scale K smoothly.
+Where ends are at nodes that nothing drives, the residuals and inputs of `lattice` and the nodes of a `ladder`, an array is all the conductances that each two of its ends have between them, not its cells alone:
+they come from the same sparse network, one solution an end, and are part of every draw. The arrays of `lattice` have twice the rows, and err by about 1.75 N r G, where G is four times as large in the first of them:
+its answers err some six times as much as those of `least_squares` at the same siemens per unit, and want as many fewer of them.
 
 **One array for many pads.** K in units of its largest column depends on pitch, depth, nu and what is read; E and the load's size do not enter. Reprogramming for another pad is
 2 M N cells of least_squares and 4 M N of lattice, and costs no part; alpha is in the stabiliser alone, 3 N - 2 resistors (twice as many in lattice), which stay soldered: a bank of

@@ -235,17 +235,9 @@ def crossbar_inverters():
     return sheet
 
 
-def least_squares():
-    """Least squares in two crossbars
-
-    Residual amplifiers (top) with feedback conductance 1/rho form e = -rho (K f - g) from the
-    columns +f_j, -f_j and the currents g_i drawn out of their summing nodes. Main amplifiers
-    (bottom) drive f so that -K' e + rho R f = 0, from the columns -e_i, +e_i and +f_k, -f_k.
-    """
-    sheet = Sheet(920, 940)
-    f = {"+f_{0}": 50, "−f_{0}": 140, "+f_{1}": 230, "−f_{1}": 320}
-    e = {"−e_{1}": 400, "+e_{1}": 480, "−e_{0}": 560, "+e_{0}": 640}
-    # residuals; to the columns of e without a crossing: the outputs further up turn down further right
+def residual_amplifiers(sheet, f, e, bottom):
+    """Two amplifiers that hold e = -rho (K f - g), from the columns of f to those of e, which lead down to `bottom`."""
+    # to the columns of e without a crossing: the outputs further up turn down further right
     for k, y, turns in ((0, 130, ((640, 490), (620, 490))), (1, 310, ((600, 470), (580, 450)))):
         p, m, *outs = sheet.differential_amplifier((490, y + 20))
         row(sheet, y, f"u_{{{k}}}", m)
@@ -257,8 +249,23 @@ def least_squares():
         for sign, out, (x, level), above in zip("+−", outs, turns, (-8, 21)):
             name = f"{sign}e_{{{k}}}"
             sheet.wire(out, (x, out[1]), (x, level), (e[name], level), (e[name], 500))
-            column(sheet, e[name], 500, 750, name, 518)
+            column(sheet, e[name], 500, bottom, name, 518)
             sheet.text((545, out[1] + above), f"${name}$", "end")
+    crossings(sheet, f, 130, {"+f_{0}": "K_{00}", "−f_{1}": "|K_{01}|"})
+    crossings(sheet, f, 310, {"−f_{0}": "|K_{10}|", "+f_{1}": "K_{11}"})
+
+
+def least_squares():
+    """Least squares in two crossbars
+
+    Residual amplifiers (top) with feedback conductance 1/rho form e = -rho (K f - g) from the
+    columns +f_j, -f_j and the currents g_i drawn out of their summing nodes. Main amplifiers
+    (bottom) drive f so that -K' e + rho R f = 0, from the columns -e_i, +e_i and +f_k, -f_k.
+    """
+    sheet = Sheet(920, 940)
+    f = {"+f_{0}": 50, "−f_{0}": 140, "+f_{1}": 230, "−f_{1}": 320}
+    e = {"−e_{1}": 400, "+e_{1}": 480, "−e_{0}": 560, "+e_{0}": 640}
+    residual_amplifiers(sheet, f, e, 750)
     # the tractions
     for k, y, turns in ((0, 590, ((890, 880), (870, 860))), (1, 710, ((850, 840), (830, 820)))):
         p, m, *outs = sheet.differential_amplifier((760, y + 20))
@@ -269,8 +276,6 @@ def least_squares():
             sheet.wire(out, (x, out[1]), (x, level), (f[name], level))
             column(sheet, f[name], level, 60, name, 518)
             sheet.text((815, out[1] + above), f"${name}$", "end")
-    crossings(sheet, f, 130, {"+f_{0}": "K_{00}", "−f_{1}": "|K_{01}|"})
-    crossings(sheet, f, 310, {"−f_{0}": "|K_{10}|", "+f_{1}": "K_{11}"})
     crossings(sheet, f, 590, {"+f_{0}": "ρR_{00}", "−f_{1}": "ρ|R_{01}|"})
     crossings(sheet, f, 710, {"−f_{0}": "ρ|R_{10}|", "+f_{1}": "ρR_{11}"})
     crossings(sheet, e, 590, {"−e_{0}": "K_{00}", "+e_{1}": "|K_{10}|"})
@@ -292,19 +297,7 @@ def least_squares_ladder():
     f = {"+f_{0}": 50, "+f_{1}": 140, "−f_{0}": 230, "−f_{1}": 320}
     e = {"−e_{1}": 430, "+e_{1}": 500, "−e_{0}": 570, "+e_{0}": 640}
     levels = {"+f_{0}": 1010, "+f_{1}": 965, "−f_{0}": 920, "−f_{1}": 875}
-    for k, y, turns in ((0, 130, ((640, 490), (620, 490))), (1, 310, ((600, 470), (580, 450)))):
-        p, m, *outs = sheet.differential_amplifier((490, y + 20))
-        row(sheet, y, f"u_{{{k}}}", m)
-        drawn_out(sheet, 380, y, f"g_{{{k}}}")
-        sheet.grounded(p)
-        sheet.wire((420, y), (420, y - 60))
-        sheet.resistor((420, y - 60), (550, y - 60), "1/ρ")
-        sheet.wire((550, y - 60), (550, y))
-        for sign, out, (x, level), above in zip("+−", outs, turns, (-8, 21)):
-            name = f"{sign}e_{{{k}}}"
-            sheet.wire(out, (x, out[1]), (x, level), (e[name], level), (e[name], 500))
-            column(sheet, e[name], 500, 810, name, 518)
-            sheet.text((545, out[1] + above), f"${name}$", "end")
+    residual_amplifiers(sheet, f, e, 810)
     # the main amplifiers, and what they feed
     for k, y, turns in ((0, 590, (905, 885)), (1, 770, (865, 845))):
         p, m, *outs = sheet.differential_amplifier((775, y + 20))
@@ -325,8 +318,6 @@ def least_squares_ladder():
             sheet.ground((at + 35, 700))
     for sign in "+−":
         sheet.resistor((f[f"{sign}f_{{0}}"], 440), (f[f"{sign}f_{{1}}"], 440), "a")
-    crossings(sheet, f, 130, {"+f_{0}": "K_{00}", "−f_{1}": "|K_{01}|"})
-    crossings(sheet, f, 310, {"−f_{0}": "|K_{10}|", "+f_{1}": "K_{11}"})
     crossings(sheet, e, 590, {"−e_{0}": "K_{00}", "+e_{1}": "|K_{10}|"})
     crossings(sheet, e, 770, {"+e_{0}": "|K_{01}|", "−e_{1}": "K_{11}"})
     sheet.text((460, 1058), "Resistors are labelled with their conductances;  here $K_{01}, K_{10} < 0$", "middle")

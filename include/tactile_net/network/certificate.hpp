@@ -108,6 +108,8 @@ struct CircuitRemark {
   double least = 0.0;
   double greatest = 0.0;
   double repair = 0.0;
+  /// What words divide a `repair` of `Scale` by: the unit in which a scene writes it.
+  double unit = 1.0;
   std::string part{};
 };
 

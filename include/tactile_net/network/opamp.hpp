@@ -37,7 +37,7 @@ struct OpAmp {
   /// loop of their own holds their sum at 0 V.
   std::optional<double> output_resistance{};
   /// The most that an output gives off or takes in [A], > 0. Certificates compare it with what the
-  /// circuit draws; a deck does not limit it.
+  /// circuit draws at rest; beside `output_resistance` a deck limits it.
   std::optional<double> output_current{};
 
   [[nodiscard]] bool is_nullor() const noexcept {

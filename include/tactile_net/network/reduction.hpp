@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tactile_net/network/circuit.hpp"
@@ -59,8 +60,9 @@ class Reduction {
   /// @param equations  overwritten; its storage is used again
   /// @param balance  by how much each inverse output is more than its opposite, relative, in the
   ///                 order of the instances; empty: all are exact
+  /// @param more  resistors beside the circuit's own, between its nodes
   void assemble(std::span<const double> siemens, Equations& equations,
-                std::span<const double> balance = {}) const;
+                std::span<const double> balance = {}, std::span<const Resistor> more = {}) const;
 
   /// With the nominal values.
   [[nodiscard]] Equations equations() const;
@@ -80,6 +82,19 @@ class Reduction {
     other,    ///< an inverter's output
   };
   [[nodiscard]] Feed feed(std::size_t resistor) const;
+
+  /// The nodes that one of the circuit's own resistors lies between. @pre  it is not inside a
+  /// sub-circuit
+  [[nodiscard]] std::pair<Node, Node> ends(std::size_t resistor) const {
+    return {parts_[resistor].from, parts_[resistor].to};
+  }
+  [[nodiscard]] bool is_output(Node node) const { return fixed_[node].i < outputs_; }
+  /// Whether inverters or converters stand in the circuit.
+  [[nodiscard]] bool has_subcircuits() const noexcept { return !derived_.empty(); }
+
+  /// What resistors beside the circuit's own add to S z: `rows()` currents [A].
+  [[nodiscard]] std::vector<double> currents(std::span<const Resistor> more,
+                                             std::span<const double> unknowns) const;
 
   /// d(S z - h)/d(log g) of every resistor, in the order of `resistors()`: each a row of `rows()`
   /// currents [A]. Through -S^-1 they are what relative errors of components do to z.
@@ -130,6 +145,7 @@ class Reduction {
   void at_ends(const Part& part, const auto& add) const;
 
   [[nodiscard]] std::vector<Voltage> voltages(std::span<const double> siemens) const;
+  [[nodiscard]] static double value_of(const Voltage& voltage, std::span<const double> unknowns);
 
   std::size_t rows_ = 0;
   std::size_t outputs_ = 0;

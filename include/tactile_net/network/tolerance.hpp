@@ -43,8 +43,8 @@ struct ToleranceOptions {
   /// none falls below 0.
   std::optional<double> cell_noise{};
   /// Of every segment of an array's lines, from one cell to the next [ohm], > 0. Rows lie at
-  /// summing nodes; lines, two a column, are driven at the same corner. Soldered arrays have it
-  /// too.
+  /// summing nodes, or residuals' nodes; lines, two a column, are driven at the same corner, or
+  /// end there at inputs. Soldered arrays have it too.
   std::optional<double> wire_resistance{};
   std::size_t trials = 1000;  ///< >= 1; one suffices where nothing is drawn
   std::uint64_t seed = 1;
@@ -56,9 +56,18 @@ struct ToleranceOptions {
 [[nodiscard]] std::vector<double> drawn(const Reduction& reduction, const ToleranceOptions& options,
                                         std::size_t trial);
 
+/// What lines of `wire_resistance` add beside the resistors, the same in every trial: conductances
+/// between nodes of the circuit that the ends of an array's lines have besides its cells. Empty
+/// where all ends are outputs and summing nodes.
+[[nodiscard]] std::vector<Resistor> paths_of_lines(const Reduction& reduction,
+                                                   const ToleranceOptions& options);
+
 /// The circuit of one trial, without sub-circuits: to be replayed in a simulator. Conductances of 0
 /// are left out.
-[[nodiscard]] Circuit perturbed(const FlatCircuit& circuit, std::span<const double> siemens);
+///
+/// @param paths  as `paths_of_lines`
+[[nodiscard]] Circuit perturbed(const FlatCircuit& circuit, std::span<const double> siemens,
+                                std::span<const Resistor> paths = {});
 
 struct Trial {
   bool stable = false;
@@ -69,7 +78,10 @@ struct Trial {
 /// Solves one draw. Stable: every eigenvalue of T^-1 S has a positive real part, T the nodes'
 /// capacitances (equal) and the amplifiers' row conductances; a positive definite symmetric part of
 /// S proves it, for any T. Amplifiers inside converters and inverters are taken for fast.
-[[nodiscard]] Trial try_out(const Reduction& reduction, std::span<const double> siemens);
+///
+/// @param paths  as `paths_of_lines`
+[[nodiscard]] Trial try_out(const Reduction& reduction, std::span<const double> siemens,
+                            std::span<const Resistor> paths = {});
 
 /// For every resistor the square of the answer's relative change per relative change of the
 /// resistor, in 2-norms, to first order. Means over several loads are means of these.
@@ -99,8 +111,8 @@ struct ToleranceResult {
 };
 
 /// @throw std::invalid_argument  an option is out of range; `bits`, `cell_noise` or
-///                               `wire_resistance` for a circuit without arrays into summing nodes
-///                               (`wire_resistance`: from complementary outputs)
+///                               `wire_resistance` for a circuit without arrays
+///                               (`wire_resistance`: with inverters)
 /// @throw std::domain_error      the nominal network has no unique answer
 [[nodiscard]] ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options);
 

@@ -149,12 +149,13 @@ std::string in_words(const Theorem& theorem) {
 
 std::string in_words(const CircuitRemark& remark) {
   using Kind = CircuitRemark::Kind;
+  const std::string scale = brief(remark.repair / remark.unit);
   const std::string range =
       "resistors from " + brief(remark.least) + " to " + brief(remark.greatest) + " ohm";
   switch (remark.kind) {
     case Kind::clamps:
       return "a node would reach " + brief(remark.value) + " V, op-amps clamp from " +
-             brief(remark.limit) + " V (rail - 0.6 V): volts = " + brief(remark.repair);
+             brief(remark.limit) + " V (rail - 0.6 V): volts = " + scale;
     case Kind::capacitance_at_outputs:
       return "parasitic.node has no effect: the nodes are the amplifiers' outputs; parasitic.input "
              "is what loads their summing nodes";
@@ -166,7 +167,7 @@ std::string in_words(const CircuitRemark& remark) {
              brief(remark.repair) + " at most, 1/(2 W C)";
     case Kind::summing_lag: {
       std::string repair;
-      if (remark.repair > 0.0) repair = "siemens = " + brief(remark.repair) + " or more";
+      if (remark.repair > 0.0) repair = "siemens = " + scale + " or more";
       if (remark.limit > 0.0)
         repair += (repair.empty() ? "" : ", or ") + ("bandwidth_ratio = " + brief(remark.limit)) +
                   " or less";
@@ -176,18 +177,17 @@ std::string in_words(const CircuitRemark& remark) {
     }
     case Kind::node_lag:
       return "the lag of the ladder's nodes is " + brief(remark.value) +
-             " times what is proven stable: siemens = " + brief(remark.repair) +
+             " times what is proven stable: siemens = " + scale +
              " or more, or bandwidth_ratio = " + brief(remark.limit) + " or less";
     case Kind::floating_input_capacitance:
       return "capacitance at the amplifiers' inputs and at the residuals counts (W C/D = " +
              brief(remark.value) + ", found stable up to " + brief(remark.limit) +
-             "): siemens = " + brief(remark.repair) + " or more";
+             "): siemens = " + scale + " or more";
     case Kind::not_for_sale:
-      return range + " cannot be bought: siemens = " + brief(remark.repair) +
-             " would centre them at 100 kilo-ohm";
+      return range + " cannot be bought: siemens = " + scale + " would centre them at 100 kilo-ohm";
     case Kind::odd_voltage:
-      return "the largest voltage is " + brief(remark.value) +
-             " V: volts = " + brief(remark.repair) + " would make it 1 V";
+      return "the largest voltage is " + brief(remark.value) + " V: volts = " + scale +
+             " would make it 1 V";
     case Kind::beyond_digits:
       return range + ": further apart than a simulator's digits";
     case Kind::too_many_states:
@@ -196,11 +196,10 @@ std::string in_words(const CircuitRemark& remark) {
     case Kind::slews:
       return "the op-amps slew: from rest they would rise at " + brief(remark.value) +
              " V/s, their slew is " + brief(remark.limit) +
-             " V/s; none slews from volts = " + brief(remark.repair) + " down";
+             " V/s; none slews from volts = " + scale + " down";
     case Kind::output_current:
       return "the output of " + remark.part + " would carry " + with_unit(remark.value, "A") +
-             ", it gives " + with_unit(remark.limit, "A") +
-             " at most, which the deck does not know: volts = " + brief(remark.repair) +
+             ", it gives " + with_unit(remark.limit, "A") + " at most: volts = " + scale +
              ", or fewer siemens";
     case Kind::slewing_left_out:
       return "more than " + std::to_string(most_slewing_states) +
