@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "numeric/eigen.hpp"
 
@@ -30,14 +31,18 @@ Eigen::VectorXd SkinCoarseSpace::sums(std::span<const double> x) const {
   return all;
 }
 
-void SkinCoarseSpace::extend(const Eigen::MatrixXd& tractions, const Eigen::MatrixXd& images) {
-  others_ = tractions;
+void SkinCoarseSpace::extend(
+    Eigen::MatrixXd tractions,
+    const std::function<void(std::span<const double>, std::span<double>)>& multiply) {
+  others_ = std::move(tractions);
   const Index waves = waves_->count();
   const Index all = waves + others_.cols();
   energies_.conservativeResize(all, all);
+  const auto size = static_cast<std::size_t>(others_.rows());
+  std::vector<double> image(size);
   for (Index j = waves; j < all; ++j) {
-    const Eigen::VectorXd image = images.col(j - waves);
-    energies_.col(j) = sums({image.data(), static_cast<std::size_t>(image.size())});
+    multiply({others_.col(j - waves).data(), size}, image);
+    energies_.col(j) = sums(image);
     energies_.row(j) = energies_.col(j).transpose();
   }
   factor();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,10 +20,11 @@ class SkinCoarseSpace {
   /// @throw std::invalid_argument  rounding makes Z' P Z indefinite: alpha is too small
   SkinCoarseSpace(std::shared_ptr<const LowWaves> waves, double alpha);
 
-  /// Takes more tractions up.
-  /// @param images  P times each
+  /// Takes other tractions up beside the waves, once.
+  /// @param multiply  image = P x
   /// @throw std::invalid_argument  as the constructor
-  void extend(const Eigen::MatrixXd& tractions, const Eigen::MatrixXd& images);
+  void extend(Eigen::MatrixXd tractions,
+              const std::function<void(std::span<const double>, std::span<double>)>& multiply);
 
   /// x += Q residual. @pre  a value per traction each
   void add_correction(std::span<const double> residual, std::span<double> x) const;

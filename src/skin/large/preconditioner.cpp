@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "numeric/eigen.hpp"
@@ -84,16 +85,8 @@ SkinPreconditioner::SkinPreconditioner(LargeSkinSystem& system, double alpha,
   coarse_.emplace(waves, alpha);
   if (!drag_is_hardly_seen(even)) return;
 
-  const Eigen::MatrixXd slow =
-      slow_parts(rigid_motions(system.problem.grid), level(alpha, even).steps);
-  Eigen::MatrixXd images(slow.rows(), slow.cols());
-  Eigen::VectorXd image(slow.rows());
-  for (Index i = 0; i < slow.cols(); ++i) {
-    const Eigen::VectorXd traction = slow.col(i);
-    multiply({traction.data(), system.tractions()}, numbers(image));
-    images.col(i) = image;
-  }
-  coarse_->extend(slow, images);
+  coarse_->extend(slow_parts(rigid_motions(system.problem.grid), level(alpha, even).steps),
+                  [&](std::span<const double> x, std::span<double> image) { multiply(x, image); });
 }
 
 void SkinPreconditioner::multiply(std::span<const double> x, std::span<double> image) {
@@ -116,10 +109,17 @@ void SkinPreconditioner::apply(std::span<const double> residual, std::span<doubl
 
 Eigen::MatrixXd SkinPreconditioner::slow_parts(const Eigen::MatrixXd& tractions,
                                                std::size_t steps) {
-  std::vector<Eigen::VectorXd> parts;
   const Index size = tractions.rows();
+  const auto of_each = static_cast<Index>(std::bit_width(steps)) - 1;
+  Eigen::MatrixXd parts(size, tractions.cols() * of_each);
+  Index count = 0;
   Eigen::VectorXd z(size);
   Eigen::VectorXd image(size);
+  const auto keep = [&](Eigen::VectorXd part) {
+    multiply(numbers(part), numbers(image));
+    const double energy = part.dot(image);
+    if (energy > 0.0) parts.col(count++) = part / std::sqrt(energy);
+  };
   for (Index column = 0; column < tractions.cols(); ++column) {
     // P x = 0 from x = the traction on, beginning with the best that the coarse space has.
     Eigen::VectorXd x = tractions.col(column);
@@ -144,19 +144,12 @@ Eigen::MatrixXd SkinPreconditioner::slow_parts(const Eigen::MatrixXd& tractions,
         direction = z + (next / power) * direction;
         power = next;
       }
-      if (until > 2) parts.push_back(before - x);
+      if (until > 2) keep(before - x);
     }
-    parts.push_back(x);
+    keep(x);
   }
-  Eigen::MatrixXd all(size, std::ssize(parts));
-  Index kept = 0;
-  for (Eigen::VectorXd& part : parts) {
-    multiply(numbers(part), numbers(image));
-    const double energy = part.dot(image);
-    if (energy > 0.0) all.col(kept++) = part / std::sqrt(energy);
-  }
-  all.conservativeResize(size, kept);
-  return all;
+  parts.conservativeResize(size, count);
+  return parts;
 }
 
 }  // namespace tactile_net
