@@ -35,10 +35,9 @@ bool is_below(double share, double alpha, const EvenReadings& even) noexcept {
 }
 
 const Level& level(double alpha, const EvenReadings& even) noexcept {
-  const auto found = std::find_if(levels.begin(), levels.end(), [&](const Level& one) {
-    return is_below(one.below, alpha, even);
-  });
-  return found == levels.end() ? otherwise : *found;
+  for (const Level& one : levels)
+    if (is_below(one.below, alpha, even)) return one;
+  return otherwise;
 }
 
 bool drag_is_hardly_seen(const EvenReadings& even) noexcept {
@@ -58,7 +57,7 @@ Eigen::MatrixXd rigid_motions(const SkinGrid& grid) {
   all.col(0).segment(cells, cells).setOnes();
   all.col(1).tail(cells).setOnes();
   for (Index cell = 0; cell < cells; ++cell) {
-    const std::size_t at = static_cast<std::size_t>(cell);
+    const auto at = static_cast<std::size_t>(cell);
     all(cells + cell, 2) = grid.centre_z - grid.z(at % grid.columns);
     all(2 * cells + cell, 2) = grid.y(at / grid.columns) - grid.centre_y;
   }
