@@ -8,6 +8,7 @@
 
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
+#include "skin/cosine_waves.hpp"
 #include "skin/sparse_stabiliser.hpp"
 #include "skin/window_sums.hpp"
 
@@ -16,25 +17,6 @@ namespace {
 
 using Eigen::Index;
 using Cells = Eigen::Map<const RowMajor>;
-
-/// Column m: cos(pi m (i + 1/2) / n), of unit norm; even and odd to the bit.
-Eigen::MatrixXd cosines(std::size_t count) {
-  const auto n = static_cast<Index>(count);
-  Eigen::MatrixXd waves(n, n);
-  for (Index m = 0; m < n; ++m)
-    for (Index i = 0; i < n; ++i) {
-      const Index mirrored = n - 1 - i;
-      const double sign = mirrored < i && m % 2 == 1 ? -1.0 : 1.0;
-      // The phase is reduced while it is a whole number; the middle of an odd wave is 0.
-      const Index turns = m * (2 * std::min(i, mirrored) + 1) % (4 * n);
-      const bool zero = m % 2 == 1 && mirrored == i;
-      const double phase =
-          std::numbers::pi * static_cast<double>(turns) / (2.0 * static_cast<double>(n));
-      const double size = std::sqrt((m == 0 ? 1.0 : 2.0) / static_cast<double>(n));
-      waves(i, m) = zero ? 0.0 : sign * size * std::cos(phase);
-    }
-  return waves;
-}
 
 /// Of the second difference of wave m, Neumann.
 double difference(std::size_t m, std::size_t count) {
@@ -77,8 +59,8 @@ Eigen::VectorXd stabiliser_spectrum(const SkinProblem& problem) {
 }
 
 CosineCoordinates::CosineCoordinates(const SkinProblem& problem, Eigen::VectorXd stretch)
-    : y_(cosines(problem.grid.rows)),
-      z_(cosines(problem.grid.columns)),
+    : y_(cosine_waves(problem.grid.rows, problem.grid.rows)),
+      z_(cosine_waves(problem.grid.columns, problem.grid.columns)),
       stretch_(std::move(stretch)) {}
 
 Eigen::MatrixXd CosineCoordinates::tractions(const Eigen::MatrixXd& coordinates) const {

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "src/skin/large/system.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/stabiliser.hpp"
 #include "tests/skin/skins.hpp"
@@ -60,6 +63,28 @@ inline double normal_residual(const SkinProblem& problem, double alpha, std::spa
 /// The square of the largest singular value.
 inline double size_of(const SkinProblem& problem) {
   return std::pow(SkinFamily(problem).singular_values().front(), 2);
+}
+
+inline double dot(std::span<const double> a, std::span<const double> b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+inline std::vector<double> random_numbers(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> all(count);
+  for (double& one : all) one = normal(random);
+  return all;
+}
+
+/// P x.
+inline std::vector<double> normal_product(LargeSkinSystem& system, double alpha,
+                                          std::span<const double> x) {
+  std::vector<double> image(system.rows());
+  std::vector<double> result(x.size());
+  system.apply(alpha, x, image);
+  system.apply_transposed(alpha, image, result);
+  return result;
 }
 
 }  // namespace tactile_net

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "src/skin/large/lattice_products.hpp"
@@ -54,28 +53,6 @@ TEST_CASE("products by FFT are those of the matrix, both ways", "[skin][large]")
 }
 
 namespace {
-
-std::vector<double> random_numbers(std::size_t count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  std::vector<double> all(count);
-  for (double& one : all) one = normal(random);
-  return all;
-}
-
-double dot(std::span<const double> a, std::span<const double> b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-/// P x.
-std::vector<double> normal_product(LargeSkinSystem& system, double alpha,
-                                   std::span<const double> x) {
-  std::vector<double> image(system.rows());
-  std::vector<double> result(x.size());
-  system.apply(alpha, x, image);
-  system.apply_transposed(alpha, image, result);
-  return result;
-}
 
 /// The square of what even pressure reads.
 double even_square(LargeSkinSystem& system) {

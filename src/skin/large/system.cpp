@@ -123,12 +123,13 @@ double large_skin_bytes(std::size_t cells, std::size_t components, std::size_t c
       3.0;  // of a kernel, over the cells: half of twice by twice, fast sizes
   constexpr double planes = 12.0;  // of complex rows and columns, of each input and output
   constexpr double kept = 30.0;    // vectors of tractions; sums and their images are most of them
+  constexpr double slow = 15.0;    // tractions of the coarse space that are no waves, at most
   constexpr double tiles = 2e8;    // kinds of tiles, and nodes of the probes
   const auto pairs = static_cast<double>(components * channels);
   const auto most = static_cast<double>(std::max(components, channels));
   const auto size = static_cast<double>(cells);
   const double numbers =
-      size * (pairs * (spectrum + 1.0) + most * planes) +
+      size * (pairs * (spectrum + 1.0) + most * planes + static_cast<double>(components) * slow) +
       kept * (4.0 * size * static_cast<double>(components) + static_cast<double>(readings));
   return sizeof(double) * numbers + tiles;
 }

@@ -8,29 +8,15 @@
 
 #include "inverse/checks.hpp"
 #include "numeric/finite.hpp"
+#include "skin/large/even_readings.hpp"
+#include "skin/large/preconditioner.hpp"
 #include "skin/large/system.hpp"
-#include "skin/large/tiles.hpp"
 
 namespace tactile_net {
 namespace {
 
 double dot(std::span<const double> a, std::span<const double> b) noexcept {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-/// Cells along a tile's side, from which share of the square of what even pressure reads on down:
-/// the smaller alpha, the farther a traction is felt.
-struct TileSide {
-  double below;
-  std::size_t cells;
-};
-constexpr std::array tile_sides{TileSide{1e-7, 28}, TileSide{1e-5, 20}};
-constexpr std::size_t least_side = 16;
-
-std::size_t tile_side(double alpha, double even_reading) noexcept {
-  for (const TileSide& side : tile_sides)
-    if (std::sqrt(alpha / side.below) < even_reading) return side.cells;
-  return least_side;
 }
 
 /// y = x + factor y
@@ -48,17 +34,13 @@ void add(std::span<double> y, double factor, std::span<const double> x) noexcept
 struct LargeSkinTikhonov::Parts {
   explicit Parts(std::shared_ptr<LargeSkinSystem> made)
       : system(std::move(made)),
+        even(even_readings(*system)),
         residual(system->rows()),
         image(system->rows()),
         f(system->tractions()),
         gradient(system->tractions()),
         preconditioned(system->tractions()),
-        direction(system->tractions()) {
-    std::fill_n(f.begin(), system->problem.grid.count(), 1.0);
-    system->weighted_readings(f, std::span(image).first(system->readings()));
-    for (std::size_t i = 0; i < system->readings(); ++i)
-      largest = std::max(largest, std::abs(image[i]));
-  }
+        direction(system->tractions()) {}
 
   /// The least eigenvalue of alpha L'L, at least: that of a constant traction.
   [[nodiscard]] double least_eigenvalue() const noexcept {
@@ -67,16 +49,20 @@ struct LargeSkinTikhonov::Parts {
     return least * least;
   }
 
-  /// From f = 0 and its residual, in which the stacked right side is. Where only P x = right is
-  /// known, `residual` has no right side and `gradient` is given.
+  /// Of f = 0: `residual`, in which the stacked right side is, and `gradient`. Where only P x =
+  /// right is known there is no `residual`, and right is the gradient.
   ///
   /// @param done  whether `convergence` will do
   template <typename Done>
   void iterate(std::size_t step_limit, bool has_rows, Done&& done) {
-    std::fill(f.begin(), f.end(), 0.0);
-    tiles->apply(gradient, preconditioned);
-    direction = preconditioned;
     const double right = std::sqrt(dot(gradient, gradient));
+    preconditioner->start(gradient, f);
+    if (preconditioner->has_coarse_space()) {
+      system->apply(alpha, f, image);
+      follow(1.0, has_rows);
+    }
+    preconditioner->apply(gradient, preconditioned);
+    direction = preconditioned;
     const double least = least_eigenvalue();
     double power = dot(gradient, preconditioned);
     std::array<double, 4> gains{};
@@ -86,13 +72,7 @@ struct LargeSkinTikhonov::Parts {
       const double step = power / dot(image, image);
       if (!std::isfinite(step)) break;
       add(f, step, direction);
-      if (has_rows) {
-        add(residual, -step, image);
-        system->apply_transposed(alpha, residual, gradient);
-      } else {
-        system->apply_transposed(alpha, image, preconditioned);  // P times the direction
-        add(gradient, -step, preconditioned);
-      }
+      follow(step, has_rows);
       ++convergence.steps;
       const double size = std::sqrt(dot(f, f));
       const double left = std::sqrt(dot(gradient, gradient));
@@ -105,17 +85,29 @@ struct LargeSkinTikhonov::Parts {
       convergence.estimate =
           convergence.steps < gains.size() ? convergence.bound : std::sqrt(gained / least) / size;
       if ((convergence.converged = done(convergence))) break;
-      tiles->apply(gradient, preconditioned);
+      preconditioner->apply(gradient, preconditioned);
       const double next = dot(gradient, preconditioned);
       turn(direction, next / power, preconditioned);
       power = next;
     }
   }
 
+  /// Residual and gradient after f went on by `step` times what `image` is the image of.
+  void follow(double step, bool has_rows) {
+    if (has_rows) {
+      add(residual, -step, image);
+      system->apply_transposed(alpha, residual, gradient);
+    } else {
+      system->apply_transposed(alpha, image, preconditioned);  // P times the direction
+      add(gradient, -step, preconditioned);
+    }
+  }
+
   std::shared_ptr<LargeSkinSystem> system;
-  double largest = 0.0;  // that even pressure of 1 Pa reads, weighted
+  EvenReadings even;
   double alpha = 0.0;
-  std::unique_ptr<SkinTiles> tiles{};
+  std::shared_ptr<const LowWaves> waves{};
+  std::unique_ptr<SkinPreconditioner> preconditioner{};
   SkinConvergence convergence{};
   std::vector<double> residual, image, f, gradient, preconditioned, direction;
 };
@@ -136,8 +128,8 @@ LargeSkinTikhonov::LargeSkinTikhonov(std::shared_ptr<LargeSkinSystem> system, do
 void LargeSkinTikhonov::use_alpha(double alpha) {
   check_alpha(alpha);
   if (alpha == parts_->alpha) return;
-  parts_->tiles = std::make_unique<SkinTiles>(
-      *parts_->system, alpha, SkinTiles::Size{.cells = tile_side(alpha, parts_->largest)});
+  parts_->preconditioner =
+      std::make_unique<SkinPreconditioner>(*parts_->system, alpha, parts_->even, parts_->waves);
   parts_->alpha = alpha;
 }
 

@@ -3,10 +3,11 @@
 ///
 /// The minimiser of skin/problem.hpp without its matrix, boundaries and dead taxels included:
 /// conjugate gradients on the stacked matrix [W K; sqrt(alpha) L] (CGLS: P is never formed), each
-/// product O(cells log cells), preconditioned by overlapping tiles of 16 x 16 cells, or for
-/// very small alphas of 24 x 24: some 30 steps where a circulant inverse takes hundreds
-/// (docs/internals/skin.md). Taxels lie on the lattice of
-/// the cells, and offsets are known.
+/// product O(cells log cells), preconditioned by overlapping tiles of 16 x 16 to 24 x 24 cells, and
+/// where those are slow by a coarse space too: some 30 steps where a circulant inverse takes
+/// hundreds (docs/internals/skin.md). A step takes a product with K, one with its transposed, and a
+/// solve for each tile; with the coarse space four products instead of two. Taxels lie on the
+/// lattice of the cells, and offsets are known.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +38,11 @@ struct SkinConvergence {
 class LargeSkinTikhonov {
  public:
   /// Transforms the kernels and factors the tiles. O(cells log cells), and one decomposition of
-  /// 768 or 1728 unknowns for each kind of tile: four of a skin whose tiles fit.
+  /// 768 to 1728 unknowns for each kind of tile: four of a skin whose tiles fit. A coarse space is
+  /// made below 1e-7 of the square of what even pressure reads, below 1e-3 where there are several
+  /// cells to a taxel, and for every alpha where an even drag is hardly seen, as by stresses in the
+  /// plane: once some 1.2 products for each cell along the longer side, four times as many where
+  /// taxels are dead, and in the last case 12 to 96 steps for each alpha.
   ///
   /// @param alpha  > 0
   /// @throw std::invalid_argument  as `make_problem`, but for the kernel's size; alpha is not > 0
@@ -52,7 +57,8 @@ class LargeSkinTikhonov {
   LargeSkinTikhonov(LargeSkinTikhonov&&) noexcept;
   LargeSkinTikhonov& operator=(LargeSkinTikhonov&&) noexcept;
 
-  /// Takes another alpha for the frames to come: the tiles are factored anew.
+  /// Takes another alpha for the frames to come: the tiles are factored anew, the
+  /// coarse space keeps its waves.
   /// @throw std::invalid_argument  as the constructor
   void use_alpha(double alpha);
   [[nodiscard]] double alpha() const noexcept;

@@ -1,0 +1,29 @@
+#include "skin/cosine_waves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tactile_net {
+
+using Eigen::Index;
+
+Eigen::MatrixXd cosine_waves(std::size_t count, std::size_t waves) {
+  const auto n = static_cast<Index>(count);
+  Eigen::MatrixXd columns(n, static_cast<Index>(waves));
+  for (Index m = 0; m < columns.cols(); ++m)
+    for (Index i = 0; i < n; ++i) {
+      const Index mirrored = n - 1 - i;
+      const double sign = mirrored < i && m % 2 == 1 ? -1.0 : 1.0;
+      // The phase is reduced while it is a whole number; the middle of an odd wave is 0.
+      const Index turns = m * (2 * std::min(i, mirrored) + 1) % (4 * n);
+      const bool zero = m % 2 == 1 && mirrored == i;
+      const double phase =
+          std::numbers::pi * static_cast<double>(turns) / (2.0 * static_cast<double>(n));
+      const double size = std::sqrt((m == 0 ? 1.0 : 2.0) / static_cast<double>(n));
+      columns(i, m) = zero ? 0.0 : sign * size * std::cos(phase);
+    }
+  return columns;
+}
+
+}  // namespace tactile_net

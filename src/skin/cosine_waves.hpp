@@ -1,0 +1,15 @@
+/// @file
+/// Cosines along one axis of the cells: the waves of the stabiliser, whose ends are free. Private.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+
+namespace tactile_net {
+
+/// Column m: cos(pi m (i + 1/2) / count), of unit norm; even and odd to the bit.
+///
+/// @param waves  the first so many, <= count
+[[nodiscard]] Eigen::MatrixXd cosine_waves(std::size_t count, std::size_t waves);
+
+}  // namespace tactile_net

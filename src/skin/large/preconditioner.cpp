@@ -1,0 +1,154 @@
+#include "skin/large/preconditioner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "numeric/eigen.hpp"
+
+namespace tactile_net {
+namespace {
+
+using Eigen::Index;
+
+/// From which share of the square of what even pressure reads on down: the smaller alpha, the
+/// farther a traction is felt, and the slower a rigid motion settles.
+struct Level {
+  double below;
+  std::size_t cells;  // along a tile's side
+  std::size_t steps;  // of conjugate gradients for each rigid motion
+};
+constexpr std::array levels{Level{1e-7, 24, 32}, Level{1e-5, 20, 16}, Level{1e-3, 16, 8}};
+constexpr Level otherwise{1.0, 16, 4};
+
+/// From these shares on down tiles alone take too many steps; where there are several cells to a
+/// taxel, so that most tractions are not seen, sooner.
+constexpr double far = 1e-7;
+constexpr double far_between_taxels = 1e-3;
+
+/// Of what even pressure reads: a drag that reads less is hardly seen.
+constexpr double hardly_seen = 0.1;
+
+bool is_below(double share, double alpha, const EvenReadings& even) noexcept {
+  return std::sqrt(alpha / share) < even.pressure;
+}
+
+const Level& level(double alpha, const EvenReadings& even) noexcept {
+  for (const Level& one : levels)
+    if (is_below(one.below, alpha, even)) return one;
+  return otherwise;
+}
+
+bool drag_is_hardly_seen(const EvenReadings& even) noexcept {
+  return even.drag < hardly_seen * even.pressure;
+}
+
+bool wants_coarse_space(const SkinGrid& grid, double alpha, const EvenReadings& even) noexcept {
+  const bool cells_between = grid.stride_rows * grid.stride_columns > 1;
+  return drag_is_hardly_seen(even) ||
+         is_below(cells_between ? far_between_taxels : far, alpha, even);
+}
+
+/// Along y, along z, and turning about the middle, as tractions of norm 1. @pre  three components
+Eigen::MatrixXd rigid_motions(const SkinGrid& grid) {
+  const auto cells = static_cast<Index>(grid.count());
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(3 * cells, 3);
+  all.col(0).segment(cells, cells).setOnes();
+  all.col(1).tail(cells).setOnes();
+  for (Index cell = 0; cell < cells; ++cell) {
+    const auto at = static_cast<std::size_t>(cell);
+    all(cells + cell, 2) = grid.centre_z - grid.z(at % grid.columns);
+    all(2 * cells + cell, 2) = grid.y(at / grid.columns) - grid.centre_y;
+  }
+  return all.colwise().normalized();
+}
+
+std::span<double> numbers(Eigen::VectorXd& all) noexcept {
+  return {all.data(), static_cast<std::size_t>(all.size())};
+}
+
+}  // namespace
+
+SkinPreconditioner::SkinPreconditioner(LargeSkinSystem& system, double alpha,
+                                       const EvenReadings& even,
+                                       std::shared_ptr<const LowWaves>& waves)
+    : system_(system),
+      alpha_(alpha),
+      tiles_(system, alpha, {.cells = level(alpha, even).cells}),
+      rows_(system.rows()),
+      rest_(system.tractions()) {
+  if (tiles_.tiles() == 1 || !wants_coarse_space(system.problem.grid, alpha, even)) return;
+  // What is to become of an even drag must not be in the coarse space as it is.
+  if (!waves) waves = std::make_shared<const LowWaves>(system, !drag_is_hardly_seen(even));
+  coarse_.emplace(waves, alpha);
+  if (!drag_is_hardly_seen(even)) return;
+
+  coarse_->extend(slow_parts(rigid_motions(system.problem.grid), level(alpha, even).steps),
+                  [&](std::span<const double> x, std::span<double> image) { multiply(x, image); });
+}
+
+void SkinPreconditioner::multiply(std::span<const double> x, std::span<double> image) {
+  system_.apply(alpha_, x, rows_);
+  system_.apply_transposed(alpha_, rows_, image);
+}
+
+void SkinPreconditioner::start(std::span<const double> right, std::span<double> f) const {
+  std::fill(f.begin(), f.end(), 0.0);
+  if (coarse_) coarse_->add_correction(right, f);
+}
+
+void SkinPreconditioner::apply(std::span<const double> residual, std::span<double> z) {
+  tiles_.apply(residual, z);
+  if (!coarse_) return;
+  multiply(z, rest_);
+  for (std::size_t i = 0; i < rest_.size(); ++i) rest_[i] = residual[i] - rest_[i];
+  coarse_->add_correction(rest_, z);
+}
+
+Eigen::MatrixXd SkinPreconditioner::slow_parts(const Eigen::MatrixXd& tractions,
+                                               std::size_t steps) {
+  const Index size = tractions.rows();
+  const auto of_each = static_cast<Index>(std::bit_width(steps)) - 1;
+  Eigen::MatrixXd parts(size, tractions.cols() * of_each);
+  Index count = 0;
+  Eigen::VectorXd z(size);
+  Eigen::VectorXd image(size);
+  const auto keep = [&](Eigen::VectorXd part) {
+    multiply(numbers(part), numbers(image));
+    const double energy = part.dot(image);
+    if (energy > 0.0) parts.col(count++) = part / std::sqrt(energy);
+  };
+  for (Index column = 0; column < tractions.cols(); ++column) {
+    // P x = 0 from x = the traction on, beginning with the best that the coarse space has.
+    Eigen::VectorXd x = tractions.col(column);
+    multiply(numbers(x), numbers(image));
+    Eigen::VectorXd residual = -image;
+    coarse_->add_correction(numbers(residual), numbers(x));
+    multiply(numbers(x), numbers(image));
+    residual = -image;
+    apply(numbers(residual), numbers(z));
+    Eigen::VectorXd direction = z;
+    double power = residual.dot(z);
+    std::size_t step = 0;
+    for (std::size_t until = 2; until <= steps; until *= 2) {
+      const Eigen::VectorXd before = x;
+      for (; step < until && power > 0.0; ++step) {
+        multiply(numbers(direction), numbers(image));
+        const double length = power / direction.dot(image);
+        x += length * direction;
+        residual -= length * image;
+        apply(numbers(residual), numbers(z));
+        const double next = residual.dot(z);
+        direction = z + (next / power) * direction;
+        power = next;
+      }
+      if (until > 2) keep(before - x);
+    }
+    keep(x);
+  }
+  parts.conservativeResize(size, count);
+  return parts;
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,160 @@
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "src/skin/large/even_readings.hpp"
+#include "src/skin/large/low_waves.hpp"
+#include "src/skin/large/preconditioner.hpp"
+#include "tactile_net/skin/large/tikhonov.hpp"
+#include "tests/catch.hpp"
+#include "tests/skin/large_skins.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+/// Which an even drag is hardly seen by.
+SkinArray in_plane_skin(std::size_t side) {
+  return square_skin(side, 2e-3,
+                     {SkinQuantity::stress_x, SkinQuantity::stress_y, SkinQuantity::stress_z,
+                      SkinQuantity::shear_yz});
+}
+
+struct Skin {
+  SkinArray array;
+  SkinProblemOptions options{};
+};
+/// Larger than a tile: square and oblong, dead taxels, two cells to a taxel, one traction.
+std::vector<Skin> skins() {
+  SkinArray oblong = in_plane_skin(9);
+  oblong.columns = 40;
+  return {{in_plane_skin(24)},
+          {oblong},
+          {in_plane_skin(24), with_dead({0, 33, 34, 400})},
+          {square_skin(15, 2e-3), with_dead({}, {.spacing = 0.5e-3})},
+          {square_skin(24, 2e-3, {SkinQuantity::stress_x}), {.components = 1}}};
+}
+
+}  // namespace
+
+TEST_CASE("what long waves cost is what P says of each", "[skin][large][coarse]") {
+  for (const Skin& skin : skins())
+    for (const bool has_even_drags : {true, false}) {
+      const auto system = make_large_skin_system(skin.array, silicone, skin.options);
+      const double alpha = 1e-3 * std::pow(even_readings(*system).pressure, 2);
+      const LowWaves waves(*system, has_even_drags);
+      const Eigen::MatrixXd energies = waves.energies(alpha);
+      CAPTURE(skin.array.rows, skin.array.columns, has_even_drags, waves.count());
+      REQUIRE(waves.count() > 3);
+      const double largest = energies.diagonal().maxCoeff();
+      std::vector<double> wave(system->tractions());
+      for (Eigen::Index i = 0; i < waves.count(); ++i) {
+        std::fill(wave.begin(), wave.end(), 0.0);
+        waves.add(Eigen::VectorXd::Unit(waves.count(), i), wave);
+        CHECK_THAT(norm(wave), WithinRel(1.0, 1e-12));
+        const Eigen::VectorXd expected = waves.sums(normal_product(*system, alpha, wave));
+        CHECK((energies.col(i) - expected).cwiseAbs().maxCoeff() < 1e-12 * largest);
+      }
+    }
+}
+
+TEST_CASE("a drag along the skin is seen everywhere by shear, by stresses in the plane at the ends",
+          "[skin][large][coarse]") {
+  for (const bool is_thin : {false, true}) {
+    const Material& material = is_thin ? thin : silicone;
+    const EvenReadings sheared =
+        even_readings(*make_large_skin_system(square_skin(20, 2e-3), material, {}));
+    CHECK(sheared.drag > 0.3 * sheared.pressure);
+    const EvenReadings in_plane =
+        even_readings(*make_large_skin_system(in_plane_skin(20), material, {}));
+    CHECK(in_plane.drag < 0.1 * in_plane.pressure);
+    CHECK(in_plane.pressure > 0.0);
+  }
+}
+
+TEST_CASE("two levels are symmetric and positive where conjugate gradients go",
+          "[skin][large][coarse]") {
+  for (const Skin& skin : skins())
+    for (const double share : {1e-2, 1e-6, 1e-8}) {
+      const auto system = make_large_skin_system(skin.array, silicone, skin.options);
+      const EvenReadings even = even_readings(*system);
+      const double alpha = share * std::pow(even.pressure, 2);
+      std::shared_ptr<const LowWaves> waves;
+      SkinPreconditioner preconditioner(*system, alpha, even, waves);
+      CAPTURE(skin.array.rows, skin.array.columns, share, system->problem.components);
+      if (share < 1e-7) REQUIRE(preconditioner.has_coarse_space());
+      if (!preconditioner.has_coarse_space()) continue;
+      // What is left where the coarse space has done all it can: orthogonal to it.
+      const auto rest = [&](unsigned seed) {
+        std::vector<double> residual = random_numbers(system->tractions(), seed);
+        std::vector<double> answer(residual.size());
+        const double size = norm(residual);
+        preconditioner.start(residual, answer);
+        const std::vector<double> image = normal_product(*system, alpha, answer);
+        for (std::size_t i = 0; i < residual.size(); ++i) residual[i] -= image[i];
+        CHECK(waves->sums(residual).norm() < 1e-8 * size);
+        return residual;
+      };
+      const std::vector<double> a = rest(1);
+      const std::vector<double> b = rest(2);
+      std::vector<double> of_a(a.size());
+      std::vector<double> of_b(b.size());
+      preconditioner.apply(a, of_a);
+      preconditioner.apply(b, of_b);
+      CHECK_THAT(dot(a, of_b), WithinAbs(dot(of_a, b), 1e-7 * norm(a) * norm(of_b)));
+      CHECK(dot(a, of_a) > 0.0);
+      CHECK(dot(b, of_b) > 0.0);
+      std::vector<double> again(a.size());
+      preconditioner.apply(a, again);
+      CHECK(again == of_a);
+    }
+}
+
+TEST_CASE("conjugate gradients on two levels reach the minimiser of the dense problem",
+          "[skin][large][coarse]") {
+  const SkinArray skin = in_plane_skin(18);
+  for (const auto& dead : {std::vector<std::size_t>{}, {0, 21, 22, 137, 310}}) {
+    const SkinProblemOptions options = with_dead(dead);
+    const SkinProblem dense = make_problem(skin, silicone, options);
+    const SkinFamily family(dense);
+    const double size = std::pow(family.singular_values().front(), 2);
+    const std::vector<double> readings = readings_of(dense, 1);
+    LargeSkinTikhonov solver(skin, silicone, options, size);
+    for (const double share : {1e-2, 1e-5}) {
+      const double alpha = share * size;
+      solver.use_alpha(alpha);
+      const auto expected = family.solve(family.analyse(readings), alpha);
+      std::vector<double> found(expected.size());
+      REQUIRE(solver.solve(readings, found) == FrameStatus::ok);
+      CAPTURE(dead.size(), share, solver.convergence().steps);
+      CHECK(solver.convergence().converged);
+      const double error = distance(found, expected) / norm(expected);
+      CHECK(error < 1e-6);
+      CHECK(error <= solver.convergence().bound + 1e-9);
+      const auto right = normal_right_side(dense, readings);
+      CHECK(normal_residual(dense, alpha, solver.solve_normal(right), right) < 2e-8);
+    }
+  }
+}
+
+TEST_CASE("steps hold where no shear is read and where cells lie between taxels",
+          "[skin][large][coarse]") {
+  const Skin between{square_skin(20, 2e-3), with_dead({}, {.spacing = 0.5e-3})};
+  for (const Skin& skin :
+       {Skin{in_plane_skin(32)}, Skin{in_plane_skin(32), with_dead({0, 33, 700})}, between}) {
+    const auto system = make_large_skin_system(skin.array, silicone, skin.options);
+    const double even = std::pow(even_readings(*system).pressure, 2);
+    LargeSkinTikhonov solver(system, even);
+    const std::vector<double> right =
+        solver.normal_right_side(random_numbers(system->readings(), 4));
+    for (const double share : {1e-2, 1e-4, 1e-6, 1e-8}) {
+      const double alpha = share * even;
+      solver.use_alpha(alpha);
+      const std::vector<double> x = solver.solve_normal(right);
+      CAPTURE(skin.array.rows, skin.options.dead_taxels.size(), share, solver.convergence().steps);
+      CHECK(solver.convergence().converged);
+      CHECK(solver.convergence().steps <= (share < 1e-7 ? 120 : 36));
+      CHECK(distance(normal_product(*system, alpha, x), right) < 2e-8 * norm(right));
+    }
+  }
+}
