@@ -55,6 +55,12 @@ const LargeSkinFamily& LargeSkin::family() {
   return *family_;
 }
 
+double LargeSkin::degrees_of_freedom(const ConeFace& face, double alpha) const {
+  if (face.free.empty()) return 0.0;
+  constexpr std::size_t probes = 1;
+  return LargeSkinFamily(system_, face, probes).degrees_of_freedom(alpha);
+}
+
 LargeSkinTikhonov& LargeSkin::solver(double alpha) {
   if (!solver_)
     solver_ = std::make_unique<LargeSkinTikhonov>(system_, alpha);
@@ -84,6 +90,27 @@ std::unique_ptr<const LargeSkinCovariance> LargeSkin::covariance(double alpha, d
                    : std::make_shared<LargeSkinBands>(own, skin_, material_, options_);
   return std::make_unique<LargeSkinCovariance>(*bands_, prior_alpha,
                                                family().degrees_of_freedom(alpha));
+}
+
+LargeContacts LargeSkin::contacts(const std::vector<std::vector<std::size_t>>& apart) const {
+  constexpr double depths = 4.0;  // as far as a reading tells of a traction
+  const double reach = depths * *std::max_element(skin_.depths.begin(), skin_.depths.end());
+  return LargeContacts(problem(), apart, reach, [&](std::span<const std::size_t> cells) {
+    return LargeSkinPart(skin_, material_, options_, problem(), cells, reach);
+  });
+}
+
+std::vector<double> LargeSkin::readings_of(const LargeSkinPart& part,
+                                           std::span<const double> readings,
+                                           std::span<const double> tractions) {
+  std::vector<double> beyond = part.among_all(part.tractions(tractions));
+  for (std::size_t i = 0; i < beyond.size(); ++i) beyond[i] = tractions[i] - beyond[i];
+  const std::vector<double> of_others = part.readings(weighted_product(*system_, beyond));
+  const std::vector<double>& weights = problem_of(*part.system()).weights;
+  std::vector<double> left = part.readings(readings);
+  for (std::size_t i = 0; i < left.size(); ++i)
+    left[i] = weights[i] > 0.0 ? left[i] - of_others[i] / weights[i] : 0.0;
+  return left;
 }
 
 double LargeSkin::residual(std::span<const double> readings, std::span<const double> tractions) {

@@ -38,7 +38,7 @@ std::string without_matrix(const lab::SkinAnswer& answer) {
          "alpha, those of single cells estimates, " +
          off_in_words(bands.least) + " to " + off_in_words(bands.most) + " at the " +
          counted(bands.tractions, "traction") + " whose band was solved for" +
-         (constrained ? "; all are those without constraints, wider than need be" : "");
+         (constrained ? "; these are those without constraints, wider than need be" : "");
 }
 
 void add_missing(std::vector<Answer>& all, const lab::SkinRecordingAnswer& recording) {
