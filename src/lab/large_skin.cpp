@@ -14,12 +14,15 @@ namespace tactile_net::lab {
 namespace {
 
 /// Before anything is made that has the skin's size.
-void check_large_memory(const SkinArray& skin, const SkinProblemOptions& options,
+void check_large_memory(const SkinArray& skin, const SkinProblemOptions& options, bool constrained,
                         double available) {
   constexpr double gigabyte = 1e9;
   const SkinGrid grid = grid_of(skin, options.grid);
-  const double bytes =
-      large_skin_bytes(grid.count(), options.components, channel_count(skin), reading_count(skin));
+  const double bytes = large_skin_bytes({.cells = grid.count(),
+                                         .components = options.components,
+                                         .channels = channel_count(skin),
+                                         .dead_taxels = options.dead_taxels.size(),
+                                         .constrained = constrained});
   if (bytes <= available) return;
   throw std::invalid_argument(std::to_string(options.components * grid.count()) +
                               " unknown tractions take about " + fixed(bytes / gigabyte, 1) +
@@ -30,10 +33,10 @@ void check_large_memory(const SkinArray& skin, const SkinProblemOptions& options
 }  // namespace
 
 LargeSkin::LargeSkin(const SkinArray& skin, const Material& material, SkinProblemOptions options,
-                     DataLimits limits, double available)
+                     DataLimits limits, double available, bool constrained)
     : skin_(skin), material_(material), options_(std::move(options)), limits_(std::move(limits)) {
   check(skin_, material_, options_);
-  check_large_memory(skin_, options_, available);
+  check_large_memory(skin_, options_, constrained, available);
   system_ = make_large_skin_system(skin_, material_, options_);
 }
 

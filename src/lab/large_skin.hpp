@@ -20,10 +20,11 @@ namespace tactile_net::lab {
 /// Each part is made when it is first asked for. Not thread-safe.
 class LargeSkin {
  public:
+  /// @param constrained  whether frames will be solved under constraints
   /// @throw std::invalid_argument  as `make_large_skin_system`; it would take more memory than
   ///                               `available` [bytes]
   LargeSkin(const SkinArray& skin, const Material& material, SkinProblemOptions options,
-            DataLimits limits, double available);
+            DataLimits limits, double available, bool constrained = false);
 
   /// The same without these taxels: transformed kernels and the smaller skin of the bands are
   /// taken over, and where they are few the probes.

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "src/report/words/skin_remark_words.hpp"
 #include "tactile_net/lab/skin_answer.hpp"
 #include "tactile_net/lab/skin_recording_solver.hpp"
 #include "tactile_net/lab/skin_run.hpp"
@@ -321,10 +322,25 @@ TEST_CASE("what takes more memory than is left is refused before it is taken",
           "[lab][skin][large]") {
   const SkinArray sensor = skin("", "rows = 400\ncolumns = 400").sensor;
   const Material silicone{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
-  CHECK_THROWS_WITH(lab::LargeSkin(sensor, silicone, {}, {}, 5e8),
+  CHECK_THROWS_WITH(lab::LargeSkin(sensor, silicone, {}, {}, 3e8),
                     ContainsSubstring("489648 unknown tractions take about") &&
-                        ContainsSubstring("0.5 GB are left") &&
+                        ContainsSubstring("0.3 GB are left") &&
                         ContainsSubstring("larger spacing"));
+}
+
+TEST_CASE("what a large skin takes grows with its cells, constraints and dead taxels",
+          "[lab][skin][large]") {
+  const LargeSkinSize size{.cells = 10000};
+  const auto with = [&](auto change) {
+    LargeSkinSize other = size;
+    change(other);
+    return large_skin_bytes(other) / large_skin_bytes(size);
+  };
+  CHECK(with([](LargeSkinSize& s) { s.cells *= 4; }) > 2.0);
+  CHECK(with([](LargeSkinSize& s) { s.cells *= 4; }) < 4.0);
+  CHECK(with([](LargeSkinSize& s) { s.constrained = true; }) > 1.0);
+  CHECK(with([](LargeSkinSize& s) { s.dead_taxels = 100; }) > 1.05);
+  CHECK(with([](LargeSkinSize& s) { s.components = 1; }) < 0.7);
 }
 
 TEST_CASE("a scene says itself how it is solved", "[lab][skin][large]") {
@@ -337,4 +353,20 @@ TEST_CASE("a scene says itself how it is solved", "[lab][skin][large]") {
                     ContainsSubstring("reconstruct.offset = false"));
   CHECK_THROWS_WITH(skin("[reconstruct]\nspacing = 0.5e-3\n", "rows = 500\ncolumns = 500"),
                     ContainsSubstring("unknown tractions"));
+}
+
+TEST_CASE("of a large skin is said how far single cells' bands are off", "[lab][skin][large]") {
+  lab::SkinAnswer answer{.iteration = lab::SkinAnswer::Iteration{.steps = 30}};
+  const auto said = [&](double least, double most) {
+    answer.iteration->bands = {41, least, most};
+    return report::without_matrix(answer);
+  };
+  CHECK_THAT(said(-1e-5, 5e-4), ContainsSubstring("30 conjugate gradients") &&
+                                    ContainsSubstring("within 0.5 % where 41 tractions were"));
+  CHECK_THAT(said(-0.012, 1e-3), ContainsSubstring("1.2 % too narrow to 0.1 % too wide"));
+  CHECK_THAT(said(-0.4, -0.02), ContainsSubstring("2 % to 40 % too narrow"));
+  CHECK_THAT(said(0.02, 0.4), ContainsSubstring("2 % to 40 % too wide"));
+  CHECK_THAT(said(0.0, 0.1), !ContainsSubstring("without constraints"));
+  answer.cone.emplace();
+  CHECK_THAT(said(0.0, 0.1), ContainsSubstring("wider than need be"));
 }
