@@ -330,7 +330,7 @@ TEST_CASE("what takes more memory than is left is refused before it is taken",
 
 TEST_CASE("what a large skin takes grows with its cells, constraints and dead taxels",
           "[lab][skin][large]") {
-  const LargeSkinSize size{.cells = 10000};
+  const LargeSkinSize size{.cells = 40000};
   const auto with = [&](auto change) {
     LargeSkinSize other = size;
     change(other);
