@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "lab/large_contacts.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/skin/large/cone.hpp"
 #include "tactile_net/skin/large/covariance.hpp"
@@ -19,10 +20,11 @@ namespace tactile_net::lab {
 /// Each part is made when it is first asked for. Not thread-safe.
 class LargeSkin {
  public:
+  /// @param constrained  whether frames will be solved under constraints
   /// @throw std::invalid_argument  as `make_large_skin_system`; it would take more memory than
   ///                               `available` [bytes]
   LargeSkin(const SkinArray& skin, const Material& material, SkinProblemOptions options,
-            DataLimits limits, double available);
+            DataLimits limits, double available, bool constrained = false);
 
   /// The same without these taxels: transformed kernels and the smaller skin of the bands are
   /// taken over, and where they are few the probes.
@@ -33,6 +35,9 @@ class LargeSkin {
   /// Without its kernel.
   [[nodiscard]] const SkinProblem& problem() const noexcept { return problem_of(*system_); }
   [[nodiscard]] const LargeSkinFamily& family();
+  /// tr H of the tractions that the face leaves free, by one probe of random signs: of a large
+  /// skin's many readings one is enough.
+  [[nodiscard]] double degrees_of_freedom(const ConeFace& face, double alpha) const;
   /// With this alpha.
   [[nodiscard]] LargeSkinTikhonov& solver(double alpha);
   /// @throw FrameOverflow          the tractions overflow a double
@@ -43,6 +48,12 @@ class LargeSkin {
   /// Refers to this object, until its alpha is another one.
   [[nodiscard]] std::unique_ptr<const LargeSkinCovariance> covariance(double alpha,
                                                                       double prior_alpha);
+  /// The contacts of an answer, each with what its readings tell of it.
+  [[nodiscard]] LargeContacts contacts(const std::vector<std::vector<std::size_t>>& apart) const;
+  /// Those of a part, less what tractions beyond it explain.
+  [[nodiscard]] std::vector<double> readings_of(const LargeSkinPart& part,
+                                                std::span<const double> readings,
+                                                std::span<const double> tractions);
   /// |W (K f - g)|
   [[nodiscard]] double residual(std::span<const double> readings,
                                 std::span<const double> tractions);

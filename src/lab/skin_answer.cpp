@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lab/large_skin.hpp"
 #include "lab/skin_bands.hpp"
 #include "lab/skin_method.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
@@ -165,12 +166,12 @@ SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double
       answer.verdict = Verdict::iteration_limit;
       answer.remarks.emplace_back(remark::IterationLimit{answer.cone->iterations});
     }
-    if (!answer.cone->face.free.empty()) face.emplace(problem.problem(), answer.cone->face);
-    // Of a large skin those without constraints, which are more.
-    answer.degrees_of_freedom = face ? face->degrees_of_freedom(answer.alpha.value)
-                                : problem.is_large()
-                                    ? method->degrees_of_freedom(answer.alpha.value)
-                                    : 0.0;
+    if (!problem.is_large() && !answer.cone->face.free.empty())
+      face.emplace(problem.problem(), answer.cone->face);
+    answer.degrees_of_freedom = face                 ? face->degrees_of_freedom(answer.alpha.value)
+                                : problem.is_large() ? problem.large().degrees_of_freedom(
+                                                           answer.cone->face, answer.alpha.value)
+                                                     : 0.0;
   } else {
     answer.tractions = method->solve(frame, readings, answer.alpha.value);
     if (const auto reached = method->convergence()) {

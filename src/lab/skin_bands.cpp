@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "lab/large_skin.hpp"
 #include "lab/skin_constraint_bias.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/skin/covariance.hpp"
@@ -196,11 +197,12 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
     answer.iteration->bands = {error->tractions, error->least, error->most};
   for (double& deviation : answer.deviations) deviation *= rms;
 
-  const auto covariance_on = [&](const SkinFamily& some) {
-    const FilterFrame left = some.analyse(readings);
+  const auto prior_on_face = [&](const FilterFrame& left) {
     const AlphaTables tables(left.gamma, left.rows, left.shares);
-    return SkinCovariance(some, alpha,
-                          prior_of(left, tables, rule, alpha, problem.stated_noise()).alpha);
+    return prior_of(left, tables, rule, alpha, problem.stated_noise()).alpha;
+  };
+  const auto covariance_on = [&](const SkinFamily& some) {
+    return SkinCovariance(some, alpha, prior_on_face(some.analyse(readings)));
   };
   std::optional<SkinCovariance> of_face;
   std::vector<double> touching = answer.deviations;
@@ -212,7 +214,8 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   const Covariance& covariance = of_face ? static_cast<const Covariance&>(*of_face) : own;
   const std::span<const double> f = answer.tractions;
   // Under constraints the cells around a contact hold what noise pushes there, and nothing pulls.
-  const double rim = (face ? 0.5 : 1.0) * least_depth(problem.scene().sensor);
+  const bool on_face = answer.cone && !answer.cone->face.free.empty();
+  const double rim = (on_face ? 0.5 : 1.0) * least_depth(problem.scene().sensor);
   // Where nothing may pull an unknown offset presses everywhere, and windows would take it for one
   // contact: there cells alone tell.
   const FoundContacts found =
@@ -246,20 +249,32 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   const bool held = seen && pitch_in_depths(problem.scene().sensor) <= far_apart;
   // Friction's limit holds a contact together; where nothing but pulling is forbidden its rim is
   // not certain.
+  const bool loose = on_face && held && !problem.constraints()->friction_limit;
   std::optional<SkinCovariance> of_rim;
-  if (face && held && !problem.constraints()->friction_limit)
+  std::optional<LargeContacts> of_parts;
+  std::unique_ptr<const Covariance> of_large;
+  if (on_face && held && problem.is_large()) {
+    of_parts.emplace(problem.large().contacts(separate_contacts(grid, f, answer.cells)));
+    of_large = of_parts->covariance(
+        loose ? with_cells_beside(answer.cone->face, grid) : answer.cone->face,
+        [&](const LargeSkinPart& part) { return problem.large().readings_of(part, readings, f); },
+        alpha, prior_on_face, of_contact);
+  } else if (loose && face) {
     of_rim.emplace(
         covariance_on(SkinFamily(problem.problem(), with_cells_beside(answer.cone->face, grid))));
-  const Covariance& known = of_rim            ? static_cast<const Covariance&>(*of_rim)
+  }
+  const Covariance& known = of_large          ? *of_large
+                            : of_rim          ? static_cast<const Covariance&>(*of_rim)
                             : of_face && held ? covariance
                                               : of_contact;
   std::vector<double> contact(f.begin(), f.end());
-  const Pushed pushed = face ? pushed_in(problem, f, answer.cells) : Pushed{};
+  const Pushed pushed = on_face ? pushed_in(problem, f, answer.cells) : Pushed{};
   // A pressure that an offset hides is pushed anew each time, and that is known better.
   const bool solved_again =
-      face && held && !problem.is_large() && !problem.layout().unknown_offsets;
-  const double bias =
-      solved_again ? constraint_bias(problem, method, f, answer.cells, alpha, rms) : 0.0;
+      held && !problem.layout().unknown_offsets && (of_large != nullptr || (on_face && face));
+  const double bias = !solved_again ? 0.0
+                      : of_large    ? of_parts->bias(f, alpha, *problem.constraints(), rms)
+                                    : constraint_bias(problem, method, f, answer.cells, alpha, rms);
   for (const std::size_t cell : answer.cells)
     contact[cell] = (1.0 - bias) * contact[cell] - pushed.taken;
   answer.wrench = resultant_of(grid, contact, answer.cells, known, rms);

@@ -41,24 +41,35 @@ std::vector<double> weighted_readings(const SkinProblem& problem, std::span<cons
 
 }  // namespace
 
+double constraint_bias(const ContactAlone& contact,
+                       const std::function<SkinConeSolution(std::span<const double>)>& solve,
+                       double noise_rms) {
+  const double put_in = pressed(contact.tractions, contact.cells);
+  if (!(put_in > 0.0)) return 0.0;
+  const std::vector<double> noise = fixed_noise(contact.read.size(), noise_rms);
+  double found = 0.0;
+  for (const double sign : {1.0, -1.0}) {
+    std::vector<double> readings(contact.read.size());
+    for (std::size_t i = 0; i < readings.size(); ++i)
+      if (contact.weights[i] > 0.0)
+        readings[i] = (contact.read[i] + sign * noise[i]) / contact.weights[i];
+    const SkinConeSolution again = solve(readings);
+    if (again.status != FrameStatus::ok) return 0.0;
+    found += 0.5 * pressed(again.tractions, contact.cells);
+  }
+  return std::clamp((found - put_in) / put_in, -0.5, 0.5);
+}
+
 double constraint_bias(const SkinSceneProblem& problem, const SkinMethod& method,
                        std::span<const double> tractions, std::span<const std::size_t> cells,
                        double alpha, double noise_rms) {
-  const double put_in = pressed(tractions, cells);
-  if (!(put_in > 0.0)) return 0.0;
-  const SkinProblem& solved = problem.problem();
-  const std::vector<double> honest = weighted_readings(solved, tractions, cells);
-  const std::vector<double> noise = fixed_noise(honest.size(), noise_rms);
-  double found = 0.0;
-  for (const double sign : {1.0, -1.0}) {
-    std::vector<double> readings(honest.size());
-    for (std::size_t i = 0; i < readings.size(); ++i)
-      if (solved.weights[i] > 0.0) readings[i] = (honest[i] + sign * noise[i]) / solved.weights[i];
-    const SkinConeSolution again = method.solve_in_cones(readings, alpha);
-    if (again.status != FrameStatus::ok) return 0.0;
-    found += 0.5 * pressed(again.tractions, cells);
-  }
-  return std::clamp((found - put_in) / put_in, -0.5, 0.5);
+  return constraint_bias(
+      {.tractions = {tractions.begin(), tractions.end()},
+       .cells = cells,
+       .weights = problem.problem().weights,
+       .read = weighted_readings(problem.problem(), tractions, cells)},
+      [&](std::span<const double> readings) { return method.solve_in_cones(readings, alpha); },
+      noise_rms);
 }
 
 }  // namespace tactile_net::lab

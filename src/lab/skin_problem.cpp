@@ -109,9 +109,9 @@ const SkinProblem& SkinSceneProblem::layout() const {
 
 LargeSkin& SkinSceneProblem::large() const {
   if (!parts_->large)
-    parts_->large = std::make_unique<LargeSkin>(parts_->scene.sensor, parts_->scene.material,
-                                                options_of(parts_->scene), data_limits(*this),
-                                                available_memory());
+    parts_->large = std::make_unique<LargeSkin>(
+        parts_->scene.sensor, parts_->scene.material, options_of(parts_->scene), data_limits(*this),
+        available_memory(), parts_->constraints.has_value());
   return *parts_->large;
 }
 
@@ -195,9 +195,12 @@ double SkinSceneProblem::likeliest_weight(std::span<const double> readings) cons
 
 std::size_t SkinSceneProblem::bytes() const {
   if (is_large())
-    return static_cast<std::size_t>(large_skin_bytes(layout().grid.count(), layout().components,
-                                                     channel_count(scene().sensor),
-                                                     layout().sites.size()));
+    return static_cast<std::size_t>(
+        large_skin_bytes({.cells = layout().grid.count(),
+                          .components = layout().components,
+                          .channels = channel_count(scene().sensor),
+                          .dead_taxels = scene().dead_taxels.size(),
+                          .constrained = parts_->constraints.has_value()}));
   constexpr std::size_t matrices = 4;             // K twice, and its decomposition
   constexpr std::size_t numbers_of_rules = 1000;  // AlphaTables, per traction or reading
   const std::size_t rows = problem().kernel.rows;

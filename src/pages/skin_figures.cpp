@@ -147,8 +147,9 @@ std::string tractions_figure(const lab::SkinExperiment& experiment) {
   return figure_html(
       "tractions", maps(pictures) + traction_bar(experiment.scene, scales),
       std::string("Seen from outside: colours are the pressure, mean of each cell") +
-          (arrows ? ", arrows the drag" : "") + ", dots the taxels" +
-          (experiment.scene.dead_taxels.empty() ? "" : ", crosses those that are dead") +
+          (arrows ? ", arrows the drag" : "") +
+          (has_taxel_dots(experiment.scene.sensor) ? ", dots the taxels" : "") +
+          (experiment.scene.dead_taxels.empty() ? "" : ", crosses the dead taxels") +
           "; the line runs around the cells that touch, over which forces are "
           "summed. What is narrower than the taxels are deep is smoothed, for the pad itself "
           "hides it.",

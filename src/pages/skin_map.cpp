@@ -53,7 +53,7 @@ std::string px(double value) { return fixed(value, 1); }
 
 /// Along a map's longer side, at most: of more cells some share a pixel, and pages stay small.
 constexpr std::size_t most_pixels = 160;
-/// Dots of taxels, at most: more would be a grey sheet.
+/// Dots of taxels, at most.
 constexpr std::size_t most_dots = 2048;
 
 /// Means over square blocks of cells.
@@ -222,9 +222,11 @@ std::string map_dead_taxels(const MapGrid& grid, const SkinArray& skin,
   });
 }
 
+bool has_taxel_dots(const SkinArray& skin) noexcept { return taxel_count(skin) <= most_dots; }
+
 std::string map_taxels(const MapGrid& grid, const SkinArray& skin,
                        std::span<const std::size_t> dead) {
-  if (taxel_count(skin) > most_dots) return map_dead_taxels(grid, skin, dead);
+  if (!has_taxel_dots(skin)) return map_dead_taxels(grid, skin, dead);
   const std::string radius = px(taxel_radius(skin));
   return at_taxels(skin, dead, false,
                    [&](double y, double z) {

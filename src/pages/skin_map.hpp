@@ -62,7 +62,9 @@ enum class MapColours { signed_values, sizes };
 /// Around cells for which `inside` is true.
 [[nodiscard]] std::string map_outline(const MapGrid& grid, const std::vector<bool>& inside);
 
-/// Where taxels are: a dot each, of dead ones a cross.
+/// Whether taxels are so few that a dot each is more than a grey sheet.
+[[nodiscard]] bool has_taxel_dots(const SkinArray& skin) noexcept;
+/// Where taxels are: a dot each if there are any dots, of dead ones a cross.
 /// @param dead  their numbers
 [[nodiscard]] std::string map_taxels(const MapGrid& grid, const SkinArray& skin,
                                      std::span<const std::size_t> dead);

@@ -4,9 +4,12 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <stdexcept>
 
 #include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net {
@@ -58,6 +61,32 @@ class CellCones {
   Index cells_;
   Constraints constraints_;
 };
+
+/// Adds the directions in which the tractions of a cell may still change.
+///
+/// @param before  tractions whose projection the answer is; drags of any one scale
+/// @param limit   of friction, of the tractions themselves
+inline void add_free_directions(ConeFace& face, const Eigen::VectorXd& before, Eigen::Index cells,
+                                Eigen::Index at, ConePart part, std::optional<double> limit) {
+  const auto cell = static_cast<std::size_t>(at);
+  const auto add = [&](double p, double y, double z) { face.free.push_back({cell, {p, y, z}}); };
+  const bool three = before.size() == 3 * cells;
+  if (part == ConePart::sliding) {
+    // Of what is projected: the answer of a cell that hardly touches may have been rounded to 0.
+    const double drag = std::hypot(before(cells + at), before(2 * cells + at));
+    const double y = drag > 0.0 ? before(cells + at) / drag : 1.0;
+    const double z = drag > 0.0 ? before(2 * cells + at) / drag : 0.0;
+    const double length = std::hypot(1.0, *limit);
+    add(1.0 / length, *limit / length * y, *limit / length * z);
+    add(0.0, -z, y);
+    return;
+  }
+  if (part == ConePart::sticking) add(1.0, 0.0, 0.0);
+  if (three && (part == ConePart::sticking || !limit)) {
+    add(0.0, 1.0, 0.0);
+    add(0.0, 0.0, 1.0);
+  }
+}
 
 /// @throw std::invalid_argument  friction_limit is not > 0 and finite, or there is one component
 inline void check_cones(const SkinProblem& problem, const Constraints& constraints) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -188,32 +189,13 @@ SkinConeSolution SkinCone::solve(std::span<const double> readings, std::size_t i
     }
     solution.residual = residual();
     Eigen::VectorXd before = z + u;  // whose projection z is
+    std::optional<double> limit = s.constraints.friction_limit;
+    if (limit) *limit /= s.scales.drag;
     s.cones.project(before, [&](Index i, ConePart part) {
-      const auto cell = static_cast<std::size_t>(i);
-      const auto add = [&](double p, double y, double t) {
-        solution.face.free.push_back({cell, {p, y, t}});
-      };
       solution.apart += part == ConePart::apart;
       solution.sliding += part == ConePart::sliding;
       solution.sticking += part == ConePart::sticking;
-      const bool three = s.components == 3;
-      if (part == ConePart::sliding) {
-        const double limit = *s.constraints.friction_limit;
-        // Of what is projected here: z of a cell that hardly touches may have been rounded to 0.
-        const double drag = std::hypot(before(s.cells + i), before(2 * s.cells + i));
-        const double y = drag > 0.0 ? before(s.cells + i) / drag : 1.0;
-        const double t = drag > 0.0 ? before(2 * s.cells + i) / drag : 0.0;
-        const double slope = limit / s.scales.drag;
-        const double length = std::hypot(1.0, slope);
-        add(1.0 / length, slope / length * y, slope / length * t);
-        add(0.0, -t, y);
-        return;
-      }
-      if (part == ConePart::sticking) add(1.0, 0.0, 0.0);
-      if (three && (part == ConePart::sticking || !s.constraints.friction_limit)) {
-        add(0.0, 1.0, 0.0);
-        add(0.0, 0.0, 1.0);
-      }
+      add_free_directions(solution.face, before, s.cells, i, part, limit);
     });
   } else {
     solution.apart = static_cast<std::size_t>(s.cells);

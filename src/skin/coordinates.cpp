@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
@@ -37,6 +38,23 @@ Eigen::MatrixXd along_both(const Eigen::MatrixXd& columns, const Eigen::MatrixXd
           left * x * right.transpose();
     }
   return result;
+}
+
+/// As `edges`, which of a large skin's face would be too many numbers.
+Eigen::SparseMatrix<double> sparse_edges(const SkinProblem& problem, const ConeFace& face) {
+  const std::size_t cells = problem.grid.count();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t j = 0; j < face.free.size(); ++j) {
+    const auto& [cell, along] = face.free[j];
+    if (cell >= cells) throw std::invalid_argument("a face of another problem");
+    for (std::size_t u = 0; u < problem.components; ++u)
+      if (along[u] != 0.0)
+        entries.emplace_back(static_cast<int>(u * cells + cell), static_cast<int>(j), along[u]);
+  }
+  Eigen::SparseMatrix<double> map(static_cast<Index>(problem.components * cells),
+                                  std::ssize(face.free));
+  map.setFromTriplets(entries.begin(), entries.end());
+  return map;
 }
 
 }  // namespace
@@ -99,7 +117,7 @@ Eigen::VectorXd CosineCoordinates::squares(const SkinGrid&, const CellWindow& wi
 FaceCoordinates::FaceCoordinates(const SkinProblem& problem, const ConeFace& face) {
   if (face.free.empty())
     throw std::invalid_argument("every traction is held at zero: no family of any");
-  edges_ = as_eigen(tactile_net::edges(problem, face)).sparseView();
+  edges_ = sparse_edges(problem, face);
   const double spacing = std::min(problem.grid.spacing_y, problem.grid.spacing_z);
   if (spacing > too_narrow * problem.smoothing_length) {
     const Eigen::SparseMatrix<double> stretched = sparse_stabiliser(problem) * edges_;

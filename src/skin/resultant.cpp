@@ -242,17 +242,25 @@ std::optional<SkinFriction> friction_of(const SkinGrid& grid, std::span<const do
                        contact.of_torsion())
                  : Gradient(tractions.size());
   friction.margin = Result{1.0 - used, of_margin}.uncertain(covariance, noise_rms);
+  // Some at a time: of a large skin a weight for every traction and cell would be gigabytes.
+  constexpr std::size_t most_weights = std::size_t{1} << 20;
+  const std::size_t batch = std::max<std::size_t>(most_weights / tractions.size(), 1);
   std::vector<Gradient> of_cells;
+  std::size_t done = 0;
+  const auto add_deviations = [&] {
+    for (const double deviation : covariance.deviations_of(of_cells))
+      friction.cell_margins[done++].deviation = deviation * noise_rms;
+    of_cells.clear();
+  };
   for (const std::size_t cell : cells) {
     const double q = std::hypot(contact.q_y(cell), contact.q_z(cell));
     const double over = q > 0.0 ? -1.0 / q : 0.0;
     friction.cell_margins.push_back({*limit * contact.p(cell) - q, 0.0});
     of_cells.push_back(
         contact.at(cell, *limit, contact.q_y(cell) * over, contact.q_z(cell) * over));
+    if (of_cells.size() == batch) add_deviations();
   }
-  const std::vector<double> deviations = covariance.deviations_of(of_cells);
-  for (std::size_t i = 0; i < deviations.size(); ++i)
-    friction.cell_margins[i].deviation = deviations[i] * noise_rms;
+  add_deviations();
   return friction;
 }
 

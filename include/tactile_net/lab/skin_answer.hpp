@@ -37,7 +37,7 @@ struct SkinAnswer {
   std::vector<double> offsets{};            ///< of each channel [its unit]; none: they are known
   /// Of a skin with more tractions than dense matrices take (scene/skin_size.hpp): how near to the
   /// minimiser conjugate gradients came; under constraints that is in `cone`, and here no step.
-  /// Single cells' deviations are then estimates, and all are those without constraints.
+  /// Single cells' deviations are then estimates, and those without constraints.
   struct BandProbes {
     std::size_t tractions = 0;  ///< whose deviation was solved for
     double least = 0.0;         ///< of the estimates over those, less 1; negative: too narrow

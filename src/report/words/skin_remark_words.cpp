@@ -1,5 +1,6 @@
 #include "report/words/skin_remark_words.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tactile_net/numeric/counted.hpp"
@@ -21,9 +22,15 @@ std::string offsets_in_words(const SkinScene& scene, std::span<const double> off
 
 namespace {
 
-/// "1.2 % too narrow".
-std::string off_in_words(double off) {
-  return percent(std::abs(off)) + (off < 0.0 ? " too narrow" : " too wide");
+/// "within 0.5 %", "1.2 % too narrow to 0.1 % too wide", "2 % to 40 % too narrow".
+std::string off_in_words(double least, double most) {
+  constexpr double near = 0.005;
+  const auto way = [](double off) { return off < 0.0 ? " too narrow" : " too wide"; };
+  if (std::max(std::abs(least), std::abs(most)) <= near) return "within " + percent(near);
+  if ((least < 0.0) != (most < 0.0))
+    return percent(std::abs(least)) + way(least) + " to " + percent(most) + way(most);
+  const auto [less, more] = std::minmax({std::abs(least), std::abs(most)});
+  return percent(less) + " to " + percent(more) + way(least);
 }
 
 }  // namespace
@@ -32,13 +39,13 @@ std::string without_matrix(const lab::SkinAnswer& answer) {
   const bool constrained = answer.cone.has_value();
   const std::size_t steps = constrained ? answer.cone->iterations : answer.iteration->steps;
   const auto& bands = answer.iteration->bands;
-  return "more tractions than a dense matrix takes: solved by products, in " +
-         std::to_string(steps) + (constrained ? " projected gradients" : " conjugate gradients") +
-         "; alpha's traces are means over random probes, bands of forces one solve each with that "
-         "alpha, those of single cells estimates, " +
-         off_in_words(bands.least) + " to " + off_in_words(bands.most) + " at the " +
-         counted(bands.tractions, "traction") + " whose band was solved for" +
-         (constrained ? "; all are those without constraints, wider than need be" : "");
+  return "more tractions than a dense matrix takes, solved by products: " + std::to_string(steps) +
+         (constrained ? " projected gradients" : " conjugate gradients") +
+         "; alpha by means over random probes; bands of forces solved for, those of single cells "
+         "estimated, " +
+         off_in_words(bands.least, bands.most) + " where " + counted(bands.tractions, "traction") +
+         (bands.tractions == 1 ? " was" : " were") + " solved for" +
+         (constrained ? ", and as without constraints, wider than need be" : "");
 }
 
 void add_missing(std::vector<Answer>& all, const lab::SkinRecordingAnswer& recording) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "inverse/checks.hpp"
@@ -162,10 +163,13 @@ SkinConeSolution LargeSkinCone::solve(std::span<const double> readings, std::siz
   if (!(size > 0.0)) solution.verdict = ConstrainedVerdict::ok;
 
   Eigen::VectorXd before = f - gradient / p.largest;  // at the minimum f is its projection
-  p.cones.project(before, [&](Index, ConePart part) {
+  std::optional<double> limit = p.limits.friction_limit;
+  if (limit) *limit /= p.drag;
+  p.cones.project(before, [&](Index i, ConePart part) {
     solution.apart += part == ConePart::apart;
     solution.sliding += part == ConePart::sliding;
     solution.sticking += part == ConePart::sticking;
+    add_free_directions(solution.face, before, p.cells, i, part, limit);
   });
   f *= scale;
   if (p.drags()) f.tail(2 * p.cells) /= p.drag;

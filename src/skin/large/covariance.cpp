@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <list>
 #include <optional>
 #include <utility>
 
@@ -10,46 +9,25 @@
 #include "numeric/eigen.hpp"
 #include "skin/large/band_probes.hpp"
 #include "skin/large/piece.hpp"
+#include "skin/large/solved_sums.hpp"
 #include "skin/scaled_deviation.hpp"
 
 namespace tactile_net {
 
 struct LargeSkinBands::Parts {
-  /// Weights, and [W K; sqrt(alpha) L] P^-1 times them.
-  struct Solved {
-    Eigen::VectorXd weights;
-    Eigen::VectorXd image;
-  };
-
-  /// [W K; sqrt(alpha) L] P^-1 weights, over the largest of them, and that one. Solved for is only
-  /// what the weights have beside all that was solved before: of forces, moments and what follows
-  /// from them few are new. Where the solver's alpha is another one, what was solved is of no use.
+  /// [W K; sqrt(alpha) L] P^-1 weights, over the largest of them, and that one. Where the solver's
+  /// alpha is another one, what was solved is of no use.
   std::pair<Eigen::VectorXd, double> image(std::span<const double> weights) {
-    if (alpha != solver.alpha() || solved.size() >= most_solved) {
+    if (alpha != solver.alpha()) {
       solved.clear();
       alpha = solver.alpha();
     }
-    Eigen::VectorXd left = as_eigen(weights);
-    const double most = left.cwiseAbs().maxCoeff();
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(solver.stacked_rows()));
-    if (!(most > 0.0)) return {sum, 0.0};
-    left /= most;
-    const double size = left.norm();
-    for (int again = 0; again < 2; ++again)  // once leaves what rounding has of the others
-      for (const Solved& one : solved) {
-        const double share = one.weights.dot(left);
-        left -= share * one.weights;
-        sum += share * one.image;
-      }
-    const double rest = left.norm();
-    if (rest > known * size) {
-      left /= rest;
-      const std::span<const double> right(left.data(), static_cast<std::size_t>(left.size()));
+    const auto rows = static_cast<Eigen::Index>(solver.stacked_rows());
+    return solved.image(as_eigen(weights), rows, [&](const Eigen::VectorXd& one) {
+      const std::span<const double> right(one.data(), static_cast<std::size_t>(one.size()));
       const auto read = solver.stacked_product(solver.solve_normal(right, residual));
-      solved.push_back({left, as_eigen(std::span(read))});
-      sum += rest * solved.back().image;
-    }
-    return {sum, most};
+      return Eigen::VectorXd(as_eigen(std::span(read)));
+    });
   }
 
   /// How far these deviations are off what probes have, of this prior. An error varies slowly with
@@ -83,11 +61,9 @@ struct LargeSkinBands::Parts {
   LargeSkinTikhonov& solver;
   std::shared_ptr<SkinPiece> piece;
   double alpha = 0.0;
-  std::list<Solved> solved{};  // orthonormal weights
+  SolvedSums solved{};
   std::optional<KnownError> known_error{};
 
-  static constexpr std::size_t most_solved = 24;
-  static constexpr double known = 1e-10;  // of weights: no more than rounding
   static constexpr double residual = 1e-6;
 };
 
@@ -135,8 +111,7 @@ double LargeSkinCovariance::deviation(std::span<const double> weights) const {
       std::find_if(weights.begin(), weights.end(), [](double w) { return w != 0.0; });
   if (first == weights.end()) return 0.0;
   const std::size_t cell = static_cast<std::size_t>(first - weights.begin()) % cells;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    if (weights[i] != 0.0 && i % cells != cell) return scaled_deviation(*this, weights);
+  if (!is_of_one_cell(weights, cells)) return scaled_deviation(*this, weights);
   // Of a single cell: as the piece has it, times the most that dead taxels make of its tractions.
   std::vector<double> of_cell(problem.components);
   std::vector<double> one(problem.components);

@@ -75,8 +75,11 @@ Eigen::VectorXd signs(std::span<const double> weights, std::uint64_t probe) {
 
 struct LargeSkinFamily::Parts {
   explicit Parts(std::shared_ptr<LargeSkinSystem> made)
+      : Parts(made, std::make_unique<CosineCoordinates>(
+                        made->problem, stabiliser_spectrum(made->problem).cwiseSqrt())) {}
+  Parts(std::shared_ptr<LargeSkinSystem> made, std::unique_ptr<const SkinCoordinates> in)
       : system(std::move(made)),
-        waves(system->problem, stabiliser_spectrum(system->problem).cwiseSqrt()),
+        coordinates(std::move(in)),
         rows(static_cast<double>(Weighting(system->problem).rows())) {
     const Eigen::VectorXd spectrum = stabiliser_spectrum(system->problem);
     stabiliser_condition = std::sqrt(spectrum.maxCoeff() / spectrum.minCoeff());
@@ -86,11 +89,11 @@ struct LargeSkinFamily::Parts {
   [[nodiscard]] Eigen::VectorXd sums(const Eigen::VectorXd& u) const {
     Eigen::VectorXd of_tractions(static_cast<Index>(system->tractions()));
     system->weighted_sums(numbers(u), numbers(of_tractions));
-    return waves.sums(of_tractions);
+    return coordinates->sums(of_tractions);
   }
   /// A v.
   [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& v) const {
-    const Eigen::VectorXd tractions = waves.tractions(v);
+    const Eigen::VectorXd tractions = coordinates->tractions(v);
     Eigen::VectorXd read(static_cast<Index>(system->readings()));
     system->weighted_readings(numbers(tractions), numbers(read));
     return read;
@@ -129,13 +132,18 @@ struct LargeSkinFamily::Parts {
     return nodes_of(diagonal, below);
   }
 
+  void run_probes(std::size_t count) {
+    for (std::size_t probe = 1; probe <= count; ++probe)
+      probes.push_back(run(signs(system->problem.weights, probe)));
+  }
+
   [[nodiscard]] double degrees(const Nodes& nodes, double alpha) const {
     const Eigen::ArrayXd squares = nodes.gamma.array().square();
     return rows * (nodes.weights.array() * squares / (squares + alpha)).sum();
   }
 
   std::shared_ptr<LargeSkinSystem> system;  // its buffers are used, not its meaning changed
-  CosineCoordinates waves;
+  std::unique_ptr<const SkinCoordinates> coordinates;  // in which the stabiliser is simple
   double rows;
   double stabiliser_condition = 1.0;
   std::vector<Nodes> probes{};
@@ -143,8 +151,14 @@ struct LargeSkinFamily::Parts {
 
 LargeSkinFamily::LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, std::size_t probes) {
   auto parts = std::make_unique<Parts>(std::move(system));
-  for (std::size_t probe = 1; probe <= probes; ++probe)
-    parts->probes.push_back(parts->run(signs(parts->system->problem.weights, probe)));
+  parts->run_probes(probes);
+  parts_ = std::move(parts);
+}
+LargeSkinFamily::LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, const ConeFace& face,
+                                 std::size_t probes) {
+  auto coordinates = std::make_unique<FaceCoordinates>(system->problem, face);
+  auto parts = std::make_unique<Parts>(std::move(system), std::move(coordinates));
+  parts->run_probes(probes);
   parts_ = std::move(parts);
 }
 LargeSkinFamily::LargeSkinFamily(const LargeSkinTikhonov& solver, std::size_t probes)

@@ -117,21 +117,31 @@ std::vector<double> weighted_product(LargeSkinSystem& system, std::span<const do
   return readings;
 }
 
-double large_skin_bytes(std::size_t cells, std::size_t components, std::size_t channels,
-                        std::size_t readings) noexcept {
-  constexpr double spectrum =
-      3.0;  // of a kernel, over the cells: half of twice by twice, fast sizes
-  constexpr double planes = 12.0;  // of complex rows and columns, of each input and output
-  constexpr double kept = 30.0;    // vectors of tractions; sums and their images are most of them
-  constexpr double slow = 15.0;    // tractions of the coarse space that are no waves, at most
-  constexpr double tiles = 2e8;    // kinds of tiles, and nodes of the probes
-  const auto pairs = static_cast<double>(components * channels);
-  const auto most = static_cast<double>(std::max(components, channels));
-  const auto size = static_cast<double>(cells);
-  const double numbers =
-      size * (pairs * (spectrum + 1.0) + most * planes + static_cast<double>(components) * slow) +
-      kept * (4.0 * size * static_cast<double>(components) + static_cast<double>(readings));
-  return sizeof(double) * numbers + tiles;
+double large_skin_bytes(const LargeSkinSize& size) noexcept {
+  constexpr double program = 30e6;    // with what is written of an answer
+  constexpr double of_pairs = 3.4e6;  // kinds of tiles, and the smaller skin of the bands
+  constexpr double spectrum = 2.3;    // of a kernel beside itself, over the cells
+  constexpr double planes = 2.4;      // rows of an input or output, complex
+  constexpr double vectors = 109.0;   // of tractions and readings: sums and images most of them
+  constexpr double slow = 15.0;       // of the coarse space that are no waves, at most
+  constexpr double of_constraints = 16.0;  // vectors of tractions
+  constexpr double of_faces = 8e6;
+  constexpr double of_a_tile = 256.0;  // tractions of a component
+  constexpr double in_reach = 576.0;   // taxels of a tile
+  constexpr double tiles = 9.0;        // which a taxel is in reach of
+  const auto components = static_cast<double>(size.components);
+  const auto channels = static_cast<double>(size.channels);
+  const double pairs = components * channels;
+  const double each = spectrum * pairs + planes * (components + channels) +
+                      (vectors + slow) * components +
+                      (size.constrained ? of_constraints * components : 0.0);
+  // Of a tile's dead readings its tractions, and each of the others.
+  const double dead = channels * static_cast<double>(size.dead_taxels);
+  const double most_together = std::min(dead, in_reach * channels);
+  const double corrections = tiles * dead * (of_a_tile * components + most_together);
+  return program + (size.constrained ? of_faces : 0.0) +
+         of_pairs * components * std::max(components, channels) +
+         sizeof(double) * (each * static_cast<double>(size.cells) + corrections);
 }
 
 }  // namespace tactile_net

@@ -27,8 +27,7 @@ class LargeSkinCone {
   LargeSkinCone(LargeSkinCone&&) noexcept;
   LargeSkinCone& operator=(LargeSkinCone&&) noexcept;
 
-  /// One frame, from 0. `too_large` if any weighted reading or traction would not be finite. The
-  /// face is left empty: it would have a direction for each free traction.
+  /// One frame, from 0. `too_large` if any weighted reading or traction would not be finite.
   ///
   /// @param iteration_limit  steps after which the best so far is returned, with its verdict
   /// @param enough           residual at which it ends, as `SkinCone`'s

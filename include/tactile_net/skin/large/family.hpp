@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "tactile_net/inverse/filter_frame.hpp"
+#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
 
 namespace tactile_net {
@@ -29,6 +30,10 @@ class LargeSkinFamily {
   /// @param probes  >= 1
   explicit LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, std::size_t probes = 4);
   explicit LargeSkinFamily(const LargeSkinTikhonov& solver, std::size_t probes = 4);
+  /// Of the tractions that a face of the cones leaves free, as `SkinFamily`'s.
+  /// @throw std::invalid_argument  the face leaves nothing free, or is of another problem
+  LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, const ConeFace& face,
+                  std::size_t probes = 4);
   /// With the probes of another's, of the same skin without these dead taxels: no product. Their
   /// share of the taxels is about what the traces may be off by; of some hundredths that is less
   /// than the probes' own deviation.

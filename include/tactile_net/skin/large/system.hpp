@@ -41,9 +41,18 @@ struct LargeSkinSystem;
 [[nodiscard]] std::vector<double> weighted_product(LargeSkinSystem& system,
                                                    std::span<const double> tractions);
 
-/// What a large skin takes in memory at most, about, for one frame with its bands [bytes]: spectra,
-/// tiles, vectors.
-[[nodiscard]] double large_skin_bytes(std::size_t cells, std::size_t components,
-                                      std::size_t channels, std::size_t readings) noexcept;
+/// What a large skin's memory depends on.
+struct LargeSkinSize {
+  std::size_t cells = 0;
+  std::size_t components = 3;
+  std::size_t channels = 3;
+  std::size_t dead_taxels = 0;
+  bool constrained = false;
+};
+
+/// What a program takes in memory that solves one frame of it, with bands, and writes the answer,
+/// about, and rather more than less [bytes]: measured (docs/internals/skin.md). Alphas below 1e-5
+/// of the square of what even pressure reads have larger tiles, of 0.1 GB at most.
+[[nodiscard]] double large_skin_bytes(const LargeSkinSize& size) noexcept;
 
 }  // namespace tactile_net

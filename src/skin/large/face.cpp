@@ -1,0 +1,128 @@
+#include "tactile_net/skin/large/face.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "inverse/checks.hpp"
+#include "numeric/eigen.hpp"
+#include "skin/coordinates.hpp"
+#include "skin/large/solved_sums.hpp"
+#include "skin/large/system.hpp"
+#include "skin/scaled_deviation.hpp"
+
+namespace tactile_net {
+namespace {
+
+using Eigen::Index;
+
+constexpr double enough = 1e-6;  // of a residual; a variance is off by about its square
+constexpr int most_steps = 3000;
+
+std::span<double> numbers(Eigen::VectorXd& all) noexcept {
+  return {all.data(), static_cast<std::size_t>(all.size())};
+}
+std::span<const double> numbers(const Eigen::VectorXd& all) noexcept {
+  return {all.data(), static_cast<std::size_t>(all.size())};
+}
+
+}  // namespace
+
+/// In coordinates of the face in which the stabiliser is simple, f = T c, P is A'A + alpha with
+/// A = W K T.
+struct LargeSkinFaceCovariance::Parts {
+  /// A c.
+  [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& c) const {
+    const Eigen::VectorXd tractions = coordinates.tractions(c);
+    Eigen::VectorXd read(static_cast<Index>(system->readings()));
+    system->weighted_readings(numbers(tractions), numbers(read));
+    return read;
+  }
+  /// A' u.
+  [[nodiscard]] Eigen::VectorXd sums(const Eigen::VectorXd& u) const {
+    Eigen::VectorXd of_tractions(static_cast<Index>(system->tractions()));
+    system->weighted_sums(numbers(u), numbers(of_tractions));
+    return coordinates.sums(of_tractions);
+  }
+
+  /// [A; 1] (A'A + alpha)^-1 T' weights, by conjugate gradients.
+  [[nodiscard]] Eigen::VectorXd solved(const Eigen::VectorXd& weights) {
+    const Eigen::VectorXd right = coordinates.sums(weights);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size());
+    Eigen::VectorXd image = Eigen::VectorXd::Zero(static_cast<Index>(system->readings()));
+    Eigen::VectorXd gradient = right;
+    Eigen::VectorXd direction = right;
+    const double goal = enough * right.norm();
+    double power = right.squaredNorm();
+    int step = 0;
+    for (; step < most_steps && std::sqrt(power) > goal; ++step) {
+      const Eigen::VectorXd read = readings(direction);
+      const double length = power / (read.squaredNorm() + alpha * direction.squaredNorm());
+      x += length * direction;
+      image += length * read;
+      gradient -= length * (sums(read) + alpha * direction);
+      const double next = gradient.squaredNorm();
+      direction = gradient + next / power * direction;
+      power = next;
+    }
+    converged = converged && std::sqrt(power) <= goal;
+    Eigen::VectorXd both(image.size() + x.size());
+    both << image, x;
+    return both;
+  }
+
+  std::pair<Eigen::VectorXd, double> image(std::span<const double> weights) {
+    const std::vector<double> own = part.tractions(weights);
+    const Index rows = static_cast<Index>(system->readings()) + coordinates.count();
+    return sums_made.image(as_eigen(std::span(own)), rows,
+                           [&](const Eigen::VectorXd& one) { return solved(one); });
+  }
+
+  const LargeSkinPart& part;
+  std::shared_ptr<LargeSkinSystem> system;
+  FaceCoordinates coordinates;
+  double alpha;
+  double prior_alpha;
+  double degrees;
+  const Covariance& free;
+  SolvedSums sums_made{};
+  bool converged = true;
+};
+
+LargeSkinFaceCovariance::LargeSkinFaceCovariance(const LargeSkinPart& part, const ConeFace& face,
+                                                 double alpha, double prior_alpha,
+                                                 double degrees_of_freedom,
+                                                 const Covariance& free) {
+  check_alpha(alpha);
+  check_alpha(prior_alpha);
+  parts_.reset(new Parts{part, part.system(), FaceCoordinates(problem_of(*part.system()), face),
+                         alpha, prior_alpha, degrees_of_freedom, free});
+}
+LargeSkinFaceCovariance::~LargeSkinFaceCovariance() = default;
+
+std::vector<double> LargeSkinFaceCovariance::deviations() const {
+  return parts_->free.deviations();
+}
+
+double LargeSkinFaceCovariance::deviation(std::span<const double> weights) const {
+  const std::size_t cells = weights.size() / problem_of(*parts_->system).components;
+  return is_of_one_cell(weights, cells) ? parts_->free.deviation(weights)
+                                        : scaled_deviation(*this, weights);
+}
+
+double LargeSkinFaceCovariance::covariance(std::span<const double> a,
+                                           std::span<const double> b) const {
+  Parts& p = *parts_;
+  const auto [of_a, largest_a] = p.image(a);
+  const auto [of_b, largest_b] = p.image(b);
+  if (!p.converged) return p.free.covariance(a, b);
+  const auto read = static_cast<Index>(p.system->readings());
+  const Index rest = of_a.size() - read;
+  const double known = of_a.head(read).dot(of_b.head(read));
+  const double smoothed = of_a.tail(rest).dot(of_b.tail(rest));
+  return largest_a * (largest_b * (known + p.alpha * (p.alpha / p.prior_alpha) * smoothed));
+}
+
+double LargeSkinFaceCovariance::degrees_of_freedom() const noexcept { return parts_->degrees; }
+bool LargeSkinFaceCovariance::converged() const noexcept { return parts_->converged; }
+
+}  // namespace tactile_net
