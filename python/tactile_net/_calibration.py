@@ -36,15 +36,19 @@ class NextPress:
     """A press to do next."""
 
     position: float
-    """Of its middle [m]; 0 is the middle of the array."""
-    radius: float
-    """Of the rod [m]."""
+    """Of its middle along y [m]; 0 is the middle of a line."""
+    radius: float | None
+    """Of the rod, on a skin of the ball [m]; None: a punch or a cone."""
     half_width: float
     """Of its contact under `force` [m]."""
     force: float
-    """[N/m]"""
+    """[N/m], on a skin [N]"""
     unknown_then: float
-    """Share of the readings, or of the target, that is unknown once this and those before are done."""
+    """Share of the readings, or of the target, that is unknown once this and those before are done; of a shift its deviation [m]."""
+    shape: str = "cylinder"
+    """On a skin "sphere", "punch" or "cone"."""
+    position_z: float | None = None
+    """On a skin [m]."""
 
 
 class Calibration(PagedDocument):
@@ -61,7 +65,7 @@ class Calibration(PagedDocument):
     rms: float
     """Of the residuals over the noise: 1 where the presses are explained."""
     parameters: dict[str, FittedValue]
-    """"depth", "thickness", "poisson_ratio", "youngs_modulus", "crosstalk", "shift", "pitch"; no thickness without a layer."""
+    """"depth", "thickness", "poisson_ratio", "youngs_modulus", "crosstalk", "shift", "pitch", of a skin "shift_z"; no thickness without a layer."""
     mean_gains: dict[str, FittedValue]
     """Of each channel, over the nominal scene's."""
     gains: tuple[FittedValue, ...]
@@ -93,7 +97,7 @@ class Calibration(PagedDocument):
         self.offsets = tuple(_listed(value) for value in document["offsets"])
         self.null_directions = tuple(document["null_directions"])
         self.next = tuple(
-            NextPress(**{key: press[key] for key in NextPress.__dataclass_fields__}) for press in document["next"]
+            NextPress(**{key: press.get(key) for key in NextPress.__dataclass_fields__}) for press in document["next"]
         )
         self.words, self.hidden = tuple(core.words()), tuple(core.hidden())
         self.notes = tuple(core.notes)

@@ -35,14 +35,27 @@ def test_numbers_are_those_of_the_command(name: str, tmp_path: Path, command: Ca
 
 def test_a_skin_is_calibrated_as_the_command_does(tmp_path: Path, command: Callable[..., Any]) -> None:
     log, scene = LOGS / "skin-layer.csv", LOGS / "skin-layer.toml"
-    found = tn.calibrate(log, scene)
-    command("calibrate", log, "--scene", scene, "--json", tmp_path / "c.json", "-o", tmp_path / "theirs.toml")
+    found = tn.calibrate(log, scene, next=2)
+    command("calibrate", log, "--scene", scene, "--next", 2, "--json", tmp_path / "c.json", "-o", tmp_path / "theirs.toml")
     assert found.to_dict() == json.loads((tmp_path / "c.json").read_text())
     written = found.write(tmp_path / "ours.toml")
     assert isinstance(written, tn.Skin)
     assert (tmp_path / "ours.toml").read_bytes() == (tmp_path / "theirs.toml").read_bytes()
-    with pytest.raises(ValueError, match="lines alone"):
-        tn.calibrate(log, scene, next=2)
+    assert len(found.next) == 2 and all(press.position_z is not None for press in found.next)
+    assert {press.shape for press in found.next} <= {"sphere", "punch", "cone"}
+    assert all((press.radius is None) == (press.shape != "sphere") for press in found.next)
+    assert found.next[1].unknown_then < found.next[0].unknown_then
+    assert "contact radius" in found._repr_html_()
+
+
+def test_a_skins_shift_is_found_and_told_best() -> None:
+    scene = tn.Scene.parse((LOGS / "skin-balls.toml").read_text() + "\n[calibrate]\nshift_sd = 1.0\n")
+    found = tn.calibrate(LOGS / "skin-balls.csv", scene, next=1, target="shift_z")
+    for name in ("shift", "shift_z"):
+        shift = found.parameters[name]
+        assert shift.verdict == "identified" and shift.sd is not None
+        assert abs(shift.value) < 4.0 * shift.sd
+    assert found.next[0].unknown_then < (found.parameters["shift_z"].sd or 0.0)
 
 
 def test_what_it_shows(tmp_path: Path) -> None:

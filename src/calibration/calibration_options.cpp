@@ -21,7 +21,8 @@ constexpr Row parameters[] = {
     {{PadParameter::youngs_modulus, "youngs_modulus"}, &CalibrationOptions::youngs_modulus_sd},
     {{PadParameter::crosstalk, "crosstalk"}, &CalibrationOptions::crosstalk_sd},
     {{PadParameter::shift, "shift"}, &CalibrationOptions::shift_sd},
-    {{PadParameter::pitch, "pitch"}, &CalibrationOptions::pitch_sd}};
+    {{PadParameter::pitch, "pitch"}, &CalibrationOptions::pitch_sd},
+    {{PadParameter::shift_z, "shift_z"}, &CalibrationOptions::shift_z_sd}};
 
 constexpr Named<GainSharing> sharings[] = {{GainSharing::reading, "reading"},
                                            {GainSharing::taxel, "taxel"},

@@ -20,20 +20,29 @@ constexpr double clear = 8.0;                   // sds of the noise
 constexpr std::size_t fewest_of_a_trend = 8;    // presses
 
 const Stated& stated_of(const Press& press, PressQuantity quantity) {
-  const Stated* const values[] = {&press.force, &press.position, &press.half_width, &press.friction,
-                                  &press.position_z};
+  const Stated* const values[] = {&press.force,    &press.position,   &press.half_width,
+                                  &press.friction, &press.position_z, &press.friction_z};
   return *values[static_cast<std::size_t>(quantity)];
 }
 
+/// Whether another value would change a reading, and each stay finite.
+bool is_asked(const PressModel& model, PressQuantity quantity) {
+  const bool along_z =
+      quantity == PressQuantity::position_z || quantity == PressQuantity::friction_z;
+  const bool drags = quantity == PressQuantity::friction || quantity == PressQuantity::friction_z;
+  return (model.is_skin() || !along_z) && (!drags || model.holds_drags());
+}
+
 double value_of(const PressState& at, PressQuantity quantity) {
-  const double values[] = {std::exp(at.log_force), at.center, std::exp(at.log_half_width),
-                           at.friction, at.center_z};
+  const double values[] = {
+      std::exp(at.log_force), at.center, std::exp(at.log_half_width), at.friction, at.center_z,
+      at.friction_z};
   return values[static_cast<std::size_t>(quantity)];
 }
 
-constexpr PressQuantity press_values[] = {PressQuantity::force, PressQuantity::position,
+constexpr PressQuantity press_values[] = {PressQuantity::force,      PressQuantity::position,
                                           PressQuantity::half_width, PressQuantity::friction,
-                                          PressQuantity::position_z};
+                                          PressQuantity::position_z, PressQuantity::friction_z};
 
 /// How far a stated value moved, in its sds; 0 where it is exact, unknown or put aside.
 double deviation_of(const FitProblem& problem, const FitState& state, std::size_t p,
@@ -89,6 +98,7 @@ class OtherValues {
           one.center_z = 0.5 * (first.z + last.z) + 0.5 * share * (last.z - first.z);
         if (quantity == PressQuantity::half_width) one.log_half_width += 2.0 * share;
         if (quantity == PressQuantity::friction) one.friction = share;
+        if (quantity == PressQuantity::friction_z) one.friction_z = share;
         tried.push_back(one);
       }
     const PressReadings readings =
@@ -298,7 +308,7 @@ std::optional<ContradictedPress> contradiction(const FitProblem& problem, const 
     bool any = false;
     for (const PressQuantity quantity : press_values) {
       const Stated& stated = stated_of(log, quantity);
-      if (!stated.value) continue;
+      if (!stated.value || !is_asked(problem.model(), quantity)) continue;
       if (const double squares = others.least(quantity); squares < least) {
         least = squares;
         found.quantity = quantity;

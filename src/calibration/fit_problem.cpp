@@ -20,7 +20,7 @@ constexpr double narrowest = 1e-3;          // of the depth: a half width that n
 double& member(PadState& pad, std::size_t parameter) {
   double* const members[] = {&pad.log_depth,   &pad.log_thickness, &pad.poisson_ratio,
                              &pad.log_modulus, &pad.crosstalk,     &pad.shift,
-                             &pad.log_pitch};
+                             &pad.log_pitch,   &pad.shift_z};
   return *members[parameter];
 }
 
@@ -60,13 +60,20 @@ FitProblem::FitProblem(const PressModel& model, const PressLog& log,
   count_columns(unread);
   for (const Press& press : log.presses) {
     PressRows rows;
-    const bool is_free[] = {!press.force.is_exact(), !press.position.is_exact(),
+    const bool is_free[] = {!press.force.is_exact(),      !press.position.is_exact(),
                             !press.half_width.is_exact(), !press.friction.is_exact(),
-                            !press.position_z.is_exact()};
+                            !press.position_z.is_exact(), !press.friction_z.is_exact()};
     for (std::size_t i = 0; i < press_unknowns; ++i)
       rows.column[i] = is_free[i] ? rows.columns++ : no_column;
     press_rows.push_back(rows);
   }
+}
+
+bool FitProblem::frees_friction() const noexcept {
+  return std::any_of(press_rows.begin(), press_rows.end(), [](const PressRows& rows) {
+    return rows.column[static_cast<std::size_t>(PressQuantity::friction)] != no_column ||
+           rows.column[static_cast<std::size_t>(PressQuantity::friction_z)] != no_column;
+  });
 }
 
 void FitProblem::count_columns(std::span<const bool> unread) {
@@ -76,6 +83,7 @@ void FitProblem::count_columns(std::span<const bool> unread) {
     bool free = options_.sd(parameter) > 0.0;
     if (parameter == PadParameter::thickness)
       free = free && model_.material().layer && !options_.at_base;
+    if (parameter == PadParameter::shift_z) free = free && model_.is_skin();
     pad_column_[i] = free ? columns_++ : no_column;
   }
   const std::size_t n = sites.size();
@@ -127,6 +135,7 @@ void FitProblem::set_ranges() {
   set(PadParameter::youngs_modulus, -std::log(most_modulus), std::log(most_modulus));
   set(PadParameter::crosstalk, 0.0, model_.most_crosstalk());
   set(PadParameter::shift, -reach_, reach_);
+  set(PadParameter::shift_z, -reach_, reach_);
   set(PadParameter::pitch, -std::log(most_pitch), std::log(most_pitch));
 }
 
@@ -187,6 +196,8 @@ std::vector<PressPrior> FitProblem::press_priors(const FitState& state, std::siz
     add(at.center_z - *press.position_z.value, press.position_z.sd, 4, rows.position_z_weight);
   if (press.friction.value && press.friction.sd > 0.0)
     add(at.friction - *press.friction.value, press.friction.sd, 3, 1.0);
+  if (press.friction_z.value && press.friction_z.sd > 0.0)
+    add(at.friction_z - *press.friction_z.value, press.friction_z.sd, 5, 1.0);
   if (press.radius) {
     const ContactForce rod =
         model_.contact_force(material_at(state.pad), std::exp(at.log_half_width), *press.radius);
@@ -306,6 +317,7 @@ FitState FitProblem::moved(const FitState& state, const Eigen::VectorXd& common,
     press.log_half_width += presses[p][2];
     press.friction += presses[p][3];
     press.center_z += presses[p][4];
+    press.friction_z += presses[p][5];
   }
   hold_thickness(next.pad);
   follow_exact_ties(next);

@@ -19,8 +19,8 @@
 
 namespace tactile_net {
 
-/// Log force, y, log half width, friction and z, in PressQuantity's order.
-inline constexpr std::size_t press_unknowns = 5;
+/// Log force, y, log half width, friction, z and friction along z, in PressQuantity's order.
+inline constexpr std::size_t press_unknowns = 6;
 inline constexpr std::size_t no_column = std::numeric_limits<std::size_t>::max();
 
 /// Everything that is fitted, at one place.
@@ -62,7 +62,8 @@ class FitProblem {
   [[nodiscard]] FitState start(double depth_factor) const;
 
   [[nodiscard]] PressReadings readings(const FitState& state, bool with_derivatives) const {
-    return model_.readings(state.pad, state.presses, with_derivatives, options_.at_base);
+    return model_.readings(state.pad, state.presses, with_derivatives, options_.at_base,
+                           frees_friction());
   }
   /// Of reading j of press p, over the noise, without the robust weight.
   [[nodiscard]] double residual(const FitState& state, const PressReadings& readings, std::size_t p,
@@ -143,6 +144,7 @@ class FitProblem {
 
  private:
   void set_ranges();
+  [[nodiscard]] bool frees_friction() const noexcept;
   void count_columns(std::span<const bool> unread);
   /// A layer is as thick as the deepest taxel is deep, or thicker.
   void hold_thickness(PadState& pad) const;

@@ -41,6 +41,7 @@ FitState FitProblem::start(double depth_factor) const {
                   .log_half_width =
                       std::log(press.half_width.value.value_or(weak_width_share * model_.depth()))};
     at.friction = press.friction.value.value_or(0.0);
+    at.friction_z = press.friction_z.value.value_or(0.0);
     const Place seen = seen_middle(state.presses.size()).value_or(Place{});
     at.center = press.position.value.value_or(seen.y);
     at.center_z = press.position_z.value.value_or(seen.z);

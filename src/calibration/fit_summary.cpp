@@ -1,6 +1,7 @@
 #include "calibration/fit_summary.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
@@ -87,12 +88,13 @@ class Summary {
                         .half_width = {std::exp(at.log_half_width)},
                         .friction = {at.friction},
                         .center_z = {at.center_z},
+                        .friction_z = {at.friction_z},
                         .put_aside = rows.put_aside};
       const auto& [all, cross, regular] = covariance_.presses[p];
       if (m > 0 && regular) {
-        const double scale[] = {press.force.value, 1.0, press.half_width.value, 1.0, 1.0};
-        ValueWithSd* const values[] = {&press.force, &press.center, &press.half_width,
-                                       &press.friction, &press.center_z};
+        const double scale[] = {press.force.value, 1.0, press.half_width.value, 1.0, 1.0, 1.0};
+        ValueWithSd* const values[] = {&press.force,    &press.center,   &press.half_width,
+                                       &press.friction, &press.center_z, &press.friction_z};
         for (std::size_t i = 0; i < press_unknowns; ++i)
           if (rows.column[i] != no_column)
             values[i]->sd = scale[i] * std::sqrt(all(index(rows.column[i]), index(rows.column[i])));
@@ -157,8 +159,11 @@ class Summary {
     fit_.pad = state_.pad;
     const Material& nominal = problem_.model().material();
     const double h = nominal.layer ? nominal.layer->thickness : 0.0;
-    const double units[] = {problem_.model().depth(), h, 0.0, nominal.youngs_modulus, 0.0, 0.0,
-                            problem_.model().pitch()};
+    std::array<double, pad_parameter_count> units{};  // of those that are fitted by logarithms
+    units[static_cast<std::size_t>(PadParameter::depth)] = problem_.model().depth();
+    units[static_cast<std::size_t>(PadParameter::thickness)] = h;
+    units[static_cast<std::size_t>(PadParameter::youngs_modulus)] = nominal.youngs_modulus;
+    units[static_cast<std::size_t>(PadParameter::pitch)] = problem_.model().pitch();
     for (std::size_t i = 0; i < pad_parameter_count; ++i) {
       const auto parameter = static_cast<PadParameter>(i);
       FittedValue& result = fit_.parameters[i];

@@ -25,9 +25,9 @@ class PressBlock {
     matrix.setZero(index(problem.readings_used() + priors.size() + own),
                    index(own + problem.columns() + 1));
     Eigen::Index row = 0;
-    const Matrix* const own_parts[] = {&readings.by_log_force, &readings.by_center,
+    const Matrix* const own_parts[] = {&readings.by_log_force,      &readings.by_center,
                                        &readings.by_log_half_width, &readings.by_friction,
-                                       &readings.by_center_z};
+                                       &readings.by_center_z,       &readings.by_friction_z};
     for (std::size_t j = 0; j < n; ++j) {
       if (!problem.used(j)) continue;
       const double root = std::sqrt(problem.weights[p * n + j]);
@@ -154,13 +154,12 @@ FitSystem fit_system(const FitProblem& problem, const FitState& state,
   return system;
 }
 
-Eigen::MatrixXd eliminated_rows(const FitProblem& problem, const FitState& state,
-                                const PressReadings& readings, std::size_t press) {
-  PressBlock block(problem, state, readings, press, {});
-  block.eliminate();
+PressPart press_part(const FitProblem& problem, const FitState& state,
+                     const PressReadings& readings, std::size_t press) {
+  const PressBlock block(problem, state, readings, press, {});
   const Eigen::Index own = index(problem.press_rows[press].columns);
-  return block.matrix.bottomRows(block.matrix.rows() - own)
-      .middleCols(own, index(problem.columns()));
+  return {block.matrix.topLeftCorner(block.filled, own),
+          block.matrix.block(0, own, block.filled, index(problem.columns()))};
 }
 
 FitStep fit_step(const FitProblem& problem, const FitState& state, const PressReadings& readings,

@@ -49,9 +49,13 @@ struct FitSystem {
                                    const PressReadings& readings, const SystemColumns& columns,
                                    const SystemParts& parts);
 
-/// What one press says of the common unknowns, its own eliminated: readings x common unknowns.
-[[nodiscard]] Eigen::MatrixXd eliminated_rows(const FitProblem& problem, const FitState& state,
-                                              const PressReadings& readings, std::size_t press);
+/// What one press says of its own unknowns and of the common ones: a row for each reading and for
+/// what is stated of it, noise 1.
+struct PressPart {
+  Eigen::MatrixXd own, common;
+};
+[[nodiscard]] PressPart press_part(const FitProblem& problem, const FitState& state,
+                                   const PressReadings& readings, std::size_t press);
 
 /// A step of everything that is fitted.
 struct FitStep {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -10,16 +11,18 @@
 
 #include "calibration/fit_problem.hpp"
 #include "calibration/fit_system.hpp"
-#include "numeric/decompositions.hpp"
-#include "tactile_net/calibration/rod_contact.hpp"
+#include "calibration/press_design.hpp"
+#include "calibration/triangle.hpp"
 
 namespace tactile_net {
 namespace {
 
-constexpr std::size_t places = 21;  // over the array
-constexpr std::size_t reference_places = 9;
-constexpr double reach = 0.85;             // of the array's half length
-constexpr std::size_t most_exchanges = 4;  // rounds
+constexpr std::size_t places = 21;           // over an array
+constexpr std::size_t places_of_a_side = 7;  // of a skin
+constexpr std::size_t reference_places = 9;  // over an array
+constexpr std::size_t reference_side = 5;    // of a skin
+constexpr double reach = 0.85;               // of the array's half length
+constexpr double smaller_force = 0.5;        // of the largest, on a skin
 
 /// The options of the fit, what it could not know held.
 CalibrationOptions held_as(const PressFit& fit, CalibrationOptions options) {
@@ -46,11 +49,15 @@ PressLog imagined(const PressLog& log, const std::vector<NextPress>& presses) {
   PressLog result{.unloaded = log.unloaded};
   for (const NextPress& one : presses) {
     Press press{.number = result.presses.size() + 1, .shape = one.shape};
+    press.disc = one.disc;
     if (like.force.value) press.force = {one.force, like.force.sd / *like.force.value * one.force};
     if (like.position.value) press.position = {one.position, like.position.sd};
+    press.position_z = {like.position_z.value ? std::optional(one.position_z) : std::nullopt,
+                        like.position_z.sd};
     if (like.half_width.value)
       press.half_width = {one.half_width,
                           like.half_width.sd / *like.half_width.value * one.half_width};
+    if (like.radius && one.radius > 0.0) press.radius = one.radius;
     press.readings.assign(log.unloaded.mean.size(), 0.0);
     result.presses.push_back(std::move(press));
   }
@@ -59,8 +66,11 @@ PressLog imagined(const PressLog& log, const std::vector<NextPress>& presses) {
 
 std::vector<PressState> states_of(const std::vector<NextPress>& presses) {
   std::vector<PressState> states;
-  for (const NextPress& one : presses)
+  for (const NextPress& one : presses) {
     states.push_back({one.shape, std::log(one.force), one.position, std::log(one.half_width)});
+    states.back().center_z = one.position_z;
+    states.back().disc = one.disc;
+  }
   return states;
 }
 
@@ -72,48 +82,134 @@ Material pad_of(const PressModel& model, const PressFit& fit) {
   return pad;
 }
 
-std::vector<NextPress> candidates_of(const PressModel& model, const PressFit& fit) {
-  std::vector<double> widths;
+/// The log's presses with the narrowest, the middle and the widest contact; one where all are
+/// alike.
+std::vector<std::size_t> typical(const PressFit& fit) {
+  std::vector<std::size_t> order(fit.presses.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto width = [&](std::size_t p) { return fit.presses[p].half_width.value; };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return width(a) < width(b); });
+  const std::size_t middle = order[order.size() / 2];
+  if (width(order.back()) < 1.2 * width(order.front())) return {middle};
+  return {order.front(), middle, order.back()};
+}
+
+double largest_force(const PressFit& fit) {
   double force = 0.0;
-  for (const FittedPress& press : fit.presses) {
-    widths.push_back(press.half_width.value);
-    force = std::max(force, press.force.value);
-  }
-  std::sort(widths.begin(), widths.end());
-  std::vector<double> tried{widths.front(), widths[widths.size() / 2], widths.back()};
-  if (tried.back() < 1.2 * tried.front()) tried = {widths[widths.size() / 2]};
+  for (const FittedPress& press : fit.presses) force = std::max(force, press.force.value);
+  return force;
+}
+
+/// From -1 to 1.
+double share_of(std::size_t i, std::size_t count) {
+  return 2.0 * static_cast<double>(i) / static_cast<double>(count - 1) - 1.0;
+}
+
+std::vector<NextPress> presses_of_a_line(const PressModel& model, const PressFit& fit) {
   const auto [first, last] =
       std::minmax_element(model.sites().begin(), model.sites().end(),
                           [](const PressSite& a, const PressSite& b) { return a.y < b.y; });
-  std::vector<NextPress> candidates;
+  const double force = largest_force(fit);
+  const Material pad = pad_of(model, fit);
+  std::vector<NextPress> presses;
   for (std::size_t i = 0; i < places; ++i)
-    for (const double half_width : tried) {
-      const double share = 2.0 * static_cast<double>(i) / static_cast<double>(places - 1) - 1.0;
-      candidates.push_back({.position = reach * share * 0.5 * (last->y - first->y),
-                            .half_width = half_width,
-                            .force = force});
+    for (const std::size_t p : typical(fit)) {
+      NextPress one{.position = reach * share_of(i, places) * 0.5 * (last->y - first->y),
+                    .half_width = fit.presses[p].half_width.value,
+                    .force = force};
+      one.radius = model.indenter_radius(pad, one.half_width, force);
+      presses.push_back(one);
     }
-  return candidates;
+  return presses;
 }
 
-/// Rows that a reading's uncertainty under reference loads is the length of, over the rms.
-Eigen::MatrixXd reference_rows(const FitProblem& problem, const FitState& fitted,
-                               const PressFit& fit) {
-  const std::vector<NextPress> loads = candidates_of(problem.model(), fit);
+/// A press that the log has, done with another force: balls stay as they are, not their contacts.
+NextPress repeated(const PressModel& model, const Material& pad, const Press& log,
+                   const FittedPress& done, double force) {
+  NextPress one{.half_width = done.half_width.value, .force = force, .disc = log.disc};
+  if (log.disc != DiscProfile::sphere) return one;
+  one.radius =
+      log.radius ? *log.radius : model.indenter_radius(pad, one.half_width, done.force.value);
+  one.half_width = model.contact_half_width(pad, force, one.radius);
+  return one;
+}
+
+/// Each of `kinds` at each place of a grid over the skin's taxels.
+std::vector<NextPress> spread(const PressModel& model, const std::vector<NextPress>& kinds,
+                              std::size_t side) {
+  FitProblem::Place first{model.sites().front().y, model.sites().front().z};
+  FitProblem::Place last = first;
+  for (const PressSite& site : model.sites()) {
+    first = {std::min(first.y, site.y), std::min(first.z, site.z)};
+    last = {std::max(last.y, site.y), std::max(last.z, site.z)};
+  }
+  std::vector<NextPress> presses;
+  const auto at = [&](double low, double high, std::size_t i) {
+    return 0.5 * (low + high) + reach * share_of(i, side) * 0.5 * (high - low);
+  };
+  for (std::size_t i = 0; i < side; ++i)
+    for (std::size_t k = 0; k < side; ++k)
+      for (NextPress one : kinds) {
+        one.position = at(first.y, last.y, i);
+        one.position_z = at(first.z, last.z, k);
+        presses.push_back(one);
+      }
+  return presses;
+}
+
+std::vector<NextPress> presses_of_a_skin(const PressModel& model, const PressLog& log,
+                                         const PressFit& fit, std::span<const double> shares,
+                                         std::size_t side) {
+  const Material pad = pad_of(model, fit);
+  std::vector<NextPress> kinds;
+  for (const std::size_t p : typical(fit))
+    for (const double share : shares)
+      kinds.push_back(
+          repeated(model, pad, log.presses[p], fit.presses[p], share * largest_force(fit)));
+  return spread(model, kinds, side);
+}
+
+std::vector<NextPress> candidates_of(const PressModel& model, const PressLog& log,
+                                     const PressFit& fit) {
+  constexpr double shares[] = {1.0, smaller_force};
+  return model.is_skin() ? presses_of_a_skin(model, log, fit, shares, places_of_a_side)
+                         : presses_of_a_line(model, fit);
+}
+
+std::vector<NextPress> reference_loads(const PressModel& model, const PressLog& log,
+                                       const PressFit& fit) {
   std::vector<NextPress> chosen;
-  for (std::size_t i = 0; i < reference_places; ++i)
-    chosen.push_back(loads[i * (loads.size() - 1) / (reference_places - 1)]);
-  const std::vector<PressState> states = states_of(chosen);
+  if (!model.is_skin()) {
+    const std::vector<NextPress> loads = presses_of_a_line(model, fit);
+    for (std::size_t i = 0; i < reference_places; ++i)
+      chosen.push_back(loads[i * (loads.size() - 1) / (reference_places - 1)]);
+    return chosen;
+  }
+  constexpr double shares[] = {1.0};
+  const std::vector<NextPress> loads = presses_of_a_skin(model, log, fit, shares, reference_side);
+  const std::size_t kinds = loads.size() / (reference_side * reference_side);
+  for (std::size_t i = 0; i < loads.size(); i += kinds)
+    chosen.push_back(loads[i + i / kinds % kinds]);
+  return chosen;
+}
+
+/// Rows that a reading's uncertainty under reference loads is the length of, over the rms: their
+/// triangle, which has the same lengths.
+Eigen::MatrixXd reference_rows(const FitProblem& problem, const FitState& fitted,
+                               const std::vector<NextPress>& loads) {
+  const std::vector<PressState> states = states_of(loads);
   const PressReadings readings =
       problem.model().readings(fitted.pad, states, true, problem.options().at_base);
   const std::size_t n = problem.model().sites().size();
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(states.size() * n),
-                                               static_cast<Eigen::Index>(problem.columns()));
+  const auto columns = static_cast<Eigen::Index>(problem.columns());
+  Triangle triangle(columns);
   double square = 0.0;
-  for (std::size_t p = 0; p < states.size(); ++p)
+  for (std::size_t p = 0; p < states.size(); ++p) {
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(n), columns);
     for (std::size_t j = 0; j < n; ++j) {
       if (!problem.used(j)) continue;
-      const auto row = static_cast<Eigen::Index>(p * n + j);
+      const auto row = static_cast<Eigen::Index>(j);
       const double scale = problem.gain(fitted, j) / problem.noise(j);
       square += std::pow(scale * readings.value(p, j), 2);
       for (std::size_t i = 0; i < pad_parameter_count; ++i)
@@ -122,64 +218,17 @@ Eigen::MatrixXd reference_rows(const FitProblem& problem, const FitState& fitted
       if (const std::size_t c = problem.gain_column(j); c != no_column)
         rows(row, static_cast<Eigen::Index>(c)) = scale * readings.value(p, j);
     }
-  return rows / std::sqrt(square);
+    triangle.add(rows);
+  }
+  return triangle.take() / std::sqrt(square);
 }
-
-/// I + sum of B'B over chosen candidates, B in units of what is known now: inverted, and what is
-/// left of the criterion.
-class Design {
- public:
-  /// @param aims  rows whose length the criterion is, in the same units
-  Design(const std::vector<Eigen::MatrixXd>& candidates, Eigen::MatrixXd aims)
-      : candidates_(candidates),
-        aims_(std::move(aims)),
-        inverse_(Eigen::MatrixXd::Identity(aims_.cols(), aims_.cols())) {}
-
-  [[nodiscard]] double value() const { return (aims_ * inverse_).cwiseProduct(aims_).sum(); }
-
-  /// What candidate `i` takes from the value.
-  [[nodiscard]] double gain(std::size_t i) const {
-    const auto [inner, across] = parts(i);
-    return across.cwiseProduct(Lu(inner).solve(across)).sum();
-  }
-  void set(const std::vector<std::size_t>& chosen) {
-    Eigen::MatrixXd information = Eigen::MatrixXd::Identity(aims_.cols(), aims_.cols());
-    for (const std::size_t i : chosen) information += candidates_[i].transpose() * candidates_[i];
-    inverse_ = Lu(information).inverse();
-  }
-  [[nodiscard]] std::size_t best() const {
-    std::size_t best = 0;
-    double most = -1.0;
-    for (std::size_t i = 0; i < candidates_.size(); ++i)
-      if (const double here = gain(i); here > most * (1.0 + 1e-9)) {
-        most = here;
-        best = i;
-      }
-    return best;
-  }
-
- private:
-  [[nodiscard]] std::pair<Eigen::MatrixXd, Eigen::MatrixXd> parts(std::size_t i) const {
-    const Eigen::MatrixXd& b = candidates_[i];
-    const Eigen::MatrixXd known = b * inverse_;
-    return {Eigen::MatrixXd::Identity(b.rows(), b.rows()) + known * b.transpose(),
-            known * aims_.transpose()};
-  }
-
-  const std::vector<Eigen::MatrixXd>& candidates_;
-  Eigen::MatrixXd aims_;
-  Eigen::MatrixXd inverse_;
-};
 
 }  // namespace
 
 NextPresses next_presses(const PressModel& model, const PressLog& log,
                          const CalibrationOptions& options, const PressFit& fit, std::size_t count,
-                         std::optional<PadParameter> target) {
-  if (model.is_skin())
-    throw std::invalid_argument(
-        "presses are planned on lines alone; the plain rule of a skin: the largest force, evenly "
-        "over it to its edges, small and large balls in turn");
+                         std::optional<PadParameter> target,
+                         const std::function<void(std::size_t)>& watch) {
   const CalibrationOptions held = held_as(fit, options);
   std::vector<bool> gone;
   for (const FittedValue& gain : fit.gain) gone.push_back(gain.verdict == ValueVerdict::fixed);
@@ -192,8 +241,10 @@ NextPresses next_presses(const PressModel& model, const PressLog& log,
   FitState state = state_of(done, fit);
   for (std::size_t p = 0; p < fit.presses.size(); ++p) {
     const FittedPress& press = fit.presses[p];
-    state.presses[p] = {log.presses[p].shape, std::log(press.force.value), press.center.value,
-                        std::log(press.half_width.value), press.friction.value};
+    state.presses[p] = {log.presses[p].shape, std::log(press.force.value),
+                        press.center.value,   std::log(press.half_width.value),
+                        press.friction.value, press.center_z.value,
+                        log.presses[p].disc,  press.friction_z.value};
     if (press.put_aside) done.put_aside(p, *press.put_aside);
   }
   const PressReadings now = done.readings(state, true);
@@ -202,17 +253,6 @@ NextPresses next_presses(const PressModel& model, const PressLog& log,
   for (Eigen::Index i = 0; i < root.cols(); ++i)
     if (root(i, i) == 0.0)
       throw std::invalid_argument("something is not known at all: state a standard deviation");
-
-  // What each candidate would add, in units of what is known.
-  const std::vector<NextPress> candidates = candidates_of(model, fit);
-  const PressLog log_of_candidates = imagined(log, candidates);
-  const FitProblem next(model, log_of_candidates, held, left_out);
-  FitState imagined_state = state_of(next, fit);
-  imagined_state.presses = states_of(candidates);
-  const PressReadings readings = next.readings(imagined_state, true);
-  std::vector<Eigen::MatrixXd> added;
-  for (std::size_t p = 0; p < candidates.size(); ++p)
-    added.push_back(divide_upper(eliminated_rows(next, imagined_state, readings, p), root));
 
   Eigen::MatrixXd aims;
   if (target) {
@@ -223,52 +263,24 @@ NextPresses next_presses(const PressModel& model, const PressLog& log,
     aims = Eigen::MatrixXd::Zero(1, root.cols());
     aims(0, static_cast<Eigen::Index>(column)) = 1.0;
   } else {
-    aims = reference_rows(done, state, fit);
+    aims = reference_rows(done, state, reference_loads(model, log, fit));
   }
-  aims = divide_upper(aims, root);
-  // Only the triangle of the aims matters: their length.
-  if (aims.rows() > aims.cols()) aims = HouseholderQr(aims).triangle();
 
-  Design design(added, aims);
+  PressDesign design(root, aims);
   NextPresses result{.now = std::sqrt(design.value())};
-  std::vector<std::size_t> chosen;
-  for (std::size_t k = 0; k < count; ++k) {
-    chosen.push_back(design.best());
-    design.set(chosen);
-  }
-  for (std::size_t round = 0; round < most_exchanges; ++round) {
-    bool changed = false;
-    for (std::size_t& one : chosen) {
-      const double before = design.value();
-      const std::size_t old = std::exchange(one, chosen.back());
-      std::vector<std::size_t> others;
-      for (const std::size_t& other : chosen)
-        if (&other != &one) others.push_back(other);
-      design.set(others);
-      one = design.best();
-      design.set(chosen);
-      if (design.value() < before * (1.0 - 1e-6)) {
-        changed = true;
-      } else {
-        one = old;
-        design.set(chosen);
-      }
-    }
-    if (!changed) break;
-  }
-  // In the order in which each buys most.
-  std::vector<std::size_t> order;
-  while (!chosen.empty()) {
-    design.set(order);
-    const auto best = std::max_element(
-        chosen.begin(), chosen.end(),
-        [&](std::size_t a, std::size_t b) { return design.gain(a) < design.gain(b); });
-    order.push_back(*best);
-    chosen.erase(best);
-    design.set(order);
-    result.presses.push_back(candidates[order.back()]);
-    NextPress& next_one = result.presses.back();
-    next_one.radius = rod_radius(pad_of(model, fit), next_one.half_width, next_one.force);
+  const std::vector<NextPress> candidates = candidates_of(model, log, fit);
+  const PressLog log_of_candidates = imagined(log, candidates);
+  const FitProblem next(model, log_of_candidates, held, left_out);
+  FitState imagined_state = state_of(next, fit);
+  imagined_state.presses = states_of(candidates);
+  const PressReadings readings = next.readings(imagined_state, true);
+  for (std::size_t p = 0; p < candidates.size(); ++p)
+    design.add_candidate(press_part(next, imagined_state, readings, p));
+  std::vector<std::size_t> done_before;
+  for (const std::size_t one : choose(design, count, watch)) {
+    done_before.push_back(one);
+    design.set(done_before);
+    result.presses.push_back(candidates[one]);
     result.presses.back().remaining = std::sqrt(design.value());
   }
   return result;

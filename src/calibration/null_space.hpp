@@ -11,9 +11,9 @@ namespace tactile_net {
 
 /// In this order a parameter is held where several cannot be told apart: first what matters least.
 inline constexpr PadParameter held_first[] = {
-    PadParameter::shift,          PadParameter::pitch,         PadParameter::crosstalk,
-    PadParameter::youngs_modulus, PadParameter::poisson_ratio, PadParameter::thickness,
-    PadParameter::depth};
+    PadParameter::shift,     PadParameter::shift_z,        PadParameter::pitch,
+    PadParameter::crosstalk, PadParameter::youngs_modulus, PadParameter::poisson_ratio,
+    PadParameter::thickness, PadParameter::depth};
 
 /// Directions of the common unknowns whose singular value is below 1e-8 of the largest, columns
 /// scaled, no priors but what is stated of presses and measured unloaded.

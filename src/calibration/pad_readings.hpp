@@ -16,6 +16,7 @@ struct PadTaxels {
   double depth_factor = 1.0;           ///< on the nominal depths
   Material material{};                 ///< as it is
   bool tied_to_base = false;           ///< a layer is as thick as each taxel is deep
+  bool by_friction = false;            ///< a skin's derivatives by friction are asked for
 };
 
 /// Adds to `value`, and with derivatives to those by depth, thickness, nu, place, half width and

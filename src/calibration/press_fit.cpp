@@ -31,11 +31,10 @@ constexpr Named<FitVerdict> fit_verdicts[] = {{FitVerdict::ok, "ok"},
                                               {FitVerdict::poor_fit, "poor_fit"},
                                               {FitVerdict::iteration_limit, "iteration_limit"}};
 
-constexpr Named<PressQuantity> press_quantities[] = {{PressQuantity::force, "force"},
-                                                     {PressQuantity::position, "position"},
-                                                     {PressQuantity::half_width, "half_width"},
-                                                     {PressQuantity::friction, "friction"},
-                                                     {PressQuantity::position_z, "position_z"}};
+constexpr Named<PressQuantity> press_quantities[] = {
+    {PressQuantity::force, "force"},           {PressQuantity::position, "position"},
+    {PressQuantity::half_width, "half_width"}, {PressQuantity::friction, "friction"},
+    {PressQuantity::position_z, "position_z"}, {PressQuantity::friction_z, "friction_z"}};
 
 constexpr Named<TrendOf> trends[] = {
     {TrendOf::size, "size"}, {TrendOf::gain, "gain"}, {TrendOf::offset, "offset"}};
@@ -209,7 +208,8 @@ std::string_view name(PressQuantity quantity) noexcept {
 std::string_view name(TrendOf trend) noexcept { return name_in<trends>(trend); }
 
 const ValueWithSd& FittedPress::at(PressQuantity quantity) const noexcept {
-  const ValueWithSd* const values[] = {&force, &center, &half_width, &friction, &center_z};
+  const ValueWithSd* const values[] = {&force,    &center,   &half_width,
+                                       &friction, &center_z, &friction_z};
   return *values[static_cast<std::size_t>(quantity)];
 }
 

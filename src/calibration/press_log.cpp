@@ -3,7 +3,18 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numeric/named.hpp"
+
 namespace tactile_net {
+namespace {
+
+constexpr Named<DiscProfile> profiles[] = {{DiscProfile::sphere, "sphere"},
+                                           {DiscProfile::punch, "punch"},
+                                           {DiscProfile::cone, "cone"}};
+
+}  // namespace
+
+std::string_view name(DiscProfile profile) noexcept { return name_in<profiles>(profile); }
 
 UnloadedFrames unloaded_frames(const SignalLayout& sensor,
                                const std::vector<std::vector<double>>& frames) {

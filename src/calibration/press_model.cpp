@@ -32,6 +32,10 @@ void apply_crosstalk(const SignalLayout& layout, double fraction, Matrix& rows, 
   }
 }
 
+bool is_dragged(const PressState& press) {
+  return press.friction != 0.0 || press.friction_z != 0.0;
+}
+
 Matrix zeros(std::size_t rows, std::size_t columns) {
   return {rows, columns, std::vector<double>(rows * columns)};
 }
@@ -88,6 +92,14 @@ double PressModel::most_crosstalk() const noexcept {
   return 0.98 / static_cast<double>(layout_.most_neighbours);
 }
 
+bool PressModel::holds_drags() const {
+  if (!is_skin_ || !material_.layer || material_.layer->base == Base::bonded) return true;
+  return std::none_of(channels_.begin(), channels_.end(), [](const PressChannel& channel) {
+    return channel.quantity == SkinQuantity::displacement_y ||
+           channel.quantity == SkinQuantity::displacement_z;
+  });
+}
+
 PadState PressModel::nominal() const noexcept {
   PadState pad;
   pad.poisson_ratio = material_.poisson_ratio;
@@ -112,29 +124,37 @@ double PressModel::indenter_radius(const Material& material, double half_width,
 }
 
 PressReadings PressModel::readings(const PadState& pad, std::span<const PressState> presses,
-                                   bool with_derivatives, bool tied_to_base) const {
+                                   bool with_derivatives, bool tied_to_base,
+                                   bool by_friction) const {
   const std::size_t n = sites_.size();
   PressReadings out;
   out.value = zeros(presses.size(), n);
   if (with_derivatives) {
     for (Matrix& column : out.by_pad) column = zeros(presses.size(), n);
-    out.by_center = out.by_log_half_width = out.by_friction = out.by_center_z = out.value;
+    out.by_center = out.by_log_half_width = out.by_friction = out.by_center_z = out.by_friction_z =
+        out.value;
   }
   std::vector<double> y;
   std::vector<double> z;
   for (const PressSite& site : sites_) {
     y.push_back(site.y * std::exp(pad.log_pitch) + pad.shift);
-    z.push_back(site.z * std::exp(pad.log_pitch));
+    z.push_back(site.z * std::exp(pad.log_pitch) + pad.shift_z);
   }
   PadTaxels taxels{.sites = sites_,
                    .y = y,
                    .z = z,
                    .depth_factor = std::exp(pad.log_depth),
                    .material = material_,
-                   .tied_to_base = tied_to_base};
+                   .tied_to_base = tied_to_base,
+                   .by_friction = by_friction};
   taxels.material.poisson_ratio = pad.poisson_ratio;
   taxels.material.youngs_modulus *= std::exp(pad.log_modulus);
   if (taxels.material.layer) taxels.material.layer->thickness *= std::exp(pad.log_thickness);
+  if (is_skin_ && (by_friction || std::any_of(presses.begin(), presses.end(), is_dragged)) &&
+      !holds_drags())
+    throw std::invalid_argument(
+        "a layer that slips on its base holds no drag: under one its displacements along the skin "
+        "are infinite; press straight down");
   (is_skin_ ? add_skin_readings : add_line_readings)(taxels, presses, with_derivatives, out);
   if (!with_derivatives) {
     apply_crosstalk(layout_, pad.crosstalk, out.value, nullptr);
@@ -147,17 +167,19 @@ PressReadings PressModel::readings(const PadState& pad, std::span<const PressSta
     for (std::size_t j = 0; j < n; ++j) {
       at(PadParameter::shift)(p, j) = -out.by_center(p, j);
       at(PadParameter::pitch)(p, j) =
-          -out.by_center(p, j) * (y[j] - pad.shift) - out.by_center_z(p, j) * z[j];
+          -out.by_center(p, j) * (y[j] - pad.shift) - out.by_center_z(p, j) * (z[j] - pad.shift_z);
+      at(PadParameter::shift_z)(p, j) = -out.by_center_z(p, j);
       if (traits(sites_[j].quantity).kind != QuantityKind::stress)
         at(PadParameter::youngs_modulus)(p, j) = -out.value(p, j);
     }
   apply_crosstalk(layout_, pad.crosstalk, out.value, &at(PadParameter::crosstalk));
   for (const PadParameter parameter :
        {PadParameter::depth, PadParameter::thickness, PadParameter::poisson_ratio,
-        PadParameter::youngs_modulus, PadParameter::shift, PadParameter::pitch})
+        PadParameter::youngs_modulus, PadParameter::shift, PadParameter::pitch,
+        PadParameter::shift_z})
     apply_crosstalk(layout_, pad.crosstalk, at(parameter), nullptr);
-  for (Matrix* column :
-       {&out.by_center, &out.by_log_half_width, &out.by_friction, &out.by_center_z})
+  for (Matrix* column : {&out.by_center, &out.by_log_half_width, &out.by_friction, &out.by_center_z,
+                         &out.by_friction_z})
     apply_crosstalk(layout_, pad.crosstalk, *column, nullptr);
   out.by_log_force = out.value;
   return out;

@@ -134,9 +134,9 @@ class Assembly {
     const std::size_t n = problem_.model().sites().size();
     const double root = std::sqrt(problem_.weights[p * n + j]);
     const double scale = root * problem_.gain(state_, j) / problem_.noise(j);
-    const Matrix* const by_press[] = {&readings_.by_log_force, &readings_.by_center,
+    const Matrix* const by_press[] = {&readings_.by_log_force,      &readings_.by_center,
                                       &readings_.by_log_half_width, &readings_.by_friction,
-                                      &readings_.by_center_z};
+                                      &readings_.by_center_z,       &readings_.by_friction_z};
     for (std::size_t i = 0; i < press_unknowns; ++i)
       if (const std::size_t column = problem_.press_rows[p].column[i]; column != no_column)
         rows(row, index(own + result_.first_of_press[p] + column)) = scale * (*by_press[i])(p, j);

@@ -10,107 +10,20 @@
 
 #include "calibration/disc_transform.hpp"
 #include "calibration/pad_readings.hpp"
-#include "elasticity/space/displacement_amplitudes.hpp"
+#include "calibration/skin_waves.hpp"
 #include "elasticity/space/reduced_bessel.hpp"
-#include "elasticity/stress_amplitudes.hpp"
-#include "numeric/dual.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {
-
-using Amplitude = Dual<3>;  // by depth, thickness and nu
 
 /// exp(-k depth) is some 1e-15 there, times the k depth of the amplitudes.
 constexpr double largest_decay = 36.0;
 /// A fit that has gone astray may ask for more; it is not to take the memory.
 constexpr std::size_t most_panels = 400;
 constexpr std::size_t points = 20;  // of a panel of radii
-/// A press whose derivatives are asked for turns a wave of order 2 into one of order 3.
-constexpr std::size_t orders = 4;
-
-/// What depends on the distance from the load alone: under a normal load six functions, and with
-/// Hooke's law in them four more.
-enum Wave {
-  stress_x,
-  shear,
-  trace,
-  deviator,
-  strain_x,
-  shear_strain,
-  strain_trace,
-  strain_deviator,
-  displacement_x,
-  displacement_along
-};
-constexpr std::size_t waves = 10;
-constexpr std::array<std::size_t, waves> order_of = {0, 1, 0, 2, 0, 1, 0, 2, 0, 1};
-
-/// A wave times the cosine, or the sine, of its order times the angle from the y axis.
-struct Term {
-  Wave wave;
-  bool sine = false;
-  double factor = 1.0;
-};
-
-/// In the order of the quantities.
-const std::array<std::vector<Term>, skin_quantities.size()> terms_of = {{
-    {{stress_x}},
-    {{trace}, {deviator}},
-    {{trace}, {deviator, false, -1.0}},
-    {{shear}},
-    {{shear, true}},
-    {{deviator, true}},
-    {{strain_x}},
-    {{strain_trace}, {strain_deviator}},
-    {{strain_trace}, {strain_deviator, false, -1.0}},
-    {{shear_strain}},
-    {{shear_strain, true}},
-    {{strain_deviator, true, 2.0}},
-    {{displacement_x}},
-    {{displacement_along}},
-    {{displacement_along, true}},
-}};
-
-/// Every wave's amplitude times k, with the sign that i^order gives it.
-std::array<Amplitude, waves> amplitudes(const Material& material, double depth, double k) {
-  const Amplitude x = Amplitude::seed(depth, 0);
-  const Amplitude nu = Amplitude::seed(material.poisson_ratio, 2);
-  const double modulus = material.youngs_modulus;
-  Stress<Amplitude> stress;
-  Amplitude u_x;
-  Amplitude u_along;  // both times 2 G k
-  if (!material.layer || k * (material.layer->thickness - depth) > 400.0) {
-    const Amplitude a = k * x;
-    stress = half_plane_amplitudes(Traction::normal, a);
-    u_x = (2.0 - 2.0 * nu + a) * exp(-a);
-    u_along = (a - 1.0 + 2.0 * nu) * exp(-a);
-  } else {
-    const Amplitude h = Amplitude::seed(material.layer->thickness, 1);
-    const LayerFunctionsOf<Amplitude> f(h, x, k);
-    const bool bonded = material.layer->base == Base::bonded;
-    stress = bonded ? bonded_amplitudes(Traction::normal, nu, f)
-                    : frictionless_amplitudes(Traction::normal, f);
-    const auto u = bonded ? bonded_displacements(nu, f) : frictionless_displacements(nu, f);
-    const Amplitude over = bonded ? f.bonded_determinant(nu) : f.frictionless_determinant();
-    u_x = u.normal_x / over;
-    u_along = u.normal_along / over;
-  }
-  const Amplitude across = nu * (stress.x + stress.y);
-  const Amplitude mean = 0.5 * (stress.y + across);
-  const Amplitude half = -0.5 * (stress.y - across);
-  const Amplitude compliance = (1.0 + nu) / modulus;  // 1 / 2 G
-  return {k * stress.x,
-          k * stress.shear,
-          k * mean,
-          k * half,
-          k * (stress.x - 2.0 * nu * mean) / modulus,
-          2.0 * k * compliance * stress.shear,
-          k * ((1.0 - nu) * mean - nu * stress.x) / modulus,
-          k * compliance * half,
-          compliance * u_x,
-          compliance * u_along};
-}
+/// A press whose derivatives are asked for turns a wave of order 3 into one of order 4.
+constexpr std::size_t orders = most_skin_wave_order + 2;
 
 /// Nodes in k, those near 0 as dense as a layer asks for: its poles are 0.7 / h away.
 struct Nodes {
@@ -184,12 +97,30 @@ class Radii {
 enum Column { value, by_depth, by_thickness, by_nu, by_width, lower, upper };
 constexpr std::size_t columns = 7;
 
+/// The waves that readings at one depth are made of.
+struct Needed {
+  bool drags = false;
+  std::array<bool, skin_wave_count> waves{};
+
+  void add(SkinQuantity quantity) {
+    const auto mark = [&](SkinQuantity of, SkinTraction traction) {
+      for (const SkinTerm& term : skin_terms(of, traction))
+        waves[static_cast<std::size_t>(term.wave)] = true;
+    };
+    mark(quantity, SkinTraction::normal);
+    if (!drags) return;
+    mark(quantity, SkinTraction::tangential_y);
+    mark(mirrored(quantity), SkinTraction::tangential_y);
+  }
+};
+
 /// One depth: its waves over the radii, for every press.
 class DepthReadings {
  public:
-  DepthReadings(const Material& material, double depth, bool tied, std::vector<bool> needed,
+  DepthReadings(const Material& material, double depth, bool tied, const Needed& needed,
                 std::span<const PressState> presses, double farthest, bool with_derivatives)
       : presses_(presses),
+        drags_(needed.drags),
         columns_(with_derivatives ? columns : 1),
         radii_(depth, widest(presses), farthest) {
     const Nodes nodes(depth, farthest + widest(presses), material);
@@ -201,9 +132,12 @@ class DepthReadings {
       for (Eigen::Index i = 0; i < count; ++i) {
         const double z =
             nodes.k[static_cast<std::size_t>(i)] * radii_.r[static_cast<std::size_t>(m)];
-        const std::array<double, orders> reduced = reduced_bessel(z);
+        const std::array<double, orders - 1> reduced = reduced_bessel(z);
         double power = 1.0;
-        for (std::size_t n = 0; n < orders; ++n, power *= z) bessel_[n](i, m) = power * reduced[n];
+        for (std::size_t n = 0; n + 1 < orders; ++n, power *= z)
+          bessel_[n](i, m) = power * reduced[n];
+        // It cancels near 0, and leaves an error that is small beside 1.
+        bessel_[orders - 1](i, m) = z > 0.0 ? 6.0 / z * bessel_[3](i, m) - bessel_[2](i, m) : 0.0;
       }
     load_.resize(rows, count);
     Eigen::MatrixXd slope(rows, count);
@@ -218,12 +152,12 @@ class DepthReadings {
         slope(p, i) = scale * phi.slope * z;
       }
     }
-    std::vector<std::array<Amplitude, waves>> all;
-    for (const double k : nodes.k) all.push_back(amplitudes(material, depth, k));
+    std::vector<std::array<SkinAmplitude, skin_wave_count>> all;
+    for (const double k : nodes.k) all.push_back(skin_amplitudes(material, depth, k, drags_));
     const double h = material.layer ? material.layer->thickness : 0.0;
-    for (std::size_t wave = 0; wave < waves; ++wave) {
-      if (!needed[wave]) continue;
-      const std::size_t n = order_of[wave];
+    for (std::size_t wave = 0; wave < skin_wave_count; ++wave) {
+      if (!needed.waves[wave]) continue;
+      const std::size_t n = skin_wave_order[wave];
       Eigen::VectorXd amplitude(count);
       const auto take = [&](Column column, const Eigen::MatrixXd& load, std::size_t order,
                             const auto& of) {
@@ -231,17 +165,17 @@ class DepthReadings {
           amplitude(i) = of(all[static_cast<std::size_t>(i)][wave], static_cast<std::size_t>(i));
         tables_[wave][column] = load * amplitude.asDiagonal() * bessel_[order];
       };
-      const auto plain = [](const Amplitude& one, std::size_t) { return one.value; };
+      const auto plain = [](const SkinAmplitude& one, std::size_t) { return one.value; };
       take(value, load_, n, plain);
       if (!with_derivatives) continue;
       take(by_width, slope, n, plain);
-      take(by_depth, load_, n, [&](const Amplitude& one, std::size_t) {
+      take(by_depth, load_, n, [&](const SkinAmplitude& one, std::size_t) {
         return depth * one.slope[0] + (tied ? h * one.slope[1] : 0.0);
       });
       take(by_thickness, load_, n,
-           [&](const Amplitude& one, std::size_t) { return tied ? 0.0 : h * one.slope[1]; });
-      take(by_nu, load_, n, [](const Amplitude& one, std::size_t) { return one.slope[2]; });
-      const auto times_k = [&](const Amplitude& one, std::size_t i) {
+           [&](const SkinAmplitude& one, std::size_t) { return tied ? 0.0 : h * one.slope[1]; });
+      take(by_nu, load_, n, [](const SkinAmplitude& one, std::size_t) { return one.slope[2]; });
+      const auto times_k = [&](const SkinAmplitude& one, std::size_t i) {
         return nodes.k[i] * one.value;
       };
       take(lower, load_, n == 0 ? 1 : n - 1, times_k);  // J_-1 = -J_1
@@ -255,44 +189,86 @@ class DepthReadings {
     const double from_z = z - presses_[p].center_z;
     const double r = std::hypot(from_y, from_z);
     const Radii::At at = radii_.at(r);
-    const double turn_cosine = r > 0.0 ? from_y / r : 1.0;
-    const double turn_sine = r > 0.0 ? from_z / r : 0.0;
-    std::array<double, orders> cosine{1.0};
-    std::array<double, orders> sine{};
-    for (std::size_t n = 1; n < orders; ++n) {
-      cosine[n] = cosine[n - 1] * turn_cosine - sine[n - 1] * turn_sine;
-      sine[n] = sine[n - 1] * turn_cosine + cosine[n - 1] * turn_sine;
+    const Turn turn(r > 0.0 ? from_y / r : 1.0, r > 0.0 ? from_z / r : 0.0);
+    Field field = sum(skin_terms(quantity, SkinTraction::normal), at, p, turn);
+    if (drags_) {
+      const Field along_y = sum(skin_terms(quantity, SkinTraction::tangential_y), at, p, turn);
+      const Field along_z = sum(skin_terms(mirrored(quantity), SkinTraction::tangential_y), at, p,
+                                Turn(turn.sine[1], turn.cosine[1]))
+                                .mirrored();
+      field.add(presses_[p].friction, along_y);
+      field.add(presses_[p].friction_z, along_z);
+      if (columns_ > 1) {
+        out.by_friction(p, reading) += along_y.sums[value];
+        out.by_friction_z(p, reading) += along_z.sums[value];
+      }
     }
-    for (const Term& term : terms_of[static_cast<std::size_t>(quantity)]) {
-      const std::size_t n = order_of[term.wave];
-      std::array<double, columns> sum{};
-      for (std::size_t column = 0; column < columns_; ++column)
-        sum[column] = term.factor * tables_[term.wave][column]
-                                        .row(static_cast<Eigen::Index>(p))
-                                        .segment(at.first, static_cast<Eigen::Index>(points))
-                                        .dot(at.share);
-      const double angle = term.sine ? sine[n] : cosine[n];
-      out.value(p, reading) += sum[value] * angle;
-      if (columns_ == 1) continue;
-      out.by_log_half_width(p, reading) += sum[by_width] * angle;
-      for (const auto& [parameter, column] : {std::pair{PadParameter::depth, by_depth},
-                                              std::pair{PadParameter::thickness, by_thickness},
-                                              std::pair{PadParameter::poisson_ratio, by_nu}})
-        out.by_pad[static_cast<std::size_t>(parameter)](p, reading) += sum[column] * angle;
-      // d/dy and d/dz of J_n(k r) exp(i n theta), from J_n-1 and J_n+1.
-      const double low = n == 0 ? -sum[lower] : sum[lower];
-      const double low_cosine = n == 0 ? cosine[1] : cosine[n - 1];
-      const double low_sine = n == 0 ? -sine[1] : sine[n - 1];
-      const double along_y = term.sine ? low * low_sine - sum[upper] * sine[n + 1]
-                                       : low * low_cosine - sum[upper] * cosine[n + 1];
-      const double along_z = term.sine ? low * low_cosine + sum[upper] * cosine[n + 1]
-                                       : -low * low_sine - sum[upper] * sine[n + 1];
-      out.by_center(p, reading) -= 0.5 * along_y;
-      out.by_center_z(p, reading) -= 0.5 * along_z;
-    }
+    out.value(p, reading) += field.sums[value];
+    if (columns_ == 1) return;
+    out.by_log_half_width(p, reading) += field.sums[by_width];
+    for (const auto& [parameter, column] : {std::pair{PadParameter::depth, by_depth},
+                                            std::pair{PadParameter::thickness, by_thickness},
+                                            std::pair{PadParameter::poisson_ratio, by_nu}})
+      out.by_pad[static_cast<std::size_t>(parameter)](p, reading) += field.sums[column];
+    out.by_center(p, reading) -= field.along_y;
+    out.by_center_z(p, reading) -= field.along_z;
   }
 
  private:
+  /// Cosines and sines of multiples of an angle.
+  struct Turn {
+    Turn(double one_cosine, double one_sine) {
+      for (std::size_t n = 1; n < orders; ++n) {
+        cosine[n] = cosine[n - 1] * one_cosine - sine[n - 1] * one_sine;
+        sine[n] = sine[n - 1] * one_cosine + cosine[n - 1] * one_sine;
+      }
+    }
+    std::array<double, orders> cosine{1.0};
+    std::array<double, orders> sine{};
+  };
+
+  /// A reading of one component of the load, and its derivatives.
+  struct Field {
+    std::array<double, columns> sums{};  // all but the last two
+    double along_y = 0.0, along_z = 0.0;
+
+    void add(double factor, const Field& other) {
+      for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += factor * other.sums[i];
+      along_y += factor * other.along_y;
+      along_z += factor * other.along_z;
+    }
+    [[nodiscard]] Field mirrored() const { return {sums, along_z, along_y}; }
+  };
+
+  [[nodiscard]] Field sum(const std::vector<SkinTerm>& terms, const Radii::At& at, std::size_t p,
+                          const Turn& turn) const {
+    Field field;
+    for (const SkinTerm& term : terms) {
+      const auto wave = static_cast<std::size_t>(term.wave);
+      const std::size_t n = skin_wave_order[wave];
+      std::array<double, columns> sums{};
+      for (std::size_t column = 0; column < columns_; ++column)
+        sums[column] = term.factor * tables_[wave][column]
+                                         .row(static_cast<Eigen::Index>(p))
+                                         .segment(at.first, static_cast<Eigen::Index>(points))
+                                         .dot(at.share);
+      const double angle = term.sine ? turn.sine[n] : turn.cosine[n];
+      for (const Column column : {value, by_depth, by_thickness, by_nu, by_width})
+        field.sums[column] += sums[column] * angle;
+      if (columns_ == 1) continue;
+      // d/dy and d/dz of J_n(k r) exp(i n theta), from J_n-1 and J_n+1.
+      const double low = n == 0 ? -sums[lower] : sums[lower];
+      const double high = sums[upper];
+      const double low_cosine = n == 0 ? turn.cosine[1] : turn.cosine[n - 1];
+      const double low_sine = n == 0 ? -turn.sine[1] : turn.sine[n - 1];
+      field.along_y += 0.5 * (term.sine ? low * low_sine - high * turn.sine[n + 1]
+                                        : low * low_cosine - high * turn.cosine[n + 1]);
+      field.along_z += 0.5 * (term.sine ? low * low_cosine + high * turn.cosine[n + 1]
+                                        : -low * low_sine - high * turn.sine[n + 1]);
+    }
+    return field;
+  }
+
   static double widest(std::span<const PressState> presses) {
     double most = 0.0;
     for (const PressState& press : presses) most = std::max(most, std::exp(press.log_half_width));
@@ -300,11 +276,12 @@ class DepthReadings {
   }
 
   std::span<const PressState> presses_;
+  bool drags_;
   std::size_t columns_;
   Radii radii_;
-  std::array<Eigen::MatrixXd, orders> bessel_{};               // nodes x radii
-  Eigen::MatrixXd load_{};                                     // presses x nodes
-  std::array<std::array<RowMajor, columns>, waves> tables_{};  // presses x radii
+  std::array<Eigen::MatrixXd, orders> bessel_{};                         // nodes x radii
+  Eigen::MatrixXd load_{};                                               // presses x nodes
+  std::array<std::array<RowMajor, columns>, skin_wave_count> tables_{};  // presses x radii
 };
 
 }  // namespace
@@ -313,15 +290,18 @@ void add_skin_readings(const PadTaxels& taxels, std::span<const PressState> pres
                        bool with_derivatives, PressReadings& out) {
   std::map<double, std::vector<std::size_t>> depths;
   for (std::size_t j = 0; j < taxels.sites.size(); ++j) depths[taxels.sites[j].depth].push_back(j);
+  const bool drags = (with_derivatives && taxels.by_friction) ||
+                     std::any_of(presses.begin(), presses.end(), [](const PressState& press) {
+                       return press.friction != 0.0 || press.friction_z != 0.0;
+                     });
   Material material = taxels.material;
   for (const auto& [nominal, readings] : depths) {
     const double depth = nominal * taxels.depth_factor;
     if (material.layer && taxels.tied_to_base) material.layer->thickness = depth;
-    std::vector<bool> needed(waves);
+    Needed needed{.drags = drags};
     double farthest = depth;
     for (const std::size_t j : readings) {
-      for (const Term& term : terms_of[static_cast<std::size_t>(taxels.sites[j].quantity)])
-        needed[term.wave] = true;
+      needed.add(taxels.sites[j].quantity);
       for (const PressState& press : presses)
         farthest = std::max(farthest,
                             std::hypot(taxels.y[j] - press.center, taxels.z[j] - press.center_z));

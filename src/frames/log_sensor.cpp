@@ -16,9 +16,9 @@ namespace {
 constexpr std::array line_shapes = {std::pair{std::string_view("cylinder"), Shape::cylinder},
                                     std::pair{std::string_view("punch"), Shape::punch},
                                     std::pair{std::string_view("wedge"), Shape::wedge}};
-constexpr std::array skin_shapes = {std::pair{std::string_view("sphere"), DiscProfile::sphere},
-                                    std::pair{std::string_view("punch"), DiscProfile::punch},
-                                    std::pair{std::string_view("cone"), DiscProfile::cone}};
+const std::array skin_shapes = {std::pair{name(DiscProfile::sphere), DiscProfile::sphere},
+                                std::pair{name(DiscProfile::punch), DiscProfile::punch},
+                                std::pair{name(DiscProfile::cone), DiscProfile::cone}};
 
 template <typename Shapes, typename Kind>
 bool set(const Shapes& shapes, std::string_view text, Kind& kind) {
@@ -76,8 +76,9 @@ std::vector<std::string> LogSensor::described() const {
 }
 
 std::vector<std::string> LogSensor::optional_columns() const {
-  if (is_skin) return {"half_width_sd", "t"};
-  return {"half_width_sd", "friction", "friction_sd", "t"};
+  std::vector<std::string> columns{"half_width_sd", "friction", "friction_sd", "t"};
+  if (is_skin) columns.emplace_back("direction");
+  return columns;
 }
 
 std::string LogSensor::header() const {

@@ -13,6 +13,7 @@
 #include "frames/log_sensor.hpp"
 #include "frames/rest_deviations.hpp"
 #include "scene/csv_table.hpp"
+#include "scene/degrees.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
@@ -203,12 +204,7 @@ class Reader {
     read_place(row, press);
     press.half_width = stated(row, "half_width", positive, sensor_.units.length);
     press.radius = number(row, "radius", positive, sensor_.units.length);
-    if (const Stated friction = stated(row, "friction", any, {}); friction.value) {
-      if (sensor_.is_skin && *friction.value != 0.0)
-        problem(row.line, "friction is of lines",
-                "press a skin straight down, and lift before moving");
-      press.friction = friction;
-    }
+    read_friction(row, press);
     if (press.radius && !sensor_.is_round(press))
       problem(row.line,
               "radius is of a " + std::string(sensor_.round_shape()) + ", and the shape is none",
@@ -231,6 +227,28 @@ class Reader {
     press.position_z = {number(row, "position_z", any, length), sd};
     if (sd > 0.0 && !press.position.value && !press.position_z.value)
       problem(row.line, "position_sd stands without a position", "give both, or neither");
+  }
+
+  /// On a skin with the direction of the drag; one sd for both of its parts.
+  void read_friction(const CsvTable::Row& row, Press& press) {
+    const Stated friction =
+        stated(row, "friction", sensor_.is_skin ? not_negative : any, {});
+    const std::optional<double> direction =
+        sensor_.is_skin ? number(row, "direction", any, degrees) : std::nullopt;
+    if (direction && !friction.value)
+      problem(row.line, "direction stands without friction", "give both, or neither");
+    if (!friction.value) return;
+    press.friction = friction;
+    if (!sensor_.is_skin) return;
+    if (*friction.value != 0.0 && !direction) {
+      problem(row.line, "friction stands without its direction",
+              "a column direction: of the drag, from y towards z, in degrees; or friction 0 with "
+              "friction_sd where neither is known");
+      return;
+    }
+    const double angle = direction.value_or(0.0);
+    press.friction = {*friction.value * std::cos(angle), friction.sd};
+    press.friction_z = {*friction.value * std::sin(angle), friction.sd};
   }
 
   void check_place(const CsvTable::Row& row, const Press& press) {

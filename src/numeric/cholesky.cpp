@@ -18,4 +18,8 @@ bool Cholesky::is_positive_definite() const noexcept { return factors_->info() =
 
 void Cholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> x) const { factors_->solveInPlace(x); }
 
+Eigen::MatrixXd Cholesky::solve_lower(const Eigen::MatrixXd& x) const {
+  return factors_->matrixL().solve(x);
+}
+
 }  // namespace tactile_net

@@ -18,6 +18,8 @@ class Cholesky {
   [[nodiscard]] bool is_positive_definite() const noexcept;
   /// x = A^-1 x, column by column. @pre  A is positive definite
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> x) const;
+  /// L^-1 x.
+  [[nodiscard]] Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& x) const;
 
  private:
   struct Factors;

@@ -44,17 +44,15 @@ double sd_of(const Value& value, const Unit& unit, double otherwise) {
 CalibrationOptions read_calibrate(Table table, const Units& units, bool has_layer, bool of_skin) {
   CalibrationOptions options;
   std::array<std::string, pad_parameter_count> names;
-  if (of_skin)
-    table.not_here("shift_sd", "is of lines: a skin's place on its stage goes with each press",
-                   "state position_sd in the log");
   for (std::size_t i = 0; i < pad_parameter_count; ++i) {
     const auto parameter = static_cast<PadParameter>(i);
-    if (of_skin && parameter == PadParameter::shift) continue;
+    if (parameter == PadParameter::shift_z) continue;  // shift_sd is for both
     names[i] = std::string(name(parameter)) + "_sd";
     const Unit unit = parameter == PadParameter::shift ? units.length : Unit{};
     if (const auto value = table.value(names[i]))
       options.set_sd(parameter, sd_of(*value, unit, options.sd(parameter)));
   }
+  if (of_skin) options.shift_z_sd = options.shift_sd;
   for (const Key& key : keys)
     if (const auto value = table.value(key.name))
       options.*key.member = sd_of(*value, {}, options.*key.member);
@@ -74,7 +72,8 @@ CalibrationOptions read_calibrate(Table table, const Units& units, bool has_laye
       for (const Value& item : *list) {
         std::vector<std::string_view> known;
         for (std::size_t i = 0; i < pad_parameter_count; ++i)
-          known.push_back(name(static_cast<PadParameter>(i)));
+          if (of_skin || static_cast<PadParameter>(i) != PadParameter::shift_z)
+            known.push_back(name(static_cast<PadParameter>(i)));
         if (const auto which = item.one_of("parameter", known))
           options.set_sd(static_cast<PadParameter>(*which), 0.0);
       }

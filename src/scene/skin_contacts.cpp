@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
 
+#include "scene/degrees.hpp"
 #include "scene/skin_sections.hpp"
 
 namespace tactile_net {
@@ -29,7 +29,6 @@ constexpr auto rigid_keys = {"place",    "radius",    "radii", "angle",   "force
 constexpr auto sampled_keys = {"spacing", "normal", "tangential_y", "tangential_z"};
 
 constexpr Rule ratio{"must be >= 0 and < 1", [](double x) noexcept { return x >= 0.0 && x < 1.0; }};
-constexpr Unit degrees{"deg", std::numbers::pi, 180.0};
 
 /// A number of a contact that may also stand in the knots of a trajectory.
 struct Key {

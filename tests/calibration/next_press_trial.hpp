@@ -128,10 +128,11 @@ class NextPressTrial {
 inline constexpr unsigned trials_each = 25;
 
 /// Root of the mean square over the logs.
-inline TrialErrors trial_errors(PressChoice choice) {
+template <class Trial = NextPressTrial>
+TrialErrors trial_errors(PressChoice choice) {
   TrialErrors rms;
   for (unsigned seed = 0; seed < trials_each; ++seed) {
-    const TrialErrors one = NextPressTrial(7000 + seed).errors(choice);
+    const TrialErrors one = Trial(7000 + seed).errors(choice);
     rms.readings += one.readings * one.readings / trials_each;
     rms.depth += one.depth * one.depth / trials_each;
     rms.gains += one.gains * one.gains / trials_each;

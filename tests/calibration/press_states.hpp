@@ -27,7 +27,7 @@ inline double peak(const Matrix& rows, std::size_t row) {
 inline PadState moved(PadState pad, std::size_t parameter, double step) {
   double* const members[] = {&pad.log_depth,   &pad.log_thickness, &pad.poisson_ratio,
                              &pad.log_modulus, &pad.crosstalk,     &pad.shift,
-                             &pad.log_pitch};
+                             &pad.log_pitch,   &pad.shift_z};
   *members[parameter] += step;
   return pad;
 }

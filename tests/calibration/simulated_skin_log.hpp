@@ -24,13 +24,17 @@ struct SkinLogOptions {
   bool at_one_place = false;
   bool states_force = true;
   bool states_radius = true;  ///< of the balls; else the contact's
+  double friction = 0.0;      ///< most of a press' drag, to any side; it is stated within 0.1
+  double shift_y = 0.0, shift_z = 0.0;  ///< of the skin on its stage [m]
 };
 
 struct SimulatedSkinLog {
   SkinArray truth{}, nominal{};
   Material pad{}, nominal_pad{};
-  std::vector<double> gains{};
+  std::vector<double> gains{}, offsets{};
+  std::vector<double> rms{};  ///< of each channel's noise
   PressLog log{};
+  std::vector<SkinContact> frictions{};  ///< of dragged presses
 
   [[nodiscard]] PressModel model() const { return {nominal, nominal_pad}; }
 };
@@ -76,12 +80,24 @@ inline SimulatedSkinLog simulated_skin_log(unsigned seed, const SkinLogOptions& 
     const double radius = options.at_one_place ? 5e-3 : uniform(3e-3, 8e-3);
     const double force = uniform(0.3, 1.0);
     const double a = ball_contact_radius(result.pad, force, radius);
-    const std::vector<SkinLoad> loads{SkinContact{.y = y, .z = z, .radius = a, .force = force}};
+    SkinContact contact{
+        .y = y - options.shift_y, .z = z - options.shift_z, .radius = a, .force = force};
+    if (options.friction > 0.0) {
+      contact.friction = uniform(0.0, options.friction);
+      contact.direction = uniform(-3.1, 3.1);
+    }
+    const std::vector<SkinLoad> loads{contact};
     clean.push_back(exact.readings(loads));
     Press press{.number = p + 1};
     if (options.states_force) press.force = {force * (1.0 + 0.01 * normal(random)), 0.01 * force};
     press.position = {y + 1e-4 * normal(random), 1e-4};
     press.position_z = {z + 1e-4 * normal(random), 1e-4};
+    if (options.friction > 0.0) {
+      press.friction = {contact.friction * std::cos(contact.direction) + 0.1 * normal(random), 0.1};
+      press.friction_z = {contact.friction * std::sin(contact.direction) + 0.1 * normal(random),
+                          0.1};
+      result.frictions.push_back(contact);
+    }
     if (options.states_radius)
       press.radius = radius;
     else
@@ -89,12 +105,13 @@ inline SimulatedSkinLog simulated_skin_log(unsigned seed, const SkinLogOptions& 
     result.log.presses.push_back(press);
   }
   const std::vector<SkinSite> where = sites(result.truth);
-  std::vector<double> rms(channel_count(result.truth));
+  std::vector<double>& rms = result.rms;
+  rms.resize(channel_count(result.truth));
   for (const std::vector<double>& readings : clean)
     for (std::size_t j = 0; j < n; ++j)
       rms[where[j].channel] =
           std::max(rms[where[j].channel], options.noise * std::abs(readings[j]));
-  std::vector<double> offsets;
+  std::vector<double>& offsets = result.offsets;
   for (std::size_t j = 0; j < n; ++j) {
     result.gains.push_back(std::exp(0.05 * normal(random)));
     offsets.push_back(2.0 * rms[where[j].channel] * normal(random));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "calibration/fit_covariance.hpp"
@@ -149,6 +150,95 @@ TEST_CASE("what a skin's log cannot tell is said, and keeps its value") {
     const PressFit fit = fit_of({.noise = 0.02, .presses = 4, .at_one_place = true});
     CHECK(fit.gain_about_mean[0] != ValueVerdict::identified);
     CHECK(fit.gain_about_mean[24] != ValueVerdict::identified);
+  }
+}
+
+TEST_CASE("a skin's place on its stage is found along both axes, or said to be hidden") {
+  SimulatedSkinLog made =
+      simulated_skin_log(21, {.presses = 14, .reads = three, .shift_y = 6e-4, .shift_z = -4e-4});
+  CalibrationOptions options;
+  options.shift_sd = options.shift_z_sd = 1e-3;
+  SECTION("positions within 0.1 mm tell it to 0.1 mm over the root of their number") {
+    const PressFit fit = fit_presses(made.model(), made.log, options);
+    CHECK(fit.verdict == FitVerdict::ok);
+    for (const auto& [parameter, truth] :
+         {std::pair{PadParameter::shift, 6e-4}, std::pair{PadParameter::shift_z, -4e-4}}) {
+      const FittedValue& shift = fit.at(parameter);
+      CAPTURE(name(parameter), shift.value, shift.sd);
+      CHECK(shift.verdict == ValueVerdict::identified);
+      CHECK(std::abs(shift.value - truth) < 4.0 * shift.sd);
+      CHECK_THAT(shift.sd, WithinRel(1e-4 / std::sqrt(14.0), 0.3));
+    }
+    CHECK(fit.null_directions.size() == 1);  // E / (1 - nu^2) alone is told
+  }
+  SECTION("no position at all: both are hidden, each for itself") {
+    for (Press& press : made.log.presses) press.position = press.position_z = {};
+    const PressFit fit = fit_presses(made.model(), made.log, options);
+    CHECK(is_hidden(fit, PadParameter::shift));
+    CHECK(is_hidden(fit, PadParameter::shift_z));
+    CHECK(fit.at(PadParameter::shift).value == 0.0);
+    CHECK(fit.null_directions.size() == 3);
+  }
+  SECTION("places along z alone leave the shift along y hidden") {
+    for (Press& press : made.log.presses) press.position = {};
+    const PressFit fit = fit_presses(made.model(), made.log, options);
+    CHECK(is_hidden(fit, PadParameter::shift));
+    CHECK(!is_hidden(fit, PadParameter::shift_z));
+    CHECK(fit.null_directions.size() == 2);
+  }
+  SECTION("pitch, places and contacts unknown: a dilation of all of it") {
+    SimulatedSkinLog balls = simulated_skin_log(21, {.presses = 14, .states_radius = false});
+    for (Press& press : balls.log.presses)
+      press.position = press.position_z = press.half_width = {};
+    CalibrationOptions pitch;
+    pitch.pitch_sd = 0.1;
+    const PressFit fit = fit_presses(balls.model(), balls.log, pitch);
+    double part = 0.0;
+    for (const NullDirection& direction : fit.null_directions)
+      part = std::hypot(part, direction.pad[static_cast<std::size_t>(PadParameter::pitch)]);
+    CHECK(part > 0.1);
+    CHECK(fit.null_directions.size() == 3);  // beside E and nu
+  }
+}
+
+TEST_CASE("presses that drag a skin are fitted with their friction, and named without it") {
+  const SimulatedSkinLog made =
+      simulated_skin_log(22, {.presses = 14, .reads = three, .friction = 0.6});
+  const PressFit fit = fit_presses(made.model(), made.log);
+  CHECK(fit.verdict == FitVerdict::ok);
+  CHECK_THAT(fit.rms, WithinAbs(1.0, 0.1));
+  CHECK(std::abs(fit.at(PadParameter::depth).value - 1.8e-3) <
+        4.0 * fit.at(PadParameter::depth).sd);
+  double pulls2 = 0.0;
+  for (std::size_t p = 0; p < fit.presses.size(); ++p) {
+    const SkinContact& truth = made.frictions[p];
+    const FittedPress& press = fit.presses[p];
+    CHECK(press.friction.sd < 0.03);  // 0.1 was stated
+    for (const auto& [value, is] :
+         {std::pair{press.friction, truth.friction * std::cos(truth.direction)},
+          std::pair{press.friction_z, truth.friction * std::sin(truth.direction)}})
+      pulls2 += std::pow((value.value - is) / value.sd, 2) / 28.0;
+  }
+  CHECK_THAT(pulls2, WithinAbs(1.0, 0.8));
+  SECTION("taken for straight ones they contradict what is stated") {
+    PressLog straight = made.log;
+    for (Press& press : straight.presses) press.friction = press.friction_z = {.value = 0.0};
+    const PressFit poor = fit_presses(made.model(), straight);
+    CHECK(poor.verdict == FitVerdict::poor_fit);
+    CHECK(poor.rms > 2.0);
+  }
+  SECTION("one of them, stated as straight, is named with its friction") {
+    PressLog one = made.log;
+    const auto most = std::max_element(
+        made.frictions.begin(), made.frictions.end(),
+        [](const SkinContact& a, const SkinContact& b) { return a.friction < b.friction; });
+    const auto p = static_cast<std::size_t>(most - made.frictions.begin());
+    one.presses[p].friction = one.presses[p].friction_z = {.value = 0.0};
+    const PressFit poor = fit_presses(made.model(), one);
+    REQUIRE(!poor.contradicted_presses.empty());
+    CHECK(poor.contradicted_presses[0].press == one.presses[p].number);
+    const PressQuantity named = poor.contradicted_presses[0].quantity;
+    CHECK((named == PressQuantity::friction || named == PressQuantity::friction_z));
   }
 }
 

@@ -23,6 +23,16 @@ SkinArray array_of(std::vector<SkinQuantity> reads, double depth = 1.5e-3) {
 
 const std::vector<SkinQuantity> all(skin_quantities.begin(), skin_quantities.end());
 
+/// What a base that slips holds under a drag, too.
+std::vector<SkinQuantity> finite_under_drags(int kind) {
+  std::vector<SkinQuantity> quantities = all;
+  if (kind == 2)
+    std::erase_if(quantities, [](SkinQuantity one) {
+      return one == SkinQuantity::displacement_y || one == SkinQuantity::displacement_z;
+    });
+  return quantities;
+}
+
 PressState press(DiscProfile disc, double force, double y, double z, double a) {
   PressState state;
   state.log_force = std::log(force);
@@ -37,6 +47,16 @@ const std::vector<PressState> presses{press(DiscProfile::sphere, 0.5, 0.3e-3, -1
                                       press(DiscProfile::punch, 0.2, -3e-3, 1.8e-3, 0.6e-3),
                                       press(DiscProfile::cone, 0.8, 0.0, 0.6e-3, 1.9e-3)};
 
+/// The same dragged along y, along neither axis, and against z.
+std::vector<PressState> dragged() {
+  std::vector<PressState> result = presses;
+  result[0].friction = 0.4;
+  result[1].friction = -0.3;
+  result[1].friction_z = 0.5;
+  result[2].friction_z = -0.7;
+  return result;
+}
+
 SkinLoad load_of(const PressState& one) {
   const SkinShape shape = one.disc == DiscProfile::sphere  ? SkinShape::sphere
                           : one.disc == DiscProfile::punch ? SkinShape::punch
@@ -45,26 +65,30 @@ SkinLoad load_of(const PressState& one) {
                      .y = one.center,
                      .z = one.center_z,
                      .radius = std::exp(one.log_half_width),
-                     .force = std::exp(one.log_force)};
+                     .force = std::exp(one.log_force),
+                     .friction = std::hypot(one.friction, one.friction_z),
+                     .direction = std::atan2(one.friction_z, one.friction)};
 }
 
 }  // namespace
 
 TEST_CASE("a skin's readings under rigid indenters are those of the exact forward model") {
   const int kind = GENERATE(0, 1, 2);
+  const bool drags = GENERATE(false, true);
   const Material pad = pad_of(kind);
-  for (const SkinQuantity quantity : skin_quantities) {
+  const std::vector<PressState> done = drags ? dragged() : presses;
+  for (const SkinQuantity quantity : drags ? finite_under_drags(kind) : all) {
     const SkinArray skin = array_of({quantity});
     const PressModel model(skin, pad);
-    const PressReadings readings = model.readings(model.nominal(), presses, false);
-    for (std::size_t p = 0; p < presses.size(); ++p) {
-      const std::vector<SkinLoad> loads{load_of(presses[p])};
+    const PressReadings readings = model.readings(model.nominal(), done, false);
+    for (std::size_t p = 0; p < done.size(); ++p) {
+      const std::vector<SkinLoad> loads{load_of(done[p])};
       const std::vector<double> exact = exact_readings(skin, pad, loads);
       const double most =
           std::abs(*std::max_element(exact.begin(), exact.end(),
                                      [](double a, double b) { return std::abs(a) < std::abs(b); }));
       for (std::size_t j = 0; j < exact.size(); ++j) {
-        CAPTURE(kind, name(quantity), p, j);
+        CAPTURE(kind, drags, name(quantity), p, j);
         CHECK(std::abs(readings.value(p, j) - exact[j]) <= 1e-8 * most);
       }
     }
@@ -85,14 +109,17 @@ TEST_CASE("a taxel below the middle of a press is read right") {
 
 TEST_CASE("derivatives of a skin's readings are those of central differences") {
   const int kind = GENERATE(0, 1, 2);
-  const PressModel model(array_of(all), pad_of(kind));
+  const bool drags = GENERATE(false, true);
+  const std::vector<PressState> done = drags ? dragged() : presses;
+  const PressModel model(array_of(drags ? finite_under_drags(kind) : all), pad_of(kind));
   PadState pad = model.nominal();
   pad.log_depth = 0.1;
   pad.poisson_ratio = 0.43;
   pad.crosstalk = 0.04;
   pad.shift = 2e-4;
   pad.log_pitch = 0.01;
-  const PressReadings at = model.readings(pad, presses, true);
+  pad.shift_z = -3e-4;
+  const PressReadings at = model.readings(pad, done, true, false, drags);
   const std::size_t channels = model.channels().size();
   const std::size_t taxels = model.sites().size() / channels;
   // Fourth order: (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / 12 h. Quantities of other units stand
@@ -111,18 +138,20 @@ TEST_CASE("derivatives of a skin's readings are those of central differences") {
         for (std::size_t j = c * taxels; j < (c + 1) * taxels; ++j) {
           const double difference =
               (8.0 * (near(p, j) - back(p, j)) - (far(p, j) - behind(p, j))) / (12.0 * step);
-          CAPTURE(kind, what, p, model.channels()[c].name, j);
+          CAPTURE(kind, drags, what, p, model.channels()[c].name, j);
           CHECK(std::abs(column(p, j) - difference) <= 1e-7 * slope + 1e-13 * value / step);
         }
       }
   };
   for (std::size_t i = 0; i < pad_parameter_count; ++i) {
-    const double step = static_cast<PadParameter>(i) == PadParameter::shift ? 2e-6 : 2e-3;
-    compare([&](double by) { return model.readings(moved(pad, i, by), presses, false).value; },
-            at.by_pad[i], step, name(static_cast<PadParameter>(i)).data());
+    const auto parameter = static_cast<PadParameter>(i);
+    const double step =
+        parameter == PadParameter::shift || parameter == PadParameter::shift_z ? 2e-6 : 2e-3;
+    compare([&](double by) { return model.readings(moved(pad, i, by), done, false).value; },
+            at.by_pad[i], step, name(parameter).data());
   }
   const auto with = [&](auto member, double by) {
-    std::vector<PressState> other = presses;
+    std::vector<PressState> other = done;
     for (PressState& one : other) one.*member += by;
     return model.readings(pad, other, false).value;
   };
@@ -131,6 +160,43 @@ TEST_CASE("derivatives of a skin's readings are those of central differences") {
   compare([&](double by) { return with(&PressState::center_z, by); }, at.by_center_z, 2e-6, "z");
   compare([&](double by) { return with(&PressState::log_half_width, by); }, at.by_log_half_width,
           2e-3, "a");
+  if (!drags) return;
+  compare([&](double by) { return with(&PressState::friction, by); }, at.by_friction, 2e-3,
+          "friction");
+  compare([&](double by) { return with(&PressState::friction_z, by); }, at.by_friction_z, 2e-3,
+          "friction_z");
+}
+
+TEST_CASE("a press that turns over a skin's diagonal turns its readings with it") {
+  // Places, quantities and drags with y and z exchanged: a square skin sees the same.
+  const SkinArray skin{.rows = 4,
+                       .columns = 4,
+                       .pitch_y = 1.5e-3,
+                       .pitch_z = 1.5e-3,
+                       .depths = {1.5e-3},
+                       .reads = {SkinQuantity::shear_xy, SkinQuantity::shear_xz}};
+  const PressModel model(skin, pad_of(1));
+  PressState one = presses[0];
+  one.friction = 0.4;
+  one.friction_z = -0.1;
+  PressState other = one;
+  std::swap(other.center, other.center_z);
+  std::swap(other.friction, other.friction_z);
+  const std::vector<PressState> both{one, other};
+  const PressReadings at = model.readings(model.nominal(), both, false);
+  for (std::size_t row = 0; row < 4; ++row)
+    for (std::size_t column = 0; column < 4; ++column)
+      CHECK_THAT(at.value(0, 4 * row + column),
+                 WithinAbs(at.value(1, 16 + 4 * column + row), 1e-12 * peak(at.value, 0)));
+}
+
+TEST_CASE("a drag of what would be infinite under it is refused") {
+  const PressModel model(array_of({SkinQuantity::stress_x, SkinQuantity::displacement_y}),
+                         pad_of(2));
+  CHECK(!model.holds_drags());
+  CHECK_NOTHROW(model.readings(model.nominal(), presses, true));
+  CHECK_THROWS_WITH(model.readings(model.nominal(), dragged(), false),
+                    ContainsSubstring("press straight down"));
 }
 
 TEST_CASE("at a skin's base one derivative moves depth and thickness together") {

@@ -231,9 +231,125 @@ TEST_CASE("a log of a skin that is wrong is refused with its line and the rule",
                  replaced(replaced(text, "position_y", "position_q"), "position_z", "position_y"),
                  "position_q", "position_z")),
              ContainsSubstring("swapped"));
-  CHECK_THAT(errors(text, "\n[calibrate]\nshift_sd = 0.1\n"), ContainsSubstring("position_sd"));
+  // A drag without its direction, a direction without a drag, and one that pushes back.
+  const auto dragged = [&](const std::string& friction, const std::string& direction) {
+    const std::vector<std::string> rows = lines_of(text);
+    std::string log = rows.front() + ",friction,direction\n";
+    for (std::size_t row = 1; row < rows.size(); ++row)
+      log += rows[row] + (row == 21 ? ',' + friction + ',' + direction : ",,") + '\n';
+    return errors(log);
+  };
+  CHECK_THAT(dragged("0.3", ""),
+             ContainsSubstring("log.csv:22") && ContainsSubstring("without its direction"));
+  CHECK_THAT(dragged("", "90"), ContainsSubstring("direction stands without friction"));
+  CHECK_THAT(dragged("-0.3", "90"), ContainsSubstring("friction must be >= 0"));
   const ProcessResult planned =
-      tool({"calibrate", log_of("skin-layer"), "--scene", nominal_of("skin-layer"), "--next", "3"});
+      tool({"calibrate", log_of("skin-layer"), "--scene", nominal_of("skin-layer"), "--next", "0"});
   CHECK(planned.code == 2);
-  CHECK_THAT(planned.errors, ContainsSubstring("lines alone"));
+  CHECK_THAT(planned.errors, ContainsSubstring("plans 1 to 100 presses"));
+}
+
+TEST_CASE("a skin's next presses buy more with every one, in words and JSON", "[cli][calibrate]") {
+  const Folder folder;
+  const auto planned = [&](const std::string& json) {
+    return tool({"calibrate", log_of("skin-layer"), "--scene", nominal_of("skin-layer"), "--next",
+                 "3", "--target", "depth", "--json", folder / json, "--out", folder / "page"});
+  };
+  const ProcessResult result = planned("found.json");
+  REQUIRE(result.code == 0);
+  CHECK_THAT(result.output, ContainsSubstring("contact radius") &&
+                                ContainsSubstring("of the depth is unknown") &&
+                                ContainsSubstring("Press straight down"));
+  CHECK_THAT(read_text(folder / "page/report.html"), ContainsSubstring("Presses to do next"));
+  const Json json = Json::parse(read_text(folder / "found.json"));
+  REQUIRE(json["next"].size() == 3);
+  double unknown = json["unknown_now"];
+  const Json& depth = json["parameters"]["depth"];
+  CHECK_THAT(unknown, WithinRel(depth["sd"].get<double>() / depth["value"].get<double>(), 0.1));
+  for (const Json& press : json["next"]) {
+    CHECK(press["unknown_then"].get<double>() < unknown);
+    unknown = press["unknown_then"];
+    CHECK(std::abs(press["position"].get<double>()) < 4.5e-3);
+    CHECK(std::abs(press["position_z"].get<double>()) < 4.5e-3);
+    CHECK(press["radius"].is_null() == (press["shape"] != "sphere"));
+  }
+  REQUIRE(planned("again.json").code == 0);
+  CHECK(read_text(folder / "again.json") == read_text(folder / "found.json"));
+}
+
+TEST_CASE("a skin that lies elsewhere on its stage is found there, or said to be hidden",
+          "[cli][calibrate]") {
+  const Folder folder;
+  const std::string scene_text =
+      read_text(nominal_of("skin-balls")) + "\n[calibrate]\nshift_sd = 1.0\n";
+  const std::string nominal = folder.write("nominal.toml", scene_text);
+  // Every position 0.5 mm larger along z: the skin lies there.
+  const std::vector<std::string> rows = lines_of(read_text(log_of("skin-balls")));
+  std::string moved = rows.front() + '\n';
+  std::string nowhere = moved;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    std::string row = rows[i];
+    std::vector<std::size_t> commas;
+    for (std::size_t k = 0; k < row.size() && commas.size() < 7; ++k)
+      if (row[k] == ',') commas.push_back(k);
+    const std::string z = row.substr(commas[4] + 1, commas[5] - commas[4] - 1);
+    moved += (z.empty() ? row
+                        : row.substr(0, commas[4] + 1) + shortest(std::stod(z) + 0.5) +
+                              row.substr(commas[5])) +
+             '\n';
+    nowhere += row.substr(0, commas[3] + 1) + ",," + row.substr(commas[6]) + '\n';
+  }
+  const Json found = calibrated(folder, folder.write("moved.csv", moved), nominal);
+  check_near(found, "shift", 0.0, 1e-4);
+  check_near(found, "shift_z", 0.5e-3, 1e-4);
+  CHECK_THAT(read_text(folder / "calibrated.toml"), ContainsSubstring("shift_z = "));
+  const ProcessResult hidden =
+      tool({"calibrate", folder.write("nowhere.csv", nowhere), "--scene", nominal});
+  CHECK(hidden.code == 0);
+  CHECK_THAT(hidden.output,
+             ContainsSubstring("The shift of the skin along y leaves no trace in these readings: "
+                               "no position is stated.") &&
+                 ContainsSubstring("The shift of the skin along z leaves no trace"));
+}
+
+TEST_CASE("a drag that the log states is fitted with it, one that it hides is named",
+          "[cli][calibrate]") {
+  const Folder folder;
+  const Json truth = truth_of("skin-balls");
+  // One more press of the true sensor, dragged towards z, as simulate has it.
+  std::string sensor = read_text(nominal_of("skin-balls"));
+  sensor = replaced(sensor, "depth = 1.6", "depth = 1.9");
+  sensor = replaced(sensor, "youngs_modulus = 0.2", "youngs_modulus = 0.26");
+  sensor = replaced(sensor, "poisson_ratio = 0.48", "poisson_ratio = 0.46");
+  const ProcessResult made = tool(
+      {"simulate", folder.write("truth.toml", sensor + "\n[[contact]]\nshape = \"sphere\"\nplace = "
+                                                       "[1.0, -2.0]\nradius = 1.8\nforce = 1.0\n"
+                                                       "friction = 0.4\ndirection = 90\n")});
+  REQUIRE(made.code == 0);
+  const std::vector<std::string> rows = lines_of(read_text(log_of("skin-balls")));
+  const auto log_with = [&](const std::string& friction) {
+    std::string log = rows.front() + ",friction,direction,friction_sd\n";
+    for (std::size_t i = 1; i < rows.size(); ++i) log += rows[i] + ",,,\n";
+    log += "99,sphere,1.0,,1.0,-2.0,,,1.8";
+    const std::string clean = lines_of(made.output)[1];
+    std::size_t j = 0;
+    for (std::size_t from = 0; from < clean.size(); ++j) {
+      const std::size_t end = std::min(clean.find(',', from), clean.size());
+      log += ',' +
+             shortest(truth["gains"][j].get<double>() * std::stod(clean.substr(from, end - from)) +
+                      truth["offsets"][j].get<double>());
+      from = end + 1;
+    }
+    return folder.write("log.csv", log + ',' + friction + '\n');
+  };
+  for (const std::string friction : {"0.4,90,0.05", "0,,0.5"}) {
+    const Json found = calibrated(folder, log_with(friction), nominal_of("skin-balls"));
+    const Json& press = found["presses"].back();
+    CAPTURE(friction, press.dump());
+    CHECK(std::abs(press["friction"]["value"].get<double>()) < 0.03);
+    CHECK_THAT(press["friction_z"]["value"].get<double>(), WithinAbs(0.4, 0.03));
+  }
+  const ProcessResult straight =
+      tool({"calibrate", log_with(",,"), "--scene", nominal_of("skin-balls"), "--robust"});
+  CHECK_THAT(straight.output, ContainsSubstring("Press 99 does not fit its stated friction z"));
 }

@@ -162,7 +162,7 @@ with tempfile.TemporaryDirectory() as place:
     log = scenes / "calibration" / "no-loads"
     check("calibrate", written("calibrate", log.with_suffix(".csv"), "--scene", log.with_suffix(".toml"), "--next", "2"), "a log")
     log = scenes / "calibration" / "skin-layer"
-    check("calibrate", written("calibrate", log.with_suffix(".csv"), "--scene", log.with_suffix(".toml")), "a log of a skin")
+    check("calibrate", written("calibrate", log.with_suffix(".csv"), "--scene", log.with_suffix(".toml"), "--next", "2"), "a log of a skin")
     check("plan", written("plan", *counts, "-q"), "a plan for counts")
     check("identify", written("identify", *counts), "counts")
     check("plan", written("plan", scenes / "fingertip.toml", "-q"), "a plan")

@@ -5,8 +5,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
-#include <sstream>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 #include "tests/calibration/next_press_trial.hpp"
+#include "tests/calibration/next_skin_press_trial.hpp"
 #include "tests/calibration/simulated_log.hpp"
 
 namespace {
@@ -189,19 +192,16 @@ std::string traction_rows(double noise) {
   return result;
 }
 
-std::string next_press_rows() {
-  struct Row {
-    PressChoice choice;
-    const char* words;
-  };
-  const std::array rows = {Row{PressChoice::none, "none"},
-                           Row{PressChoice::chosen, "five chosen by `--next 5`"},
-                           Row{PressChoice::even, "five at even places, largest force"},
-                           Row{PressChoice::random_full_force, "five at random, largest force"},
-                           Row{PressChoice::random, "five at random, force too"}};
-  std::string result;
+struct ChoiceRow {
+  PressChoice choice;
+  const char* words;
+};
+
+template <class Trial>
+std::string next_press_rows(const std::vector<ChoiceRow>& rows) {
+  std::string result = "| more presses | readings | depth | gains |\n|---|---|---|---|\n";
   for (const auto& [choice, words] : rows) {
-    const TrialErrors errors = trial_errors(choice);
+    const TrialErrors errors = trial_errors<Trial>(choice);
     result += text("| %s | %.1f %% | %.1f %% | %.1f %% |\n", words, 100.0 * errors.readings,
                    100.0 * errors.depth, 100.0 * errors.gains);
   }
@@ -222,47 +222,116 @@ std::string time_rows() {
   return result;
 }
 
-std::string page() {
-  std::ostringstream out;
-  out << introduction_of(logs_each);
+std::string coverage() {
+  std::string rows = introduction_of(logs_each);
   for (const double noise : {0.01, 0.003}) {
     const auto add = [&](const char* known, const LogOptions& options) {
       std::cerr << noise << ", " << known << '\n';
-      out << coverage_row(noise, known, options);
+      rows += coverage_row(noise, known, options);
     };
     add("force, centre, width", {});
     add("force", {.knows_width = false, .knows_centre = false});
     add("shape only", {.knows_width = false, .knows_centre = false, .knows_force = false});
   }
-  out << "\n## What it does to the tractions\n\nTwelve new contacts for each of 8 logs, nothing "
-         "pulls, alpha a tenth of what `rgcv` chooses; the nominal scene is wrong by 20 % in "
-         "depth and 13 % in\nthickness, and its gains are 1. *resultant*: rms error of the force; "
-         "*field*: median error of the tractions in the 2-norm.\n\n"
-         "| noise | scene | resultant | field |\n|---|---|---|---|\n";
-  for (const double noise : {0.003, 0.01}) out << traction_rows(noise);
-  std::cerr << "next presses\n";
-  out << "\n## The next presses\n\n"
-      << trials_each
-      << " logs with 1 % noise and two presses in the middle, a narrow and a wide one; forces are "
+  return rows;
+}
+
+std::string tractions() {
+  std::string rows =
+      "Twelve new contacts for each of 8 logs, nothing "
+      "pulls, alpha a tenth of what `rgcv` chooses; the nominal scene is wrong by 20 % in "
+      "depth and 13 % in\nthickness, and its gains are 1. *resultant*: rms error of the force; "
+      "*field*: median error of the tractions in the 2-norm.\n\n"
+      "| noise | scene | resultant | field |\n|---|---|---|---|\n";
+  for (const double noise : {0.003, 0.01}) rows += traction_rows(noise);
+  return rows;
+}
+
+std::string next_presses_of_lines() {
+  return std::to_string(trials_each) +
+         " logs with 1 % noise and two presses in the middle, a narrow and a wide one; forces are "
          "known, places within 0.1 mm, widths not. Then five more. rms errors:\n*readings*: those "
-         "predicted under cylinders all over the array, in their own rms.\n\n"
-         "| more presses | readings | depth | gains |\n|---|---|---|---|\n"
-      << next_press_rows();
-  out << "\n## Time\n\nOne fit of known loads, which takes one start, on one core of the machine "
-         "that wrote this page, busy or not.\n\n| presses | time | iterations |\n|---|---|---|\n"
-      << time_rows();
-  return out.str();
+         "predicted under cylinders all over the array, in their own rms.\n\n" +
+         next_press_rows<NextPressTrial>(
+             {{PressChoice::none, "none"},
+              {PressChoice::chosen, "five chosen by `--next 5`"},
+              {PressChoice::even, "five at even places, largest force"},
+              {PressChoice::random_full_force, "five at random, largest force"},
+              {PressChoice::random, "five at random, force too"}});
+}
+
+std::string next_presses_of_skins() {
+  return std::to_string(trials_each) +
+         " logs of 5 x 5 taxels 2 mm apart, which read stress_x and shear_xy, 1 % noise, gains 5 % "
+         "apart, the nominal depth 17 % too small; two presses in the middle by balls of 3 and 8 "
+         "mm with the\nlargest force. Forces and radii are known, places within 0.1 mm. Then five "
+         "more, balls of 3 to 8 mm. rms errors: *readings*: those predicted under both balls all "
+         "over the skin, in their own rms.\n\n" +
+         next_press_rows<NextSkinPressTrial>(
+             {{PressChoice::none, "none"},
+              {PressChoice::chosen, "five chosen by `--next 5`"},
+              {PressChoice::even, "the corners and the middle, largest force"},
+              {PressChoice::random_full_force, "five at random, largest force"},
+              {PressChoice::random, "five at random, force too"}});
+}
+
+std::string times() {
+  return "One fit of known loads, which takes one start, on one core of the machine "
+         "that wrote this page, busy or not.\n\n| presses | time | iterations |\n|---|---|---|\n" +
+         time_rows();
+}
+
+/// A part of the page; the first has the page's heading in it.
+struct Section {
+  std::string heading;
+  std::string (*text)();
+};
+
+const std::array sections = {Section{"", coverage},
+                             Section{"## What it does to the tractions\n\n", tractions},
+                             Section{"## The next presses\n\n", next_presses_of_lines},
+                             Section{"## The next presses on a skin\n\n", next_presses_of_skins},
+                             Section{"## Time\n\n", times}};
+
+/// @param one    a heading: that section alone is made, the others stay as they are in `before`
+std::string page(const std::string& one, const std::string& before) {
+  const auto start_of = [&](std::size_t i) {
+    return i < sections.size() ? before.find('\n' + sections[i].heading) : before.size();
+  };
+  std::string result;
+  bool found = false;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const std::string gap = i == 0 ? "" : "\n";
+    if (one.empty() || sections[i].heading == "## " + one + "\n\n") {
+      found = true;
+      std::cerr << sections[i].heading;
+      result += gap + sections[i].heading + sections[i].text();
+      continue;
+    }
+    const std::size_t from = i == 0 ? 0 : start_of(i);
+    if (from == std::string::npos) continue;  // it was never made
+    std::size_t next = i + 1;
+    while (next < sections.size() && start_of(next) == std::string::npos) ++next;
+    result += before.substr(from, start_of(next) - from);
+  }
+  if (!found) throw std::invalid_argument("there is no section " + one);
+  return result;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: tactile-net-calibration-tables FILE.md\n";
+  if (argc != 2 && argc != 3) {
+    std::cerr << "usage: tactile-net-calibration-tables FILE.md [HEADING]\n";
     return 2;
   }
   try {
-    frames::write_file(argv[1], page());
+    std::string before;
+    if (argc == 3) {
+      std::ifstream file(argv[1], std::ios::binary);
+      before.assign(std::istreambuf_iterator<char>(file), {});
+    }
+    frames::write_file(argv[1], page(argc == 3 ? argv[2] : "", before));
   } catch (const std::exception& error) {
     std::cerr << "tactile-net-calibration-tables: error: " << error.what() << '\n';
     return 1;

@@ -17,10 +17,11 @@ enum class PadParameter {
   poisson_ratio,   ///<
   youngs_modulus,  ///<
   crosstalk,       ///< fraction, as the effect's
-  shift,           ///< of the array against the stage that states positions [m]
+  shift,           ///< of the array against the stage that states positions, along y [m]
   pitch,           ///< of the array
+  shift_z,         ///< of a skin [m]
 };
-inline constexpr std::size_t pad_parameter_count = 7;
+inline constexpr std::size_t pad_parameter_count = 8;
 
 /// "depth", "thickness", as scenes and JSON spell it.
 [[nodiscard]] std::string_view name(PadParameter parameter) noexcept;
@@ -39,6 +40,7 @@ struct CalibrationOptions {
   double youngs_modulus_sd = 0.5;  ///< relative
   double crosstalk_sd = 0.0;       ///< absolute; a free crosstalk spoils the depth
   double shift_sd = 0.0;           ///< [m]
+  double shift_z_sd = 0.0;         ///< of a skin [m]; lines have none: 0
   double pitch_sd = 0.0;           ///< relative
   double gain_sd = 0.1;            ///< of each reading about its channel's mean, relative
   double mean_gain_sd = 0.2;       ///< of a channel's mean, relative

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,12 +12,14 @@
 namespace tactile_net {
 
 struct NextPress {
-  Shape shape = Shape::cylinder;
-  double position = 0.0;    ///< [m]
-  double half_width = 0.0;  ///< [m]
-  double radius = 0.0;      ///< of the rod that has this contact under this force [m]
-  double force = 0.0;       ///< [N/m]
+  Shape shape = Shape::cylinder;  ///< on a line
+  double position = 0.0;          ///< y [m]
+  double half_width = 0.0;        ///< of the contact [m]
+  double radius = 0.0;      ///< of the rod or ball that has it under this force [m]; 0: neither
+  double force = 0.0;       ///< [N/m], on a skin [N]
   double remaining = 0.0;   ///< of the criterion once this and those before are done
+  double position_z = 0.0;  ///< on a skin [m]
+  DiscProfile disc = DiscProfile::sphere;  ///< on a skin
 };
 
 struct NextPresses {
@@ -24,18 +27,25 @@ struct NextPresses {
   std::vector<NextPress> presses{};
 };
 
-/// Chosen among places over the array, the narrowest, the middle and the widest contact of the log
-/// and its largest force; greedily, then by exchange until nothing improves. What will be stated
-/// of them is taken to be what the log states of its first press.
+/// Chosen greedily, then by exchange until nothing improves. On a line among places over the array,
+/// the narrowest, the middle and the widest contact of the log, and its largest force. On a skin
+/// among a grid of places, the indenters that had these contacts, and the largest force and half of
+/// it. What will be stated of them is taken to be what the log states of its first press; they go
+/// straight down.
 ///
 /// The criterion is what is unknown of readings under reference loads, cylinders everywhere on the
-/// array: the rms of their standard deviations over the readings' rms. With a target it is that
-/// parameter's standard deviation, of depth, thickness, E and pitch relative.
+/// array, on a skin the same indenters all over it: the rms of their standard deviations over the
+/// readings' rms. With a target it is that parameter's standard deviation, of depth, thickness, E
+/// and pitch relative.
 ///
-/// @param fit  of the same model, log and options
-/// @throw std::invalid_argument  the target is not free; a skin: presses are planned on lines
+/// One search is O(candidates readings^3): on skins of 200 readings some seconds.
+///
+/// @param fit    of the same model, log and options
+/// @param watch  called before every search with its number, from 1; may throw
+/// @throw std::invalid_argument  the target is not free; something is not known at all
 [[nodiscard]] NextPresses next_presses(const PressModel& model, const PressLog& log,
                                        const CalibrationOptions& options, const PressFit& fit,
-                                       std::size_t count, std::optional<PadParameter> target = {});
+                                       std::size_t count, std::optional<PadParameter> target = {},
+                                       const std::function<void(std::size_t)>& watch = {});
 
 }  // namespace tactile_net

@@ -54,13 +54,13 @@ struct ValueWithSd {
 };
 
 /// What a log states of a press, in the order in which a fit moves it.
-enum class PressQuantity { force, position, half_width, friction, position_z };
-/// "force", "position", "half_width", "friction", "position_z".
+enum class PressQuantity { force, position, half_width, friction, position_z, friction_z };
+/// "force", "position", "half_width", "friction", "position_z", "friction_z".
 [[nodiscard]] std::string_view name(PressQuantity quantity) noexcept;
 
 struct FittedPress {
   std::size_t number = 0;
-  ValueWithSd force{}, center{}, half_width{}, friction{}, center_z{};
+  ValueWithSd force{}, center{}, half_width{}, friction{}, center_z{}, friction_z{};
   double weight = 1.0;               ///< mean of its readings' robust weights
   double rms = 0.0;                  ///< of its residuals, in standard deviations of the noise
   double rms_before = 0.0;           ///< the same for the nominal pad without gains

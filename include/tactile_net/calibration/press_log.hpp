@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactile_net/elasticity/contact.hpp"
@@ -22,6 +23,9 @@ struct Stated {
   [[nodiscard]] bool is_exact() const noexcept { return value && sd == 0.0; }
 };
 
+/// "sphere", "punch", "cone", as logs and JSON spell them.
+[[nodiscard]] std::string_view name(DiscProfile profile) noexcept;
+
 /// A rigid indenter held against the pad while the readings were taken.
 struct Press {
   std::size_t number = 0;           ///< as the log counts, from 1
@@ -30,10 +34,11 @@ struct Press {
   Stated position{};                ///< y of the middle; 0 is the middle of the array [m]
   Stated half_width{};              ///< of the contact [m], > 0
   std::optional<double> radius{};   ///< of a rod or a ball [m]: ties the half width to the force
-  Stated friction{.value = 0.0};    ///< tangential over normal traction; on a skin exactly 0
+  Stated friction{.value = 0.0};    ///< tangential over normal traction, along y
   std::vector<double> readings{};   ///< mean of its steady frames, in the array's order
   Stated position_z{.value = 0.0};  ///< z of the middle [m]; on a line exactly 0
   DiscProfile disc = DiscProfile::sphere;  ///< on a skin
+  Stated friction_z{.value = 0.0};         ///< along z; on a line exactly 0
 };
 
 /// What the sensor says when nothing touches it.

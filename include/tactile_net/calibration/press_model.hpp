@@ -13,9 +13,9 @@
 /// of
 ///
 ///     F/(2 pi) integral_0^inf k phi(k a) T(k) J_n(k r) dk  times cos or sin of n theta,   n = 0,
-///     1, 2
+///     1, 2, and under a drag 3
 ///
-/// where T are the same transforms (docs/internals/space.md) and
+/// where T are the same transforms (docs/internals/space.md; skin_waves.hpp) and
 ///
 ///     sphere  3 j1(z)/z        punch  sin(z)/z        cone  2 (1 - cos z)/z^2
 #pragma once
@@ -47,8 +47,9 @@ struct PadState {
   double poisson_ratio = 0.45;
   double log_modulus = 0.0;  ///< of the factor on E
   double crosstalk = 0.0;
-  double shift = 0.0;      ///< of the array [m]
+  double shift = 0.0;      ///< of the array along y [m]
   double log_pitch = 0.0;  ///< of the factor on every taxel's place
+  double shift_z = 0.0;    ///< of a skin [m]
 };
 
 /// An indenter as a calibration moves it.
@@ -57,16 +58,18 @@ struct PressState {
   double log_force = 0.0;                  ///< of P [N/m], on a skin of F [N]
   double center = 0.0;                     ///< y of the middle [m]
   double log_half_width = 0.0;             ///< of a [m]
-  double friction = 0.0;                   ///< on a line
+  double friction = 0.0;                   ///< tangential over normal traction, along y
   double center_z = 0.0;                   ///< on a skin [m]
   DiscProfile disc = DiscProfile::sphere;  ///< on a skin
+  double friction_z = 0.0;                 ///< on a skin
 };
 
 /// Readings and their derivatives, presses x readings each.
 struct PressReadings {
   Matrix value{};
   std::array<Matrix, pad_parameter_count> by_pad{};  ///< by PadState's members, in their order
-  Matrix by_log_force{}, by_center{}, by_log_half_width{}, by_friction{}, by_center_z{};
+  Matrix by_log_force{}, by_center{}, by_log_half_width{}, by_friction{}, by_center_z{},
+      by_friction_z{};
 };
 
 /// Where and what a reading is of, on a line or a skin.
@@ -106,8 +109,11 @@ class PressModel {
   /// @param with_derivatives  else `value` alone is filled
   /// @param tied_to_base      thickness is the depth: log_thickness is not read, and its share is
   ///                          in the derivative by the depth
+  /// @param by_friction       a skin's derivatives by friction, too: they cost as much as the rest
+  /// @throw std::invalid_argument  a skin is dragged, or by_friction, and not `holds_drags`
   [[nodiscard]] PressReadings readings(const PadState& pad, std::span<const PressState> presses,
-                                       bool with_derivatives, bool tied_to_base = false) const;
+                                       bool with_derivatives, bool tied_to_base = false,
+                                       bool by_friction = false) const;
 
   /// What a rod's contact, on a skin a ball's, needs: `rod_force`, `ball_force`.
   [[nodiscard]] ContactForce contact_force(const Material& material, double half_width,
@@ -117,6 +123,9 @@ class PressModel {
                                           double radius) const;
   [[nodiscard]] double indenter_radius(const Material& material, double half_width,
                                        double force) const;
+
+  /// Whether all that is read is finite under a drag: not u_y on a base that slips.
+  [[nodiscard]] bool holds_drags() const;
 
   /// A little below what an array can lose to its neighbours.
   [[nodiscard]] double most_crosstalk() const noexcept;

@@ -38,8 +38,7 @@ struct SceneCalibration {
   [[nodiscard]] const Material& material() const;
 };
 
-/// The scene's own [crosstalk] is part of the model, its dead taxels are left out. A skin's place
-/// on its stage is not asked for: `options.shift_sd` is 0 there.
+/// The scene's own [crosstalk] is part of the model, its dead taxels are left out.
 ///
 /// @param watch  as `fit_presses` has it
 /// @throw std::invalid_argument  as `fit_presses`
@@ -47,8 +46,11 @@ struct SceneCalibration {
                                          const CalibrationOptions& options,
                                          const std::function<void(std::size_t)>& watch = {});
 
-/// Fills `next`. @throw std::invalid_argument  as `next_presses`
+/// Fills `next`.
+/// @param watch  as `next_presses` has it
+/// @throw std::invalid_argument  as `next_presses`
 void plan_presses(SceneCalibration& found, std::size_t count,
-                  std::optional<PadParameter> target = {});
+                  std::optional<PadParameter> target = {},
+                  const std::function<void(std::size_t)>& watch = {});
 
 }  // namespace tactile_net::lab

@@ -51,8 +51,32 @@ Json press_json(const FittedPress& press, bool is_skin) {
                {"rms", press.rms},
                {"rms_before", press.rms_before},
                {"put_aside", press.put_aside ? Json(name(*press.put_aside)) : Json(nullptr)}};
-  if (is_skin) json["centre_z"] = value_json(press.center_z);
+  if (is_skin) {
+    json["centre_z"] = value_json(press.center_z);
+    json["friction_z"] = value_json(press.friction_z);
+  }
   return json;
+}
+
+Json next_json(const NextPress& press, bool is_skin) {
+  Json json = {{"shape", is_skin ? name(press.disc) : "cylinder"},
+               {"position", press.position},
+               {"half_width", press.half_width},
+               {"radius", press.radius > 0.0 ? Json(press.radius) : Json(nullptr)},
+               {"force", press.force},
+               {"unknown_then", press.remaining}};
+  if (is_skin) json["position_z"] = press.position_z;
+  return json;
+}
+
+/// A line has no shift along z.
+std::vector<PadParameter> parameters_of(const lab::SceneCalibration& found) {
+  std::vector<PadParameter> parameters;
+  for (std::size_t i = 0; i < pad_parameter_count; ++i)
+    if (const auto one = static_cast<PadParameter>(i);
+        found.is_skin() || one != PadParameter::shift_z)
+      parameters.push_back(one);
+  return parameters;
 }
 
 Json fit_json(const PressFit& fit, bool forced) {
@@ -86,9 +110,8 @@ std::string calibration_json(const lab::SceneCalibration& found, const std::stri
   json["fit"] = fit_json(fit, found.forced);
   json["words"] = calibration_in_words(found);
   json["parameters"] = Json::object();
-  for (std::size_t i = 0; i < pad_parameter_count; ++i)
-    json["parameters"][std::string(name(static_cast<PadParameter>(i)))] =
-        value_json(fit.parameters[i]);
+  for (const PadParameter parameter : parameters_of(found))
+    json["parameters"][std::string(name(parameter))] = value_json(fit.at(parameter));
   if (!found.material().layer) json["parameters"]["thickness"] = nullptr;
   const std::vector<PressChannel>& channel = found.channels;
   json["mean_gains"] = Json::object();
@@ -113,8 +136,8 @@ std::string calibration_json(const lab::SceneCalibration& found, const std::stri
   json["null_directions"] = Json::array();
   for (const NullDirection& direction : fit.null_directions) {
     Json pad = Json::object();
-    for (std::size_t i = 0; i < pad_parameter_count; ++i)
-      pad[std::string(name(static_cast<PadParameter>(i)))] = direction.pad[i];
+    for (const PadParameter parameter : parameters_of(found))
+      pad[std::string(name(parameter))] = direction.pad[static_cast<std::size_t>(parameter)];
     json["null_directions"].push_back(
         {{"text", in_words(found, direction)}, {"parameters", pad}, {"gains", direction.gains}});
   }
@@ -132,12 +155,7 @@ std::string calibration_json(const lab::SceneCalibration& found, const std::stri
                                             {"readings", one.readings}});
   json["next"] = Json::array();
   for (const NextPress& press : found.next.presses)
-    json["next"].push_back({{"shape", "cylinder"},
-                            {"position", press.position},
-                            {"half_width", press.half_width},
-                            {"radius", press.radius},
-                            {"force", press.force},
-                            {"unknown_then", press.remaining}});
+    json["next"].push_back(next_json(press, found.is_skin()));
   json["unknown_now"] = found.next.presses.empty() ? Json(nullptr) : Json(found.next.now);
   json["profile"] = Json::array();
   for (const ProfilePoint& point : fit.profile)

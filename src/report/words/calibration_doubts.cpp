@@ -20,6 +20,7 @@ std::string value_of(const lab::SceneCalibration& found, PressQuantity quantity,
     case PressQuantity::position_z:
       return in_unit(found.units(), Dimension::length, value, sd);
     case PressQuantity::friction:
+    case PressQuantity::friction_z:
       break;
   }
   return plus_minus(value, sd);
@@ -40,7 +41,7 @@ std::string put_aside_in_words(const lab::SceneCalibration& found, const FittedP
   const PressQuantity quantity = *press.put_aside;
   const Press& log = press_of(found, press.number);
   const Stated* const stated[] = {&log.force, &log.position, &log.half_width, &log.friction,
-                                  &log.position_z};
+                                  &log.position_z, &log.friction_z};
   const double said = stated[static_cast<std::size_t>(quantity)]->value.value_or(0.0);
   const ValueWithSd& value = press.at(quantity);
   std::string text = "Press " + std::to_string(press.number) + " does not fit its stated " +

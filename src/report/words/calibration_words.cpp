@@ -21,7 +21,8 @@ constexpr double share_limit = 1e-3;  // of a null direction, to be said
 
 std::string percent(double share) { return brief(100.0 * share) + " %"; }
 
-std::string spoken(PadParameter parameter) {
+/// @param is_skin  it has two shifts
+std::string spoken(PadParameter parameter, bool is_skin) {
   switch (parameter) {
     case PadParameter::depth:
       return "depth";
@@ -34,7 +35,9 @@ std::string spoken(PadParameter parameter) {
     case PadParameter::crosstalk:
       return "crosstalk";
     case PadParameter::shift:
-      return "shift of the array";
+      return is_skin ? "shift of the skin along y" : "shift of the array";
+    case PadParameter::shift_z:
+      return "shift of the skin along z";
     case PadParameter::pitch:
       return "pitch";
   }
@@ -46,6 +49,7 @@ std::optional<Dimension> dimension(PadParameter parameter) {
     case PadParameter::depth:
     case PadParameter::thickness:
     case PadParameter::shift:
+    case PadParameter::shift_z:
     case PadParameter::pitch:
       return Dimension::length;
     case PadParameter::youngs_modulus:
@@ -83,6 +87,13 @@ std::string number(const lab::SceneCalibration& found, PadParameter parameter, d
   return which ? in_unit(found.units(), *which, value, sd) : plus_minus(value, sd);
 }
 
+/// What is left of the criterion that presses are planned by: a share, or a shift's deviation.
+std::string unknown(const lab::SceneCalibration& found, double value) {
+  if (found.target == PadParameter::shift || found.target == PadParameter::shift_z)
+    return in_unit(found.units(), Dimension::length, value);
+  return percent(value);
+}
+
 /// "9 to 14, 20" of indices.
 std::string runs(const std::vector<std::size_t>& indices) {
   std::vector<std::string> parts;
@@ -113,7 +124,7 @@ std::string words_of(const lab::SceneCalibration& found, const NullDirection& di
   for (std::size_t i = 0; i < pad_parameter_count; ++i)
     if (std::abs(direction.pad[i]) > share_limit) {
       const auto parameter = static_cast<PadParameter>(i);
-      parts.push_back(spoken(parameter));
+      parts.push_back(spoken(parameter, found.is_skin()));
       modulus = modulus || parameter == PadParameter::youngs_modulus;
       only_modulus = only_modulus && parameter == PadParameter::youngs_modulus;
     }
@@ -152,8 +163,8 @@ std::string words_of(const lab::SceneCalibration& found, const NullDirection& di
            " radius, or the modulus.";
   if (parts.size() == 1 && gains.empty())
     return "The " + parts.front() + " leaves no trace in these readings" +
-           (direction.pad[static_cast<std::size_t>(PadParameter::shift)] != 0.0 &&
-                    parts.front() == spoken(PadParameter::shift)
+           (parts.front() == spoken(PadParameter::shift, found.is_skin()) ||
+                    parts.front() == spoken(PadParameter::shift_z, found.is_skin())
                 ? ": no position is stated. State one."
                 : ": it keeps the value that the scene states.");
   return join(parts, ", ") + (gains.empty() ? "" : " and gains") +
@@ -172,7 +183,7 @@ std::vector<std::vector<std::string>> calibration_cells(const lab::SceneCalibrat
     if (!is_shown(found, parameter)) continue;
     const FittedValue& value = found.fit.at(parameter);
     rows.push_back(
-        {spoken(parameter), spoken(value.verdict),
+        {spoken(parameter, found.is_skin()), spoken(value.verdict),
          number(found, parameter, value.nominal, value.prior_sd),
          value.verdict == ValueVerdict::not_identifiable || value.verdict == ValueVerdict::fixed
              ? "-"
@@ -228,7 +239,7 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
       text.push_back(residuals + ": the fit is poor, and " + written);
   }
   for (const PadParameter parameter : fit.contradicted)
-    text.push_back("The " + spoken(parameter) +
+    text.push_back("The " + spoken(parameter, found.is_skin()) +
                    " ended more than 4 of its stated standard deviations away: units, swapped "
                    "columns, or a pad of another kind?");
   for (const std::size_t channel : fit.contradicted_gains)
@@ -318,26 +329,55 @@ std::vector<Answer> answers(const lab::SceneCalibration& found) {
 }
 
 std::vector<std::vector<std::string>> next_press_cells(const lab::SceneCalibration& found) {
+  const auto length = [&](double value) {
+    return in_unit(found.units(), Dimension::length, value);
+  };
   std::vector<std::vector<std::string>> rows = {
       {"next press", "place", "rod radius", "half width", "force", "unknown then"}};
-  std::size_t number = 0;
-  for (const NextPress& press : found.next.presses)
-    rows.push_back(
-        {std::to_string(++number), in_unit(found.units(), Dimension::length, press.position),
-         in_unit(found.units(), Dimension::length, press.radius),
-         in_unit(found.units(), Dimension::length, press.half_width),
-         in_unit(found.units(), Dimension::force, press.force), percent(press.remaining)});
+  if (found.is_skin())
+    rows = {{"next press", "shape", "y", "z", "ball radius", "contact radius", "force",
+             "unknown then"}};
+  for (const NextPress& press : found.next.presses) {
+    std::vector<std::string> row{std::to_string(rows.size())};
+    if (found.is_skin()) {
+      row.emplace_back(name(press.disc));
+      row.insert(row.end(), {length(press.position), length(press.position_z),
+                             press.radius > 0.0 ? length(press.radius) : "-"});
+    } else {
+      row.insert(row.end(), {length(press.position), length(press.radius)});
+    }
+    row.insert(row.end(),
+               {length(press.half_width),
+                in_unit(found.units(),
+                        found.is_skin() ? Dimension::point_force : Dimension::force, press.force),
+                unknown(found, press.remaining)});
+    rows.push_back(std::move(row));
+  }
   return rows;
 }
 
 std::string next_presses_in_words(const lab::SceneCalibration& found) {
   if (found.next.presses.empty()) return {};
-  const std::string of_target =
-      found.target ? " of the " + spoken(*found.target) : " of readings under loads all over it";
-  const bool stiffness = is_found(found.fit.at(PadParameter::youngs_modulus).verdict);
-  return "Now " + percent(found.next.now) + of_target +
-         " is unknown. A rod of that radius has that half width of contact under that force" +
-         (stiffness ? "" : ", if Young's modulus is as stated") +
+  const bool is_skin = found.is_skin();
+  const std::string of_target = found.target
+                                    ? " of the " + spoken(*found.target, is_skin)
+                                    : " of readings under loads all over it";
+  const std::string known = is_found(found.fit.at(PadParameter::youngs_modulus).verdict)
+                                ? ""
+                                : ", if Young's modulus is as stated";
+  const std::string now = "Now " + unknown(found, found.next.now) + of_target + " is unknown. ";
+  if (is_skin) {
+    const bool balls =
+        std::any_of(found.next.presses.begin(), found.next.presses.end(),
+                    [](const NextPress& press) { return press.disc == DiscProfile::sphere; });
+    return now +
+           (balls ? "A ball of that radius has that contact under that force" + known +
+                        "; a ball that is near to it will do. "
+                  : std::string()) +
+           "Press straight down. The plain rule: the largest force, evenly over the skin to its "
+           "edges, small and large contacts in turn.";
+  }
+  return now + "A rod of that radius has that half width of contact under that force" + known +
          "; a rod that is near to it will do. The plain rule: the largest force, evenly over the "
          "array to its ends, narrow and wide rods in turn.";
 }

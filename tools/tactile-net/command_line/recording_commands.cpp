@@ -102,7 +102,7 @@ void add_calibrate(AllCommands& all) {
                    "Let readings, forces and positions that stand out count little, and put a "
                    "force aside that does not fit");
   command.add_option("--next", options.next, number(),
-                     "Say which so many presses to do next on a line, and what each buys");
+                     "Say which so many presses to do next, and what each buys");
   command.add_option("--target", options.target, text("NAME"),
                      "What these are to tell best: depth, ... (default: readings under any load)");
   command.add_option("--fix", options.fixed, text("LIST"),

@@ -34,7 +34,7 @@ PadParameter parameter_of(const char* option, const std::string& text) {
   if (const auto parameter = parameter_named(text)) return *parameter;
   throw WrongUsage(option,
                    "knows depth, thickness, poisson_ratio, youngs_modulus, crosstalk, "
-                   "shift and pitch, with commas between them");
+                   "shift, pitch and, of skins, shift_z, with commas between them");
 }
 
 void fix(const std::vector<std::string>& names, CalibrationOptions& options) {
@@ -68,10 +68,6 @@ void run(const CalibrateOptions& options, const Streams& streams) {
   if (!options.target.empty()) target = parameter_of("--target", options.target);
   if (options.next && (*options.next == 0 || *options.next > most_planned))
     throw WrongUsage("--next", "plans 1 to 100 presses");
-  if (options.next && std::holds_alternative<SkinScene>(scene))
-    throw WrongUsage("--next",
-                     "plans presses of lines alone; on a skin press with the largest force, evenly "
-                     "over it to its edges, small and large balls in turn");
   frames::PressLogFile file = frames::read_press_log(options.log, scene, how);
   for (const std::string& note : file.notes)
     streams.err << "note: " << options.log << ": " << note << '\n';
@@ -84,7 +80,10 @@ void run(const CalibrateOptions& options, const Streams& streams) {
       lab::calibrate(scene, std::move(file.log), how, [&](std::size_t step) {
         if (progress.due()) progress.say("fitting, step " + std::to_string(step) + " ...");
       });
-  if (options.next || target) lab::plan_presses(found, options.next.value_or(1), target);
+  if (options.next || target)
+    lab::plan_presses(found, options.next.value_or(1), target, [&](std::size_t search) {
+      if (progress.due()) progress.say("planning, search " + std::to_string(search) + " ...");
+    });
   const std::string log = std::filesystem::path(options.log).filename().string();
   const std::string failure = failure_of(found);
   std::string calibrated;

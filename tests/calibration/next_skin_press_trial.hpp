@@ -1,0 +1,153 @@
+/// @file
+/// What five more presses on a skin buy: chosen ones against random ones, realised over logs whose
+/// truth is known.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+#include "tactile_net/calibration/next_press.hpp"
+#include "tests/calibration/next_press_trial.hpp"
+#include "tests/calibration/simulated_skin_log.hpp"
+
+namespace tactile_net {
+
+/// Two balls in the middle of 5 x 5 taxels, a small and a large one with the largest force, then
+/// five more. Forces and radii are known exactly, places within 0.1 mm; noise is 1 %.
+class NextSkinPressTrial {
+ public:
+  static constexpr std::size_t more = 5;
+
+  explicit NextSkinPressTrial(unsigned seed)
+      : made_(
+            simulated_skin_log(seed, {.reads = {SkinQuantity::stress_x, SkinQuantity::shear_xy}})),
+        seed_(seed),
+        model_(made_.model()),
+        exact_(made_.truth, made_.pad),
+        log_(made_.log) {
+    log_.presses.clear();
+    std::mt19937_64 random(seed);
+    press({.radius = small, .force = largest}, random);
+    press({.radius = large, .force = largest}, random);
+  }
+
+  [[nodiscard]] TrialErrors errors(PressChoice choice) {
+    const PressLog before = log_;
+    std::mt19937_64 random(1000 + seed_);
+    for (const NextPress& one : presses_of(choice, random)) press(one, random);
+    const PressFit fit = fit_presses(model_, log_);
+    log_ = before;
+    return errors_of(fit);
+  }
+
+  /// The criterion before and after, as it was said and as the fit with these presses has it.
+  struct Promise {
+    double now = 0.0, said = 0.0, kept = 0.0;
+  };
+  [[nodiscard]] Promise promise(std::optional<PadParameter> target) {
+    const PressLog before = log_;
+    std::mt19937_64 random(1000 + seed_);
+    const NextPresses next =
+        next_presses(model_, log_, {}, fit_presses(model_, log_), more, target);
+    for (const NextPress& one : next.presses) press(one, random);
+    const PressFit fit = fit_presses(model_, log_);
+    const Promise result{next.now, next.presses.back().remaining,
+                         next_presses(model_, log_, {}, fit, 0, target).now};
+    log_ = before;
+    return result;
+  }
+
+ private:
+  static constexpr double small = 3e-3, large = 8e-3, reach = 3.4e-3;
+  static constexpr double largest = 1.0;
+
+  [[nodiscard]] std::vector<NextPress> presses_of(PressChoice choice,
+                                                  std::mt19937_64& random) const {
+    const auto uniform = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    std::vector<NextPress> presses;
+    switch (choice) {
+      case PressChoice::none:
+        break;
+      case PressChoice::chosen:
+        return next_presses(model_, log_, {}, fit_presses(model_, log_), more).presses;
+      case PressChoice::even:
+        for (std::size_t i = 0; i < more; ++i) {  // the corners and the middle
+          NextPress one{.radius = i % 2 == 0 ? small : large, .force = largest};
+          one.position = i == 4 ? 0.0 : reach * (i % 2 == 0 ? 1.0 : -1.0);
+          one.position_z = i == 4 ? 0.0 : reach * (i < 2 ? 1.0 : -1.0);
+          presses.push_back(one);
+        }
+        break;
+      case PressChoice::random_full_force:
+      case PressChoice::random:
+        for (std::size_t i = 0; i < more; ++i) {
+          NextPress one{.position = uniform(-reach, reach), .radius = uniform(small, large)};
+          one.position_z = uniform(-reach, reach);
+          one.force = choice == PressChoice::random ? uniform(0.1, largest) : largest;
+          presses.push_back(one);
+        }
+    }
+    return presses;
+  }
+
+  void press(const NextPress& done, std::mt19937_64& random) {
+    std::normal_distribution<double> normal;
+    const std::vector<SkinLoad> loads{
+        SkinContact{.y = done.position,
+                    .z = done.position_z,
+                    .radius = ball_contact_radius(made_.pad, done.force, done.radius),
+                    .force = done.force}};
+    const std::vector<double> clean = exact_.readings(loads);
+    Press press{.number = log_.presses.size() + 1, .force = {.value = done.force}};
+    press.position = {done.position + 1e-4 * normal(random), 1e-4};
+    press.position_z = {done.position_z + 1e-4 * normal(random), 1e-4};
+    press.radius = done.radius;
+    for (std::size_t j = 0; j < clean.size(); ++j)
+      press.readings.push_back(made_.gains[j] * clean[j] + made_.offsets[j] +
+                               made_.rms[model_.sites()[j].channel] * normal(random));
+    log_.presses.push_back(std::move(press));
+  }
+
+  [[nodiscard]] TrialErrors errors_of(const PressFit& fit) const {
+    std::vector<PressState> loads;
+    for (const double radius : {small, large})
+      for (int i = -2; i <= 2; ++i)
+        for (int k = -2; k <= 2; ++k) {
+          PressState one{.log_force = std::log(largest), .center = 0.5 * i * reach};
+          one.log_half_width = std::log(ball_contact_radius(made_.pad, largest, radius));
+          one.center_z = 0.5 * k * reach;
+          loads.push_back(one);
+        }
+    const PressModel truth(made_.truth, made_.pad);
+    const PressReadings is = truth.readings(truth.nominal(), loads, false);
+    const PressReadings said = model_.readings(fit.pad, loads, false);
+    TrialErrors errors;
+    double apart = 0.0, size = 0.0;
+    const auto n = static_cast<double>(made_.gains.size());
+    for (std::size_t j = 0; j < made_.gains.size(); ++j) {
+      errors.gains += std::pow(std::log(fit.gains[j] / made_.gains[j]), 2) / n;
+      const double noise = made_.rms[model_.sites()[j].channel];
+      for (std::size_t p = 0; p < loads.size(); ++p) {
+        const double reading = made_.gains[j] * is.value(p, j);
+        apart += std::pow((fit.gains[j] * said.value(p, j) - reading) / noise, 2);
+        size += std::pow(reading / noise, 2);
+      }
+    }
+    errors.readings = std::sqrt(apart / size);
+    errors.gains = std::sqrt(errors.gains);
+    errors.depth = fit.at(PadParameter::depth).value / made_.truth.depths.front() - 1.0;
+    return errors;
+  }
+
+  SimulatedSkinLog made_;
+  unsigned seed_;
+  PressModel model_;
+  ExactSkinModel exact_;
+  PressLog log_;
+};
+
+}  // namespace tactile_net
