@@ -171,8 +171,9 @@ std::string in_words(const CircuitRemark& remark) {
         repair += (repair.empty() ? "" : ", or ") + ("bandwidth_ratio = " + brief(remark.limit)) +
                   " or less";
       if (repair.empty()) repair = "faster op-amps, or realization = \"lattice\"";
-      return "the lag of summing nodes and second poles is " + brief(remark.value) +
-             " times what is proven stable: " + repair;
+      return "the lag of summing nodes and second poles is " +
+             (std::isfinite(remark.value) ? brief(remark.value) + " times" : "far beyond") +
+             " what is proven stable: " + repair;
     }
     case Kind::node_lag:
       return "the lag of the ladder's nodes is " + brief(remark.value) +
