@@ -22,12 +22,21 @@ void check_line(const std::string& text) {
     throw std::invalid_argument("a deck's header line must not contain a line break");
 }
 
-void check_name(const std::string& name) {
+/// Of a sub-circuit of its own; simulators know no case.
+void check_name(const std::string& name, const Circuit& circuit) {
   const auto in_name = [](char one) {
     return std::isalnum(static_cast<unsigned char>(one)) != 0 || one == '_';
   };
   if (name.empty() || !std::all_of(name.begin(), name.end(), in_name))
     throw std::invalid_argument("a sub-circuit's name is of letters, digits and _");
+  const auto same = [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) ==
+           std::tolower(static_cast<unsigned char>(y));
+  };
+  for (const AmplifierModel& inside : circuit.amplifiers)
+    if (std::equal(name.begin(), name.end(), inside.name.begin(), inside.name.end(), same))
+      throw std::invalid_argument("a sub-circuit's name must not be '" + inside.name +
+                                  "', which one inside it has: it would hold itself");
 }
 
 /// Throws before anything is written.
@@ -344,7 +353,7 @@ std::vector<Node> ports(const Circuit& circuit) {
 void write_subcircuit(std::ostream& out, const Circuit& circuit, const DeckHeader& header,
                       const std::string& name, const DeckForm& form) {
   check(circuit, header, DirectCurrent{}, form);
-  check_name(name);
+  check_name(name, circuit);
   std::string text = "* " + header.title + '\n' + comments_of(circuit, header, form.dialect);
   text += "* Pins: the nodes that readings' currents flow into, then the outputs.\n.subckt " + name;
   for (const Node node : ports(circuit)) text += ' ' + circuit.nodes[node];
@@ -360,7 +369,7 @@ void write_subcircuit(std::ostream& out, const Circuit& circuit, const DeckHeade
 
 void write_symbol(std::ostream& out, const Circuit& circuit, const std::string& name,
                   const std::string& file) {
-  check_name(name);
+  check_name(name, circuit);
   check_line(file);
   const std::vector<Node> pins = ports(circuit);
   const auto is_output = [&](Node node) {

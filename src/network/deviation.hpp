@@ -14,6 +14,9 @@ namespace tactile_net {
 /// x at the end, -A^-1 b.
 [[nodiscard]] Eigen::VectorXd end_of(const StateSpace& system);
 
+/// x before there are readings, -A^-1 `idle_drive`.
+[[nodiscard]] Eigen::VectorXd start_of(const StateSpace& system);
+
 /// C (x - x_end), where x - x_end begins at `start` and follows exp(A t).
 class Deviation {
  public:

@@ -11,16 +11,19 @@ namespace tactile_net {
 namespace {
 
 constexpr double transconductance = 1e-3;  // [S]; only its ratio to the core's R and C matters
-constexpr double diode_drop = 0.6;         // [V], of the clamp's diodes as they begin to conduct
+/// Of the second pole's stage [S]: its resistor hisses, as no part of the model may but those that
+/// stand for the op-amp's own noise, and of 1 ohm it is not heard.
+constexpr double second_transconductance = 1.0;
+constexpr double diode_drop = 0.6;  // [V], of the clamp's diodes as they begin to conduct
 
 void check(const std::optional<double>& value, const char* name) {
   if (value && !(*value > 0.0 && std::isfinite(*value)))
     throw std::invalid_argument(std::string("an op-amp's ") + name + " must be > 0 and finite");
 }
 
-/// A farad value that sets a pole at `hertz` with the transconductance.
-std::string farad(double hertz) {
-  return shortest(transconductance / (2.0 * std::numbers::pi * hertz));
+/// A farad value that sets a pole at `hertz` with a conductance.
+std::string farad(double siemens, double hertz) {
+  return shortest(siemens / (2.0 * std::numbers::pi * hertz));
 }
 
 /// What is left of an output's slope while it gives all it has: of the slope, and at most so much
@@ -195,11 +198,12 @@ std::string output_text(const OpAmp& o, const std::string& core, bool both) {
     return "Bo 0 o " + limited_current(o, "V(" + core + ",o)") + "Fo o 0 Vo 1\nBi 0 m " +
            limited_current(o, "(-V(" + core + ")-V(m))") +
            "Fi m 0 Vi 1\nE1 e 0 o m 0.5\nVo e out 0\n";
-  const std::string source = "E1 e 0 " + core + " 0 1\nRo e ";
-  if (!both) return source + "out " + shortest(*o.output_resistance) + '\n';
+  // Not a resistor: nothing would limit the band of its noise. Vr measures the current.
+  const std::string source = "E1 e 0 " + core + " 0 1\nVr e r 0\nHr r ";
+  if (!both) return source + "out Vr " + shortest(*o.output_resistance) + '\n';
   // out = core - resistance (i_out - i_inv) / 2, the latter current measured by Vi
   const std::string half = shortest(0.5 * *o.output_resistance);
-  return source + "o " + half + "\nHo out o Vi " + half + '\n';
+  return source + "o Vr " + half + "\nHo out o Vi " + half + '\n';
 }
 
 }  // namespace
@@ -221,15 +225,16 @@ std::string subcircuit_text(const AmplifierModel& model) {
     } else {
       text += core_text(o, input);
       text += "Ra x 0 " + shortest(o.dc_gain() / transconductance) + '\n';
-      if (o.bandwidth) text += "Ca x 0 " + farad(*o.bandwidth) + '\n';
+      if (o.bandwidth) text += "Ca x 0 " + farad(transconductance, *o.bandwidth) + '\n';
       if (o.rail) {
         const std::string limit = shortest(*o.rail - diode_drop);
         text += "Dp x h clamp\nDn l x clamp\nVh h 0 " + limit + "\nVl 0 l " + limit +
                 "\n.model clamp d(is=1e-14)\n";
       }
       if (o.second_pole)
-        text += "Gb 0 y x 0 " + shortest(transconductance) + "\nRb y 0 " +
-                shortest(1.0 / transconductance) + "\nCb y 0 " + farad(*o.second_pole) + '\n';
+        text += "Gb 0 y x 0 " + shortest(second_transconductance) + "\nRb y 0 " +
+                shortest(1.0 / second_transconductance) + "\nCb y 0 " +
+                farad(second_transconductance, *o.second_pole) + '\n';
       text += output_text(o, o.second_pole ? "y" : "x", both);
     }
   }

@@ -17,8 +17,8 @@ namespace {
 /// none of its op-amps is asked for much yet.
 constexpr double near = 0.03;
 
-/// A rate below this share of the slew is bent by its square over 3: no more than digits that no
-/// settling time has.
+/// A rate that exceeds what is asked for at rest by less than this share of the slew is bent by its
+/// square over 3: no more than digits that no settling time has.
 constexpr double straight = 0.01;
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
@@ -26,8 +26,8 @@ Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 /// x' = A x + b with bent rates.
 class Slewing {
  public:
-  explicit Slewing(const StateSpace& system)
-      : system_(system), a_(as_eigen(system.dynamics)), b_(as_eigen(std::span(system.drive))) {}
+  Slewing(const StateSpace& system, std::span<const double> drive)
+      : system_(system), a_(as_eigen(system.dynamics)), b_(as_eigen(drive)) {}
 
   [[nodiscard]] Eigen::VectorXd rate(const Eigen::VectorXd& x) const {
     Eigen::VectorXd result = a_ * x + b_;
@@ -66,6 +66,18 @@ class Slewing {
     return largest;
   }
 
+  /// Where it rests, by Newton's method from where it would unbent: a core that holds a voltage is
+  /// asked for what leaks out of it. Nothing if that is more than it can give.
+  [[nodiscard]] std::optional<Eigen::VectorXd> rest(Eigen::VectorXd x) const {
+    for (int step = 0; step < 50; ++step) {
+      const Eigen::VectorXd change = Lu(slope(x)).solve(rate(x));
+      x -= change;
+      if (!x.allFinite()) return std::nullopt;
+      if (change.norm() <= 1e-10 * x.norm()) return x;
+    }
+    return std::nullopt;
+  }
+
  private:
   const StateSpace& system_;
   Eigen::MatrixXd a_;
@@ -101,16 +113,17 @@ double slewing_rate(double rate, double slew) noexcept {
 
 double slewing_demand(const StateSpace& system) {
   if (system.slewing.empty()) return 0.0;
-  const Slewing slewing(system);
+  const Slewing slewing(system, system.drive);
   const Eigen::VectorXd end = end_of(system);
+  const Eigen::VectorXd start = start_of(system);
   const Eigen::MatrixXd a = as_eigen(system.dynamics);
   const double fastest = a.rowwise().lpNorm<1>().maxCoeff();
-  double largest = slewing.demand(Eigen::VectorXd::Zero(end.size()));
+  double largest = slewing.demand(start);
   // Steps that double, twice: the steepest rise may come after what inputs' capacitance takes.
   for (const double first : {0.01, 0.014}) {
     Eigen::MatrixXd advance = exponential(a * (first / fastest));
     for (int doubling = 0; doubling < 60; ++doubling) {
-      const Eigen::VectorXd left = advance * end;
+      const Eigen::VectorXd left = advance * (end - start);
       largest = std::max(largest, slewing.demand(end - left));
       if (left.norm() < near * end.norm()) break;
       advance = advance * advance;
@@ -124,9 +137,14 @@ std::optional<double> slewing_settling_time(const StateSpace& system, double acc
   if (system.states() > most_slewing_states)
     throw std::invalid_argument("too many states to integrate");
   if (!(slowest < 0.0)) return std::nullopt;
-  const Slewing slewing(system);
+  const Slewing slewing(system, system.drive);
   const Eigen::MatrixXd c = as_eigen(system.output);
-  const Eigen::VectorXd end = end_of(system);
+  const std::optional<Eigen::VectorXd> begins =
+      system.idle_drive.empty() ? start_of(system)
+                                : Slewing(system, system.idle_drive).rest(start_of(system));
+  const std::optional<Eigen::VectorXd> ends = slewing.rest(end_of(system));
+  if (!begins || !ends) return std::nullopt;
+  const Eigen::VectorXd& end = *ends;
   const std::vector<double> rest = steady_state(system);
   const double limit = accuracy * as_eigen(std::span(rest)).norm();
   if (limit == 0.0) return 0.0;
@@ -136,15 +154,16 @@ std::optional<double> slewing_settling_time(const StateSpace& system, double acc
   const double d = 1.0 / (2.0 + std::sqrt(2.0));
   const double e32 = 6.0 + std::sqrt(2.0);
   const double tolerance = std::min(1e-5, 1e-2 * accuracy) * end.norm();
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(index(system.states()));
+  Eigen::VectorXd x = *begins;
   Eigen::VectorXd f0 = slewing.rate(x);
   LastCrossing crossing(limit);
-  crossing.add(0.0, (c * end).norm());
+  crossing.add(0.0, (c * (x - end)).norm());
   double t = 0.0;
   double h = 1e-6 * horizon;
   const double distance = near * limit / accuracy;
+  const double bending = slewing.demand(end) + straight;
   const auto bent = [&] {
-    return slewing.demand(x) > straight || (c * (x - end)).norm() > distance;
+    return slewing.demand(x) > bending || (c * (x - end)).norm() > distance;
   };
   for (int step = 0; step < 200'000 && bent(); ++step) {
     const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(x.size(), x.size());
@@ -167,7 +186,9 @@ std::optional<double> slewing_settling_time(const StateSpace& system, double acc
     h *= std::clamp(0.8 / std::cbrt(std::max(error, 1e-9)), 0.2, 4.0);
   }
   if (bent()) return std::nullopt;
-  const std::optional<double> rest_of_it = Deviation(system, x - end).within(limit, horizon);
+  StateSpace about_end = system;
+  about_end.dynamics = from_eigen(slewing.slope(end));
+  const std::optional<double> rest_of_it = Deviation(about_end, x - end).within(limit, horizon);
   if (!rest_of_it) return std::nullopt;
   return *rest_of_it > 0.0 ? t + *rest_of_it : crossing.time();
 }

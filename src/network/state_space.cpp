@@ -1,5 +1,6 @@
 #include "tactile_net/network/state_space.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -21,7 +22,9 @@ std::size_t count_states(const FlatCircuit& circuit) {
 
 namespace {
 
-Stamps stamps_of(const FlatCircuit& circuit) {
+enum class Sources { on, off };
+
+Stamps stamps_of(const FlatCircuit& circuit, Sources sources = Sources::on) {
   const Circuit& flat = circuit.circuit();
   if (!flat.inductors.empty()) throw std::invalid_argument("an inductor has no place here");
   Stamps stamps(circuit);
@@ -33,14 +36,23 @@ Stamps stamps_of(const FlatCircuit& circuit) {
   stamps.number();
   for (const Resistor& r : flat.resistors) stamps.resistor(r.from, r.to, r.siemens);
   for (const NShapedDevice& b : flat.devices) stamps.resistor(b.from, b.to, -b.siemens);
-  for (const CurrentSource& i : flat.sources) stamps.source(i.into, i.ampere);
+  if (sources == Sources::on)
+    for (const CurrentSource& i : flat.sources) stamps.source(i.into, i.ampere);
   stamps.bias_currents();
   return stamps;
 }
 
 }  // namespace
 
-StateSpace state_space(const FlatCircuit& circuit) { return stamps_of(circuit).system(); }
+StateSpace state_space(const FlatCircuit& circuit) {
+  StateSpace system = stamps_of(circuit).system();
+  const auto errs = [&](const FlatCircuit::Amplifier& x) {
+    return circuit.opamp(x).offset || circuit.opamp(x).bias_current;
+  };
+  if (std::any_of(circuit.amplifiers().begin(), circuit.amplifiers().end(), errs))
+    system.idle_drive = stamps_of(circuit, Sources::off).system().drive;
+  return system;
+}
 
 OutputNoise output_noise(const FlatCircuit& circuit, double kelvin, double lowest_hertz) {
   if (!(kelvin >= 0.0) || !std::isfinite(kelvin))

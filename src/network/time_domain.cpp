@@ -32,6 +32,12 @@ Eigen::VectorXd end_of(const StateSpace& system) {
   return -Lu(as_eigen(system.dynamics)).solve(drive);
 }
 
+Eigen::VectorXd start_of(const StateSpace& system) {
+  if (system.idle_drive.empty()) return Eigen::VectorXd::Zero(std::ssize(system.drive));
+  const Eigen::VectorXd drive = as_eigen(std::span(system.idle_drive));
+  return -Lu(as_eigen(system.dynamics)).solve(drive);
+}
+
 std::vector<double> steady_state(const StateSpace& system) {
   const Eigen::VectorXd v =
       as_eigen(system.output) * end_of(system) + as_eigen(std::span(system.direct));
@@ -84,7 +90,8 @@ std::vector<double> step_errors(const StateSpace& system, double step, std::size
   const std::vector<double> rest = steady_state(system);
   const double end = as_eigen(std::span(rest)).norm();
   if (end == 0.0) throw std::domain_error("the outputs rest at 0: no relative error");
-  std::vector<double> errors = Deviation(system, -end_of(system)).sizes(step, steps);
+  std::vector<double> errors =
+      Deviation(system, start_of(system) - end_of(system)).sizes(step, steps);
   for (double& error : errors) error /= end;
   return errors;
 }
@@ -94,7 +101,7 @@ std::optional<double> settling_time(const StateSpace& system, double accuracy, d
   const std::vector<double> rest = steady_state(system);
   const double end = as_eigen(std::span(rest)).norm();
   if (end == 0.0) return 0.0;
-  return Deviation(system, -end_of(system))
+  return Deviation(system, start_of(system) - end_of(system))
       .within(accuracy * end, (4.0 - std::log(accuracy)) / -slowest);
 }
 

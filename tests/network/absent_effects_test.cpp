@@ -56,7 +56,7 @@ const std::vector<Effect> effects = {
     {"noise voltage", "Rn", [](RealizationOptions& o) { o.opamp.noise_voltage = 5e-9; }},
     {"noise current", "Rmn", [](RealizationOptions& o) { o.opamp.noise_current = 1e-12; }},
     {"slew", "Bg", [](RealizationOptions& o) { o.opamp.slew = 1e7; }},
-    {"output resistance", "Ro", [](RealizationOptions& o) { o.opamp.output_resistance = 50.0; }},
+    {"output resistance", "Hr", [](RealizationOptions& o) { o.opamp.output_resistance = 50.0; }},
     {"input capacitance", "Cn", [](RealizationOptions& o) { o.opamp.input_capacitance = 1e-12; }},
 };
 

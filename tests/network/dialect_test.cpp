@@ -139,6 +139,14 @@ TEST_CASE("a sub-circuit has pins for the readings and the outputs, and a symbol
                                ContainsSubstring("PINATTR PinName n2\nPINATTR SpiceOrder 9\n"));
   CHECK_THROWS_AS(write_subcircuit(out, circuit, {.title = "t"}, "two words"),
                   std::invalid_argument);
+  // One that is inside it, whatever its case.
+  for (const char* inside : {"amplifier", "AMPLIFIER"}) {
+    std::ostringstream nothing;
+    CHECK_THROWS_WITH(write_subcircuit(nothing, circuit, {.title = "t"}, inside),
+                      ContainsSubstring("must not be 'amplifier'"));
+    CHECK(nothing.str().empty());
+    CHECK_THROWS_AS(write_symbol(nothing, circuit, inside, "a.lib"), std::invalid_argument);
+  }
   // A node that takes a current and is an output is one pin.
   CHECK(ports(realize(Realization::ideal, array_network(3, 1e-3).problem)).size() == 3);
 }

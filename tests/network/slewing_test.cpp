@@ -53,6 +53,19 @@ std::vector<double> random_states(std::size_t count, std::mt19937& generator, do
   return x;
 }
 
+/// A buffer of 2 V behind 1 mS.
+StateSpace buffer(const OpAmp& opamp) {
+  Circuit circuit;
+  const Node in = add_node(circuit, "in");
+  const Node out = add_node(circuit, "n0");
+  circuit.outputs = {out};
+  circuit.amplifiers = {{"opamp", opamp, Outputs::single}};
+  circuit.instances = {{"X0", {in, out, out}, "opamp"}};
+  circuit.resistors = {{"R0", in, 0, 1e-3}};
+  circuit.sources = {{"I0", in, 2e-3}};
+  return state_space(circuit);
+}
+
 }  // namespace
 
 TEST_CASE("an amplifier that slews follows its exact solution", "[slewing]") {
@@ -60,16 +73,7 @@ TEST_CASE("an amplifier that slews follows its exact solution", "[slewing]") {
   const double w = 2.0 * std::numbers::pi * 1e6;
   for (const double slew : {1e9, 1e7, 1e6, 3e5}) {
     CAPTURE(slew);
-    Circuit circuit;
-    const Node in = add_node(circuit, "in");
-    const Node out = add_node(circuit, "n0");
-    circuit.outputs = {out};
-    circuit.amplifiers = {
-        {"opamp", {.gain = 1e9, .bandwidth = 1e6, .slew = slew}, Outputs::single}};
-    circuit.instances = {{"X0", {in, out, out}, "opamp"}};
-    circuit.resistors = {{"R0", in, 0, 1e-3}};
-    circuit.sources = {{"I0", in, 2e-3}};  // 2 V
-    const StateSpace system = state_space(circuit);
+    const StateSpace system = buffer({.gain = 1e9, .bandwidth = 1e6, .slew = slew});
     const double demand = w * 2.0 / slew;
     CHECK_THAT(slewing_demand(system), WithinRel(demand, 1e-6));
     for (const double accuracy : {1e-2, 1e-4}) {
@@ -80,6 +84,47 @@ TEST_CASE("an amplifier that slews follows its exact solution", "[slewing]") {
                  WithinRel(exact, 0.002 + 0.6 * slewing_leak * demand));
     }
   }
+}
+
+TEST_CASE("a core that leaks a share of its slew at rest settles all the same", "[slewing]") {
+  const double w = 2.0 * std::numbers::pi * 1e6;
+  for (const double slew : {5e6, 1e6, 3e5}) {  // asked for at rest: 1.2 %, 6 %, 21 %
+    CAPTURE(slew);
+    const StateSpace system = buffer({.gain = 200.0, .bandwidth = 1e6, .slew = slew});
+    // Runge and Kutta's steps, until nothing moves.
+    const double step = 1e-3 / w;
+    std::vector<double> x = {0.0};
+    std::vector<double> walk = x;
+    for (int k = 0; k < 80'000; ++k) {
+      const double k1 = rates(system, x)[0];
+      const double k2 = rates(system, {x[0] + 0.5 * step * k1})[0];
+      const double k3 = rates(system, {x[0] + 0.5 * step * k2})[0];
+      const double k4 = rates(system, {x[0] + step * k3})[0];
+      x[0] += step / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+      walk.push_back(x[0]);
+    }
+    REQUIRE(std::abs(rates(system, x)[0]) < 1e-6 * slew);
+    std::size_t last = walk.size();
+    while (std::abs(walk[last - 1] - x[0]) <= 1e-3 * steady_state(system)[0]) --last;
+    const auto settles = slewing_settling_time(system, 1e-3, -w);
+    REQUIRE(settles);
+    CHECK_THAT(*settles, WithinRel(step * static_cast<double>(last), 3e-3));
+  }
+}
+
+TEST_CASE("a circuit begins where its offsets hold it", "[slewing][state_space]") {
+  // From 1 V to 3 V: to 1e-3 in ln(2/3 / 1e-3) time constants; a slew out of reach changes nothing.
+  const double w = 2.0 * std::numbers::pi * 1e6;
+  const OpAmp opamp{.gain = 1e9, .bandwidth = 1e6, .offset = 1.0};
+  const StateSpace system = buffer(opamp);
+  CHECK_THAT(steady_state(system)[0], WithinRel(3.0, 1e-6));
+  CHECK_THAT(step_errors(system, 1e-9, 1)[0], WithinRel(2.0 / 3.0, 1e-6));
+  const double exact = std::log(2000.0 / 3.0) / w;
+  CHECK_THAT(settling_time(system, 1e-3, -w).value(), WithinRel(exact, 2e-3));
+  OpAmp slewing = opamp;
+  slewing.slew = 1e12;
+  CHECK_THAT(slewing_settling_time(buffer(slewing), 1e-3, -w).value(), WithinRel(exact, 2e-3));
+  CHECK(buffer({.gain = 1e9, .bandwidth = 1e6}).idle_drive.empty());
 }
 
 TEST_CASE("a slew that nothing reaches changes nothing", "[slewing]") {

@@ -1,5 +1,7 @@
 #include "tactile_net/report/words/network_words.hpp"
 
+#include <limits>
+
 #include "tactile_net/report/words/opamp_words.hpp"
 #include "tests/catch.hpp"
 
@@ -113,4 +115,17 @@ TEST_CASE("a ladder's form, lag and missing noise have their words", "[report][n
   CHECK_THAT(words, ContainsSubstring("siemens = 0.007 or more, or bandwidth_ratio = 0.14"));
   CHECK_THAT(report::in_words(CircuitRemark{.kind = Kind::noise_without_capacitance}),
              ContainsSubstring("parasitic = { node"));
+}
+
+TEST_CASE("a lag for which nothing is proven is no infinite multiple", "[report][network]") {
+  const auto said = [](double value) {
+    return report::in_words(
+        CircuitRemark{.kind = CircuitRemark::Kind::summing_lag, .value = value, .repair = 7.0});
+  };
+  CHECK(said(1.5) ==
+        "the lag of summing nodes and second poles is 1.5 times what is proven stable: siemens = 7 "
+        "or more");
+  CHECK(said(std::numeric_limits<double>::infinity()) ==
+        "the lag of summing nodes and second poles is far beyond what is proven stable: siemens = "
+        "7 or more");
 }

@@ -85,7 +85,7 @@ the resistors' part is equipartition and holds for any D. More siemens lower it 
 order a resistor's relative error t moves the squared answer by v t^2/3, v from the inverse of the reduced equations, so the cheapest list falls apart
 into one choice a resistor once squared error has a price (Lagrange); that price is found by halving, what is left over is spent on coarser parts, and the dual
 says what no list can be cheaper than. 95 of 100 builds lie within 1.55 times the root mean square: measured, and checked by draws with the list
-itself. It does so for every realisation, and leaves out those that are unstable with the scene's own op-amps. Typical prices: 0.002, 0.05, 0.12 and 1
+itself; where few parts count and the draws miss, the list is made anew for a smaller target. It does so for every realisation, and leaves out those that are unstable with the scene's own op-amps. Typical prices: 0.002, 0.05, 0.12 and 1
 for a resistor within 1, 0.1, 0.05 and 0.01 %, 2 for an op-amp with two outputs. The better parts stand where differences cancel: in the stabiliser at
 alpha = 1e-3, in K at 1e-5.
 

@@ -17,8 +17,8 @@ out = core - resistance (i_out - i_inv)/2. Two outputs without that loop are loa
 No theorem on stability speaks of output resistances, nor T1 and T2 of a finite common-mode rejection: the certificate says so, and its poles decide.
 
 **Slew.** The core integrates a bent rate: x' = slew tanh(r/slew), r what the inputs ask for (a thousandth of r passes straight on, without which a simulator finds no
-slope). The certificate's settling time then comes from these equations: a method of Rosenbrock's until no rate exceeds a hundredth of the slew, the exact exponential
-from there on.
+slope). The certificate's settling time then comes from these equations: a method of Rosenbrock's until no rate exceeds by a hundredth of the slew
+what finite gain asks for at rest, the exact exponential from there on. Every settling time begins without readings, where offsets and bias currents hold the circuit.
 
 **T8.** With any bend phi of the rates that is odd, increasing and bounded, the crossbar without capacitance, whatever phi_i of its amplifiers,
 and the lattice with one phi and no capacitance come to their answer from everywhere; one pole, complementary outputs. *Proof.* Crossbar: with e = v - f and D s = P e

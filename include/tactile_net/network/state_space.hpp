@@ -29,6 +29,9 @@ struct StateSpace {
     double limit = 0.0;  ///< the slew [V/s]
   };
   std::vector<Slewing> slewing{};
+  /// b while the readings' sources are at 0: offsets and bias currents, which are there before any
+  /// reading is. Empty: there are none.
+  std::vector<double> idle_drive{};
 
   [[nodiscard]] std::size_t states() const noexcept { return drive.size(); }
 };
@@ -74,9 +77,9 @@ inline constexpr double lowest_noise_hertz = 0.1;
 /// The outputs at rest, C A^-1 (-b) + d [V].
 [[nodiscard]] std::vector<double> steady_state(const StateSpace& system);
 
-/// From rest at t = 0: |v - v_end|_2 / |v_end|_2 at t = 0, step, ..., steps * step, by the exact
-/// solution; of an unstable circuit, from the rest that it leaves. Not 1 at first where nodes
-/// without capacitance jump.
+/// From rest without readings at t = 0: |v - v_end|_2 / |v_end|_2 at t = 0, step, ..., steps *
+/// step, by the exact solution; of an unstable circuit, from the rest that it leaves. Not 1 at
+/// first where nodes without capacitance jump.
 ///
 /// @param step  [s], > 0
 /// @throw std::invalid_argument  the step is not > 0 and finite
@@ -84,9 +87,9 @@ inline constexpr double lowest_noise_hertz = 0.1;
 [[nodiscard]] std::vector<double> step_errors(const StateSpace& system, double step,
                                               std::size_t steps);
 
-/// From rest at t = 0: when |v - v_end|_2 <= accuracy |v_end|_2 for good [s], to a thousandth of
-/// itself, by the exact solution on a grid of time. `slowest` is the largest real part of the
-/// poles. Nothing if that is not negative.
+/// From rest without readings at t = 0: when |v - v_end|_2 <= accuracy |v_end|_2 for good [s], to a
+/// thousandth of itself, by the exact solution on a grid of time. `slowest` is the largest real
+/// part of the poles. Nothing if that is not negative.
 [[nodiscard]] std::optional<double> settling_time(const StateSpace& system, double accuracy,
                                                   double slowest);
 

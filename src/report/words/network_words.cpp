@@ -14,6 +14,11 @@
 namespace tactile_net::report {
 namespace {
 
+/// Of what is proven: no number where nothing is.
+std::string multiple(double value) {
+  return std::isfinite(value) ? brief(value) + " times" : "far beyond";
+}
+
 std::string stability_in_words(const Certificate& c) {
   switch (c.stability) {
     case Stability::stable:
@@ -94,7 +99,7 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
     case TheoremCondition::lag_within_bound:
       return (unmet.lag.of_nodes ? "the lag of the ladder's nodes is "
                                  : "the lag of summing nodes and second poles is ") +
-             brief(unmet.lag.number) + " times what it proves stable";
+             multiple(unmet.lag.number) + " what it proves stable";
     case TheoremCondition::one_lag:
       return "capacitance at nodes that nothing drives, beside a second pole or capacitance at "
              "inputs";
@@ -172,8 +177,8 @@ std::string in_words(const CircuitRemark& remark) {
         repair += (repair.empty() ? "" : ", or ") + ("bandwidth_ratio = " + brief(remark.limit)) +
                   " or less";
       if (repair.empty()) repair = "faster op-amps, or realization = \"lattice\"";
-      return "the lag of summing nodes and second poles is " + brief(remark.value) +
-             " times what is proven stable: " + repair;
+      return "the lag of summing nodes and second poles is " + multiple(remark.value) +
+             " what is proven stable: " + repair;
     }
     case Kind::node_lag:
       return "the lag of the ladder's nodes is " + brief(remark.value) +
