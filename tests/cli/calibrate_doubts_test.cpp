@@ -237,7 +237,7 @@ TEST_CASE("forces less sure than stated are told from sound ones", "[cli][calibr
   CHECK(ran.result.code == 1);
   CHECK_FALSE(ran.wrote);
   CHECK_THAT(ran.result.output, ContainsSubstring("The stated forces are ") &&
-                                    ContainsSubstring("over 20 presses") &&
+                                    ContainsSubstring("times less sure than stated") &&
                                     !ContainsSubstring("The stated positions"));
 }
 
