@@ -57,6 +57,7 @@ LogSensor::LogSensor(const AnyScene& scene) : is_skin(std::holds_alternative<Ski
                          0);
           along_y.push_back(site.y);
           along_z.push_back(z_of(site));
+          depth = std::max(depth, site.depth);
         }
         y = ends(along_y);
         z = ends(along_z);

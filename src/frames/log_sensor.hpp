@@ -29,7 +29,8 @@ struct LogSensor {
   struct End {
     double low = 0.0, high = 0.0;
   };
-  End y{}, z{};  ///< where taxels lie [m]
+  End y{}, z{};        ///< where taxels lie [m]
+  double depth = 0.0;  ///< of the deepest taxel [m]
   std::optional<Calibration> calibration{};
   Material material{};
   bool has_contacts = false;

@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::size_t most_problems = 20;
 constexpr double contradiction = 5.0;  // standard deviations
+constexpr double measured_off = 3.0;   // standard deviations of a place
 constexpr double most_at_rest = 4.0;   // rms of an unloaded row about the others, over the noise
 
 struct Rule {
@@ -253,13 +254,16 @@ class Reader {
 
   void check_place(const CsvTable::Row& row, const Press& press) {
     const std::string unit = std::string(sensor_.units.length.name) + '?';
-    const double a = press.half_width.value.value_or(0.0);
+    const double stated_width = press.half_width.value.value_or(0.0);
     const double across = std::max(sensor_.y.high - sensor_.y.low, sensor_.z.high - sensor_.z.low);
-    if (2.0 * a > across && across > 0.0) {
+    if (2.0 * stated_width > across && across > 0.0) {
       problem(row.line, "half_width makes a contact wider than the array", "lengths in " + unit);
       return;
     }
+    const double width = press.half_width.value ? stated_width : sensor_.depth;
     const auto check = [&](const Stated& stated, const LogSensor::End& ends, const char* name) {
+      // Rods at the ends are asked for: what is not known of one is not held against it.
+      const double a = width + measured_off * stated.sd;
       if (!stated.value || (*stated.value <= ends.high + a && *stated.value >= ends.low - a))
         return;
       if (ends.low == -ends.high)

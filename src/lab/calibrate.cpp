@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -24,6 +25,23 @@ double spread_of(const std::vector<FittedPress>& presses, ValueWithSd FittedPres
                                                    return (a.*centre).value < (b.*centre).value;
                                                  });
   return ((*last).*centre).value - ((*first).*centre).value;
+}
+
+double least_objective(const PressFit& fit) {
+  return std::min_element(
+             fit.starts.begin(), fit.starts.end(),
+             [](const StartOutcome& a, const StartOutcome& b) { return a.objective < b.objective; })
+      ->objective;
+}
+
+AnyScene on_the_other_base(AnyScene any) {
+  std::visit(
+      [](auto& scene) {
+        Base& base = scene.material.layer->base;
+        base = base == Base::bonded ? Base::frictionless : Base::bonded;
+      },
+      any);
+  return any;
 }
 
 }  // namespace
@@ -61,8 +79,22 @@ SceneCalibration calibrate(const AnyScene& scene, PressLog log, const Calibratio
   const auto unread = std::make_unique<bool[]>(result.sites.size());
   for (std::size_t j = 0; j < result.sites.size(); ++j)
     unread[j] = std::count(dead.begin(), dead.end(), result.sites[j].taxel) > 0;
-  result.fit =
-      fit_presses(model, result.log, options, std::span(unread.get(), result.sites.size()), watch);
+  const std::span<const bool> left_out(unread.get(), result.sites.size());
+  result.fit = fit_presses(model, result.log, options, left_out, watch);
+  // Depth and thickness make up for a base of the wrong kind: the rms of residuals hardly tells.
+  if (result.material().layer && !options.robust &&
+      result.fit.verdict != FitVerdict::iteration_limit) {
+    CalibrationOptions once = options;
+    once.starts = {1.0};
+    once.profile = false;
+    try {
+      const PressFit other =
+          fit_presses(model_of(on_the_other_base(scene)), result.log, once, left_out, watch);
+      if (other.verdict != FitVerdict::iteration_limit)
+        result.other_base_gain = 2.0 * (least_objective(result.fit) - least_objective(other));
+    } catch (const std::invalid_argument&) {  // nothing like this log: no rival
+    }
+  }
   result.spread = std::max(spread_of(result.fit.presses, &FittedPress::center),
                            spread_of(result.fit.presses, &FittedPress::center_z));
   return result;

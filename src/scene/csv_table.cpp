@@ -28,18 +28,31 @@ std::string_view cut(std::string_view& text, char separator) {
   return part;
 }
 
-/// Spreadsheets of half the world write ; for they need the comma: a header without any is theirs.
+/// Spreadsheets of half the world write ; or tabs for they need the comma: a header without any is
+/// theirs.
 char separator_of(std::string_view header) {
-  return header.find(',') == std::string_view::npos && header.find(';') != std::string_view::npos
-             ? ';'
-             : ',';
+  if (header.find(',') != std::string_view::npos) return ',';
+  for (const char separator : {';', '\t'})
+    if (header.find(separator) != std::string_view::npos) return separator;
+  return ',';
+}
+
+/// "1,5" where commas do not separate: 1.5. "1,234,5" and "1.234,5" stay, and are no numbers.
+void point_for_comma(std::string& field) {
+  const std::size_t comma = field.find(',');
+  if (comma == std::string::npos || field.find_first_not_of("+-0123456789,eE") != field.npos ||
+      field.find(',', comma + 1) != field.npos)
+    return;
+  field[comma] = '.';
 }
 
 std::vector<std::string> fields_of(std::string_view line, char separator) {
   std::vector<std::string> fields;
   const auto separators = std::count(line.begin(), line.end(), separator);
-  for (std::ptrdiff_t i = 0; i <= separators; ++i)
+  for (std::ptrdiff_t i = 0; i <= separators; ++i) {
     fields.emplace_back(trimmed(cut(line, separator)));
+    if (separator != ',') point_for_comma(fields.back());
+  }
   return fields;
 }
 
@@ -65,7 +78,7 @@ std::vector<std::string> read_csv_header(const std::filesystem::path& path) {
   const std::string held = text_of(path);
   std::string_view text = without_byte_order_mark(held);
   while (!text.empty())
-    if (const auto content = trimmed(cut(text, '\n')); is_row(content))
+    if (const auto content = cut(text, '\n'); is_row(trimmed(content)))
       return fields_of(content, separator_of(content));
   throw std::runtime_error(no_header);
 }
@@ -76,8 +89,8 @@ CsvTable read_csv_table(const std::filesystem::path& path) {
   CsvTable table;
   char separator = ',';
   for (std::size_t line = 1; !text.empty(); ++line) {
-    const std::string_view content = trimmed(cut(text, '\n'));
-    if (!is_row(content)) continue;
+    const std::string_view content = cut(text, '\n');
+    if (!is_row(trimmed(content))) continue;
     if (table.header.line == 0) separator = separator_of(content);
     CsvTable::Row row{line, fields_of(content, separator)};
     if (table.header.line == 0)

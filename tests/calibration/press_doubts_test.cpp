@@ -167,6 +167,41 @@ TEST_CASE(
   CHECK(fit.time_trend.correlation > 0.0);
 }
 
+TEST_CASE("a gain that grows in the log is seen though stated forces give way to it") {
+  SimulatedLog made = with_stated_sds(41);
+  for (std::size_t p = 0; p < made.log.presses.size(); ++p)
+    for (std::size_t j = 0; j < made.gains.size(); ++j)
+      scale(made, made.log.presses[p], j, 1.0 + 0.01 * static_cast<double>(p));
+  const PressFit fit = fit_presses(made.model(), made.log);
+  CAPTURE(fit.rms, fit.time_trend.correlation, fit.time_trend.p);
+  CHECK(fit.contradicted_presses.empty());  // none of them by itself
+  CHECK(fit.time_trend.is_significant());
+  CHECK(fit.time_trend.of == TrendOf::gain);
+  CHECK(fit.time_trend.correlation > 0.0);
+  REQUIRE(fit.understated.size() == 1);
+  CHECK(fit.understated.front().quantity == PressQuantity::force);
+  CHECK(fit.understated.front().presses > 10);
+  CHECK(fit.understated.front().rms > 1.5);
+}
+
+TEST_CASE("standard deviations that hold are not called too small", "[long]") {
+  std::size_t doubted = 0, trends = 0;
+  for (unsigned seed = 5000; seed < 5200; ++seed) {
+    SimulatedLog made = with_stated_sds(seed);
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    for (Press& press : made.log.presses) {
+      press.force.value = *press.force.value + press.force.sd * normal(random);
+      press.position.value = *press.position.value + press.position.sd * normal(random);
+    }
+    const PressFit fit = fit_presses(made.model(), made.log, {.starts = {1.0}});
+    doubted += fit.understated.empty() ? 0U : 1U;
+    trends += fit.time_trend.is_significant() ? 1U : 0U;
+  }
+  CHECK(doubted <= 3);  // 0.4 are expected
+  CHECK(trends <= 2);   // 0.2 are
+}
+
 TEST_CASE("crosstalk that is stated is part of the pad") {
   const SimulatedLog made = simulated_log(39, {.noise = 1e-6});
   PressLog log = made.log;

@@ -211,6 +211,82 @@ TEST_CASE("the scene's crosstalk moves the depth that is found", "[cli][calibrat
   CHECK(depth("\n[crosstalk]\nfraction = 0.05\n") < depth("") - 1e-5);
 }
 
+TEST_CASE("forces that are all twice too large are remarked", "[cli][calibrate]") {
+  const auto with_forces = [](double factor) {
+    return calibrated(edited([&](std::size_t line, Row& row) {
+             if (line <= 20) return;
+             for (const std::size_t column : {2U, 3U})
+               row[column] = shortest(factor * number(row[column]));
+           }))
+        .result;
+  };
+  const ProcessResult sound = with_forces(1.0);
+  CHECK(sound.code == 0);
+  CHECK_THAT(sound.output, !ContainsSubstring("stated standard deviations from"));
+  const ProcessResult doubled = with_forces(2.0);
+  CHECK_THAT(doubled.output, ContainsSubstring("The mean gain of stress_x is 0.49") &&
+                                 ContainsSubstring("stated standard deviations from 1"));
+}
+
+TEST_CASE("forces less sure than stated are told from sound ones", "[cli][calibrate]") {
+  // No press alone is 5 deviations off: 4 % up and down in turn, 1 % is stated.
+  const Ran ran = calibrated(edited([](std::size_t line, Row& row) {
+    if (line > 20) row[2] = shortest((line % 2 == 0 ? 1.04 : 0.96) * number(row[2]));
+  }));
+  CAPTURE(ran.result.output);
+  CHECK(ran.result.code == 1);
+  CHECK_FALSE(ran.wrote);
+  CHECK_THAT(ran.result.output, ContainsSubstring("The stated forces are ") &&
+                                    ContainsSubstring("times less sure than stated") &&
+                                    !ContainsSubstring("The stated positions"));
+}
+
+TEST_CASE("a base that explains the presses better, or as well, is named", "[cli][calibrate]") {
+  // Depth and thickness make up for it: the residuals' rms hardly tells.
+  const auto words = [](const std::string& name, const std::string& base) {
+    std::string toml = read_text(scene("calibration/" + name + ".toml"));
+    toml.replace(toml.find("\"bonded\""), 8, '"' + base + '"');
+    const Folder folder;
+    return tool({"calibrate", scene("calibration/" + name + ".csv"), "--scene",
+                 folder.write("pad.toml", toml)})
+        .output;
+  };
+  const std::string better = "A bonded base explains these presses better than a slipping one";
+  CHECK_THAT(words("no-loads", "frictionless"), ContainsSubstring(better));
+  CHECK_THAT(words("no-loads", "bonded"), !ContainsSubstring("base explains these presses"));
+  CHECK_THAT(words("rod-layer", "bonded"),
+             ContainsSubstring("A slipping base explains these presses as well as a bonded one"));
+}
+
+TEST_CASE("a log of a spreadsheet that writes decimal commas is read alike", "[cli][calibrate]") {
+  const std::string points = edited([](std::size_t, Row&) {});
+  const std::string separator = GENERATE(";", "\t");
+  std::string commas;
+  for (const char c : points) commas += c == ',' ? separator : c == '.' ? "," : std::string(1, c);
+  const Ran ran = calibrated(commas);
+  CAPTURE(ran.result.errors);
+  CHECK(ran.result.code == 0);
+  CHECK(ran.result.output.substr(0, 600) == calibrated(points).result.output.substr(0, 600));
+  // A point for thousands is no decimal point.
+  const Ran thousands = calibrated(edited([](std::size_t line, Row& row) {
+    for (std::string& field : row) field += ';';
+    if (line == 22) row[2] = "1.234,5;";
+  }));
+  CHECK(thousands.result.code == 2);
+}
+
+TEST_CASE("a press beside the last taxel is no mistake, one far from it is", "[cli][calibrate]") {
+  // The array ends at 10 mm, taxels are taken to be 1.4 mm deep; no width is stated.
+  const auto at = [](const char* position) {
+    return calibrated(edited([&](std::size_t line, Row& row) {
+             if (line == 25) row[4] = position;
+           }))
+        .result.errors;
+  };
+  CHECK_THAT(at("0.0113"), !ContainsSubstring("beyond the array"));
+  CHECK_THAT(at("0.0118"), ContainsSubstring("log.csv:26: error: position lies beyond the array"));
+}
+
 TEST_CASE("a page of two quantities shows both", "[cli][calibrate]") {
   const SimulatedLog made = simulated_log(3, {.reads = {Quantity::stress_x, Quantity::shear_xy}});
   Scene pad;

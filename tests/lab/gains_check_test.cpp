@@ -122,6 +122,22 @@ TEST_CASE("at most one sound recording in a hundred names a gain", "[long]") {
   CHECK(named <= 2);
 }
 
+TEST_CASE("two neighbours that read 5 % less are named in most recordings", "[long]") {
+  std::size_t right = 0, wrong = 0;
+  for (unsigned seed = 1000; seed < 1020; ++seed) {
+    Recording recording = record(dense, seed, 0.003, 0.002);
+    const std::size_t first = 8 + seed % 25;
+    drift(recording, first, -0.05);
+    drift(recording, first + 1, -0.05);
+    std::size_t own = 0;
+    for (const std::size_t reading : changed(recording).readings)
+      reading == first || reading == first + 1 ? ++own : ++wrong;
+    right += own > 0 ? 1U : 0U;
+  }
+  CHECK(right >= 10);  // 43 of 60 were
+  CHECK(wrong <= 6);
+}
+
 TEST_CASE("coarse arrays and arrays without a calibration say nothing of gains", "[lab][check]") {
   Recording coarse = record({16, 1.5e-3, 1.5e-3, "\"stress_x\""}, 5, 0.003);
   drift(coarse, 8, -0.05);

@@ -48,6 +48,11 @@ struct FittedValue {
   ValueVerdict verdict = ValueVerdict::fixed;
 };
 
+/// How far a value ended from the stated one, in stated sds: lengths and E by their logarithms. 0
+/// where it is stated as exact, or not at all.
+[[nodiscard]] double deviation_from_stated(PadParameter parameter, const FittedValue& value,
+                                           double sd);
+
 struct ValueWithSd {
   double value = 0.0;
   double sd = 0.0;
@@ -94,8 +99,17 @@ struct ContradictedPress {
   std::size_t readings = 0;
 };
 
+/// What is stated of all presses together lies further from what their readings say than its stated
+/// standard deviations allow.
+struct UnderstatedSd {
+  PressQuantity quantity = PressQuantity::force;
+  std::size_t presses = 0;  ///< that state it with an sd, and whose readings tell it
+  double rms = 0.0;         ///< of what was stated, in its sds, those beyond 5 left out: 1 holds
+  double p = 1.0;           ///< of chi-squared
+};
+
 /// Of what the order of the presses is told by: the size of their residuals, a common factor on
-/// their readings, a common constant.
+/// their readings under the stated forces, a common constant.
 enum class TrendOf { size, gain, offset };
 /// "size", "gain", "offset".
 [[nodiscard]] std::string_view name(TrendOf trend) noexcept;
@@ -143,6 +157,8 @@ struct PressFit {
   /// taxels, or a gain_sd that is too small.
   std::vector<std::size_t> doubtful_readings{};
   std::vector<ContradictedPress> contradicted_presses{};  ///< the worst first
+  /// Those with p below 1e-3; over an rms of 2 the fit is poor.
+  std::vector<UnderstatedSd> understated{};
   std::vector<OutlyingReading> outliers{};
   std::vector<StartOutcome> starts{};
   std::vector<ProfilePoint> profile{};

@@ -11,9 +11,9 @@
 /// for a change. All gains lie some `spread` about what the calibration says, which is what the
 /// frames make likeliest, and a few may have changed by more. Those are named where
 ///
-/// - what the frames say of d lies 4.5 standard deviations from zero, the spread's among them, and
+/// - what the frames say of d lies 3.5 standard deviations from zero, the spread's among them, and
 ///   d is over 2 %;
-/// - either half of the frames says the same of it, by 2 standard deviations;
+/// - either half of the frames says the same of it, by 1.5 standard deviations;
 /// - the frames are explained to their noise then: else not gains are wrong, but the pad.
 ///
 /// What all gains, or those of many neighbours, do together is no different from other loads, and

@@ -25,6 +25,10 @@ struct SceneCalibration {
   PressFit fit{};
   NextPresses next{};                    ///< none where not asked for
   std::optional<PadParameter> target{};  ///< that they are to tell; none: readings
+  /// How much less the sum of squares, priors included, would be were the layer on the other base:
+  /// slipping where the scene says bonded. None without a layer, of robust fits, or where either
+  /// did not converge.
+  std::optional<double> other_base_gain{};
   double spread = 0.0;  ///< of the presses' centres, the farthest two along y or z [m]
   bool forced = false;  ///< the fit failed, and its scene is written all the same
   std::vector<std::string> readings{};  ///< of each reading its column's name

@@ -86,6 +86,12 @@ Json fit_json(const PressFit& fit, bool forced) {
                       {"objective", start.objective},
                       {"iterations", start.iterations},
                       {"converged", start.converged}});
+  Json understated = Json::array();
+  for (const UnderstatedSd& one : fit.understated)
+    understated.push_back({{"quantity", name(one.quantity)},
+                           {"presses", one.presses},
+                           {"rms", one.rms},
+                           {"p", one.p}});
   return {{"verdict", name(fit.verdict)},
           {"forced", forced},
           {"chi_squared", fit.chi_squared},
@@ -96,6 +102,7 @@ Json fit_json(const PressFit& fit, bool forced) {
            {{"of", name(fit.time_trend.of)},
             {"correlation", fit.time_trend.correlation},
             {"p", fit.time_trend.p}}},
+          {"understated", understated},
           {"iterations", fit.iterations},
           {"starts", starts}};
 }
@@ -109,6 +116,7 @@ std::string calibration_json(const lab::SceneCalibration& found, const std::stri
   json["log"] = log;
   json["fit"] = fit_json(fit, found.forced);
   json["words"] = calibration_in_words(found);
+  if (found.other_base_gain) json["other_base_gain"] = *found.other_base_gain;
   json["parameters"] = Json::object();
   for (const PadParameter parameter : parameters_of(found))
     json["parameters"][std::string(name(parameter))] = value_json(fit.at(parameter));

@@ -82,6 +82,38 @@ void say_doubtful_readings(const lab::SceneCalibration& found, std::vector<std::
                    " in [dead_taxels], or state a larger gain_sd.");
 }
 
+/// "forces", "half widths" of presses.
+std::string plural(PressQuantity quantity) {
+  return quantity == PressQuantity::friction ? "frictions" : spoken(quantity) + 's';
+}
+
+std::string understated_in_words(const UnderstatedSd& one) {
+  const bool is_place =
+      one.quantity == PressQuantity::position || one.quantity == PressQuantity::position_z;
+  return "The stated " + plural(one.quantity) + " are " + fixed(one.rms, 1) +
+         " times less sure than stated, over " + std::to_string(one.presses) + " presses (p " +
+         brief(one.p) + "), or " +
+         (is_place ? "the taxels lie elsewhere than the scene says (pitch)"
+                   : "gains changed from press to press (temperature, creep)") +
+         ". State larger standard deviations; all that are found here are too small.";
+}
+
+/// Depth and thickness make up for a base of the wrong kind, and residuals hardly tell.
+void say_other_base(const lab::SceneCalibration& found, std::vector<std::string>& text) {
+  constexpr double clear = 6.0;  // in the sum of squares, for one base to be the likelier
+  if (found.other_base_gain && *found.other_base_gain > -clear) {
+    const bool bonded = found.material().layer->base == Base::bonded;
+    const std::string own = bonded ? "bonded" : "slipping";
+    const std::string other = bonded ? "slipping" : "bonded";
+    text.push_back(*found.other_base_gain > clear
+                       ? "A " + other + " base explains these presses better than a " + own +
+                             " one (the sum of squares is less by " +
+                             brief(*found.other_base_gain) + "): is [material] layer.base right?"
+                       : "A " + other + " base explains these presses as well as a " + own +
+                             " one: depth and thickness hold if [material] layer.base does.");
+  }
+}
+
 std::string trend_in_words(const TimeTrend& trend) {
   const std::string numbers =
       " (rank correlation " + fixed(trend.correlation, 2) + ", p " + brief(trend.p) + ")";
@@ -106,8 +138,10 @@ std::vector<std::string> doubts_in_words(const lab::SceneCalibration& found) {
   std::vector<std::string> text;
   say_contradicted_presses(found, text);
   say_doubtful_readings(found, text);
+  for (const UnderstatedSd& one : found.fit.understated) text.push_back(understated_in_words(one));
   for (const FittedPress& press : found.fit.presses)
     if (press.put_aside) text.push_back(put_aside_in_words(found, press));
+  say_other_base(found, text);
   if (found.fit.time_trend.is_significant()) text.push_back(trend_in_words(found.fit.time_trend));
   return text;
 }

@@ -18,6 +18,7 @@ namespace tactile_net::report {
 namespace {
 
 constexpr double share_limit = 1e-3;  // of a null direction, to be said
+constexpr double surprising = 2.0;    // stated sds of a parameter, to be said
 
 std::string percent(double share) { return brief(100.0 * share) + " %"; }
 
@@ -113,6 +114,12 @@ bool all_forces_unknown(const PressLog& log) {
                       [](const Press& press) { return press.force.value.has_value(); });
 }
 
+/// "Gains of readings 3, 4 are", "The gain of reading 3 is".
+std::string gains_are(const std::vector<std::size_t>& readings) {
+  return readings.size() == 1 ? "The gain of reading " + runs(readings) + " is"
+                              : "Gains of readings " + runs(readings) + " are";
+}
+
 std::string mean_gain_name(const lab::SceneCalibration& found, std::size_t channel) {
   return found.channels[channel].name;
 }
@@ -172,6 +179,34 @@ std::string words_of(const lab::SceneCalibration& found, const NullDirection& di
          "scene "
          "states of the others. State positions, widths or forces, or press at other places with "
          "other widths.";
+}
+
+/// What is no contradiction, and yet not what the scene leads one to expect: forces that are all
+/// twice too large end as gains of a half, and nothing else shows.
+void say_surprises(const lab::SceneCalibration& found, std::vector<std::string>& text) {
+  const PressFit& fit = found.fit;
+  const auto said = [](const auto& contradicted, auto one) {
+    return std::find(contradicted.begin(), contradicted.end(), one) != contradicted.end();
+  };
+  for (const PadParameter parameter : fit.free) {
+    const double sd = found.options.sd(parameter);
+    const FittedValue& value = fit.at(parameter);
+    const double away = deviation_from_stated(parameter, value, sd);
+    if (away > surprising && !said(fit.contradicted, parameter))
+      text.push_back("The " + spoken(parameter) + " is " + fixed(away, 1) +
+                     " stated standard deviations from the stated one: is the scene that far off?");
+  }
+  for (std::size_t c = 0; c < fit.mean_gain.size(); ++c) {
+    const double away = std::abs(std::log(fit.mean_gain[c].value)) / found.options.mean_gain_sd;
+    if (away > surprising && !said(fit.contradicted_gains, c))
+      text.push_back("The mean gain of " + mean_gain_name(found, c) + " is " +
+                     brief(fit.mean_gain[c].value) + ", " + fixed(away, 1) +
+                     " stated standard deviations from 1: do the readings' scale, the forces (load "
+                     "cell, units) and the " +
+                     (found.is_skin() ? "balls" : "rod's length") +
+                     " hold? Forces that are off by a factor, or diameters in place of radii, look "
+                     "like this.");
+  }
 }
 
 }  // namespace
@@ -247,6 +282,7 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
                    brief(fit.mean_gain[channel].value) +
                    ", more than 4 stated standard deviations from 1: units of the forces or of "
                    "the readings, or swapped columns?");
+  say_surprises(found, text);
   for (std::string& sentence : doubts_in_words(found)) text.push_back(std::move(sentence));
   if (fit.rms >= 1.005)
     text.push_back("Standard deviations are multiplied by " + fixed(fit.rms, 2) +
@@ -257,10 +293,11 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
     if (fit.gain_about_mean[j] == ValueVerdict::prior_only) prior_only.push_back(j);
   }
   if (!weak.empty())
-    text.push_back("Gains of readings " + runs(weak) + " are weak: press nearer to them.");
+    text.push_back(gains_are(weak) + " weak: press nearer to " +
+                   (weak.size() == 1 ? "it." : "them."));
   if (!prior_only.empty())
-    text.push_back("Gains of readings " + runs(prior_only) +
-                   " are what the scene states, no more: no press tells them.");
+    text.push_back(gains_are(prior_only) + " what the scene states, no more: no press tells " +
+                   (prior_only.size() == 1 ? "it." : "them."));
   const std::vector<std::string>& names = found.readings;
   std::size_t told = 0;
   for (const OutlyingReading& one : fit.outliers)
