@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -74,12 +77,24 @@ struct SkinSceneProblem::Parts {
   std::optional<SkinFamily> family{};
   std::unique_ptr<LargeSkin> large{};
   std::optional<AlphaTables> alpha_tables{};
-  std::optional<std::pair<double, SkinCone>> cone{};  // of its alpha
   std::optional<SkinDataJudge> data_judge{};
   std::optional<std::vector<bool>> unseen{};
   std::optional<SkinSceneProblem> beyond{};
-  std::optional<std::pair<std::vector<std::size_t>, SkinSceneProblem>> rest{};
   std::optional<PatternCache<SkinSceneProblem, double>> weighed{};  // by tangential weight
+
+  /// What only the last frame's is kept of: each thread's own, which no other takes away from it.
+  struct OfThread {
+    std::optional<std::pair<double, SkinCone>> cone{};  // of its alpha
+    std::optional<std::pair<std::vector<std::size_t>, SkinSceneProblem>> rest{};
+  };
+  std::map<std::thread::id, OfThread> of_threads{};
+  [[nodiscard]] OfThread& of_this_thread() {
+    const std::lock_guard lock(mutex);
+    return of_threads[std::this_thread::get_id()];
+  }
+
+  /// What all frames share is made under it, from what is made under it.
+  std::recursive_mutex mutex{};
 };
 
 SkinSceneProblem::SkinSceneProblem(SkinScene scene)
@@ -98,6 +113,7 @@ const SkinProblem& SkinSceneProblem::problem() const {
         "the skin has more than " + std::to_string(most_skin_tractions) +
         " unknown tractions, and this needs a matrix of them: run and solve take it, or choose a "
         "larger spacing or a smaller margin");
+  const std::lock_guard lock(parts_->mutex);
   if (!parts_->problem)
     parts_->problem = make_problem(parts_->scene.sensor, parts_->scene.material, options());
   return *parts_->problem;
@@ -123,11 +139,13 @@ void SkinSceneProblem::prepare() const {
 }
 
 const SkinFamily& SkinSceneProblem::family() const {
+  const std::lock_guard lock(parts_->mutex);
   if (!parts_->family) parts_->family.emplace(problem());
   return *parts_->family;
 }
 
 const AlphaTables& SkinSceneProblem::alpha_tables(const FilterFrame& frame) const {
+  const std::lock_guard lock(parts_->mutex);
   if (is_large() || !parts_->alpha_tables)
     parts_->alpha_tables.emplace(frame.gamma, frame.rows, frame.shares);
   return *parts_->alpha_tables;
@@ -168,6 +186,7 @@ bool SkinSceneProblem::estimates_weight() const {
 }
 
 SkinSceneProblem SkinSceneProblem::weighed(double tangential_weight) const {
+  const std::lock_guard lock(parts_->mutex);
   if (!parts_->weighed) parts_->weighed.emplace(bytes(), most_bytes_of_weights);
   return (*parts_->weighed)(tangential_weight, [&] {
     SkinScene scene = parts_->scene;
@@ -209,23 +228,26 @@ std::size_t SkinSceneProblem::bytes() const {
 }
 
 const SkinCone& SkinSceneProblem::cone(double alpha) const {
-  auto& made = parts_->cone;
+  auto& made = parts_->of_this_thread().cone;
   if (!made || made->first != alpha)
     made.emplace(alpha, SkinCone(problem(), alpha, *parts_->constraints));
   return made->second;
 }
 
 const SkinDataJudge& SkinSceneProblem::data_judge() const {
+  const std::lock_guard lock(parts_->mutex);
   if (!parts_->data_judge) parts_->data_judge.emplace(lab::data_judge(*this));
   return *parts_->data_judge;
 }
 
 const std::vector<bool>& SkinSceneProblem::unseen() const {
+  const std::lock_guard lock(parts_->mutex);
   if (!parts_->unseen) parts_->unseen = unseen_cells(*this);
   return *parts_->unseen;
 }
 
 const SkinSceneProblem& SkinSceneProblem::reaching_beyond() const {
+  const std::lock_guard lock(parts_->mutex);
   if (!parts_->beyond) {
     SkinScene scene = parts_->scene;
     scene.reconstruct.grid.margin = 2.0 * least_depth(scene.sensor);
@@ -261,7 +283,7 @@ SkinSceneProblem SkinSceneProblem::without(std::span<const std::size_t> taxels) 
 }
 
 const SkinSceneProblem& SkinSceneProblem::left_with(const std::vector<std::size_t>& taxels) const {
-  auto& made = parts_->rest;
+  auto& made = parts_->of_this_thread().rest;
   if (!made || made->first != taxels) made.emplace(taxels, without(taxels));
   return made->second;
 }

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "lab/in_order.hpp"
 #include "lab/pattern_cache.hpp"
+#include "numeric/threads.hpp"
 #include "tactile_net/inverse/shared_alpha.hpp"
 
 namespace tactile_net::lab {
@@ -34,24 +36,42 @@ struct SkinRecordingSolver::Parts {
     });
   }
 
-  /// Absent: no taxel is left.
-  std::optional<SkinAnswer> solve_rest(std::span<double> readings) {
+  /// The problem without the taxels that miss readings, which are 0 afterwards. Absent: no taxel is
+  /// left.
+  std::optional<SkinSceneProblem> rest(std::span<double> readings) {
     const SkinScene& scene = problem.scene();
     const std::vector<SkinSite>& sites = problem.layout().sites;
     const std::vector<std::size_t> dead = dead_with_missing(scene.dead_taxels, sites, readings);
     if (!is_measured(scene.sensor, dead, scene.reconstruct.offset)) return std::nullopt;
     for (std::size_t i = 0; i < readings.size(); ++i)
       if (std::binary_search(dead.begin(), dead.end(), sites[i].taxel)) readings[i] = 0.0;
-    last =
-        &patterns(dead, [&] { return std::make_unique<SkinSceneProblem>(problem.without(dead)); });
-    return lab::solve(*last, readings);
+    return patterns(dead,
+                    [&] { return std::make_unique<SkinSceneProblem>(problem.without(dead)); });
   }
+
+  [[nodiscard]] bool is_incomplete(std::span<const double> readings) const {
+    return options.missing != Missing::fail &&
+           std::any_of(readings.begin(), readings.end(), [](double g) { return std::isnan(g); });
+  }
+
+  /// In the order of frames.
+  void count(const std::optional<SkinAnswer>& answer, bool incomplete) {
+    if (answer)
+      solved.add({.alpha = answer->alpha, .verdict = answer->verdict, .data = answer->data},
+                 incomplete);
+    else
+      solved.skip();
+  }
+
+  /// Frames that share an alpha depend on one another, and large skins keep what the last frame
+  /// needed.
+  [[nodiscard]] bool one_by_one() const { return options.share_alpha || problem.is_large(); }
 
   SkinSceneProblem problem;
   RecordingSolverOptions options;
   PatternCache<SkinSceneProblem> patterns;
   std::optional<SharedAlpha> shared{};
-  const SkinSceneProblem* last = nullptr;  // absent: the recording's
+  std::optional<SkinSceneProblem> last{};  // absent: the recording's
   SolvedFrames solved{};
 };
 
@@ -63,26 +83,58 @@ SkinRecordingSolver& SkinRecordingSolver::operator=(SkinRecordingSolver&&) noexc
 
 std::optional<SkinAnswer> SkinRecordingSolver::solve(std::span<double> readings) {
   Parts& p = *parts_;
-  const bool incomplete =
-      p.options.missing != Missing::fail &&
-      std::any_of(readings.begin(), readings.end(), [](double g) { return std::isnan(g); });
+  const bool incomplete = p.is_incomplete(readings);
   std::optional<SkinAnswer> answer;
   if (!incomplete) {
-    p.last = nullptr;
+    p.last.reset();
     answer = p.solve_whole(readings);
   } else if (p.options.missing == Missing::estimate) {
-    answer = p.solve_rest(readings);
+    if (std::optional<SkinSceneProblem> rest = p.rest(readings)) {
+      p.last = std::move(rest);
+      answer = lab::solve(*p.last, readings);
+    }
   }
-  if (answer)
-    p.solved.add({.alpha = answer->alpha, .verdict = answer->verdict, .data = answer->data},
-                 incomplete);
-  else
-    p.solved.skip();
+  p.count(answer, incomplete);
   return answer;
 }
 
+void SkinRecordingSolver::solve_all(const NextFrame& next, const UseAnswer& use,
+                                    std::size_t threads) {
+  struct Frame {
+    std::vector<double> readings{};
+    bool incomplete = false;
+    std::optional<SkinSceneProblem> solved_with{};  // absent: the frame has no answer
+    std::optional<SkinAnswer> answer{};
+  };
+  Parts& p = *parts_;
+  if (p.one_by_one()) {
+    std::vector<double> readings;
+    while (next(readings)) use(readings, solve(readings));
+    return;
+  }
+  in_order<Frame>(
+      threads == 0 ? processors() : threads,
+      [&](Frame& frame) {
+        if (!next(frame.readings)) return false;
+        frame.incomplete = p.is_incomplete(frame.readings);
+        if (!frame.incomplete)
+          frame.solved_with = p.problem;
+        else if (p.options.missing == Missing::estimate)
+          frame.solved_with = p.rest(frame.readings);
+        return true;
+      },
+      [](Frame& frame) {
+        if (frame.solved_with) frame.answer = lab::solve(*frame.solved_with, frame.readings);
+      },
+      [&](Frame& frame) {
+        if (frame.answer) p.last = frame.incomplete ? std::move(frame.solved_with) : std::nullopt;
+        p.count(frame.answer, frame.incomplete);
+        use(frame.readings, frame.answer);
+      });
+}
+
 const SkinSceneProblem& SkinRecordingSolver::problem() const noexcept {
-  return parts_->last == nullptr ? parts_->problem : *parts_->last;
+  return parts_->last ? *parts_->last : parts_->problem;
 }
 
 const SolvedFrames& SkinRecordingSolver::solved() const noexcept { return parts_->solved; }

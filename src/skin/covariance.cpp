@@ -12,7 +12,6 @@
 #include "numeric/eigen.hpp"
 #include "skin/family_factors.hpp"
 #include "skin/scaled_deviation.hpp"
-#include "skin/window_sums.hpp"
 
 namespace tactile_net {
 
@@ -63,11 +62,8 @@ std::vector<double> SkinCovariance::deviations() const {
 
 std::vector<double> SkinCovariance::window_deviations(const SkinGrid& grid,
                                                       const CellWindow& window) const {
-  Eigen::MatrixXd sums = factors_->roots()->topRows(static_cast<Index>(grid.count()));
-  for (Index j = 0; j < sums.cols(); ++j)
-    window_sums(grid, window, std::span(sums.col(j).data(), grid.count()));
   return row_deviations(
-      sums, sizes_, hidden_,
+      *factors_->window_roots(grid, window), sizes_, hidden_,
       hidden_ == 0.0 ? Eigen::VectorXd() : factors_->coordinates->squares(grid, window));
 }
 

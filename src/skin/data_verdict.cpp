@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <list>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -17,7 +16,8 @@
 #include "inverse/data_limits.hpp"
 #include "inverse/significance.hpp"
 #include "numeric/eigen.hpp"
-#include "tactile_net/skin/cone.hpp"
+#include "skin/cone_search.hpp"
+#include "skin/rest_of_rows.hpp"
 #include "tactile_net/skin/family.hpp"
 
 namespace tactile_net {
@@ -29,13 +29,13 @@ constexpr double converged = 1e-5;
 /// Over the square of the largest singular value, in the order in which they are tried.
 constexpr std::array smoothings = {1e-4, 1e-6, 1e-8};
 
-/// Of a contact's readings steps as few as these, with most smoothing, explain most. Where they
+/// Of a contact's readings the first hundred steps, with most smoothing, explain most. Where they
 /// leave this share no contact is near, and finding the nearest one would take a thousand times
 /// three.
-constexpr std::size_t first_steps = 100;
 constexpr double hopeless = 0.3;
-
-constexpr std::size_t most_kept = 8;  // problems without a taxel
+/// A search ends where twice the steps, or a hundredth of the smoothing, have gained less than this
+/// share of what is still missing: it would take ten times as many again.
+constexpr double least_gain = 0.1;
 
 double largest_square(const SkinProblem& problem) {
   const SkinFamily family(problem);
@@ -44,32 +44,31 @@ double largest_square(const SkinProblem& problem) {
   return largest * largest;
 }
 
+/// Of norms: what is left, and all readings'.
+bool is_hopeless(double left, double all, double enough) {
+  return left > enough && left / all > hopeless;
+}
+
 /// A problem's cones, each factored when it is first asked for, by any thread.
 class Cones {
  public:
-  Cones(SkinProblem problem, const Constraints& press, std::optional<double> least = {})
-      : problem_(std::move(problem)), press_(press), least_(least) {}
+  Cones(SkinProblem problem, const Constraints& press)
+      : problem_(std::move(problem)), press_(press) {}
 
   [[nodiscard]] const SkinProblem& problem() const noexcept { return problem_; }
-  [[nodiscard]] const SkinCone& cone(std::size_t smoothing) {
+  [[nodiscard]] const ConeSearch& cone(std::size_t smoothing) {
     const std::lock_guard lock(mutex_);
     if (!least_) least_ = largest_square(problem_);
     auto& cone = cones_[smoothing];
     if (!cone) cone.emplace(problem_, smoothings[smoothing] * *least_, press_);
     return *cone;
   }
-  /// Smoothings stand for it.
-  [[nodiscard]] double least() {
-    const std::lock_guard lock(mutex_);
-    if (!least_) least_ = largest_square(problem_);
-    return *least_;
-  }
 
  private:
   SkinProblem problem_;
   Constraints press_;
-  std::optional<double> least_;
-  std::array<std::optional<SkinCone>, smoothings.size()> cones_{};
+  std::optional<double> least_{};  // smoothings stand for it
+  std::array<std::optional<ConeSearch>, smoothings.size()> cones_{};
   std::mutex mutex_{};
 };
 
@@ -114,10 +113,18 @@ struct SkinDataJudge::Parts {
   Parts(const SkinProblem& problem, std::function<SkinProblem()> sought, DataLimits given);
 
   /// Of W (K f - g) over the noise, by the best contact found: as soon as it is enough.
-  [[nodiscard]] Eigen::VectorXd left_by_contact(Cones& of, std::span<const double> readings,
+  [[nodiscard]] Eigen::VectorXd left_by_contact(std::span<const double> readings,
                                                 double enough) const;
+  /// The norm of that without a taxel, and no further than there is hope of `enough`.
+  [[nodiscard]] double least_left(std::span<const double> readings, double enough,
+                                  std::optional<std::size_t> taxel) const;
   [[nodiscard]] Eigen::VectorXd left(const SkinProblem& of, std::span<const double> readings,
                                      std::span<const double> tractions) const;
+  /// P W g over the noise.
+  [[nodiscard]] Eigen::VectorXd seen(std::span<const double> readings) const {
+    const std::vector<double> g = weighted(problem, readings);
+    return as_eigen(std::span(g)) / unit;
+  }
   [[nodiscard]] std::optional<std::size_t> bad_taxel(std::span<const double> readings,
                                                      const Eigen::VectorXd& residual) const;
   /// Of a residual's norm, where so many rows are taken by something else than noise.
@@ -126,8 +133,6 @@ struct SkinDataJudge::Parts {
   }
   /// What contacts are sought with.
   [[nodiscard]] Cones& contacts() const;
-  /// The same without a taxel.
-  [[nodiscard]] std::shared_ptr<Cones> without(std::size_t taxel) const;
 
   DataLimits limits;
   SkinProblem problem;
@@ -138,7 +143,6 @@ struct SkinDataJudge::Parts {
 
   mutable std::mutex mutex{};
   mutable std::unique_ptr<Cones> made{};
-  mutable std::list<std::pair<std::size_t, std::shared_ptr<Cones>>> kept{};  // the last one first
 };
 
 SkinDataJudge::Parts::Parts(const SkinProblem& found_for, std::function<SkinProblem()> sought,
@@ -170,39 +174,60 @@ Cones& SkinDataJudge::Parts::contacts() const {
   return *made;
 }
 
-std::shared_ptr<Cones> SkinDataJudge::Parts::without(std::size_t taxel) const {
-  Cones& all = contacts();
-  const double least = all.least();
-  const std::lock_guard lock(mutex);
-  const auto at =
-      std::find_if(kept.begin(), kept.end(), [&](const auto& one) { return one.first == taxel; });
-  if (at != kept.end()) {
-    kept.splice(kept.begin(), kept, at);
-    return kept.front().second;
-  }
-  SkinProblem rest = all.problem();
-  leave_out(rest, std::span(&taxel, 1));
-  kept.emplace_front(taxel, std::make_shared<Cones>(std::move(rest), press, least));
-  if (kept.size() > most_kept) kept.pop_back();
-  return kept.front().second;
-}
-
-Eigen::VectorXd SkinDataJudge::Parts::left_by_contact(Cones& of, std::span<const double> readings,
+Eigen::VectorXd SkinDataJudge::Parts::left_by_contact(std::span<const double> readings,
                                                       double enough) const {
-  const SkinConeSolution rough = of.cone(0).solve(readings, first_steps, converged);
-  if (rough.status == FrameStatus::ok) {
-    Eigen::VectorXd residual = left(of.problem(), readings, rough.tractions);
-    const std::vector<double> all = weighted(of.problem(), readings);
-    const double share = residual.norm() * unit / as_eigen(std::span(all)).norm();
-    if (residual.norm() > enough && share > hopeless) return residual;
-  }
+  Cones& of = contacts();
+  const double all = seen(readings).norm();
   Eigen::VectorXd best;
   for (std::size_t i = 0; i < smoothings.size(); ++i) {
-    const SkinConeSolution found = of.cone(i).solve(readings, iteration_limit, converged);
+    bool first = i == 0;
+    bool in_vain = false;
+    Eigen::VectorXd residual;
+    const auto look = [&](std::span<const double> tractions) {
+      if (!std::exchange(first, false)) return false;
+      residual = left(of.problem(), readings, tractions);
+      in_vain = is_hopeless(residual.norm(), all, enough);
+      return in_vain;
+    };
+    const SkinConeSolution found = of.cone(i).solve(readings, iteration_limit, converged, look);
     if (found.status != FrameStatus::ok) continue;
-    Eigen::VectorXd residual = left(of.problem(), readings, found.tractions);
+    if (first) (void)look(found.tractions);  // they came before a hundred steps
+    if (in_vain) return residual;
+    residual = left(of.problem(), readings, found.tractions);
     if (best.size() == 0 || residual.norm() < best.norm()) best = std::move(residual);
     if (best.norm() <= enough) break;
+  }
+  return best;
+}
+
+double SkinDataJudge::Parts::least_left(std::span<const double> readings, double enough,
+                                        std::optional<std::size_t> taxel) const {
+  Cones& of = contacts();
+  const RestOfRows of_rest(
+      {of.problem().weights, of.problem().sites, of.problem().unknown_offsets},
+      taxel ? std::span<const std::size_t>(&*taxel, 1) : std::span<const std::size_t>());
+  const auto norm = [&](std::span<const double> tractions) {
+    return of_rest(left(of.problem(), readings, tractions)).norm();
+  };
+  const double all = of_rest(seen(readings)).norm();
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < smoothings.size(); ++i) {
+    std::optional<double> before;
+    const auto is_vain = [&](std::span<const double> tractions) {
+      const double now = norm(tractions);
+      const bool vain = before ? now > enough && *before - now < least_gain * (now - enough)
+                               : i == 0 && is_hopeless(now, all, enough);
+      before = now;
+      return vain;
+    };
+    const ConeSearch& whole = of.cone(i);
+    const SkinConeSolution found = (taxel ? whole.without(std::span(&*taxel, 1)) : whole)
+                                       .solve(readings, iteration_limit, converged, is_vain);
+    if (found.status != FrameStatus::ok) continue;
+    const double now = norm(found.tractions);
+    const bool stuck = best - now < least_gain * (now - enough);
+    best = std::min(best, now);
+    if (best <= enough || stuck) break;
   }
   return best;
 }
@@ -226,7 +251,7 @@ std::optional<std::size_t> SkinDataJudge::Parts::bad_taxel(std::span<const doubl
   for (const std::size_t taxel : order) {
     if (taken[taxel] == 0.0 || taken[taxel] >= rows) continue;
     const double most = limit(taken[taxel]);
-    const double norm = left_by_contact(*without(taxel), readings, most).norm();
+    const double norm = least_left(readings, most, taxel);
     const double gain = residual.squaredNorm() - norm * norm;
     const double chance =
         chi_squared_limit(taken[taxel], false_alarms / static_cast<double>(problem.taxels));
@@ -272,7 +297,7 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
   Eigen::VectorXd residual =
       p.left(p.problem, readings, pressing_part(p.problem, p.press.friction_limit, tractions));
   if (!(residual.norm() <= most)) {
-    const Eigen::VectorXd best = p.left_by_contact(p.contacts(), readings, most);
+    const Eigen::VectorXd best = p.left_by_contact(readings, most);
     if (best.size() > 0 && !(residual.norm() <= best.norm())) residual = best;
   }
   verdict.residual_rms = residual.norm() * rms;
@@ -287,7 +312,7 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
   verdict.taxel = p.bad_taxel(readings, residual);
   if (verdict.taxel)
     verdict.doubts.push_back(DataDoubt::bad_taxel);
-  else if (p.left_by_contact(p.contacts(), turned, most).norm() <= most ||
+  else if (p.least_left(turned, most, {}) <= most ||
            p.left(p.problem, readings, tractions).norm() <= most)
     verdict.doubts.push_back(DataDoubt::pulls);
   else

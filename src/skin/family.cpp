@@ -10,6 +10,7 @@
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "skin/family_factors.hpp"
+#include "skin/window_sums.hpp"
 
 namespace tactile_net {
 
@@ -64,8 +65,16 @@ Eigen::MatrixXd SkinFamily::Factors::from_components(const Eigen::MatrixXd& from
   return result;
 }
 
+namespace {
+
+bool is_kept(const RowMajor& roots) {
+  constexpr std::size_t most = std::size_t{256} << 20;  // bytes
+  return static_cast<std::size_t>(roots.size()) * sizeof(double) <= most;
+}
+
+}  // namespace
+
 std::shared_ptr<const RowMajor> SkinFamily::Factors::roots() const {
-  constexpr std::size_t most_kept = std::size_t{256} << 20;  // bytes
   const std::lock_guard lock(kept->mutex);
   if (kept->roots) return kept->roots;
   auto made = std::make_shared<RowMajor>(coordinates->count(), std::ssize(gamma));
@@ -78,7 +87,22 @@ std::shared_ptr<const RowMajor> SkinFamily::Factors::roots() const {
     made->middleCols(first, block.gamma.size()) = own;
     first += block.gamma.size();
   }
-  if (static_cast<std::size_t>(made->size()) * sizeof(double) <= most_kept) kept->roots = made;
+  if (is_kept(*made)) kept->roots = made;
+  return made;
+}
+
+std::shared_ptr<const RowMajor> SkinFamily::Factors::window_roots(const SkinGrid& grid,
+                                                                  const CellWindow& window) const {
+  const std::shared_ptr<const RowMajor> cells = roots();
+  const std::lock_guard lock(kept->mutex);
+  if (kept->windows && kept->windows->first.rows == window.rows &&
+      kept->windows->first.columns == window.columns)
+    return kept->windows->second;
+  Eigen::MatrixXd sums = cells->topRows(static_cast<Index>(grid.count()));
+  for (Index j = 0; j < sums.cols(); ++j)
+    window_sums(grid, window, std::span(sums.col(j).data(), grid.count()));
+  auto made = std::make_shared<const RowMajor>(sums);
+  if (is_kept(*made)) kept->windows.emplace(window, made);
   return made;
 }
 

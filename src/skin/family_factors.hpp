@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "inverse/weighting.hpp"
@@ -36,6 +38,10 @@ struct SkinFamily::Factors {
   /// T V of all classes, a row a traction: what bands are made of. Kept where it is not too large,
   /// so that frames after the first find it. Thread-safe.
   [[nodiscard]] std::shared_ptr<const RowMajor> roots() const;
+  /// Of normal tractions, summed over the window around each cell of the problem's grid. Kept as
+  /// those, for the last window.
+  [[nodiscard]] std::shared_ptr<const RowMajor> window_roots(const SkinGrid& grid,
+                                                             const CellWindow& window) const;
 
   Weighting weighting;
   std::shared_ptr<const SkinCoordinates> coordinates;
@@ -46,6 +52,7 @@ struct SkinFamily::Factors {
   struct Kept {
     std::mutex mutex{};
     std::shared_ptr<const RowMajor> roots{};
+    std::optional<std::pair<CellWindow, std::shared_ptr<const RowMajor>>> windows{};
   };
   std::unique_ptr<Kept> kept = std::make_unique<Kept>();
 };

@@ -25,7 +25,7 @@ namespace tactile_net::lab {
 
 class LargeSkin;
 
-/// A copy shares everything that was made. Not thread-safe.
+/// A copy shares everything that was made. Where it is not large several threads may solve with it.
 class SkinSceneProblem {
  public:
   explicit SkinSceneProblem(SkinScene scene);

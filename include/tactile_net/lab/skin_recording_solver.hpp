@@ -4,12 +4,16 @@
 ///     lab::SkinRecordingSolver solver(problem, {.missing = lab::Missing::estimate});
 ///     while (source.next(readings))
 ///       if (const auto answer = solver.solve(readings)) use(*answer);
+///     // or, on every processor
+///     solver.solve_all(next, use);
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/skin_answer.hpp"
@@ -34,6 +38,24 @@ class SkinRecordingSolver {
   /// @return          absent: values are missing, and the frame has no answer
   /// @throw           as `solve` of a frame
   [[nodiscard]] std::optional<SkinAnswer> solve(std::span<double> readings);
+
+  /// The next frame's readings; false: there is none.
+  using NextFrame = std::function<bool(std::vector<double>& readings)>;
+  /// As `solve` leaves the readings, and what it returns.
+  using UseAnswer = std::function<void(std::span<const double> readings,
+                                       const std::optional<SkinAnswer>& answer)>;
+
+  /// All frames that follow: `while (next(readings)) use(readings, solve(readings))`, several of
+  /// them at a time on a thread each, and the same bits and order however many there are. A few
+  /// frames are read ahead. Frames that share an alpha, and those of a large skin, are solved one
+  /// by one.
+  ///
+  /// @param next, use  are called by this thread alone
+  /// @param threads    at most so many; 1: none but this one, which reads nothing ahead; 0: one a
+  ///                   processor
+  /// @throw            as `solve`, of the first frame that throws, after all before it are used; or
+  ///                   what `next` or `use` throws
+  void solve_all(const NextFrame& next, const UseAnswer& use, std::size_t threads = 0);
 
   /// That the last frame with an answer was solved with: the recording's, or one with taxels left
   /// out.

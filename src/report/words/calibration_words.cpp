@@ -193,7 +193,7 @@ void say_surprises(const lab::SceneCalibration& found, std::vector<std::string>&
     const FittedValue& value = fit.at(parameter);
     const double away = deviation_from_stated(parameter, value, sd);
     if (away > surprising && !said(fit.contradicted, parameter))
-      text.push_back("The " + spoken(parameter) + " is " + fixed(away, 1) +
+      text.push_back("The " + spoken(parameter, found.is_skin()) + " is " + fixed(away, 1) +
                      " stated standard deviations from the stated one: is the scene that far off?");
   }
   for (std::size_t c = 0; c < fit.mean_gain.size(); ++c) {
@@ -385,8 +385,8 @@ std::vector<std::vector<std::string>> next_press_cells(const lab::SceneCalibrati
     }
     row.insert(row.end(),
                {length(press.half_width),
-                in_unit(found.units(),
-                        found.is_skin() ? Dimension::point_force : Dimension::force, press.force),
+                in_unit(found.units(), found.is_skin() ? Dimension::point_force : Dimension::force,
+                        press.force),
                 unknown(found, press.remaining)});
     rows.push_back(std::move(row));
   }
@@ -396,9 +396,8 @@ std::vector<std::vector<std::string>> next_press_cells(const lab::SceneCalibrati
 std::string next_presses_in_words(const lab::SceneCalibration& found) {
   if (found.next.presses.empty()) return {};
   const bool is_skin = found.is_skin();
-  const std::string of_target = found.target
-                                    ? " of the " + spoken(*found.target, is_skin)
-                                    : " of readings under loads all over it";
+  const std::string of_target = found.target ? " of the " + spoken(*found.target, is_skin)
+                                             : " of readings under loads all over it";
   const std::string known = is_found(found.fit.at(PadParameter::youngs_modulus).verdict)
                                 ? ""
                                 : ", if Young's modulus is as stated";

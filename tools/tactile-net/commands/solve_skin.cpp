@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <exception>
 #include <limits>
 #include <optional>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -113,29 +116,56 @@ class Outputs {
   std::optional<UncertaintyFile> wrenches_{};
 };
 
+/// Of a frame that was read and is being solved, what the source no longer says when it is.
+struct FrameRead {
+  std::string time;
+  bool incomplete;
+  std::exception_ptr overflow;  // what is said where its tractions overflow
+};
+
+std::exception_ptr overflow_of(const frames::FrameSource& source) {
+  std::exception_ptr said;
+  try {
+    source.refuse("the frame's tractions overflow a double", "scale the readings");
+  } catch (const InputError&) {
+    said = std::current_exception();
+  }
+  return said;
+}
+
 lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::ReadingsFile& file,
                                    Outputs& outputs, const Streams& streams) {
   const lab::SkinSceneProblem& whole = solver.problem();
   lab::SkinRecordingAnswer recording{.scene = whole.scene(), .grid = whole.grid()};
   Progress progress(streams);
   frames::FrameSource& source = file.source();
-  std::vector<double> readings(source.columns().size());
-  while (source.next(readings)) {
+  std::deque<FrameRead> read;
+  const auto next = [&](std::vector<double>& readings) {
+    readings.resize(source.columns().size());
+    if (!source.next(readings)) return false;
     const bool incomplete = std::any_of(readings.begin(), readings.end(),
                                         [](double reading) { return std::isnan(reading); });
-    try {
-      if (const auto answer = solver.solve(readings)) {
-        outputs.add(source.time(), *answer);
-        recording.add(std::string(source.time()), readings, *answer, incomplete);
-      } else {
-        outputs.skip(source.time());
-        recording.skip(std::string(source.time()));
-      }
-    } catch (const lab::FrameOverflow&) {
-      source.refuse("the frame's tractions overflow a double", "scale the readings");
+    read.push_back({std::string(source.time()), incomplete, overflow_of(source)});
+    return true;
+  };
+  const auto use = [&](std::span<const double> readings,
+                       const std::optional<lab::SkinAnswer>& answer) {
+    const FrameRead& frame = read.front();
+    if (answer) {
+      outputs.add(frame.time, *answer);
+      recording.add(frame.time, readings, *answer, frame.incomplete);
+    } else {
+      outputs.skip(frame.time);
+      recording.skip(frame.time);
     }
+    read.pop_front();
     if (file.live()) outputs.flush();
     if (progress.due()) progress.frames(recording.frames.size(), file.share_read());
+  };
+  try {  // who waits at the other end waits for each frame
+    solver.solve_all(next, use, file.live() ? 1 : 0);
+  } catch (const lab::FrameOverflow&) {
+    std::rethrow_exception(read.front().overflow);
   }
   progress.clear();
   return recording;

@@ -1,0 +1,77 @@
+#include "skin/cone_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "tests/catch.hpp"
+#include "tests/skin/skins.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+struct Frame {
+  SkinProblem problem;
+  std::vector<double> readings;
+};
+
+Frame pressed(const SkinProblemOptions& options) {
+  const SkinArray skin = square_skin(5, 2e-3);
+  Frame frame{make_problem(skin, silicone, options), {}};
+  std::mt19937 random(23);
+  frame.readings = exact_readings(skin, silicone, random_contacts(random, 2.5e-3));
+  (void)add_noise(frame.readings, 0.01, random);
+  return frame;
+}
+
+constexpr Constraints held{.friction_limit = 0.8};
+
+}  // namespace
+
+TEST_CASE("a search without taxels is that of the problem which never had them", "[skin][cone]") {
+  const bool offsets = GENERATE(false, true);
+  const std::vector<std::size_t> gone =
+      GENERATE(std::vector<std::size_t>{12}, std::vector<std::size_t>{0, 7, 13});
+  CAPTURE(offsets, gone);
+  const Frame frame = pressed({.channel_rms = {1.0, 0.5, 2.0}, .unknown_offsets = offsets});
+  SkinProblem rest = frame.problem;
+  leave_out(rest, gone);
+  double largest = 0.0;
+  for (const double entry : frame.problem.kernel.values)
+    largest = std::max(largest, std::abs(entry));
+  for (const double share : {1e-1, 1e-3, 1e-5}) {
+    const double alpha = share * largest * largest;
+    CAPTURE(share);
+    std::vector<double> lies = frame.readings;  // what is left out may say anything
+    for (std::size_t row = 0; row < lies.size(); ++row)
+      if (std::find(gone.begin(), gone.end(), rest.sites[row].taxel) != gone.end())
+        lies[row] *= -50.0;
+    const SkinConeSolution expected = ConeSearch(rest, alpha, held).solve(lies, 50000, 1e-11);
+    const SkinConeSolution found =
+        ConeSearch(frame.problem, alpha, held).without(gone).solve(lies, 50000, 1e-11);
+    REQUIRE(expected.verdict == ConstrainedVerdict::ok);
+    REQUIRE(found.verdict == ConstrainedVerdict::ok);
+    CHECK(distance(found.tractions, expected.tractions) <= 1e-6 * norm(expected.tractions));
+  }
+}
+
+TEST_CASE("a search that looks on ends where it is told to", "[skin][cone]") {
+  const Frame frame = pressed({});
+  const ConeSearch search(frame.problem, 1e-9, held);
+  std::size_t looks = 0;
+  const auto look = [&](std::size_t last) {
+    looks = 0;
+    return search.solve(frame.readings, 5000, 1e-15, [&, last](std::span<const double> seen) {
+      CHECK(seen.size() == frame.problem.kernel.columns);
+      return ++looks == last;
+    });
+  };
+  CHECK(look(1).iterations == 100);
+  CHECK(look(3).iterations == 400);
+  CHECK(look(3).verdict == ConstrainedVerdict::iteration_limit);
+  const SkinConeSolution watched = look(1000);
+  CHECK(watched.iterations == 5000);
+  CHECK(looks == 6);  // 100 to 3200
+  CHECK(watched.tractions == search.solve(frame.readings, 5000, 1e-15).tractions);
+}
