@@ -38,28 +38,39 @@ endfunction()
 # tactile_net_command(target): a part of the command, compiled as the report is.
 function(tactile_net_command target)
   tactile_net_sanitize(${target} ${TACTILE_NET_SANITIZE})
-  if(TACTILE_NET_SANITIZE)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-Og>)
-  endif()
   tactile_net_light(${target})
+endfunction()
+
+# tactile_net_caller(target): for code that calls the numerics. With sanitizers it is not optimised, which takes longer than
+# its tests.
+function(tactile_net_caller target)
+  if(TACTILE_NET_SANITIZE)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
+  endif()
 endfunction()
 
 # tactile_net_light(target): for code that takes longer to compile than it ever runs.
 function(tactile_net_light target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  tactile_net_caller(${target})
 endfunction()
 
-# tactile_net_precompile(target header...) or (target AS other): shares one precompiled header between targets that are
-# compiled alike. Never needed: every file includes what it uses.
+# tactile_net_precompile(target header... [SANITIZED header...]) or (target AS other): shares one precompiled header between
+# targets that are compiled alike. Never needed: every file includes what it uses.
+# SANITIZED: these too in a build with sanitizers, which is made from nothing as a rule: our own, which take longer to read
+# than most files to compile. In other builds a change of one of them would compile the whole target again.
 function(tactile_net_precompile target)
   if(NOT TACTILE_NET_PRECOMPILE)
     return()
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 precompile "" "AS" "")
+  cmake_parse_arguments(PARSE_ARGV 1 precompile "" "AS" "SANITIZED")
   if(precompile_AS)
     target_precompile_headers(${target} REUSE_FROM ${precompile_AS})
   else()
     target_precompile_headers(${target} PRIVATE ${precompile_UNPARSED_ARGUMENTS})
+    if(TACTILE_NET_SANITIZE)
+      target_precompile_headers(${target} PRIVATE ${precompile_SANITIZED})
+    endif()
   endif()
   # Lets ccache keep what was compiled with it.
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
