@@ -344,7 +344,7 @@ TEST_CASE("a calibration never replaces what it reads", "[cli][calibrate]") {
   CHECK(read_text(nominal) == read_text(nominal_of("rod-layer")));
 }
 
-TEST_CASE("a width beyond all reason takes no memory beyond it", "[cli][calibrate]") {
+TEST_CASE("a width beyond all reason takes no memory beyond it", "[cli][calibrate][long]") {
   const Folder folder;
   const std::string log = folder.write(
       "log.csv",

@@ -112,7 +112,7 @@ TEST_CASE("every step of the op-amp's model leaves the operating point where it 
 }
 
 TEST_CASE("ngspice settles in a ladder's time, with second poles and capacitance at its nodes too",
-          "[spice][ladder]") {
+          "[spice][ladder][long]") {
   const ArrayNetwork network = array_network(21, 1e-3);
   struct Case {
     std::optional<double> second_pole{};

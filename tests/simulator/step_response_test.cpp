@@ -55,7 +55,7 @@ TEST_CASE("a capacitor charges as the exponential does", "[spice][step_response]
   CHECK_FALSE(settling_time(waveforms, std::vector{3.0}, 1e-3));
 }
 
-TEST_CASE("ngspice settles in the certificate's time", "[spice][step_response]") {
+TEST_CASE("ngspice settles in the certificate's time", "[spice][step_response][long]") {
   for (const double alpha : {1e-3, 1e-5}) {
     const ArrayNetwork network = array_network(21, alpha);
     for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar,
