@@ -2,8 +2,8 @@
 /// Jobs that do not depend on one another, worked on by several threads and handed back in the
 /// order in which they came. Private.
 ///
-///     in_order<Job>(processors(), next, work, use);   // while (next(job)) { work(job); use(job);
-///     }
+///     in_order<Job>(processors(), next, work, use);
+///     // as: while (next(job)) { work(job); use(job); }
 #pragma once
 
 #include <algorithm>
