@@ -8,9 +8,8 @@
 namespace tactile_net {
 namespace {
 
-constexpr Named<DiscProfile> profiles[] = {{DiscProfile::sphere, "sphere"},
-                                           {DiscProfile::punch, "punch"},
-                                           {DiscProfile::cone, "cone"}};
+constexpr Named<DiscProfile> profiles[] = {
+    {DiscProfile::sphere, "sphere"}, {DiscProfile::punch, "punch"}, {DiscProfile::cone, "cone"}};
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iterator>
 #include <set>
+#include <vector>
 
 namespace tactile_net::frames {
 
@@ -29,6 +30,26 @@ namespace tactile_net::frames {
   for (std::size_t i = 1; i < count; ++i)
     likely *= share * static_cast<double>(values - i) / static_cast<double>(i);
   return likely > 1e-4;
+}
+
+/// How many values are the one farthest from `middle`, exactly, where that is
+/// more than chance: the end of a range.
+///
+/// @param values  at least 1
+/// @param least   what is nearer to `middle` is no end
+/// @param step    of the values; 0: none
+/// @return        0: no end of a range shows
+[[nodiscard]] inline std::size_t times_at_end(const std::vector<double>& values, double middle,
+                                              double least, double step) {
+  double most = 0.0;
+  std::size_t count = 0;
+  for (const double value : values) {
+    const double apart = std::abs(value - middle);
+    if (apart > most) count = 0;
+    most = std::max(most, apart);
+    if (apart == most) ++count;
+  }
+  return count > 1 && most > least && !is_chance(count, values.size(), step / most) ? count : 0;
 }
 
 }  // namespace tactile_net::frames

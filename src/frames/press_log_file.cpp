@@ -57,8 +57,7 @@ class Reader {
     throw_if_any();
     result_.log.unloaded = unloaded_frames(sensor_.layout, unloaded_);
     find_steps();
-    check_noise();
-    check_saturation();
+    check_readings();
     throw_if_any();
     remark();
     return std::move(result_);
@@ -90,23 +89,23 @@ class Reader {
       else
         missing.push_back(name);
     }
-    if (!missing.empty())
-      problem(
-          table_.header.line,
-          "has no column '" + missing.front() + "'" +
-              (missing.size() > 1 ? " nor " + std::to_string(missing.size() - 1) + " others" : "") +
-              " of the scene's " + std::to_string(sensor_.readings.size()) + " readings",
-          std::string("a log of another scene? ") +
-              (sensor_.is_skin ? "[sensor]" : "sensor.count and sensor.reads") + " say" +
-              (sensor_.is_skin ? "s" : "") + " which columns there are");
+    if (!missing.empty()) {
+      const std::size_t others = missing.size() - 1;
+      const std::string nor = others > 0 ? " nor " + std::to_string(others) + " others" : "";
+      problem(table_.header.line,
+              "has no column '" + missing.front() + "'" + nor + " of the scene's " +
+                  std::to_string(sensor_.readings.size()) + " readings",
+              std::string("a log of another scene? ") +
+                  (sensor_.is_skin ? "[sensor] says" : "sensor.count and sensor.reads say") +
+                  " which columns there are");
+    }
     if (!sensor_.is_skin) check_other_taxels();
     std::set<std::string> known;
     for (const auto& names : {sensor_.described(), sensor_.optional_columns()})
       known.insert(names.begin(), names.end());
     for (const std::string& name : sensor_.readings) known.insert(name);
-    std::size_t others = 0;
-    for (const std::string& name : header)
-      if (!known.contains(name)) ++others;
+    const auto others = std::count_if(header.begin(), header.end(),
+                                      [&](const auto& name) { return !known.contains(name); });
     if (others > 0)
       result_.notes.push_back(std::to_string(others) +
                               (others == 1 ? " column is not read" : " columns are not read"));
@@ -232,8 +231,7 @@ class Reader {
 
   /// On a skin with the direction of the drag; one sd for both of its parts.
   void read_friction(const CsvTable::Row& row, Press& press) {
-    const Stated friction =
-        stated(row, "friction", sensor_.is_skin ? not_negative : any, {});
+    const Stated friction = stated(row, "friction", sensor_.is_skin ? not_negative : any, {});
     const std::optional<double> direction =
         sensor_.is_skin ? number(row, "direction", any, degrees) : std::nullopt;
     if (direction && !friction.value)
@@ -303,8 +301,6 @@ class Reader {
       problem(0, "has no press", "a row with press 1, its shape, and what is known of it");
   }
 
-  [[nodiscard]] bool is_dead(std::size_t reading) const { return sensor_.dead[reading]; }
-
   void check_rest() {
     const std::vector<double> apart = rest_deviations(unloaded_, sensor_.dead);
     for (std::size_t row = 0; row < apart.size(); ++row)
@@ -324,7 +320,7 @@ class Reader {
       for (const std::vector<double>& row : unloaded_) values.insert(row[j]);
       for (const Press& press : result_.log.presses) values.insert(press.readings[j]);
       steps_.push_back(converter_step(values));
-      if (!is_dead(j))
+      if (!sensor_.dead[j])
         of_channel[where[j].channel] = std::max(of_channel[where[j].channel], steps_[j]);
     }
     for (std::size_t c = 0; c < of_channel.size(); ++c)
@@ -336,41 +332,24 @@ class Reader {
       }
   }
 
-  [[nodiscard]] bool ever_moves(std::size_t reading) const {
-    return std::any_of(result_.log.presses.begin(), result_.log.presses.end(),
-                       [&](const Press& press) {
-                         return press.readings[reading] != result_.log.unloaded.mean[reading];
-                       });
-  }
-
-  void check_noise() {
-    const std::vector<std::string>& names = sensor_.readings;
-    for (std::size_t j = 0; j < names.size(); ++j)
-      if (result_.log.unloaded.reading_rms[j] == 0.0 && !is_dead(j) && !ever_moves(j))
-        problem(0, names[j] + " never changes: a dead taxel",
+  /// Readings that never change, and those that end where their range does.
+  void check_readings() {
+    const UnloadedFrames& rest = result_.log.unloaded;
+    for (std::size_t j = 0; j < sensor_.readings.size(); ++j) {
+      if (sensor_.dead[j]) continue;
+      const std::string& name = sensor_.readings[j];
+      std::vector<double> values;
+      for (const Press& press : result_.log.presses) values.push_back(press.readings[j]);
+      const bool moves = std::any_of(values.begin(), values.end(),
+                                     [&](double value) { return value != rest.mean[j]; });
+      if (rest.reading_rms[j] == 0.0 && !moves)
+        problem(0, name + " never changes: a dead taxel",
                 "[dead_taxels] indices = [" + std::to_string(sensor_.layout.readings[j].taxel) +
                     "], or write readings with more digits");
-  }
-
-  /// The largest number of a reading, exactly, in more presses than its steps explain: the range's
-  /// end.
-  void check_saturation() {
-    const std::vector<std::string>& names = sensor_.readings;
-    for (std::size_t j = 0; j < names.size(); ++j) {
-      if (is_dead(j)) continue;
-      const double floor = 20.0 * result_.log.unloaded.reading_rms[j];
-      double most = 0.0;
-      std::size_t count = 0;
-      for (const Press& press : result_.log.presses) {
-        const double above = std::abs(press.readings[j] - result_.log.unloaded.mean[j]);
-        if (above > most) count = 0;
-        most = std::max(most, above);
-        if (above == most) ++count;
-      }
-      if (count > 1 && most > floor &&
-          !is_chance(count, result_.log.presses.size(), steps_[j] / most))
+      if (const std::size_t count =
+              times_at_end(values, rest.mean[j], 20.0 * rest.reading_rms[j], steps_[j]))
         problem(0,
-                names[j] + " has the same largest value in " + std::to_string(count) +
+                name + " has the same largest value in " + std::to_string(count) +
                     " presses: it is cut off at the end of its range",
                 "press less hard, or leave these presses out");
     }

@@ -103,8 +103,8 @@ SceneCalibration calibrate(const AnyScene& scene, PressLog log, const Calibratio
 void plan_presses(SceneCalibration& found, std::size_t count, std::optional<PadParameter> target,
                   const std::function<void(std::size_t)>& watch) {
   found.target = target;
-  found.next =
-      next_presses(model_of(found.scene), found.log, found.options, found.fit, count, target, watch);
+  found.next = next_presses(model_of(found.scene), found.log, found.options, found.fit, count,
+                            target, watch);
 }
 
 }  // namespace tactile_net::lab

@@ -345,11 +345,12 @@ void write_amplifiers(const std::filesystem::path& folder) {
 
 std::string page() {
   return introduction + comparison(1e-3) + "At alpha = 1e-5:\n\n" + comparison(1e-5) + choice +
-         allocations_table() + values_text + table(Realization::ideal) + nic_text + table(Realization::nic) + rail_text +
-         table(Realization::rail) + crossbar_text + table(Realization::crossbar) +
-         crossbar_inverters_text + table(Realization::crossbar, {.inverters = true}) +
-         least_squares_text + table(Realization::least_squares) + ladder_text + ladder_lags() +
-         ladder_costs + ladder_tolerances() + ladder_numbers +
+         allocations_table() + values_text + table(Realization::ideal) + nic_text +
+         table(Realization::nic) + rail_text + table(Realization::rail) + crossbar_text +
+         table(Realization::crossbar) + crossbar_inverters_text +
+         table(Realization::crossbar, {.inverters = true}) + least_squares_text +
+         table(Realization::least_squares) + ladder_text + ladder_lags() + ladder_costs +
+         ladder_tolerances() + ladder_numbers +
          table(Realization::least_squares, {.ladder = true}) + least_squares_inverters_text +
          table(Realization::least_squares, {.inverters = true}) + lattice_text +
          table(Realization::lattice) + lc_text + table(Realization::lc) + ndr_text + devices() +

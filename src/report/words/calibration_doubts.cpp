@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/words/calibration_parts.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 
@@ -40,8 +41,8 @@ const Press& press_of(const lab::SceneCalibration& found, std::size_t number) {
 std::string put_aside_in_words(const lab::SceneCalibration& found, const FittedPress& press) {
   const PressQuantity quantity = *press.put_aside;
   const Press& log = press_of(found, press.number);
-  const Stated* const stated[] = {&log.force, &log.position, &log.half_width, &log.friction,
-                                  &log.position_z, &log.friction_z};
+  const Stated* const stated[] = {&log.force,    &log.position,   &log.half_width,
+                                  &log.friction, &log.position_z, &log.friction_z};
   const double said = stated[static_cast<std::size_t>(quantity)]->value.value_or(0.0);
   const ValueWithSd& value = press.at(quantity);
   std::string text = "Press " + std::to_string(press.number) + " does not fit its stated " +
@@ -114,6 +115,37 @@ void say_other_base(const lab::SceneCalibration& found, std::vector<std::string>
   }
 }
 
+constexpr double surprising = 2.0;  // stated sds of a parameter, to be said
+
+/// What is no contradiction, and yet not what the scene leads one to expect: forces that are all
+/// twice too large end as gains of a half, and nothing else shows.
+void say_surprises(const lab::SceneCalibration& found, std::vector<std::string>& text) {
+  const PressFit& fit = found.fit;
+  const auto said = [](const auto& contradicted, auto one) {
+    return std::find(contradicted.begin(), contradicted.end(), one) != contradicted.end();
+  };
+  for (const PadParameter parameter : fit.free) {
+    const double sd = found.options.sd(parameter);
+    const FittedValue& value = fit.at(parameter);
+    const double away = deviation_from_stated(parameter, value, sd);
+    if (away > surprising && !said(fit.contradicted, parameter))
+      text.push_back("The " + spoken_parameter(parameter, found.is_skin()) + " is " +
+                     fixed(away, 1) +
+                     " stated standard deviations from the stated one: is the scene that far off?");
+  }
+  for (std::size_t c = 0; c < fit.mean_gain.size(); ++c) {
+    const double away = std::abs(std::log(fit.mean_gain[c].value)) / found.options.mean_gain_sd;
+    if (away > surprising && !said(fit.contradicted_gains, c))
+      text.push_back("The mean gain of " + found.channels[c].name + " is " +
+                     brief(fit.mean_gain[c].value) + ", " + fixed(away, 1) +
+                     " stated standard deviations from 1: do the readings' scale, the forces (load "
+                     "cell, units) and the " +
+                     (found.is_skin() ? "balls" : "rod's length") +
+                     " hold? Forces that are off by a factor, or diameters in place of radii, look "
+                     "like this.");
+  }
+}
+
 std::string trend_in_words(const TimeTrend& trend) {
   const std::string numbers =
       " (rank correlation " + fixed(trend.correlation, 2) + ", p " + brief(trend.p) + ")";
@@ -136,6 +168,7 @@ std::string trend_in_words(const TimeTrend& trend) {
 
 std::vector<std::string> doubts_in_words(const lab::SceneCalibration& found) {
   std::vector<std::string> text;
+  say_surprises(found, text);
   say_contradicted_presses(found, text);
   say_doubtful_readings(found, text);
   for (const UnderstatedSd& one : found.fit.understated) text.push_back(understated_in_words(one));

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "report/words/calibration_doubts.hpp"
+#include "report/words/calibration_parts.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -18,32 +19,8 @@ namespace tactile_net::report {
 namespace {
 
 constexpr double share_limit = 1e-3;  // of a null direction, to be said
-constexpr double surprising = 2.0;    // stated sds of a parameter, to be said
 
 std::string percent(double share) { return brief(100.0 * share) + " %"; }
-
-/// @param is_skin  it has two shifts
-std::string spoken(PadParameter parameter, bool is_skin) {
-  switch (parameter) {
-    case PadParameter::depth:
-      return "depth";
-    case PadParameter::thickness:
-      return "thickness";
-    case PadParameter::poisson_ratio:
-      return "Poisson's ratio";
-    case PadParameter::youngs_modulus:
-      return "Young's modulus";
-    case PadParameter::crosstalk:
-      return "crosstalk";
-    case PadParameter::shift:
-      return is_skin ? "shift of the skin along y" : "shift of the array";
-    case PadParameter::shift_z:
-      return "shift of the skin along z";
-    case PadParameter::pitch:
-      return "pitch";
-  }
-  return {};
-}
 
 std::optional<Dimension> dimension(PadParameter parameter) {
   switch (parameter) {
@@ -88,13 +65,6 @@ std::string number(const lab::SceneCalibration& found, PadParameter parameter, d
   return which ? in_unit(found.units(), *which, value, sd) : plus_minus(value, sd);
 }
 
-/// What is left of the criterion that presses are planned by: a share, or a shift's deviation.
-std::string unknown(const lab::SceneCalibration& found, double value) {
-  if (found.target == PadParameter::shift || found.target == PadParameter::shift_z)
-    return in_unit(found.units(), Dimension::length, value);
-  return percent(value);
-}
-
 /// "9 to 14, 20" of indices.
 std::string runs(const std::vector<std::size_t>& indices) {
   std::vector<std::string> parts;
@@ -120,10 +90,6 @@ std::string gains_are(const std::vector<std::size_t>& readings) {
                               : "Gains of readings " + runs(readings) + " are";
 }
 
-std::string mean_gain_name(const lab::SceneCalibration& found, std::size_t channel) {
-  return found.channels[channel].name;
-}
-
 std::string words_of(const lab::SceneCalibration& found, const NullDirection& direction) {
   std::vector<std::string> parts;
   bool modulus = false;
@@ -131,7 +97,7 @@ std::string words_of(const lab::SceneCalibration& found, const NullDirection& di
   for (std::size_t i = 0; i < pad_parameter_count; ++i)
     if (std::abs(direction.pad[i]) > share_limit) {
       const auto parameter = static_cast<PadParameter>(i);
-      parts.push_back(spoken(parameter, found.is_skin()));
+      parts.push_back(spoken_parameter(parameter, found.is_skin()));
       modulus = modulus || parameter == PadParameter::youngs_modulus;
       only_modulus = only_modulus && parameter == PadParameter::youngs_modulus;
     }
@@ -170,8 +136,8 @@ std::string words_of(const lab::SceneCalibration& found, const NullDirection& di
            " radius, or the modulus.";
   if (parts.size() == 1 && gains.empty())
     return "The " + parts.front() + " leaves no trace in these readings" +
-           (parts.front() == spoken(PadParameter::shift, found.is_skin()) ||
-                    parts.front() == spoken(PadParameter::shift_z, found.is_skin())
+           (parts.front() == spoken_parameter(PadParameter::shift, found.is_skin()) ||
+                    parts.front() == spoken_parameter(PadParameter::shift_z, found.is_skin())
                 ? ": no position is stated. State one."
                 : ": it keeps the value that the scene states.");
   return join(parts, ", ") + (gains.empty() ? "" : " and gains") +
@@ -179,34 +145,6 @@ std::string words_of(const lab::SceneCalibration& found, const NullDirection& di
          "scene "
          "states of the others. State positions, widths or forces, or press at other places with "
          "other widths.";
-}
-
-/// What is no contradiction, and yet not what the scene leads one to expect: forces that are all
-/// twice too large end as gains of a half, and nothing else shows.
-void say_surprises(const lab::SceneCalibration& found, std::vector<std::string>& text) {
-  const PressFit& fit = found.fit;
-  const auto said = [](const auto& contradicted, auto one) {
-    return std::find(contradicted.begin(), contradicted.end(), one) != contradicted.end();
-  };
-  for (const PadParameter parameter : fit.free) {
-    const double sd = found.options.sd(parameter);
-    const FittedValue& value = fit.at(parameter);
-    const double away = deviation_from_stated(parameter, value, sd);
-    if (away > surprising && !said(fit.contradicted, parameter))
-      text.push_back("The " + spoken(parameter, found.is_skin()) + " is " + fixed(away, 1) +
-                     " stated standard deviations from the stated one: is the scene that far off?");
-  }
-  for (std::size_t c = 0; c < fit.mean_gain.size(); ++c) {
-    const double away = std::abs(std::log(fit.mean_gain[c].value)) / found.options.mean_gain_sd;
-    if (away > surprising && !said(fit.contradicted_gains, c))
-      text.push_back("The mean gain of " + mean_gain_name(found, c) + " is " +
-                     brief(fit.mean_gain[c].value) + ", " + fixed(away, 1) +
-                     " stated standard deviations from 1: do the readings' scale, the forces (load "
-                     "cell, units) and the " +
-                     (found.is_skin() ? "balls" : "rod's length") +
-                     " hold? Forces that are off by a factor, or diameters in place of radii, look "
-                     "like this.");
-  }
 }
 
 }  // namespace
@@ -218,7 +156,7 @@ std::vector<std::vector<std::string>> calibration_cells(const lab::SceneCalibrat
     if (!is_shown(found, parameter)) continue;
     const FittedValue& value = found.fit.at(parameter);
     rows.push_back(
-        {spoken(parameter, found.is_skin()), spoken(value.verdict),
+        {spoken_parameter(parameter, found.is_skin()), spoken(value.verdict),
          number(found, parameter, value.nominal, value.prior_sd),
          value.verdict == ValueVerdict::not_identifiable || value.verdict == ValueVerdict::fixed
              ? "-"
@@ -226,7 +164,7 @@ std::vector<std::vector<std::string>> calibration_cells(const lab::SceneCalibrat
   }
   for (std::size_t c = 0; c < found.fit.mean_gain.size(); ++c) {
     const FittedValue& value = found.fit.mean_gain[c];
-    rows.push_back({"mean gain of " + mean_gain_name(found, c), spoken(value.verdict),
+    rows.push_back({"mean gain of " + found.channels[c].name, spoken(value.verdict),
                     plus_minus(1.0, value.prior_sd),
                     value.verdict == ValueVerdict::not_identifiable
                         ? "-"
@@ -274,15 +212,14 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
       text.push_back(residuals + ": the fit is poor, and " + written);
   }
   for (const PadParameter parameter : fit.contradicted)
-    text.push_back("The " + spoken(parameter, found.is_skin()) +
+    text.push_back("The " + spoken_parameter(parameter, found.is_skin()) +
                    " ended more than 4 of its stated standard deviations away: units, swapped "
                    "columns, or a pad of another kind?");
   for (const std::size_t channel : fit.contradicted_gains)
-    text.push_back("The mean gain of " + mean_gain_name(found, channel) + " ended at " +
+    text.push_back("The mean gain of " + found.channels[channel].name + " ended at " +
                    brief(fit.mean_gain[channel].value) +
                    ", more than 4 stated standard deviations from 1: units of the forces or of "
                    "the readings, or swapped columns?");
-  say_surprises(found, text);
   for (std::string& sentence : doubts_in_words(found)) text.push_back(std::move(sentence));
   if (fit.rms >= 1.005)
     text.push_back("Standard deviations are multiplied by " + fixed(fit.rms, 2) +
@@ -363,59 +300,6 @@ std::vector<Answer> answers(const lab::SceneCalibration& found) {
        hidden == 1 ? "thing cannot be known from this log" : "things cannot be known from this log",
        false});
   return boxes;
-}
-
-std::vector<std::vector<std::string>> next_press_cells(const lab::SceneCalibration& found) {
-  const auto length = [&](double value) {
-    return in_unit(found.units(), Dimension::length, value);
-  };
-  std::vector<std::vector<std::string>> rows = {
-      {"next press", "place", "rod radius", "half width", "force", "unknown then"}};
-  if (found.is_skin())
-    rows = {{"next press", "shape", "y", "z", "ball radius", "contact radius", "force",
-             "unknown then"}};
-  for (const NextPress& press : found.next.presses) {
-    std::vector<std::string> row{std::to_string(rows.size())};
-    if (found.is_skin()) {
-      row.emplace_back(name(press.disc));
-      row.insert(row.end(), {length(press.position), length(press.position_z),
-                             press.radius > 0.0 ? length(press.radius) : "-"});
-    } else {
-      row.insert(row.end(), {length(press.position), length(press.radius)});
-    }
-    row.insert(row.end(),
-               {length(press.half_width),
-                in_unit(found.units(), found.is_skin() ? Dimension::point_force : Dimension::force,
-                        press.force),
-                unknown(found, press.remaining)});
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-std::string next_presses_in_words(const lab::SceneCalibration& found) {
-  if (found.next.presses.empty()) return {};
-  const bool is_skin = found.is_skin();
-  const std::string of_target = found.target ? " of the " + spoken(*found.target, is_skin)
-                                             : " of readings under loads all over it";
-  const std::string known = is_found(found.fit.at(PadParameter::youngs_modulus).verdict)
-                                ? ""
-                                : ", if Young's modulus is as stated";
-  const std::string now = "Now " + unknown(found, found.next.now) + of_target + " is unknown. ";
-  if (is_skin) {
-    const bool balls =
-        std::any_of(found.next.presses.begin(), found.next.presses.end(),
-                    [](const NextPress& press) { return press.disc == DiscProfile::sphere; });
-    return now +
-           (balls ? "A ball of that radius has that contact under that force" + known +
-                        "; a ball that is near to it will do. "
-                  : std::string()) +
-           "Press straight down. The plain rule: the largest force, evenly over the skin to its "
-           "edges, small and large contacts in turn.";
-  }
-  return now + "A rod of that radius has that half width of contact under that force" + known +
-         "; a rod that is near to it will do. The plain rule: the largest force, evenly over the "
-         "array to its ends, narrow and wide rods in turn.";
 }
 
 void print_calibration(std::ostream& out, const lab::SceneCalibration& found) {

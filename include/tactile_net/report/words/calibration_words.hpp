@@ -15,10 +15,10 @@ namespace tactile_net::report {
 [[nodiscard]] std::vector<std::vector<std::string>> calibration_cells(
     const lab::SceneCalibration& found);
 
-/// What cannot be told apart, and what would end it: a sentence each.
 /// "41 taxels, pitch 0.5 mm, reading stress_x at depth 1.4 mm; layer ...": what was calibrated.
 [[nodiscard]] std::string calibrated_in_words(const lab::SceneCalibration& found);
 
+/// What cannot be told apart, and what would end it: a sentence each.
 [[nodiscard]] std::string in_words(const lab::SceneCalibration& found,
                                    const NullDirection& direction);
 [[nodiscard]] std::vector<std::string> null_directions_in_words(const lab::SceneCalibration& found);
