@@ -39,7 +39,7 @@ struct StudyInput {
   [[nodiscard]] const lab::SkinSceneProblem& skin() const { return std::get<1>(problem); }
 
   /// `use` of the scene, a line's or a skin's.
-  decltype(auto) with_scene(const auto& use) const {
+  [[nodiscard]] decltype(auto) with_scene(const auto& use) const {
     return std::visit([&](const auto& one) -> decltype(auto) { return use(one.scene()); }, problem);
   }
   [[nodiscard]] const std::string& file() const {

@@ -224,7 +224,8 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
   if (fit.rms >= 1.005)
     text.push_back("Standard deviations are multiplied by " + fixed(fit.rms, 2) +
                    ", for what the model does not explain.");
-  std::vector<std::size_t> weak, prior_only;
+  std::vector<std::size_t> weak;
+  std::vector<std::size_t> prior_only;
   for (std::size_t j = 0; j < fit.gain.size(); ++j) {
     if (fit.gain_about_mean[j] == ValueVerdict::weak) weak.push_back(j);
     if (fit.gain_about_mean[j] == ValueVerdict::prior_only) prior_only.push_back(j);
