@@ -62,11 +62,11 @@ bool CalibratedFrames::next(std::span<double> values) {
   return true;
 }
 
-void CalibratedFrames::refuse(const std::string& message, const std::string& hint) const {
-  if (!last_) source_->refuse(message, hint);
-  throw InputError({{.file = file_,
-                     .message = "frame " + std::to_string(handed_out_ - 1) + ": " + message,
-                     .hint = hint}});
+InputError CalibratedFrames::refusal(const std::string& message, const std::string& hint) const {
+  if (!last_) return source_->refusal(message, hint);
+  return InputError({{.file = file_,
+                      .message = "frame " + std::to_string(handed_out_ - 1) + ": " + message,
+                      .hint = hint}});
 }
 
 std::span<const std::string> CalibratedFrames::columns() const noexcept {

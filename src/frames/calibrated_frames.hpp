@@ -23,7 +23,8 @@ class CalibratedFrames final : public FrameSource {
 
   /// @throw InputError  too few frames for the baseline, or a reading is missing in all of them
   [[nodiscard]] bool next(std::span<double> values) override;
-  [[noreturn]] void refuse(const std::string& message, const std::string& hint) const override;
+  [[nodiscard]] InputError refusal(const std::string& message,
+                                   const std::string& hint) const override;
 
   [[nodiscard]] std::span<const std::string> columns() const noexcept override;
   [[nodiscard]] bool has_time() const noexcept override;

@@ -87,17 +87,21 @@ class CsvFrames::Reader {
     return true;
   }
 
-  /// @param field  a part of the row that it is about; else the whole line is meant
   [[noreturn]] void fail(std::string_view field, const std::string& message,
                          const std::string& hint = {}) const {
+    throw error(field, message, hint);
+  }
+  /// @param field  a part of the row that it is about; else the whole line is meant
+  [[nodiscard]] InputError error(std::string_view field, const std::string& message,
+                                 const std::string& hint) const {
     const bool inside =
         !row_.empty() && field.data() >= row_.data() && field.data() <= row_.data() + row_.size();
-    throw InputError({{.file = file_,
-                       .line = lines_.number(),
-                       .column = inside ? static_cast<std::size_t>(field.data() - row_.data()) + 1
-                                        : std::size_t{1},
-                       .message = message,
-                       .hint = hint}});
+    return InputError({{.file = file_,
+                        .line = lines_.number(),
+                        .column = inside ? static_cast<std::size_t>(field.data() - row_.data()) + 1
+                                         : std::size_t{1},
+                        .message = message,
+                        .hint = hint}});
   }
 
   [[nodiscard]] std::vector<std::string> closing_notes() const {
@@ -237,8 +241,8 @@ CsvFrames::~CsvFrames() = default;
 
 bool CsvFrames::next(std::span<double> values) { return reader_->next(values); }
 
-void CsvFrames::refuse(const std::string& message, const std::string& hint) const {
-  reader_->fail(reader_->row(), message, hint);
+InputError CsvFrames::refusal(const std::string& message, const std::string& hint) const {
+  return reader_->error(reader_->row(), message, hint);
 }
 
 std::span<const std::string> CsvFrames::columns() const noexcept { return reader_->names(); }

@@ -159,8 +159,10 @@ void NpyFrames::fail(const std::string& message, const std::string& hint) const 
   throw InputError({{.file = file_, .message = message, .hint = hint}});
 }
 
-void NpyFrames::refuse(const std::string& message, const std::string& hint) const {
-  fail("frame " + std::to_string(next_ - 1) + ": " + message, hint);
+InputError NpyFrames::refusal(const std::string& message, const std::string& hint) const {
+  return InputError({{.file = file_,
+                      .message = "frame " + std::to_string(next_ - 1) + ": " + message,
+                      .hint = hint}});
 }
 
 void NpyFrames::read_row() {

@@ -58,6 +58,15 @@ std::vector<std::vector<std::size_t>> joined(const SkinGrid& grid,
   return groups;
 }
 
+/// What stands at these cells, of every traction; 0 elsewhere.
+std::vector<double> at_cells(std::span<const double> all, std::span<const std::size_t> cells,
+                             std::size_t count) {
+  std::vector<double> some(all.size());
+  for (const std::size_t cell : cells)
+    for (std::size_t i = cell; i < some.size(); i += count) some[i] = all[i];
+  return some;
+}
+
 bool is_measured(const SkinProblem& problem) {
   return std::any_of(problem.weights.begin(), problem.weights.end(),
                      [](double weight) { return weight > 0.0; });
@@ -106,10 +115,7 @@ class LargeContacts::OfGroups final : public Covariance {
 
  private:
   [[nodiscard]] std::vector<double> own(const One& one, std::span<const double> weights) const {
-    std::vector<double> some(weights.size());
-    for (const std::size_t cell : *one.cells)
-      for (std::size_t i = cell; i < some.size(); i += cells_) some[i] = weights[i];
-    return some;
+    return at_cells(weights, *one.cells, cells_);
   }
 
   std::size_t cells_;
@@ -139,21 +145,20 @@ double LargeContacts::bias(std::span<const double> tractions, double alpha,
   double put_in = 0.0;
   double too_much = 0.0;
   for (const Group& group : groups_) {
-    std::vector<double> alone(tractions.size());
-    double pressed = 0.0;
-    for (const std::size_t cell : group.cells) {
-      for (std::size_t i = cell; i < alone.size(); i += cells_) alone[i] = tractions[i];
-      pressed += tractions[cell];
-    }
     const LargeSkinPart& part = group.part;
+    const std::vector<double> own = part.tractions(at_cells(tractions, group.cells, cells_));
+    double pressed = 0.0;
     std::vector<std::size_t> cells;
-    for (const std::size_t cell : group.cells) cells.push_back(part.cell(cell));
+    for (const std::size_t cell : group.cells) {
+      pressed += tractions[cell];
+      cells.push_back(part.cell(cell));
+    }
     const LargeSkinCone cone(part.system(), alpha, constraints);
     const double share = constraint_bias(
-        {.tractions = part.tractions(alone),
+        {.tractions = own,
          .cells = cells,
          .weights = problem_of(*part.system()).weights,
-         .read = weighted_product(*part.system(), part.tractions(alone))},
+         .read = weighted_product(*part.system(), own)},
         [&](std::span<const double> again) { return cone.solve(again); }, noise_rms);
     put_in += pressed;
     too_much += share * pressed;

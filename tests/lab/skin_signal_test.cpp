@@ -11,6 +11,7 @@
 #include "tactile_net/lab/summary.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/skin_frames.hpp"
 
 using namespace tactile_net;
 
@@ -28,14 +29,6 @@ SkinScene skin(const std::string& more = "", const std::string& forward = "exact
       "-0.2] }, { t = 0.4, force = 0.5 }]\n[forward]\nmodel = \"" +
       forward + "\"\n";
   return std::get<SkinScene>(parse_any_scene(toml + more, "skin.toml"));
-}
-
-std::vector<std::vector<double>> frames_of(const SkinScene& scene) {
-  std::vector<std::vector<double>> all;
-  lab::SkinRecording recording(scene);
-  while (recording.next())
-    all.emplace_back(recording.readings().begin(), recording.readings().end());
-  return all;
 }
 
 double norm(const std::vector<double>& x) {

@@ -13,6 +13,7 @@
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/skin_frames.hpp"
 
 using namespace tactile_net;
 
@@ -28,14 +29,6 @@ SkinScene sliding(const std::string& more) {
       "{ t = 0.9, force = 0.3, place = [1.5, 0.5] }]\n[noise]\nrms = 5e-4\n" +
           more,
       "skin.toml"));
-}
-
-std::vector<std::vector<double>> frames_of(const SkinScene& scene) {
-  std::vector<std::vector<double>> all;
-  lab::SkinRecording recording(scene);
-  while (recording.next())
-    all.emplace_back(recording.readings().begin(), recording.readings().end());
-  return all;
 }
 
 /// What a frame amounts to, number by number.

@@ -16,6 +16,7 @@
 #include "tactile_net/simulator/step_response.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/problems.hpp"
+#include "tests/simulator/at_rest.hpp"
 
 using namespace tactile_net;
 
@@ -25,14 +26,18 @@ const std::vector<Realization> of_opamps = {Realization::nic, Realization::rail,
                                             Realization::crossbar, Realization::least_squares,
                                             Realization::lattice};
 
-std::vector<double> at_rest(const Circuit& circuit) {
-  std::ostringstream deck;
-  write_deck(deck, circuit, {.title = "test"}, Answer::raw_file);
-  Ngspice ngspice;
-  return operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
+/// Root mean square, from the integral over ngspice's spectrum [V].
+double noise_of(const Simulation& seen) {
+  const std::span<const double> hertz = seen.plot.vector("frequency");
+  const std::span<const double> density = seen.plot.vector("onoise_spectrum");
+  double square = 0.0;
+  for (std::size_t k = 1; k < hertz.size(); ++k)
+    square += 0.5 * (hertz[k] - hertz[k - 1]) *
+              (density[k] * density[k] + density[k - 1] * density[k - 1]);
+  return std::sqrt(square);
 }
 
-/// At the output n5, root mean square, from the integral over ngspice's spectrum [V].
+/// `noise_of` the output n5.
 double noise_in_ngspice(const Circuit& circuit) {
   std::ostringstream out;
   write_deck(out, circuit, {.title = "noise"}, Answer::raw_file);
@@ -41,14 +46,7 @@ double noise_in_ngspice(const Circuit& circuit) {
   deck.replace(deck.find(".op\n"), 4, ".noise v(n5) " + source + " dec 40 1 1e11\n");
   deck.insert(deck.find('\n', deck.find('\n' + source + ' ') + 1), " AC 1");
   Ngspice ngspice;
-  const Simulation seen = ngspice.run(deck);
-  const std::span<const double> hertz = seen.plot.vector("frequency");
-  const std::span<const double> density = seen.plot.vector("onoise_spectrum");
-  double square = 0.0;
-  for (std::size_t k = 1; k < hertz.size(); ++k)
-    square += 0.5 * (hertz[k] - hertz[k - 1]) *
-              (density[k] * density[k] + density[k - 1] * density[k - 1]);
-  return std::sqrt(square);
+  return noise_of(ngspice.run(deck));
 }
 
 }  // namespace
@@ -326,16 +324,9 @@ TEST_CASE("the 1/f noise of real inputs is ngspice's", "[spice][noise]") {
     deck.replace(deck.find(".op\n"), 4, ".noise v(n4) " + source + " dec 40 0.1 1e10\n");
     deck.insert(deck.find('\n', deck.find(source + ' ')), " AC 1");
     Ngspice ngspice;
-    const Simulation seen = ngspice.run(deck);
     CAPTURE(name(one));
-    const std::span<const double> hertz = seen.plot.vector("frequency");
-    const std::span<const double> density = seen.plot.vector("onoise_spectrum");
-    double square = 0.0;
-    for (std::size_t k = 1; k < hertz.size(); ++k)
-      square += 0.5 * (hertz[k] - hertz[k - 1]) *
-                (density[k] * density[k] + density[k - 1] * density[k - 1]);
     const double all = expected.thermal(4, 4) + expected.amplifiers(4, 4) + expected.flicker(4, 4);
-    CHECK_THAT(std::sqrt(square), WithinRel(std::sqrt(all), 0.03));
+    CHECK_THAT(noise_of(ngspice.run(deck)), WithinRel(std::sqrt(all), 0.03));
     CHECK(expected.flicker(4, 4) > 0.2 * all);
   }
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <vector>
 
 #include "tactile_net/network/certificate.hpp"
@@ -13,17 +12,11 @@
 #include "tactile_net/simulator/step_response.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/problems.hpp"
+#include "tests/simulator/at_rest.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-std::vector<double> at_rest(const Circuit& circuit) {
-  std::ostringstream deck;
-  write_deck(deck, circuit, {.title = "test"}, Answer::raw_file);
-  Ngspice ngspice;
-  return operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
-}
 
 /// A crossbar of op-amps of one pole whose outputs give so much, by its own equations.
 class LimitedCrossbar {

@@ -10,19 +10,13 @@
 #include "tests/catch.hpp"
 #include "tests/network/networks.hpp"
 #include "tests/network/problems.hpp"
+#include "tests/simulator/at_rest.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
 const OpAmp one_pole{.gain = 1e6, .bandwidth = 1e7};
-
-std::vector<double> at_rest(const Circuit& circuit) {
-  std::ostringstream deck;
-  write_deck(deck, circuit, {.title = "test"}, Answer::raw_file);
-  Ngspice ngspice;
-  return operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
-}
 
 /// A certificate's dynamics, for circuits that no realisation makes.
 Certificate certified(const Circuit& circuit) {

@@ -1,5 +1,4 @@
 // Arrays of wires in ngspice, every crossing two nodes.
-#include <sstream>
 
 #include "tactile_net/network/deck.hpp"
 #include "tactile_net/network/tolerance.hpp"
@@ -9,19 +8,9 @@
 #include "tests/catch.hpp"
 #include "tests/network/problems.hpp"
 #include "tests/network/wired.hpp"
+#include "tests/simulator/at_rest.hpp"
 
 using namespace tactile_net;
-
-namespace {
-
-std::vector<double> at_rest(const Circuit& circuit) {
-  std::ostringstream deck;
-  write_deck(deck, circuit, {.title = "wires"}, Answer::raw_file);
-  Ngspice ngspice;
-  return operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
-}
-
-}  // namespace
 
 TEST_CASE("wires err in ngspice as in the study of tolerances", "[spice][programmed]") {
   const NetworkProblem problem = array_network(9, 1e-3).problem;

@@ -45,7 +45,8 @@ class CsvFrames final : public FrameSource {
   /// As `FrameSource`; rows that are empty are skipped. @throw InputError  a row has too few or too
   /// many fields too: the text names file, line and column
   [[nodiscard]] bool next(std::span<double> values) override;
-  [[noreturn]] void refuse(const std::string& message, const std::string& hint) const override;
+  [[nodiscard]] InputError refusal(const std::string& message,
+                                   const std::string& hint) const override;
 
   [[nodiscard]] std::span<const std::string> columns() const noexcept override;
   [[nodiscard]] bool has_time() const noexcept override;

@@ -40,7 +40,8 @@ class NpyFrames final : public FrameSource {
   NpyFrames(std::istream& in, std::string file, WantedColumns wanted);
 
   [[nodiscard]] bool next(std::span<double> values) override;
-  [[noreturn]] void refuse(const std::string& message, const std::string& hint) const override;
+  [[nodiscard]] InputError refusal(const std::string& message,
+                                   const std::string& hint) const override;
   [[nodiscard]] std::span<const std::string> columns() const noexcept override {
     return wanted_.names;
   }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net::frames {
@@ -45,8 +46,14 @@ class FrameSource {
   /// @throw InputError  the frame is not whole, or a value not a finite number
   [[nodiscard]] virtual bool next(std::span<double> values) = 0;
 
-  /// @throw InputError  always: what is wrong with the frame last read
-  [[noreturn]] virtual void refuse(const std::string& message, const std::string& hint) const = 0;
+  /// What is wrong with the frame last read, and where it stands: to be thrown now, or when more is
+  /// known of it.
+  [[nodiscard]] virtual InputError refusal(const std::string& message,
+                                           const std::string& hint) const = 0;
+  /// @throw InputError  always: `refusal`
+  [[noreturn]] void refuse(const std::string& message, const std::string& hint) const {
+    throw refusal(message, hint);
+  }
 
   /// The names of what `next` returns, in its order.
   [[nodiscard]] virtual std::span<const std::string> columns() const noexcept = 0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <exception>
 #include <limits>
 #include <optional>
 #include <ostream>
@@ -120,18 +119,8 @@ class Outputs {
 struct FrameRead {
   std::string time;
   bool incomplete;
-  std::exception_ptr overflow;  // what is said where its tractions overflow
+  InputError overflow;  // what is said where its tractions overflow
 };
-
-std::exception_ptr overflow_of(const frames::FrameSource& source) {
-  std::exception_ptr said;
-  try {
-    source.refuse("the frame's tractions overflow a double", "scale the readings");
-  } catch (const InputError&) {
-    said = std::current_exception();
-  }
-  return said;
-}
 
 lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::ReadingsFile& file,
                                    Outputs& outputs, const Streams& streams) {
@@ -145,7 +134,9 @@ lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::Rea
     if (!source.next(readings)) return false;
     const bool incomplete = std::any_of(readings.begin(), readings.end(),
                                         [](double reading) { return std::isnan(reading); });
-    read.push_back({std::string(source.time()), incomplete, overflow_of(source)});
+    read.push_back(
+        {std::string(source.time()), incomplete,
+         source.refusal("the frame's tractions overflow a double", "scale the readings")});
     return true;
   };
   const auto use = [&](std::span<const double> readings,
@@ -165,7 +156,7 @@ lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::Rea
   try {  // who waits at the other end waits for each frame
     solver.solve_all(next, use, file.live() ? 1 : 0);
   } catch (const lab::FrameOverflow&) {
-    std::rethrow_exception(read.front().overflow);
+    throw read.front().overflow;
   }
   progress.clear();
   return recording;
