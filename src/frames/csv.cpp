@@ -124,7 +124,7 @@ class CsvFrames::Reader {
     row_ = lines_.line();
     if (const auto foreign = foreign_format(lines_.start()))
       throw InputError({{.file = file_, .message = foreign->what, .hint = foreign->what_to_do}});
-    if (row_.find('\r') != row_.npos)
+    if (row_.find('\r') != std::string_view::npos)
       fail({}, "lines end in a carriage return alone, as on old Macs",
            "tr '\\r' '\\n' < FILE | tactile-net ... --readings -");
     check(got);
@@ -174,7 +174,7 @@ class CsvFrames::Reader {
   /// "1.234" and "1,5" in one file: one of them is not what it looks like.
   void check_decimals(std::string_view raw, std::string_view text, std::size_t field) {
     const std::size_t at = text.find_first_of(".,");
-    if (at == text.npos) return;
+    if (at == std::string_view::npos) return;
     if (decimal_ != '\0' && decimal_ != text[at])
       fail(raw,
            "'" + std::string(text.substr(0, 40)) + "' has a decimal " +
@@ -191,7 +191,7 @@ class CsvFrames::Reader {
     const FieldKind kind = read_field(text, header_.layout.may_have_decimal_comma(), value);
     time_ = text;
     if (kind == FieldKind::number) {
-      if (text.find(',') != text.npos) {
+      if (text.find(',') != std::string_view::npos) {
         check_decimals(raw, text, field);
         time_text_ = shortest(value);
         time_ = time_text_;
@@ -227,7 +227,7 @@ CsvColumns csv_columns(std::istream& in, const std::string& file) {
   return CsvFrames::Reader(in, file).columns();
 }
 
-CsvFrames::CsvFrames(std::istream& in, std::string file, WantedColumns wanted)
+CsvFrames::CsvFrames(std::istream& in, std::string file, const WantedColumns& wanted)
     : reader_(std::make_unique<Reader>(in, std::move(file))) {
   reader_->open(wanted, nullptr);
 }

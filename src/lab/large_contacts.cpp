@@ -95,19 +95,20 @@ class LargeContacts::OfGroups final : public Covariance {
   OfGroups(std::size_t cells, const Covariance& free, std::vector<One> all)
       : cells_(cells), free_(free), all_(std::move(all)) {}
 
-  std::vector<double> deviations() const override { return free_.deviations(); }
-  double deviation(std::span<const double> weights) const override {
+  [[nodiscard]] std::vector<double> deviations() const override { return free_.deviations(); }
+  [[nodiscard]] double deviation(std::span<const double> weights) const override {
     double size = 0.0;
     for (const One& one : all_)
       size = std::hypot(size, one.covariance->deviation(own(one, weights)));
     return size;
   }
-  double covariance(std::span<const double> a, std::span<const double> b) const override {
+  [[nodiscard]] double covariance(std::span<const double> a,
+                                  std::span<const double> b) const override {
     double sum = 0.0;
     for (const One& one : all_) sum += one.covariance->covariance(own(one, a), own(one, b));
     return sum;
   }
-  double degrees_of_freedom() const noexcept override {
+  [[nodiscard]] double degrees_of_freedom() const noexcept override {
     double sum = 0.0;
     for (const One& one : all_) sum += one.covariance->degrees_of_freedom();
     return sum;

@@ -36,7 +36,7 @@ class CsvFrames final : public FrameSource {
   /// @param file  name for messages
   /// @throw InputError  there is no header, a column is missing or stands twice, it is not text
   /// @throw std::invalid_argument  `wanted.places` does not fit the file
-  CsvFrames(std::istream& in, std::string file, WantedColumns wanted);
+  CsvFrames(std::istream& in, std::string file, const WantedColumns& wanted);
 
   /// The same where the columns depend on what the file has, which must have a header.
   CsvFrames(std::istream& in, std::string file, const ChooseColumns& choose);
