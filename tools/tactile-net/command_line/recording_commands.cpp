@@ -123,7 +123,9 @@ void add_solve(AllCommands& all) {
                     {"solve pad.toml --readings mine.csv --columns 2-42 --missing estimate -o "
                      "tractions.csv",
                      "columns by their place, and frames in which a reading is missing"},
-                    {"solve pad.toml --readings -", "frame by frame, as they come by a pipe"}}});
+                    {"solve skin.toml --readings long.npy --plan skin.plan -o tractions.npy "
+                     "--contacts contacts.csv",
+                     "a long recording, by a plan of the command plan"}}});
   add_scene(command, options.scene, "Scene file (TOML): sensor, material, alpha");
   command
       .add_option("--readings", options.readings, file("FILE", {"csv", "npy"}),
@@ -152,6 +154,12 @@ void add_solve(AllCommands& all) {
   command.add_option("--share-alpha", options.share_alpha, number(),
                      "Choose alpha for each frame and the ones before it together, so many in "
                      "all, such as 20: tractions flicker less (default: for each frame alone)");
+  command.add_option("--plan", options.plan, file("FILE", {"plan"}),
+                     "Plan file of this scene: answer frames as its controller would, thousands a "
+                     "second, with one alpha and no bands");
+  command.add_option("--contacts", options.contacts, output_file({"csv"}),
+                     "CSV file for each frame's forces, centre, margins, doubts and status, as "
+                     "the controller with the plan of --plan has them");
   add_json(command, options.results.json,
            "Write a summary as JSON, with verdict and alpha of the frames that the page shows");
 }

@@ -17,6 +17,7 @@
 #include "commands/recording.hpp"
 #include "commands/recording_results.hpp"
 #include "commands/results.hpp"
+#include "commands/solve_plan.hpp"
 #include "commands/solve_skin.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
@@ -235,6 +236,9 @@ void solve_line(Scene scene, const SolveOptions& options, const Streams& streams
 void run(const SolveOptions& options, const Streams& streams) {
   check_one_standard_input(options.scene, options.readings);
   AnyScene scene = read_any_scene(options.scene, streams.in);
+  if (!options.plan.empty()) return solve_by_plan(scene, options, streams);
+  if (!options.contacts.empty())
+    throw WrongUsage("--contacts", "is what a plan says: it needs --plan");
   if (const auto* skin = std::get_if<SkinScene>(&scene)) return solve_skin(*skin, options, streams);
   solve_line(std::get<Scene>(std::move(scene)), options, streams);
 }

@@ -22,6 +22,8 @@ struct SolveOptions {
   std::string columns{};
   lab::Missing missing = lab::Missing::fail;
   std::optional<std::size_t> share_alpha{};
+  std::string plan{};
+  std::string contacts{};  ///< of the plan
 };
 
 /// @throw InputError  a frame is bad; the answers of those before it are in NAME.partial, which the
