@@ -20,14 +20,17 @@ inline void progress(const std::string& line) {
   std::fflush(stdout);
 }
 
-/// Prints each floor beside its limit and remembers whether all of them hold.
+/// Prints each floor beside its limit and remembers whether all of them hold. Where one is missed
+/// the reason is printed too, as far as it is known.
 class Floors {
  public:
-  void at_most(const std::string& what, double value, double limit) {
-    print(what, value, "at most", limit, value <= limit);
+  void at_most(const std::string& what, double value, double limit,
+               const std::string& reason = {}) {
+    print(what, value, "at most", limit, value <= limit, reason);
   }
-  void at_least(const std::string& what, double value, double limit) {
-    print(what, value, "at least", limit, value >= limit);
+  void at_least(const std::string& what, double value, double limit,
+                const std::string& reason = {}) {
+    print(what, value, "at least", limit, value >= limit, reason);
   }
   void broken(const std::string& what) {
     std::printf("%s: MISS\n", what.c_str());
@@ -36,9 +39,11 @@ class Floors {
   [[nodiscard]] bool all_hold() const noexcept { return all_hold_; }
 
  private:
-  void print(const std::string& what, double value, const char* sense, double limit, bool holds) {
+  void print(const std::string& what, double value, const char* sense, double limit, bool holds,
+             const std::string& reason) {
+    const std::string missed = reason.empty() ? "MISS" : "MISS: " + reason;
     std::printf("%s: %.3g (limit: %s %g) %s\n", what.c_str(), value, sense, limit,
-                holds ? "pass" : "MISS");
+                holds ? "pass" : missed.c_str());
     std::fflush(stdout);
     all_hold_ = all_hold_ && holds;
   }

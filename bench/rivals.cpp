@@ -90,10 +90,8 @@ void Rivals::eigen_product(const double* g, double* f) const noexcept {
 void Rivals::openblas_product([[maybe_unused]] const double* g,
                               [[maybe_unused]] double* f) const noexcept {
 #ifdef OPENBLAS
-  const auto rows = static_cast<int>(parts_->kernel.cols());
-  const auto columns = static_cast<int>(parts_->kernel.rows());
-  cblas_dgemv(CblasColMajor, CblasNoTrans, rows, columns, 1.0, parts_->matrix.get(), rows, g, 1,
-              0.0, f, 1);
+  bench::openblas_product(parts_->matrix.get(), static_cast<std::size_t>(parts_->kernel.rows()),
+                          static_cast<std::size_t>(parts_->kernel.cols()), g, f);
 #endif
 }
 
@@ -157,6 +155,17 @@ double multiply_in_registers(std::size_t rounds) noexcept {
   double lanes[sizeof(Packet) / sizeof(double)];
   Eigen::internal::pstoreu(lanes, sum[0]);
   return lanes[0];
+}
+
+void openblas_product([[maybe_unused]] const double* matrix, [[maybe_unused]] std::size_t rows,
+                      [[maybe_unused]] std::size_t columns, [[maybe_unused]] const double* g,
+                      [[maybe_unused]] double* f) noexcept {
+#ifdef OPENBLAS
+  openblas_set_num_threads(1);
+  const auto m = static_cast<int>(columns);
+  cblas_dgemv(CblasColMajor, CblasNoTrans, m, static_cast<int>(rows), 1.0, matrix, m, g, 1, 0.0, f,
+              1);
+#endif
 }
 
 std::string openblas() {

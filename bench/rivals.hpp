@@ -49,6 +49,11 @@ class [[gnu::visibility("default")]] Rivals {
                                                   std::size_t columns, const double* g,
                                                   double* f) noexcept;
 
+/// The same by OpenBLAS on one thread; nothing where it is not installed.
+[[gnu::visibility("default")]] void openblas_product(const double* matrix, std::size_t rows,
+                                                     std::size_t columns, const double* g,
+                                                     double* f) noexcept;
+
 /// F = M G by Eigen, of `frames` g and f, one after the other.
 [[gnu::visibility("default")]] void eigen_batch(const double* matrix, std::size_t rows,
                                                 std::size_t columns, std::size_t frames,

@@ -1,5 +1,6 @@
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <ostream>
 #include <stdexcept>
 
@@ -13,9 +14,16 @@ NpySink::NpySink(std::ostream& out, std::size_t columns) : out_(out), columns_(c
 }
 
 void NpySink::add(std::string_view, std::span<const double> values) {
-  for (const double value : values)
-    for (std::uint64_t word = std::bit_cast<std::uint64_t>(value), i = 0; i < 8; ++i, word >>= 8)
-      bytes_ += static_cast<char>(word & 0xff);
+  const std::size_t first = bytes_.size();
+  bytes_.resize(first + values.size() * sizeof(double));
+  char* to = bytes_.data() + first;
+  if constexpr (std::endian::native == std::endian::little) {
+    if (!values.empty()) std::memcpy(to, values.data(), values.size() * sizeof(double));
+  } else {
+    for (const double value : values)
+      for (std::uint64_t word = std::bit_cast<std::uint64_t>(value), i = 0; i < 8; ++i, word >>= 8)
+        *to++ = static_cast<char>(word & 0xff);
+  }
   ++frames_;
   if (bytes_.size() >= std::size_t{1} << 16) flush();
 }
