@@ -82,6 +82,8 @@ struct SkinSceneProblem::Parts {
   std::optional<SkinSceneProblem> beyond{};
   std::optional<PatternCache<SkinSceneProblem, double>> weighed{};  // by tangential weight
 
+  std::optional<SkinCone> any_cone{};  // whose alpha does not matter: cones of others come from it
+
   /// What only the last frame's is kept of: each thread's own, which no other takes away from it.
   struct OfThread {
     std::optional<std::pair<double, SkinCone>> cone{};  // of its alpha
@@ -229,8 +231,15 @@ std::size_t SkinSceneProblem::bytes() const {
 
 const SkinCone& SkinSceneProblem::cone(double alpha) const {
   auto& made = parts_->of_this_thread().cone;
-  if (!made || made->first != alpha)
-    made.emplace(alpha, SkinCone(problem(), alpha, *parts_->constraints));
+  if (!made || made->first != alpha) {
+    const SkinCone& any = [&]() -> const SkinCone& {
+      const std::lock_guard lock(parts_->mutex);
+      if (!parts_->any_cone)
+        parts_->any_cone.emplace(SkinCone(problem(), alpha, *parts_->constraints));
+      return *parts_->any_cone;
+    }();
+    made.emplace(alpha, any.with_alpha(alpha));
+  }
   return made->second;
 }
 

@@ -1,6 +1,7 @@
 #include "tactile_net/skin/cone.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "skin/cone_search.hpp"
 
@@ -28,9 +29,14 @@ struct SkinCone::System {
 
 SkinCone::SkinCone(const SkinProblem& problem, double alpha, const Constraints& constraints)
     : system_(std::make_unique<const System>(System{{problem, alpha, constraints}})) {}
+SkinCone::SkinCone(std::unique_ptr<const System> system) : system_(std::move(system)) {}
 SkinCone::~SkinCone() = default;
 SkinCone::SkinCone(SkinCone&&) noexcept = default;
 SkinCone& SkinCone::operator=(SkinCone&&) noexcept = default;
+
+SkinCone SkinCone::with_alpha(double alpha) const {
+  return SkinCone(std::make_unique<const System>(System{system_->search.with_alpha(alpha)}));
+}
 
 SkinConeSolution SkinCone::solve(std::span<const double> readings, std::size_t iteration_limit,
                                  double enough) const {

@@ -12,11 +12,18 @@
 
 namespace tactile_net {
 
+class ConeSystem;
+
 /// Const, so threads may share one. A copy shares all that was factored.
 class ConeSearch {
  public:
   /// @throw std::invalid_argument  as `SkinCone`
   ConeSearch(const SkinProblem& problem, double alpha, const Constraints& constraints);
+
+  /// All readings' of another alpha: what does not depend on it is shared, and tractions are those
+  /// of a search made anew, to the last bit.
+  /// @throw std::invalid_argument  alpha is not > 0 and finite
+  [[nodiscard]] ConeSearch with_alpha(double alpha) const;
 
   /// The same with these taxels' readings left out, as if they had been dead: one solve with what
   /// has been factored for each of their readings.
@@ -33,9 +40,8 @@ class ConeSearch {
                                        const Hopeless& hopeless = {}) const;
 
  private:
-  struct System;
   struct LeftOut;
-  std::shared_ptr<const System> system_{};
+  std::shared_ptr<const ConeSystem> system_{};
   std::shared_ptr<const LeftOut> left_out_{};  // absent: nothing is
 };
 

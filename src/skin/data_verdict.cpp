@@ -60,8 +60,11 @@ class Cones {
     const std::lock_guard lock(mutex_);
     if (!least_) least_ = largest_square(problem_);
     auto& cone = cones_[smoothing];
-    if (!cone) cone.emplace(problem_, smoothings[smoothing] * *least_, press_);
-    return *cone;
+    if (cone) return *cone;
+    const double alpha = smoothings[smoothing] * *least_;
+    for (const auto& other : cones_)
+      if (other) return cone.emplace(other->with_alpha(alpha));
+    return cone.emplace(problem_, alpha, press_);
   }
 
  private:

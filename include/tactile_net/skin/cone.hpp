@@ -67,6 +67,11 @@ class SkinCone {
   SkinCone(SkinCone&&) noexcept;
   SkinCone& operator=(SkinCone&&) noexcept;
 
+  /// The same of another alpha. What does not depend on it is shared, which takes a fraction of the
+  /// time; the tractions are those of a cone made anew, to the last bit.
+  /// @throw std::invalid_argument  alpha is not > 0 and finite
+  [[nodiscard]] SkinCone with_alpha(double alpha) const;
+
   /// One frame, from 0: some 30 to 300 steps, each the price of two products with K by classes.
   /// Allocates. `too_large` if any weighted reading or traction would not be finite.
   ///
@@ -78,6 +83,7 @@ class SkinCone {
 
  private:
   struct System;
+  explicit SkinCone(std::unique_ptr<const System> system);
   std::unique_ptr<const System> system_;
 };
 

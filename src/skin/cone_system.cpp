@@ -1,0 +1,163 @@
+#include "skin/cone_system.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "inverse/checks.hpp"
+
+namespace tactile_net {
+
+using Eigen::Index;
+
+namespace {
+
+/// Over sqrt(lambda_max alpha): the fewest steps on skins of 16 x 16, for alpha 1e-3 to 1e-6.
+constexpr double penalty = 2.0;
+
+const SkinProblem& checked(const SkinProblem& problem, const Constraints& limits) {
+  check_cones(problem, limits);
+  return problem;
+}
+
+/// The largest eigenvalue of P, by power iteration from what K shows best.
+double largest_eigenvalue(const ConeProblem& problem, const Eigen::VectorXd& smoothing) {
+  // What all readings add up to; that says nothing where each channel's constant is unknown.
+  Eigen::VectorXd seen = Eigen::VectorXd::Ones(problem.kernel.rows());
+  if (problem.rows.unknown_offsets)
+    seen = problem.kernel * Eigen::VectorXd::Ones(problem.kernel.cols());
+  Eigen::VectorXd start = problem.kernel.transpose() * seen;
+  const double most = start.cwiseAbs().maxCoeff();
+  for (Index i = 0; i < start.size(); ++i)
+    start(i) += 1e-3 * most * std::cos(static_cast<double>(i));
+  Eigen::VectorXd x = problem.waves.sums(start);
+  double largest = 0.0;
+  for (int step = 0; step < 100; ++step) {
+    x.normalize();
+    Eigen::VectorXd image = problem.product(x) + smoothing.cwiseProduct(x);
+    const double now = image.norm();
+    const bool settled = std::abs(now - largest) <= 1e-4 * now;
+    largest = now;
+    if (settled) break;
+    x = std::move(image);
+  }
+  return largest;
+}
+
+}  // namespace
+
+ConeScales::ConeScales(const SkinProblem& problem)
+    : kernel(as_eigen(problem.kernel).cwiseAbs().maxCoeff()), drag(problem.tangential_weight) {
+  if (!(kernel > 0.0)) kernel = 1.0;
+}
+
+SkinProblem ConeScales::applied(SkinProblem problem) const {
+  const std::size_t cells = problem.grid.count();
+  for (std::size_t row = 0; row < problem.kernel.rows; ++row)
+    for (std::size_t i = 0; i < problem.kernel.columns; ++i)
+      problem.kernel(row, i) /= i < cells ? kernel : kernel * drag;
+  problem.tangential_weight = 1.0;
+  return problem;
+}
+
+Constraints ConeScales::applied(Constraints constraints) const {
+  if (constraints.friction_limit) *constraints.friction_limit *= drag;
+  return constraints;
+}
+
+ConeProblem::ConeProblem(const SkinProblem& problem, const Constraints& limits)
+    : ConeProblem(ConeScales(checked(problem, limits)).applied(problem),
+                  ConeScales(problem).applied(limits), ConeScales(problem)) {}
+
+ConeProblem::ConeProblem(const SkinProblem& scaled, const Constraints& limits,
+                         const ConeScales& made)
+    : scales(made),
+      rows{scaled.weights, scaled.sites, scaled.unknown_offsets},
+      weighting(scaled),
+      cells(static_cast<Index>(scaled.grid.count())),
+      components(scaled.components),
+      area(scaled.area),
+      constraints(limits),
+      cones(cells, limits),
+      kernel(as_eigen(scaled.kernel)),
+      waves(scaled, Eigen::VectorXd::Ones(kernel.cols())),
+      spectrum(stabiliser_spectrum(scaled)) {
+  const Eigen::MatrixXd all = waves.sums(kernel.transpose());  // C' K'
+  for (SkinClass& part : mirror_classes(scaled)) {
+    const Eigen::MatrixXd selected = all(part.waves, Eigen::all);
+    const Eigen::MatrixXd transposed = selected * part.readings.transpose();
+    if (transposed.size() == 0) continue;
+    Block block{.waves = std::move(part.waves)};
+    if (transposed.cols() >= transposed.rows())
+      block.square = transposed * transposed.transpose();
+    else
+      block.kernel = transposed.transpose();
+    blocks.push_back(std::move(block));
+  }
+}
+
+Eigen::VectorXd ConeProblem::product(const Eigen::VectorXd& c) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(c.size());
+  for (const Block& block : blocks) {
+    const Eigen::VectorXd own = c(block.waves);
+    if (block.kernel.rows() == 0)
+      result(block.waves) = block.square * own;
+    else
+      result(block.waves) = block.kernel.transpose() * (block.kernel * own);
+  }
+  return result;
+}
+
+ConeSystem::ConeSystem(std::shared_ptr<const ConeProblem> problem, double alpha)
+    : problem_(std::move(problem)),
+      smoothing_(problem_->scales.applied(alpha) * problem_->spectrum),
+      largest_(largest_eigenvalue(*problem_, smoothing_)),
+      rho_(penalty * std::sqrt(largest_) *
+           std::sqrt(problem_->scales.applied(alpha) * problem_->area)) {
+  for (const ConeProblem::Block& block : problem_->blocks) blocks_.push_back(factored(block));
+}
+
+ConeSystem::Block ConeSystem::factored(const ConeProblem::Block& block) const {
+  const Eigen::VectorXd diagonal = smoothing_(block.waves).array() + rho_;
+  const auto checked = [](Cholesky root) {
+    if (!root.is_positive_definite())
+      throw std::domain_error("alpha is too small for constraints: smooth more");
+    return root;
+  };
+  if (block.kernel.rows() == 0) {
+    Eigen::MatrixXd whole = block.square;
+    whole.diagonal() += diagonal;
+    const Cholesky root = checked(Cholesky(whole));
+    whole.setIdentity();
+    root.solve_in_place(whole);
+    return {.inverse = std::move(whole)};
+  }
+  // D^-1 - D^-1 K' (1 + K D^-1 K')^-1 K D^-1, of as many numbers as there are readings.
+  const Eigen::MatrixXd stretched = block.kernel * diagonal.cwiseSqrt().cwiseInverse().asDiagonal();
+  Eigen::MatrixXd seen = stretched * stretched.transpose();
+  seen.diagonal().array() += 1.0;
+  return {.root = checked(Cholesky(seen)).solve_lower(stretched) *
+                  diagonal.cwiseSqrt().cwiseInverse().asDiagonal()};
+}
+
+Eigen::VectorXd ConeSystem::solve(const Eigen::VectorXd& x) const {
+  const Eigen::VectorXd c = problem_->waves.sums(x);
+  Eigen::VectorXd y = c.array() / (smoothing_.array() + rho_);
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const std::vector<Index>& waves = problem_->blocks[i].waves;
+    const Block& block = blocks_[i];
+    const Eigen::VectorXd own = c(waves);
+    if (block.root.rows() == 0)
+      y(waves) = block.inverse * own;
+    else
+      y(waves) -= block.root.transpose() * (block.root * own);
+  }
+  return problem_->waves.tractions(y);
+}
+
+Eigen::VectorXd ConeSystem::product(const Eigen::VectorXd& x) const {
+  const Eigen::VectorXd c = problem_->waves.sums(x);
+  return problem_->waves.tractions(problem_->product(c) + smoothing_.cwiseProduct(c));
+}
+
+}  // namespace tactile_net
