@@ -140,7 +140,24 @@ Eigen::MatrixXd FaceCoordinates::sums(const Eigen::MatrixXd& tractions) const {
 }
 
 Eigen::VectorXd FaceCoordinates::squares() const {
-  return sums(Eigen::MatrixXd::Identity(edges_.rows(), edges_.rows())).colwise().squaredNorm();
+  // R'^-1 of the directions: a traction is along three of them at most, and along none where
+  // nothing is free.
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(count(), count());
+  const Eigen::MatrixXd directions =
+      root_ ? root_->solve_transposed(identity) : divide_upper(identity, triangle_).transpose();
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> rows(edges_);
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(rows.rows());
+  Eigen::VectorXd along(count());
+  for (Index i = 0; i < rows.rows(); ++i) {
+    along.setZero();
+    bool free = false;
+    for (decltype(rows)::InnerIterator entry(rows, i); entry; ++entry) {
+      along += entry.value() * directions.col(entry.col());
+      free = true;
+    }
+    if (free) squares(i) = along.squaredNorm();
+  }
+  return squares;
 }
 
 Eigen::VectorXd FaceCoordinates::squares(const SkinGrid& grid, const CellWindow& window) const {
