@@ -1,8 +1,5 @@
 #include "lab/skin_method.hpp"
 
-#include <cmath>
-#include <numeric>
-
 #include "lab/large_skin.hpp"
 #include "tactile_net/lab/skin_data_verdict.hpp"
 #include "tactile_net/skin/covariance.hpp"
@@ -38,16 +35,7 @@ class DenseMethod final : public SkinMethod {
   }
   double residual(std::span<const double> readings,
                   std::span<const double> tractions) const override {
-    const SkinProblem& problem = problem_.problem();
-    const std::vector<double> explained = weighted(problem, readings);
-    double size = 0.0;
-    for (std::size_t i = 0; i < explained.size(); ++i) {
-      if (problem.weights[i] == 0.0) continue;
-      const std::span<const double> row = problem.kernel.row(i);
-      size = std::hypot(
-          size, std::inner_product(row.begin(), row.end(), tractions.begin(), -explained[i]));
-    }
-    return size;
+    return residual_norm(problem_.problem(), readings, tractions);
   }
   DataVerdict judge(std::span<const double> readings,
                     std::span<const double> tractions) const override {

@@ -11,7 +11,6 @@
 #include "inverse/checks.hpp"
 #include "numeric/eigen.hpp"
 #include "skin/family_factors.hpp"
-#include "skin/scaled_deviation.hpp"
 
 namespace tactile_net {
 
@@ -68,7 +67,8 @@ std::vector<double> SkinCovariance::window_deviations(const SkinGrid& grid,
 }
 
 double SkinCovariance::deviation(std::span<const double> weights) const {
-  return scaled_deviation(*this, weights);
+  const std::array<std::vector<double>, 1> one{std::vector<double>(weights.begin(), weights.end())};
+  return deviations_of(one).front();
 }
 
 namespace {
@@ -189,19 +189,26 @@ std::vector<double> SkinCovariance::deviations_of(
   return result;
 }
 
-NoiseEstimate estimate_noise(const SkinProblem& problem, std::span<const double> readings,
-                             std::span<const double> tractions, double degrees_of_freedom,
-                             std::optional<double> stated_rms) {
+double residual_norm(const SkinProblem& problem, std::span<const double> readings,
+                     std::span<const double> tractions) {
   const std::vector<double> rows = weighted(problem, readings);
   if (tractions.size() != problem.kernel.columns)
     throw std::invalid_argument("tractions need one value per column of the problem");
   const auto g = as_eigen(std::span(rows));
-  const double scale = g.cwiseAbs().maxCoeff();
-  if (scale == 0.0) return {.stated_rms = stated_rms};
-  const Eigen::VectorXd residual =
-      as_eigen(problem.kernel) * (as_eigen(tractions) / scale) - g / scale;
-  return estimate_noise(residual.norm() * scale, independent_readings(problem), degrees_of_freedom,
-                        stated_rms);
+  // Squares of what has been divided by its size are numbers in any unit.
+  const Eigen::VectorXd left = as_eigen(problem.kernel) * as_eigen(tractions) - g;
+  const double scale = left.cwiseAbs().maxCoeff();
+  return scale > 0.0 && std::isfinite(scale) ? (left / scale).norm() * scale : scale;
+}
+
+NoiseEstimate estimate_noise(const SkinProblem& problem, std::span<const double> readings,
+                             std::span<const double> tractions, double degrees_of_freedom,
+                             std::optional<double> stated_rms) {
+  const double left = residual_norm(problem, readings, tractions);
+  // Of a frame without any reading nothing is known.
+  const std::vector<double> rows = weighted(problem, readings);
+  if (as_eigen(std::span(rows)).cwiseAbs().maxCoeff() == 0.0) return {.stated_rms = stated_rms};
+  return estimate_noise(left, independent_readings(problem), degrees_of_freedom, stated_rms);
 }
 
 }  // namespace tactile_net

@@ -121,11 +121,19 @@ class Contact {
 struct Result {
   double value;
   Gradient gradient;
-
-  [[nodiscard]] Uncertain uncertain(const Covariance& covariance, double noise_rms) const {
-    return {value, covariance.deviation(gradient) * noise_rms};
-  }
 };
+
+/// Of several at once: they share what the covariance has to read.
+std::vector<Uncertain> uncertain(std::span<const Result> results, const Covariance& covariance,
+                                 double noise_rms) {
+  std::vector<Gradient> gradients;
+  for (const Result& one : results) gradients.push_back(one.gradient);
+  const std::vector<double> deviations = covariance.deviations_of(gradients);
+  std::vector<Uncertain> all;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    all.push_back({results[i].value, deviations[i] * noise_rms});
+  return all;
+}
 
 /// a x + b y of gradients.
 Gradient sum(double a, const Gradient& x, double b, const Gradient& y) {
@@ -224,14 +232,20 @@ std::optional<SkinFriction> friction_of(const SkinGrid& grid, std::span<const do
   const Gradient of_ratio = sum(1.0 / force[0], of_drag, -ratio / force[0], contact.of_force(0));
 
   SkinFriction friction;
-  friction.ratio = Result{ratio, of_ratio}.uncertain(covariance, noise_rms);
-  friction.least_limit =
-      ratio_at(contact, ninety_percent(contact)).uncertain(covariance, noise_rms);
+  std::vector<Result> results{{ratio, of_ratio}, ratio_at(contact, ninety_percent(contact))};
+  const auto tell = [&] {
+    const std::vector<Uncertain> all = uncertain(results, covariance, noise_rms);
+    friction.ratio = all[0];
+    friction.least_limit = all[1];
+    if (all.size() > 2) friction.margin = all[2];
+  };
   for (const std::size_t cell : cells)
     friction.lever += contact.area() * std::max(contact.p(cell), 0.0) *
                       std::hypot(contact.y(cell), contact.z(cell));
-  if (!limit) return friction;
-
+  if (!limit) {
+    tell();
+    return friction;
+  }
   const double slide = ratio / *limit;
   const double most = *limit * friction.lever;
   const double twist = most > 0.0 ? contact.torsion() / most : 0.0;
@@ -241,7 +255,8 @@ std::optional<SkinFriction> friction_of(const SkinGrid& grid, std::span<const do
       used > 0.0 ? sum(-slide / used / *limit, of_ratio, most > 0.0 ? -twist / used / most : 0.0,
                        contact.of_torsion())
                  : Gradient(tractions.size());
-  friction.margin = Result{1.0 - used, of_margin}.uncertain(covariance, noise_rms);
+  results.push_back({1.0 - used, of_margin});
+  tell();
   // Some at a time: of a large skin a weight for every traction and cell would be gigabytes.
   constexpr std::size_t most_weights = std::size_t{1} << 20;
   const std::size_t batch = std::max<std::size_t>(most_weights / tractions.size(), 1);
@@ -298,18 +313,16 @@ std::optional<ContactEllipse> contact_ellipse(const SkinGrid& grid,
   const double square = squares[static_cast<std::size_t>(law)];
   const double a = std::sqrt(square * longer);
   const double b = std::sqrt(square * shorter);
-  const auto uncertain = [&](double value, Gradient gradient) {
-    return Result{value, std::move(gradient)}.uncertain(covariance, noise_rms);
-  };
-  return ContactEllipse{
-      .radius =
-          uncertain(a, on_p([&](double v, double) { return 0.5 * square / a * (v * v - longer); })),
-      .second_radius = uncertain(
-          b, on_p([&](double, double w) { return 0.5 * square / b * (w * w - shorter); })),
-      // Of a circle any.
-      .angle = half > 0.0
-                   ? uncertain(angle, on_p([&](double v, double w) { return 0.5 * v * w / half; }))
-                   : Uncertain{0.0, std::numbers::pi}};
+  std::vector<Result> results{
+      {a, on_p([&](double v, double) { return 0.5 * square / a * (v * v - longer); })},
+      {b, on_p([&](double, double w) { return 0.5 * square / b * (w * w - shorter); })}};
+  if (half > 0.0)
+    results.push_back({angle, on_p([&](double v, double w) { return 0.5 * v * w / half; })});
+  const std::vector<Uncertain> all = uncertain(results, covariance, noise_rms);
+  return ContactEllipse{.radius = all[0],
+                        .second_radius = all[1],
+                        // Of a circle any.
+                        .angle = half > 0.0 ? all[2] : Uncertain{0.0, std::numbers::pi}};
 }
 
 }  // namespace tactile_net

@@ -75,8 +75,11 @@ std::vector<double> by_gradients(const Frame& frame, double alpha, double limit)
 
 TEST_CASE("the cone's tractions are those of projected gradients", "[skin][cone]") {
   const double weight = GENERATE(1.0, 4.0);
-  CAPTURE(weight);
-  const Frame frame = dragged(5, {.tangential_weight = weight, .grid = {.margin = 1e-3}});
+  // More unknowns than readings, about as many, and fewer: they are factored in two ways.
+  const auto grid = GENERATE(SkinGridOptions{.margin = 1e-3}, SkinGridOptions{.spacing = 2e-3},
+                             SkinGridOptions{.spacing = 4e-3});
+  CAPTURE(weight, grid.spacing.value_or(0.0));
+  const Frame frame = dragged(5, {.tangential_weight = weight, .grid = grid});
   for (const double alpha : {1e-2, 1e-3}) {
     const double limit = 0.5;
     const SkinConeSolution found = SkinCone(frame.problem, alpha, {.friction_limit = limit})
@@ -109,6 +112,26 @@ TEST_CASE("nothing pulls, and friction keeps its limit in every cell", "[skin][c
   }
   CHECK(touching == found.sliding + found.sticking);
   CHECK(found.face.free.size() == 2 * found.sliding + 3 * found.sticking);
+}
+
+TEST_CASE("a cone of another alpha is the one made anew, to the last bit", "[skin][cone]") {
+  const auto grid = GENERATE(SkinGridOptions{}, SkinGridOptions{.spacing = 4e-3});
+  const bool offsets = GENERATE(false, true);
+  const Frame frame = dragged(6, {.grid = grid, .unknown_offsets = offsets});
+  const Constraints held{.friction_limit = 0.5};
+  const SkinCone first(frame.problem, 1e-1, held);
+  for (const double alpha : {1e-1, 1e-3, 1e-5}) {
+    CAPTURE(alpha);
+    const SkinConeSolution expected = SkinCone(frame.problem, alpha, held).solve(frame.readings);
+    const SkinConeSolution found = first.with_alpha(alpha).solve(frame.readings);
+    REQUIRE(found.status == FrameStatus::ok);
+    CHECK(found.tractions == expected.tractions);
+    CHECK(found.iterations == expected.iterations);
+    CHECK(found.residual == expected.residual);
+  }
+  CHECK(first.with_alpha(1e-5).solve(frame.readings).tractions !=
+        first.solve(frame.readings).tractions);
+  CHECK_THROWS_WITH(first.with_alpha(0.0), ContainsSubstring("alpha"));
 }
 
 TEST_CASE("a family on the face finds the cone's tractions again", "[skin][cone][family]") {

@@ -54,6 +54,11 @@ class SkinCovariance final : public CellCovariance {
   double degrees_;
 };
 
+/// |W (K f - g)|, of weighted readings: what tractions leave of them. O(readings x tractions).
+/// @throw std::invalid_argument  a size does not fit
+[[nodiscard]] double residual_norm(const SkinProblem& problem, std::span<const double> readings,
+                                   std::span<const double> tractions);
+
 /// The noise as the residual shows it, beside the noise that was stated. @param stated_rms  of one
 /// weighted reading, >= 0 @throw std::invalid_argument  a size does not fit
 [[nodiscard]] NoiseEstimate estimate_noise(const SkinProblem& problem,
