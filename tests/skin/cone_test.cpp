@@ -75,11 +75,12 @@ std::vector<double> by_gradients(const Frame& frame, double alpha, double limit)
 
 TEST_CASE("the cone's tractions are those of projected gradients", "[skin][cone]") {
   const double weight = GENERATE(1.0, 4.0);
-  // More unknowns than readings, about as many, and fewer: they are factored in two ways.
-  const auto grid = GENERATE(SkinGridOptions{.margin = 1e-3}, SkinGridOptions{.spacing = 2e-3},
-                             SkinGridOptions{.spacing = 4e-3});
+  // More unknowns than readings, and as many: these are factored in another way.
+  const auto grid =
+      GENERATE(SkinGridOptions{.margin = 1e-3}, SkinGridOptions{.spacing = 2e-3, .margin = 0.0});
   CAPTURE(weight, grid.spacing.value_or(0.0));
   const Frame frame = dragged(5, {.tangential_weight = weight, .grid = grid});
+  if (grid.spacing) REQUIRE(frame.problem.kernel.columns <= frame.problem.kernel.rows);
   for (const double alpha : {1e-2, 1e-3}) {
     const double limit = 0.5;
     const SkinConeSolution found = SkinCone(frame.problem, alpha, {.friction_limit = limit})
@@ -115,7 +116,7 @@ TEST_CASE("nothing pulls, and friction keeps its limit in every cell", "[skin][c
 }
 
 TEST_CASE("a cone of another alpha is the one made anew, to the last bit", "[skin][cone]") {
-  const auto grid = GENERATE(SkinGridOptions{}, SkinGridOptions{.spacing = 4e-3});
+  const auto grid = GENERATE(SkinGridOptions{}, SkinGridOptions{.spacing = 2e-3, .margin = 0.0});
   const bool offsets = GENERATE(false, true);
   const Frame frame = dragged(6, {.grid = grid, .unknown_offsets = offsets});
   const Constraints held{.friction_limit = 0.5};
