@@ -114,43 +114,43 @@ ConeSystem::ConeSystem(std::shared_ptr<const ConeProblem> problem, double alpha)
       largest_(largest_eigenvalue(*problem_, smoothing_)),
       rho_(penalty * std::sqrt(largest_) *
            std::sqrt(problem_->scales.applied(alpha) * problem_->area)) {
-  for (const ConeProblem::Block& block : problem_->blocks) blocks_.push_back(factored(block));
+  for (const ConeProblem::Block& block : problem_->blocks) inverses_.push_back(inverse(block));
 }
 
-ConeSystem::Block ConeSystem::factored(const ConeProblem::Block& block) const {
+Eigen::MatrixXd ConeSystem::inverse(const ConeProblem::Block& block) const {
   const Eigen::VectorXd diagonal = smoothing_(block.waves).array() + rho_;
-  const auto checked = [](Cholesky root) {
-    if (!root.is_positive_definite())
-      throw std::domain_error("alpha is too small for constraints: smooth more");
-    return root;
-  };
+  Eigen::MatrixXd whole = block.square;
   if (block.kernel.rows() == 0) {
-    Eigen::MatrixXd whole = block.square;
     whole.diagonal() += diagonal;
-    const Cholesky root = checked(Cholesky(whole));
-    whole.setIdentity();
-    root.solve_in_place(whole);
-    return {.inverse = std::move(whole)};
+  } else {
+    const Eigen::MatrixXd stretched =
+        block.kernel * diagonal.cwiseSqrt().cwiseInverse().asDiagonal();
+    whole = stretched * stretched.transpose();
+    whole.diagonal().array() += 1.0;
   }
-  // D^-1 - D^-1 K' (1 + K D^-1 K')^-1 K D^-1, of as many numbers as there are readings.
-  const Eigen::MatrixXd stretched = block.kernel * diagonal.cwiseSqrt().cwiseInverse().asDiagonal();
-  Eigen::MatrixXd seen = stretched * stretched.transpose();
-  seen.diagonal().array() += 1.0;
-  return {.root = checked(Cholesky(seen)).solve_lower(stretched) *
-                  diagonal.cwiseSqrt().cwiseInverse().asDiagonal()};
+  const Cholesky root(whole);
+  if (!root.is_positive_definite())
+    throw std::domain_error("alpha is too small for constraints: smooth more");
+  whole.setIdentity();
+  root.solve_in_place(whole);
+  return whole;
 }
 
 Eigen::VectorXd ConeSystem::solve(const Eigen::VectorXd& x) const {
   const Eigen::VectorXd c = problem_->waves.sums(x);
-  Eigen::VectorXd y = c.array() / (smoothing_.array() + rho_);
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    const std::vector<Index>& waves = problem_->blocks[i].waves;
-    const Block& block = blocks_[i];
-    const Eigen::VectorXd own = c(waves);
-    if (block.root.rows() == 0)
-      y(waves) = block.inverse * own;
-    else
-      y(waves) -= block.root.transpose() * (block.root * own);
+  const Eigen::VectorXd diagonal = smoothing_.array() + rho_;
+  Eigen::VectorXd y = c.cwiseQuotient(diagonal);
+  for (std::size_t i = 0; i < inverses_.size(); ++i) {
+    const ConeProblem::Block& block = problem_->blocks[i];
+    if (block.kernel.rows() == 0) {
+      y(block.waves) = inverses_[i] * Eigen::VectorXd(c(block.waves));
+      continue;
+    }
+    // D^-1 - D^-1 K' (1 + K D^-1 K')^-1 K D^-1: of as many numbers as there are readings.
+    Eigen::VectorXd own = y(block.waves);
+    const Eigen::VectorXd seen = inverses_[i] * (block.kernel * own);
+    own -= (block.kernel.transpose() * seen).cwiseQuotient(diagonal(block.waves));
+    y(block.waves) = own;
   }
   return problem_->waves.tractions(y);
 }

@@ -84,17 +84,14 @@ class ConeSystem {
   [[nodiscard]] Eigen::VectorXd product(const Eigen::VectorXd& x) const;
 
  private:
-  struct Block {
-    Eigen::MatrixXd inverse{};  // of K'K + D, D = alpha L'L + rho
-    RowMajor root{};            // B: (K'K + D)^-1 = D^-1 - B'B
-  };
-  [[nodiscard]] Block factored(const ConeProblem::Block& block) const;
+  /// Of a class: with D = alpha L'L + rho, of K'K + D, or of 1 + K D^-1 K'.
+  [[nodiscard]] Eigen::MatrixXd inverse(const ConeProblem::Block& block) const;
 
   std::shared_ptr<const ConeProblem> problem_;
   Eigen::VectorXd smoothing_;  // alpha L'L
   double largest_;
   double rho_;
-  std::vector<Block> blocks_{};
+  std::vector<Eigen::MatrixXd> inverses_{};
 };
 
 }  // namespace tactile_net
