@@ -31,7 +31,7 @@ class RestOfRows {
   /// @param rows  of the whole problem; those that are gone are 0 afterwards
   [[nodiscard]] Eigen::VectorXd operator()(Eigen::VectorXd rows) const {
     for (const Eigen::Index row : gone_) rows(row) = 0.0;
-    return rest_.projected(std::move(rows));
+    return rest_.projected(rows);
   }
   /// Places of what is left out.
   [[nodiscard]] const std::vector<Eigen::Index>& gone() const noexcept { return gone_; }
