@@ -19,7 +19,7 @@ struct Level {
   std::size_t cells;  // along a tile's side
   std::size_t steps;  // of conjugate gradients for each rigid motion
 };
-constexpr std::array levels{Level{1e-7, 24, 32}, Level{1e-5, 20, 16}, Level{1e-3, 16, 8}};
+constexpr std::array levels{Level{1e-7, 24, 64}, Level{1e-5, 20, 16}, Level{1e-3, 16, 8}};
 constexpr Level otherwise{1.0, 16, 4};
 
 /// From these shares on down tiles alone take too many steps; where there are several cells to a
@@ -34,6 +34,18 @@ bool is_below(double share, double alpha, const EvenReadings& even) noexcept {
   return std::sqrt(alpha / share) < even.pressure;
 }
 
+/// Taxels deeper than three cells feel as far as others do at a hundredth of alpha.
+constexpr double deep = 3.0;
+constexpr double as_if_times = 0.01;
+
+double felt_alpha(const SkinProblem& problem, double alpha) {
+  const double cell = std::min(problem.grid.spacing_y, problem.grid.spacing_z);
+  const bool is_deep = std::any_of(problem.sites.begin(), problem.sites.end(),
+                                   [&](const SkinSite& site) { return site.depth > deep * cell; });
+  return is_deep ? as_if_times * alpha : alpha;
+}
+
+/// @param alpha  that is felt
 const Level& level(double alpha, const EvenReadings& even) noexcept {
   for (const Level& one : levels)
     if (is_below(one.below, alpha, even)) return one;
@@ -44,6 +56,7 @@ bool drag_is_hardly_seen(const EvenReadings& even) noexcept {
   return even.drag < hardly_seen * even.pressure;
 }
 
+/// @param alpha  that is felt
 bool wants_coarse_space(const SkinGrid& grid, double alpha, const EvenReadings& even) noexcept {
   const bool cells_between = grid.stride_rows * grid.stride_columns > 1;
   return drag_is_hardly_seen(even) ||
@@ -75,16 +88,19 @@ SkinPreconditioner::SkinPreconditioner(LargeSkinSystem& system, double alpha,
                                        std::shared_ptr<const LowWaves>& waves)
     : system_(system),
       alpha_(alpha),
-      tiles_(system, alpha, {.cells = level(alpha, even).cells}),
+      tiles_(system, alpha, {.cells = level(felt_alpha(system.problem, alpha), even).cells}),
       rows_(system.rows()),
       rest_(system.tractions()) {
-  if (tiles_.tiles() == 1 || !wants_coarse_space(system.problem.grid, alpha, even)) return;
+  if (tiles_.tiles() == 1 ||
+      !wants_coarse_space(system.problem.grid, felt_alpha(system.problem, alpha), even))
+    return;
   // What is to become of an even drag must not be in the coarse space as it is.
   if (!waves) waves = std::make_shared<const LowWaves>(system, !drag_is_hardly_seen(even));
   coarse_.emplace(waves, alpha);
   if (!drag_is_hardly_seen(even)) return;
 
-  coarse_->extend(slow_parts(rigid_motions(system.problem.grid), level(alpha, even).steps),
+  coarse_->extend(slow_parts(rigid_motions(system.problem.grid),
+                             level(felt_alpha(system.problem, alpha), even).steps),
                   [&](std::span<const double> x, std::span<double> image) { multiply(x, image); });
 }
 
