@@ -205,7 +205,7 @@ std::vector<PressPrior> FitProblem::press_priors(const FitState& state, std::siz
     PressPrior tie{.residual = (rod.log_force - at.log_force) / sd};
     tie.by_press[0] = -1.0 / sd;
     tie.by_press[2] = rod.by_log_half_width / sd;
-    const std::size_t thickness =
+    const auto thickness =
         static_cast<std::size_t>(options_.at_base ? PadParameter::depth : PadParameter::thickness);
     tie.by_pad[thickness] = rod.by_log_thickness / sd;
     tie.by_pad[static_cast<std::size_t>(PadParameter::poisson_ratio)] = rod.by_poisson_ratio / sd;

@@ -102,7 +102,9 @@ class Summary {
         for (const PressPrior& prior : problem_.press_priors(state_, p))
           leverage += leverage_of(prior, rows, all, cross);
       }
-      double sum = 0.0, before = 0.0, weight = 0.0;
+      double sum = 0.0;
+      double before = 0.0;
+      double weight = 0.0;
       for (std::size_t j = 0; j < n; ++j) {
         sum += fit_.residuals(p, j) * fit_.residuals(p, j);
         before += fit_.residuals_before(p, j) * fit_.residuals_before(p, j);

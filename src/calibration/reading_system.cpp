@@ -52,8 +52,7 @@ class Assembly {
     const FitProblem::GainPrior prior = problem_.gain_prior();
     mean_of_.assign(state_.log_gain.size(), no_column);
     has_prior_ = parts_.common_priors && std::isfinite(prior.sd);
-    for (std::size_t b = 0; b < problem_.gain_blocks().size(); ++b) {
-      const std::vector<std::size_t>& block = problem_.gain_blocks()[b];
+    for (const std::vector<std::size_t>& block : problem_.gain_blocks()) {
       if (!gains_are_local_ || !has_prior_ || prior.mean_sd == 0.0 || block.empty()) continue;
       // The best mean of these gains: its own row and theirs balance.
       double sum = 0.0;

@@ -51,7 +51,8 @@ LogSensor::LogSensor(const AnyScene& scene) : is_skin(std::holds_alternative<Ski
         readings = reading_names(one.sensor);
         for (const auto& channel : tactile_net::channels(one.sensor))
           channels.push_back(channel.name);
-        std::vector<double> along_y, along_z;
+        std::vector<double> along_y;
+        std::vector<double> along_z;
         for (const auto& site : sites(one.sensor)) {
           dead.push_back(std::count(one.dead_taxels.begin(), one.dead_taxels.end(), site.taxel) >
                          0);

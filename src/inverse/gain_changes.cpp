@@ -56,7 +56,7 @@ class Changes {
  private:
   [[nodiscard]] Told told(const Eigen::VectorXd& gains, const Eigen::VectorXd& offsets,
                           const std::vector<std::size_t>& frames) const;
-  [[nodiscard]] std::vector<bool> widened(const std::vector<bool>& free) const;
+  [[nodiscard]] static std::vector<bool> widened(const std::vector<bool>& free);
 
   const Eigen::MatrixXd& cone_;
   const std::vector<Eigen::VectorXd>& loads_;
@@ -65,7 +65,7 @@ class Changes {
 };
 
 /// A load may move as well as grow: its neighbours' columns are free, too.
-std::vector<bool> Changes::widened(const std::vector<bool>& free) const {
+std::vector<bool> Changes::widened(const std::vector<bool>& free) {
   std::vector<bool> wide = free;
   for (std::size_t i = 0; i < free.size(); ++i) {
     if (!free[i]) continue;
@@ -223,7 +223,7 @@ GainChanges gain_changes(const InverseProblem& contacts, double friction_limit,
       spread = *std::min_element(spreads.begin(), spreads.end(), [&](double a, double b) {
         return surprise(found.told, variances(a)) < surprise(found.told, variances(b));
       });
-      const Eigen::VectorXd own = variances(spread);
+      Eigen::VectorXd own = variances(spread);
       settle(own, found);
       return own;
     };

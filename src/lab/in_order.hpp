@@ -44,7 +44,8 @@ void in_order(std::size_t threads, const auto& next, const auto& work, const aut
   };
   constexpr std::size_t jobs_of_one = 4;  // ahead, so that no thread waits for a long job's turn
   std::mutex mutex;
-  std::condition_variable to_do, done;
+  std::condition_variable to_do;
+  std::condition_variable done;
   std::deque<Slot> slots;  // the oldest first; addresses stay as they are
   bool over = false;
   const auto work_on = [&] {

@@ -192,6 +192,7 @@ std::vector<OrderedPart> order_of(const SolderedCircuit& soldered) {
     part.references.push_back(soldered.circuit.resistors[r].name);
   }
   std::vector<OrderedPart> parts;
+  parts.reserve(order.size());
   for (auto& [key, part] : order) parts.push_back(std::move(part));
   return parts;
 }
@@ -217,6 +218,7 @@ PartsList list_of(const SceneCircuit& circuit, double target,
   PartsList result{.wanted = {.target = target}, .loads = problems.size()};
   result.series = circuit.tolerance().series.value_or(Series::e96);
   std::vector<Offer> offers;
+  offers.reserve(forms.size());
   for (const CircuitForm& one : forms) offers.push_back(priced(one, circuit, problems, result));
   std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
     return a.candidate.good() != b.candidate.good() ? a.candidate.good()

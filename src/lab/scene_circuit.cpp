@@ -126,7 +126,8 @@ SceneCircuit::SceneCircuit(const std::shared_ptr<const CircuitSource>& source,
                options().parts) {}
 
 const std::string& SceneCircuit::file() const noexcept {
-  return std::visit([](const auto& one) -> const std::string& { return one.file; }, scene());
+  if (const auto* line = std::get_if<Scene>(&scene())) return line->file;
+  return std::get_if<SkinScene>(&scene())->file;
 }
 
 NetworkOptions SceneCircuit::scaled() const {

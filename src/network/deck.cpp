@@ -102,10 +102,11 @@ class Check {
 
 void check(const Analysis& analysis) {
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
-  if (const auto* ac = std::get_if<SingleFrequency>(&analysis); ac && !positive(ac->hertz))
+  if (const auto* ac = std::get_if<SingleFrequency>(&analysis);
+      ac != nullptr && !positive(ac->hertz))
     throw std::invalid_argument("a frequency must be > 0 and finite");
   if (const auto* tran = std::get_if<StepResponse>(&analysis);
-      tran && !(positive(tran->step) && positive(tran->stop) && tran->step < tran->stop))
+      tran != nullptr && !(positive(tran->step) && positive(tran->stop) && tran->step < tran->stop))
     throw std::invalid_argument("a transient needs 0 < step < stop");
 }
 

@@ -16,30 +16,16 @@ namespace tactile_net {
 
 /// Two balls in the middle of 5 x 5 taxels, a small and a large one with the largest force, then
 /// five more. Forces and radii are known exactly, places within 0.1 mm; noise is 1 %.
-class NextSkinPressTrial {
+class NextSkinPressTrial final : public PressTrial<SimulatedSkinLog> {
  public:
-  static constexpr std::size_t more = 5;
-
   explicit NextSkinPressTrial(unsigned seed)
-      : made_(
-            simulated_skin_log(seed, {.reads = {SkinQuantity::stress_x, SkinQuantity::shear_xy}})),
-        seed_(seed),
-        model_(made_.model()),
-        exact_(made_.truth, made_.pad),
-        log_(made_.log) {
-    log_.presses.clear();
+      : PressTrial(
+            simulated_skin_log(seed, {.reads = {SkinQuantity::stress_x, SkinQuantity::shear_xy}}),
+            seed),
+        exact_(made_.truth, made_.pad) {
     std::mt19937_64 random(seed);
-    press({.radius = small, .force = largest}, random);
-    press({.radius = large, .force = largest}, random);
-  }
-
-  [[nodiscard]] TrialErrors errors(PressChoice choice) {
-    const PressLog before = log_;
-    std::mt19937_64 random(1000 + seed_);
-    for (const NextPress& one : presses_of(choice, random)) press(one, random);
-    const PressFit fit = fit_presses(model_, log_);
-    log_ = before;
-    return errors_of(fit);
+    NextSkinPressTrial::press({.radius = small, .force = largest}, random);
+    NextSkinPressTrial::press({.radius = large, .force = largest}, random);
   }
 
   /// The criterion before and after, as it was said and as the fit with these presses has it.
@@ -64,7 +50,7 @@ class NextSkinPressTrial {
   static constexpr double largest = 1.0;
 
   [[nodiscard]] std::vector<NextPress> presses_of(PressChoice choice,
-                                                  std::mt19937_64& random) const {
+                                                  std::mt19937_64& random) const override {
     const auto uniform = [&](double low, double high) {
       return std::uniform_real_distribution<double>(low, high)(random);
     };
@@ -94,25 +80,21 @@ class NextSkinPressTrial {
     return presses;
   }
 
-  void press(const NextPress& done, std::mt19937_64& random) {
+  void press(const NextPress& done, std::mt19937_64& random) override {
     std::normal_distribution<double> normal;
     const std::vector<SkinLoad> loads{
         SkinContact{.y = done.position,
                     .z = done.position_z,
                     .radius = ball_contact_radius(made_.pad, done.force, done.radius),
                     .force = done.force}};
-    const std::vector<double> clean = exact_.readings(loads);
     Press press{.number = log_.presses.size() + 1, .force = {.value = done.force}};
     press.position = {done.position + 1e-4 * normal(random), 1e-4};
     press.position_z = {done.position_z + 1e-4 * normal(random), 1e-4};
     press.radius = done.radius;
-    for (std::size_t j = 0; j < clean.size(); ++j)
-      press.readings.push_back(made_.gains[j] * clean[j] + made_.offsets[j] +
-                               made_.rms[model_.sites()[j].channel] * normal(random));
-    log_.presses.push_back(std::move(press));
+    add(std::move(press), exact_.readings(loads), random, normal);
   }
 
-  [[nodiscard]] TrialErrors errors_of(const PressFit& fit) const {
+  [[nodiscard]] std::vector<PressState> reference_loads() const override {
     std::vector<PressState> loads;
     for (const double radius : {small, large})
       for (int i = -2; i <= 2; ++i)
@@ -122,32 +104,12 @@ class NextSkinPressTrial {
           one.center_z = 0.5 * k * reach;
           loads.push_back(one);
         }
-    const PressModel truth(made_.truth, made_.pad);
-    const PressReadings is = truth.readings(truth.nominal(), loads, false);
-    const PressReadings said = model_.readings(fit.pad, loads, false);
-    TrialErrors errors;
-    double apart = 0.0, size = 0.0;
-    const auto n = static_cast<double>(made_.gains.size());
-    for (std::size_t j = 0; j < made_.gains.size(); ++j) {
-      errors.gains += std::pow(std::log(fit.gains[j] / made_.gains[j]), 2) / n;
-      const double noise = made_.rms[model_.sites()[j].channel];
-      for (std::size_t p = 0; p < loads.size(); ++p) {
-        const double reading = made_.gains[j] * is.value(p, j);
-        apart += std::pow((fit.gains[j] * said.value(p, j) - reading) / noise, 2);
-        size += std::pow(reading / noise, 2);
-      }
-    }
-    errors.readings = std::sqrt(apart / size);
-    errors.gains = std::sqrt(errors.gains);
-    errors.depth = fit.at(PadParameter::depth).value / made_.truth.depths.front() - 1.0;
-    return errors;
+    return loads;
   }
+  [[nodiscard]] PressModel truth() const override { return {made_.truth, made_.pad}; }
+  [[nodiscard]] double true_depth() const override { return made_.truth.depths.front(); }
 
-  SimulatedSkinLog made_;
-  unsigned seed_;
-  PressModel model_;
   ExactSkinModel exact_;
-  PressLog log_;
 };
 
 }  // namespace tactile_net

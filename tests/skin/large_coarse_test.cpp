@@ -112,49 +112,13 @@ TEST_CASE("two levels are symmetric and positive where conjugate gradients go",
 
 TEST_CASE("conjugate gradients on two levels reach the minimiser of the dense problem",
           "[skin][large][coarse]") {
-  const SkinArray skin = in_plane_skin(18);
-  for (const auto& dead : {std::vector<std::size_t>{}, {0, 21, 22, 137, 310}}) {
-    const SkinProblemOptions options = with_dead(dead);
-    const SkinProblem dense = make_problem(skin, silicone, options);
-    const SkinFamily family(dense);
-    const double size = std::pow(family.singular_values().front(), 2);
-    const std::vector<double> readings = readings_of(dense, 1);
-    LargeSkinTikhonov solver(skin, silicone, options, size);
-    for (const double share : {1e-2, 1e-5}) {
-      const double alpha = share * size;
-      solver.use_alpha(alpha);
-      const auto expected = family.solve(family.analyse(readings), alpha);
-      std::vector<double> found(expected.size());
-      REQUIRE(solver.solve(readings, found) == FrameStatus::ok);
-      CAPTURE(dead.size(), share, solver.convergence().steps);
-      CHECK(solver.convergence().converged);
-      const double error = distance(found, expected) / norm(expected);
-      CHECK(error < 1e-6);
-      CHECK(error <= solver.convergence().bound + 1e-9);
-      const auto right = normal_right_side(dense, readings);
-      CHECK(normal_residual(dense, alpha, solver.solve_normal(right), right) < 2e-8);
-    }
-  }
+  check_reaches_minimiser(in_plane_skin(18), silicone, {});
+  check_reaches_minimiser(in_plane_skin(18), silicone, {0, 21, 22, 137, 310});
 }
 
 TEST_CASE("steps hold where no shear is read and where cells lie between taxels",
           "[skin][large][coarse]") {
-  const Skin between{square_skin(20, 2e-3), with_dead({}, {.spacing = 0.5e-3})};
-  for (const Skin& skin :
-       {Skin{in_plane_skin(32)}, Skin{in_plane_skin(32), with_dead({0, 33, 700})}, between}) {
-    const auto system = make_large_skin_system(skin.array, silicone, skin.options);
-    const double even = std::pow(even_readings(*system).pressure, 2);
-    LargeSkinTikhonov solver(system, even);
-    const std::vector<double> right =
-        solver.normal_right_side(random_numbers(system->readings(), 4));
-    for (const double share : {1e-2, 1e-4, 1e-6, 1e-8}) {
-      const double alpha = share * even;
-      solver.use_alpha(alpha);
-      const std::vector<double> x = solver.solve_normal(right);
-      CAPTURE(skin.array.rows, skin.options.dead_taxels.size(), share, solver.convergence().steps);
-      CHECK(solver.convergence().converged);
-      CHECK(solver.convergence().steps <= (share < 1e-7 ? 120 : 36));
-      CHECK(distance(normal_product(*system, alpha, x), right) < 2e-8 * norm(right));
-    }
-  }
+  check_steps(in_plane_skin(32), silicone);
+  check_steps(in_plane_skin(32), silicone, with_dead({0, 33, 700}));
+  check_steps(square_skin(20, 2e-3), silicone, with_dead({}, {.spacing = 0.5e-3}));
 }

@@ -1,5 +1,6 @@
 /// @file
-/// What the tests of large skins share: a thin pad, readings of a contact, and what matrices say.
+/// What the tests of large skins share: a thin pad, readings of a contact, what matrices say, and
+/// the laws that every one of them keeps.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "src/skin/large/even_readings.hpp"
 #include "src/skin/large/system.hpp"
 #include "tactile_net/skin/family.hpp"
+#include "tactile_net/skin/large/tikhonov.hpp"
 #include "tactile_net/skin/stabiliser.hpp"
+#include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
 
 namespace tactile_net {
@@ -85,6 +89,53 @@ inline std::vector<double> normal_product(LargeSkinSystem& system, double alpha,
   system.apply(alpha, x, image);
   system.apply_transposed(alpha, image, result);
   return result;
+}
+
+/// Conjugate gradients reach the minimiser by the decomposition, and say how far off they are.
+inline void check_reaches_minimiser(const SkinArray& skin, const Material& material,
+                                    std::vector<std::size_t> dead) {
+  const SkinProblemOptions options = with_dead(std::move(dead));
+  const SkinProblem dense = make_problem(skin, material, options);
+  const SkinFamily family(dense);
+  const double size = std::pow(family.singular_values().front(), 2);
+  const std::vector<double> readings = readings_of(dense, 1);
+  LargeSkinTikhonov solver(skin, material, options, size);
+  for (const double share : {1e-2, 1e-5}) {
+    const double alpha = share * size;
+    solver.use_alpha(alpha);
+    const auto expected = family.solve(family.analyse(readings), alpha);
+    std::vector<double> found(expected.size());
+    REQUIRE(solver.solve(readings, found) == FrameStatus::ok);
+    CAPTURE(share, solver.convergence().steps);
+    CHECK(solver.convergence().converged);
+    const double error = distance(found, expected) / norm(expected);
+    CHECK(error < 1e-6);
+    CHECK(error <= solver.convergence().bound + 1e-9);
+
+    const auto right = normal_right_side(dense, readings);
+    CHECK(distance(solver.normal_right_side(readings), right) < 1e-12 * norm(right));
+    const auto x = solver.solve_normal(right);
+    CHECK(solver.convergence().steps <= 36);
+    CHECK(normal_residual(dense, alpha, x, right) < 2e-8);
+  }
+}
+
+/// Steps to 1e-8 for every alpha.
+inline void check_steps(const SkinArray& skin, const Material& material,
+                        const SkinProblemOptions& options = {}) {
+  const auto system = make_large_skin_system(skin, material, options);
+  const double even = std::pow(even_readings(*system).pressure, 2);
+  LargeSkinTikhonov solver(system, even);
+  const std::vector<double> right = solver.normal_right_side(random_numbers(system->readings(), 4));
+  for (const double share : {1e-2, 1e-4, 1e-6, 1e-8}) {
+    const double alpha = share * even;
+    solver.use_alpha(alpha);
+    const std::vector<double> x = solver.solve_normal(right);
+    CAPTURE(skin.rows, options.dead_taxels.size(), share, solver.convergence().steps);
+    CHECK(solver.convergence().converged);
+    CHECK(solver.convergence().steps <= (share < 1e-7 ? 120 : 36));
+    CHECK(distance(normal_product(*system, alpha, x), right) < 2e-8 * norm(right));
+  }
 }
 
 }  // namespace tactile_net

@@ -54,16 +54,6 @@ TEST_CASE("products by FFT are those of the matrix, both ways", "[skin][large]")
 
 namespace {
 
-/// The square of what even pressure reads.
-double even_square(LargeSkinSystem& system) {
-  std::vector<double> even(system.tractions());
-  std::fill_n(even.begin(), system.problem.grid.count(), 1.0);
-  double largest = 0.0;
-  for (const double reading : weighted_product(system, even))
-    largest = std::max(largest, std::abs(reading));
-  return largest * largest;
-}
-
 /// Odd and even sides, taxels on every cell and every other or third one, dead ones, other
 /// readings, a layer, one traction a cell.
 struct Skin {
@@ -90,7 +80,7 @@ std::vector<Skin> small_skins() {
 TEST_CASE("a tile as large as the skin is the inverse of P", "[skin][large][tiles]") {
   for (const Skin& skin : small_skins()) {
     const auto system = make_large_skin_system(skin.array, skin.material, skin.options);
-    const double alpha = 1e-4 * even_square(*system);
+    const double alpha = 1e-4 * std::pow(even_readings(*system).pressure, 2);
     SkinTiles tiles(*system, alpha, {.cells = 100, .reach = 100});
     REQUIRE(tiles.tiles() == 1);
     const std::vector<double> x = random_numbers(system->tractions(), 1);
@@ -106,7 +96,7 @@ TEST_CASE("the sum over tiles is symmetric and positive, and mirrors what the sk
   for (const Skin& skin : small_skins())
     for (const double share : {1e-2, 1e-8}) {
       const auto system = make_large_skin_system(skin.array, skin.material, skin.options);
-      SkinTiles tiles(*system, share * even_square(*system), {.cells = 6});
+      SkinTiles tiles(*system, share * std::pow(even_readings(*system).pressure, 2), {.cells = 6});
       CHECK(tiles.tiles() > 1);
       const std::vector<double> x = random_numbers(system->tractions(), 2);
       const std::vector<double> y = random_numbers(system->tractions(), 3);
@@ -141,55 +131,13 @@ TEST_CASE("the sum over tiles is symmetric and positive, and mirrors what the sk
 }
 
 TEST_CASE("steps of conjugate gradients hold at every alpha", "[skin][large][tiles]") {
-  const SkinArray skin = square_skin(40, 2e-3);
-  for (const Material& material : {silicone, thin}) {
-    const auto system = make_large_skin_system(skin, material, {});
-    const double even = even_square(*system);
-    LargeSkinTikhonov solver(system, even);
-    const std::vector<double> right =
-        solver.normal_right_side(random_numbers(system->readings(), 4));
-    for (const double share : {1e-2, 1e-4, 1e-6, 1e-8}) {
-      const double alpha = share * even;
-      solver.use_alpha(alpha);
-      const std::vector<double> x = solver.solve_normal(right);
-      CAPTURE(share, material.layer.has_value());
-      CHECK(solver.convergence().converged);
-      CHECK(solver.convergence().steps <= (share < 1e-7 ? 120 : 36));
-      CHECK(distance(normal_product(*system, alpha, x), right) < 2e-8 * norm(right));
-    }
-  }
+  for (const Material& material : {silicone, thin}) check_steps(square_skin(40, 2e-3), material);
 }
 
 TEST_CASE("conjugate gradients reach the minimiser of the dense problem", "[skin][large]") {
-  const SkinArray skin = square_skin(18, 2e-3);
   for (const Material& material : {silicone, thin})
-    for (const auto& dead : {std::vector<std::size_t>{}, {0, 21, 22, 137, 310}}) {
-      const SkinProblemOptions options = with_dead(dead);
-      const SkinProblem dense = make_problem(skin, material, options);
-      const SkinFamily family(dense);
-      const double size = std::pow(family.singular_values().front(), 2);
-      const std::vector<double> readings = readings_of(dense, 1);
-      CAPTURE(material.layer.has_value(), dead.size());
-      LargeSkinTikhonov solver(skin, material, options, size);
-      for (const double share : {1e-2, 1e-5}) {
-        const double alpha = share * size;
-        solver.use_alpha(alpha);
-        const auto expected = family.solve(family.analyse(readings), alpha);
-        std::vector<double> found(expected.size());
-        REQUIRE(solver.solve(readings, found) == FrameStatus::ok);
-        CAPTURE(share, solver.convergence().steps);
-        CHECK(solver.convergence().converged);
-        const double error = distance(found, expected) / norm(expected);
-        CHECK(error < 1e-6);
-        CHECK(error <= solver.convergence().bound + 1e-9);
-
-        const auto right = normal_right_side(dense, readings);
-        CHECK(distance(solver.normal_right_side(readings), right) < 1e-12 * norm(right));
-        const auto x = solver.solve_normal(right);
-        CHECK(solver.convergence().steps <= 36);
-        CHECK(normal_residual(dense, alpha, x, right) < 2e-8);
-      }
-    }
+    for (const auto& dead : {std::vector<std::size_t>{}, {0, 21, 22, 137, 310}})
+      check_reaches_minimiser(square_skin(18, 2e-3), material, dead);
 }
 
 TEST_CASE("dead taxels cost conjugate gradients next to no steps", "[skin][large]") {

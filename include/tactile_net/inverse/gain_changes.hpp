@@ -55,6 +55,6 @@ struct GainFrames {
 /// @param friction_limit  |f_t| / f_v of what touches the pad, at most, > 0
 /// @throw std::invalid_argument  a size does not fit
 [[nodiscard]] GainChanges gain_changes(const InverseProblem& contacts, double friction_limit,
-                                       const GainFrames& frames);
+                                       const GainFrames& given);
 
 }  // namespace tactile_net

@@ -166,9 +166,9 @@ SkinConeSolution LargeSkinCone::solve(std::span<const double> readings, std::siz
   std::optional<double> limit = p.limits.friction_limit;
   if (limit) *limit /= p.drag;
   p.cones.project(before, [&](Index i, ConePart part) {
-    solution.apart += part == ConePart::apart;
-    solution.sliding += part == ConePart::sliding;
-    solution.sticking += part == ConePart::sticking;
+    ++(part == ConePart::apart     ? solution.apart
+       : part == ConePart::sliding ? solution.sliding
+                                   : solution.sticking);
     add_free_directions(solution.face, before, p.cells, i, part, limit);
   });
   f *= scale;

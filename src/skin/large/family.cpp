@@ -74,7 +74,7 @@ Eigen::VectorXd signs(std::span<const double> weights, std::uint64_t probe) {
 }  // namespace
 
 struct LargeSkinFamily::Parts {
-  explicit Parts(std::shared_ptr<LargeSkinSystem> made)
+  explicit Parts(const std::shared_ptr<LargeSkinSystem>& made)
       : Parts(made, std::make_unique<CosineCoordinates>(
                         made->problem, stabiliser_spectrum(made->problem).cwiseSqrt())) {}
   Parts(std::shared_ptr<LargeSkinSystem> made, std::unique_ptr<const SkinCoordinates> in)
@@ -103,7 +103,8 @@ struct LargeSkinFamily::Parts {
   [[nodiscard]] Nodes run(Eigen::VectorXd u) const {
     u.normalize();
     Eigen::VectorXd v = sums(u);
-    std::vector<double> diagonal{v.norm()}, below;
+    std::vector<double> diagonal{v.norm()};
+    std::vector<double> below;
     if (!(diagonal.front() > 0.0)) return {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)};
     v /= diagonal.front();
     double largest = diagonal.front();
@@ -121,7 +122,7 @@ struct LargeSkinFamily::Parts {
       below.push_back(next);
       diagonal.push_back(own);
       if (step % look_every != 0) continue;
-      const Nodes nodes = nodes_of(diagonal, below);
+      Nodes nodes = nodes_of(diagonal, below);
       largest = nodes.gamma(0);
       const Eigen::VectorXd now = fits(nodes, largest);
       const bool still =

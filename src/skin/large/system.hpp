@@ -16,7 +16,7 @@ namespace tactile_net {
 struct LargeSkinSystem {
   /// @throw std::invalid_argument  as `make_problem`; the taxels do not lie on the cells' lattice,
   ///                               or offsets are unknown
-  LargeSkinSystem(const SkinArray& skin, const Material& material,
+  LargeSkinSystem(const SkinArray& array, const Material& material,
                   const SkinProblemOptions& options);
 
   [[nodiscard]] std::size_t tractions() const noexcept {

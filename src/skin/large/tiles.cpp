@@ -142,6 +142,7 @@ TileBlock SkinTiles::block(const Line& y, const Line& z) const {
   const auto along_z = taxels(z, columns_);
   const Index count = std::ssize(channel_weights_) * std::ssize(along_y) * std::ssize(along_z);
   std::vector<Eigen::MatrixXd> rows;
+  rows.reserve(classes.size());
   for (const TileClass& one : classes) rows.emplace_back(one.size, count);
   Eigen::VectorXd row(static_cast<Index>(shape.tractions()));
   Index at = 0;
