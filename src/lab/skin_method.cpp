@@ -12,33 +12,36 @@ class DenseMethod final : public SkinMethod {
  public:
   explicit DenseMethod(const SkinSceneProblem& problem) : problem_(problem) {}
 
-  FilterFrame analyse(std::span<const double> readings) const override {
+  [[nodiscard]] FilterFrame analyse(std::span<const double> readings) const override {
     return problem_.family().analyse(readings);
   }
-  double condition(double alpha) const override { return problem_.family().condition(alpha); }
-  double stacked_condition(double alpha) const override {
+  [[nodiscard]] double condition(double alpha) const override {
+    return problem_.family().condition(alpha);
+  }
+  [[nodiscard]] double stacked_condition(double alpha) const override {
     return problem_.family().stacked_condition(alpha);
   }
-  double degrees_of_freedom(double alpha) const override {
+  [[nodiscard]] double degrees_of_freedom(double alpha) const override {
     return problem_.family().degrees_of_freedom(alpha);
   }
-  std::vector<double> solve(const FilterFrame& frame, std::span<const double>,
-                            double alpha) const override {
+  [[nodiscard]] std::vector<double> solve(const FilterFrame& frame, std::span<const double>,
+                                          double alpha) const override {
     return problem_.family().solve(frame, alpha);
   }
-  SkinConeSolution solve_in_cones(std::span<const double> readings, double alpha) const override {
+  [[nodiscard]] SkinConeSolution solve_in_cones(std::span<const double> readings,
+                                                double alpha) const override {
     return problem_.cone(alpha).solve(readings);
   }
-  std::unique_ptr<const CellCovariance> covariance(double alpha,
-                                                   double prior_alpha) const override {
+  [[nodiscard]] std::unique_ptr<const CellCovariance> covariance(
+      double alpha, double prior_alpha) const override {
     return std::make_unique<SkinCovariance>(problem_.family(), alpha, prior_alpha);
   }
-  double residual(std::span<const double> readings,
-                  std::span<const double> tractions) const override {
+  [[nodiscard]] double residual(std::span<const double> readings,
+                                std::span<const double> tractions) const override {
     return residual_norm(problem_.problem(), readings, tractions);
   }
-  DataVerdict judge(std::span<const double> readings,
-                    std::span<const double> tractions) const override {
+  [[nodiscard]] DataVerdict judge(std::span<const double> readings,
+                                  std::span<const double> tractions) const override {
     return problem_.data_judge().judge(without_offsets(problem_, readings, tractions), tractions);
   }
 

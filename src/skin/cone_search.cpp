@@ -141,9 +141,9 @@ SkinConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t
     std::optional<double> limit = s.constraints.friction_limit;
     if (limit) *limit /= s.scales.drag;
     s.cones.project(before, [&](Index i, ConePart part) {
-      solution.apart += part == ConePart::apart;
-      solution.sliding += part == ConePart::sliding;
-      solution.sticking += part == ConePart::sticking;
+      solution.apart += part == ConePart::apart ? 1 : 0;
+      solution.sliding += part == ConePart::sliding ? 1 : 0;
+      solution.sticking += part == ConePart::sticking ? 1 : 0;
       add_free_directions(solution.face, before, s.cells, i, part, limit);
     });
   } else {

@@ -95,8 +95,8 @@ double frame_strain(const SkinProblem& problem, const DataLimits& limits,
 }
 
 std::vector<double> pressing_part(const SkinProblem& problem, std::optional<double> friction_limit,
-                                  std::span<const double> f) {
-  std::vector<double> contact(f.begin(), f.end());
+                                  std::span<const double> tractions) {
+  std::vector<double> contact(tractions.begin(), tractions.end());
   const std::size_t cells = problem.grid.count();
   for (std::size_t i = 0; i < cells; ++i) {
     contact[i] = std::max(contact[i], 0.0);
@@ -113,7 +113,7 @@ std::vector<double> pressing_part(const SkinProblem& problem, std::optional<doub
 }
 
 struct SkinDataJudge::Parts {
-  Parts(const SkinProblem& problem, std::function<SkinProblem()> sought, DataLimits given);
+  Parts(const SkinProblem& found_for, std::function<SkinProblem()> sought, DataLimits given);
 
   /// Of W (K f - g) over the noise, by the best contact found: as soon as it is enough.
   [[nodiscard]] Eigen::VectorXd left_by_contact(std::span<const double> readings,
@@ -238,11 +238,12 @@ double SkinDataJudge::Parts::least_left(std::span<const double> readings, double
 /// Of the taxels with the largest residuals the one without which a contact explains the rest best.
 std::optional<std::size_t> SkinDataJudge::Parts::bad_taxel(std::span<const double> readings,
                                                            const Eigen::VectorXd& residual) const {
-  std::vector<double> squares(problem.taxels), taken(problem.taxels);
+  std::vector<double> squares(problem.taxels);
+  std::vector<double> taken(problem.taxels);
   for (std::size_t row = 0; row < problem.sites.size(); ++row) {
     const std::size_t taxel = problem.sites[row].taxel;
     squares[taxel] += std::pow(residual(static_cast<Eigen::Index>(row)), 2);
-    taken[taxel] += problem.weights[row] > 0.0;
+    if (problem.weights[row] > 0.0) taken[taxel] += 1.0;
   }
   std::vector<std::size_t> order(problem.taxels);
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -139,7 +139,7 @@ class Reduction {
   [[nodiscard]] static Roles roles_of(const Circuit& circuit);
   void number_rows(const Circuit& circuit, const Roles& roles);
   void add_parts(const Circuit& circuit);
-  void add_subcircuit(const Instance& instance, Subcircuit::Kind kind, double siemens);
+  void add_subcircuit(const Instance& x, Subcircuit::Kind kind, double siemens);
 
   /// Calls `add(law, here, there)` for both ends of a part and every law of theirs.
   void at_ends(const Part& part, const auto& add) const;

@@ -150,23 +150,24 @@ struct LargeSkinFamily::Parts {
   std::vector<Nodes> probes{};
 };
 
-LargeSkinFamily::LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, std::size_t probes) {
-  auto parts = std::make_unique<Parts>(std::move(system));
+LargeSkinFamily::LargeSkinFamily(const std::shared_ptr<LargeSkinSystem>& system,
+                                 std::size_t probes) {
+  auto parts = std::make_unique<Parts>(system);
   parts->run_probes(probes);
   parts_ = std::move(parts);
 }
-LargeSkinFamily::LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, const ConeFace& face,
-                                 std::size_t probes) {
+LargeSkinFamily::LargeSkinFamily(const std::shared_ptr<LargeSkinSystem>& system,
+                                 const ConeFace& face, std::size_t probes) {
   auto coordinates = std::make_unique<FaceCoordinates>(system->problem, face);
-  auto parts = std::make_unique<Parts>(std::move(system), std::move(coordinates));
+  auto parts = std::make_unique<Parts>(system, std::move(coordinates));
   parts->run_probes(probes);
   parts_ = std::move(parts);
 }
 LargeSkinFamily::LargeSkinFamily(const LargeSkinTikhonov& solver, std::size_t probes)
     : LargeSkinFamily(solver.system(), probes) {}
-LargeSkinFamily::LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system,
+LargeSkinFamily::LargeSkinFamily(const std::shared_ptr<LargeSkinSystem>& system,
                                  const LargeSkinFamily& like) {
-  auto parts = std::make_unique<Parts>(std::move(system));
+  auto parts = std::make_unique<Parts>(system);
   parts->probes = like.parts_->probes;  // of each row on average, whatever their number
   parts_ = std::move(parts);
 }

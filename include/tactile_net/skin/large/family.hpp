@@ -28,16 +28,16 @@ class LargeSkinFamily {
   /// Runs the probes: for each up to 300 products with K and its transposed.
   ///
   /// @param probes  >= 1
-  explicit LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, std::size_t probes = 4);
+  explicit LargeSkinFamily(const std::shared_ptr<LargeSkinSystem>& system, std::size_t probes = 4);
   explicit LargeSkinFamily(const LargeSkinTikhonov& solver, std::size_t probes = 4);
   /// Of the tractions that a face of the cones leaves free, as `SkinFamily`'s.
   /// @throw std::invalid_argument  the face leaves nothing free, or is of another problem
-  LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, const ConeFace& face,
+  LargeSkinFamily(const std::shared_ptr<LargeSkinSystem>& system, const ConeFace& face,
                   std::size_t probes = 4);
   /// With the probes of another's, of the same skin without these dead taxels: no product. Their
   /// share of the taxels is about what the traces may be off by; of some hundredths that is less
   /// than the probes' own deviation.
-  LargeSkinFamily(std::shared_ptr<LargeSkinSystem> system, const LargeSkinFamily& like);
+  LargeSkinFamily(const std::shared_ptr<LargeSkinSystem>& system, const LargeSkinFamily& like);
   ~LargeSkinFamily();
   LargeSkinFamily(LargeSkinFamily&&) noexcept;
   LargeSkinFamily& operator=(LargeSkinFamily&&) noexcept;
